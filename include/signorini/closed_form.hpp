@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// The closed-form solver: extremes of sum z^2 over a simplex or a box, no iteration, no library.
+///
+/// The energy of a motion is diagonal in its class amplitudes, so the motions of least and of most
+/// energy of a whole solution set are the nearest and the farthest point of an AmplitudeSet from
+/// the origin.
+
+#include <vector>
+
+#include "signorini/amplitude_set.hpp"
+
+namespace signorini {
+
+/// Least value of sum z^2, reached at z = S/d everywhere: S^2/d. O(1).
+/// A box must contain that point: lower <= min(0, S) and max(0, S) <= upper.
+[[nodiscard]] double leastSquares(const AmplitudeSet& set);
+
+/// Largest value of sum z^2: S^2 at a vertex of the simplex; on a box the partial sums alternate
+/// between the bounds. O(1).
+[[nodiscard]] double mostSquares(const AmplitudeSet& set);
+
+/// The amplitudes of least sum z^2. O(d).
+[[nodiscard]] std::vector<double> leastAmplitudes(const AmplitudeSet& set);
+
+/// Amplitudes of largest sum z^2 (one of several equal choices). O(d).
+[[nodiscard]] std::vector<double> mostAmplitudes(const AmplitudeSet& set);
+
+}  // namespace signorini

@@ -1,0 +1,94 @@
+#pragma once
+/// \file
+/// Files: states and motions in SI units, and a way to write several files whole or not at all.
+///
+/// Numbers are printed in the shortest form that reads back exactly.
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "signorini/bar.hpp"
+#include "signorini/motion.hpp"
+#include "signorini/state.hpp"
+
+namespace signorini {
+
+/// A file could not be read or written; the message names it and the system's reason.
+class FileError : public std::runtime_error {
+public:
+    FileError(const std::string& path, std::string reason);
+
+    /// Why, without the path: "cannot write: No space left on device".
+    [[nodiscard]] const std::string& reason() const { return reason_; }
+
+private:
+    std::string reason_;
+};
+
+/// Writes text to one file through a buffer. Every failure throws FileError, that of closing too.
+class TextFile {
+public:
+    explicit TextFile(const std::string& path);
+    TextFile(const TextFile&) = delete;
+    TextFile& operator=(const TextFile&) = delete;
+    ~TextFile();
+
+    void write(std::string_view text);
+    /// Flushes and closes; must be called for the file to count as written.
+    void close();
+
+private:
+    void flush();
+    [[noreturn]] void fail(const char* action) const;
+
+    std::string path_;
+    int descriptor_ = -1;
+    std::string buffer_;
+};
+
+/// A set of files that appear together: each is written under a temporary name beside its target,
+/// and `commit` moves all of them into place. What is not committed is removed. A target that is no
+/// regular file (a pipe, /dev/stdout) receives its content at `commit`.
+class OutputFiles {
+public:
+    OutputFiles() = default;
+    OutputFiles(const OutputFiles&) = delete;
+    OutputFiles& operator=(const OutputFiles&) = delete;
+    ~OutputFiles();
+
+    /// The temporary name to write to. \throws FileError if `path` is a directory or its folder
+    /// does not exist or cannot be written to.
+    [[nodiscard]] std::string stage(const std::string& path);
+
+    /// Puts every staged file into place. \throws FileError.
+    void commit();
+
+private:
+    struct Entry {
+        std::string staged;
+        std::string target;
+        bool isRegular;
+    };
+    std::vector<Entry> entries_;
+};
+
+/// x, a, b, velocity, strain, displacement: row i is x_i = i dx and holds the values on cell i and
+/// u(x_i); [m], [-], [-], [m/s], [-], [m] with v = c (a + b), s = b - a. \throws FileError.
+void writeStateCsv(const std::string& path, const State& state, const Bar& bar);
+
+/// Most nodes and instants in a motion file; longer motions are thinned out evenly.
+inline constexpr std::int64_t maxMotionNodes = 1001;
+inline constexpr std::int64_t maxMotionInstants = 2001;
+
+/// time, x, displacement, velocity, strain over one period, instant by instant; [s], [m], [m],
+/// [m/s], [-]. At node i velocity and strain are those of cell i (cell 1 at the clamp).
+/// \throws FileError.
+void writeMotionCsv(const std::string& path, const Motion& motion, const Bar& bar);
+
+/// The same as a legacy VTK rectilinear grid (x, t), for ParaView. \throws FileError.
+void writeMotionVtk(const std::string& path, const Motion& motion, const Bar& bar);
+
+}  // namespace signorini

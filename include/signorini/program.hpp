@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// A problem for a solver, with no mechanics in it.
+///
+///     minimise    linear . x + 1/2 sum quadratic_i x_i^2
+///     subject to  equalities x = equalityRhs
+///                 inequalities x <= inequalityRhs
+///                 lower <= x <= upper
+///                 sum weights_i x_i^2 = value            (optional)
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <cstdint>
+#include <optional>
+
+namespace signorini {
+
+/// sum weights_i x_i^2 = value, with weights >= 0: holds the energy of a motion.
+struct EnergyEquality {
+    Eigen::VectorXd weights;  ///< n values >= 0
+    double value = 0.0;       ///< > 0
+};
+
+/// Shapes: n variables, p equalities, q inequalities. Bounds may be infinite.
+struct Program {
+    Eigen::SparseMatrix<double, Eigen::RowMajor> equalities;    ///< p x n
+    Eigen::VectorXd equalityRhs;                                ///< p
+    Eigen::SparseMatrix<double, Eigen::RowMajor> inequalities;  ///< q x n
+    Eigen::VectorXd inequalityRhs;                              ///< q
+    Eigen::VectorXd lower;                                      ///< n
+    Eigen::VectorXd upper;                                      ///< n
+    Eigen::VectorXd linear;                                     ///< n
+    Eigen::VectorXd quadratic;                                  ///< n values >= 0, or empty: none
+    std::optional<EnergyEquality> energy;
+
+    [[nodiscard]] std::int64_t variables() const { return linear.size(); }
+};
+
+/// A program with n free variables, no rows and no objective.
+[[nodiscard]] Program emptyProgram(std::int64_t variables);
+
+/// Checks shapes, that no number is NaN, that bounds do not cross and that quadratic terms are
+/// convex. O(entries). \throws std::invalid_argument naming each fault.
+void validate(const Program& program);
+
+/// linear . x + 1/2 sum quadratic_i x_i^2. O(n).
+[[nodiscard]] double objective(const Program& program, const Eigen::VectorXd& x);
+
+/// The largest violation of any row, bound or the energy equality at x, each divided by
+/// max(1, |right side|); infinite if x is not finite or of the wrong length. O(entries).
+[[nodiscard]] double violation(const Program& program, const Eigen::VectorXd& x);
+
+}  // namespace signorini

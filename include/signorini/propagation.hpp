@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// Time stepping without error: a step of the bar is a signed shift.
+///
+/// Inside the bar a moves one cell right and b one cell left; at the clamp a'_1 = -b_1; at the tip
+/// b'_N = -a_N in contact (DD, equation (19)) and b'_N = +a_N in free flight (DN, equation (17)).
+/// So the bar is a delay line of 2N values read at the tip. With p_m the value of r_1 that reaches
+/// the tip in step m,
+///
+///     a_i = p_{N-i},   b_i = -p_{N+i-1}   (at m = 0),
+///     p_{m+2N} = +p_m in a contact step,  -p_m in a free step.
+///
+/// Values are moved and negated, never added: propagation is exact in floating point.
+
+#include <Eigen/Core>
+#include <cstdint>
+
+#include "signorini/schedule.hpp"
+#include "signorini/state.hpp"
+
+namespace signorini {
+
+/// The bar as a ring of the 2N values p_m ... p_{m+2N-1}, next to arrive first.
+class DelayLine {
+public:
+    /// O(N). \throws std::invalid_argument if a and b differ in length or are empty.
+    explicit DelayLine(const State& state);
+
+    /// p_m, the wave about to reach the tip. O(1).
+    [[nodiscard]] double incoming() const { return ring_[head_]; }
+
+    /// One contact step. O(1).
+    void contactStep() { head_ = head_ + 1 == ring_.size() ? 0 : head_ + 1; }
+
+    /// One free step. O(1).
+    void freeStep()
+    {
+        ring_[head_] = -ring_[head_];
+        contactStep();
+    }
+
+    /// `count` >= 0 contact steps. O(1): contact only turns the ring.
+    void contact(std::int64_t count);
+
+    /// `count` >= 0 free steps. O(min(count, 2N)).
+    void free(std::int64_t count);
+
+    /// One period of a schedule on the same N cells: applies W of equation (30).
+    /// O(sum of min(n_f, 2N) over phases).
+    void period(const Schedule& schedule);
+
+    /// a and b at the present instant. O(N).
+    [[nodiscard]] State state() const;
+
+private:
+    void negate(std::int64_t count);
+
+    Eigen::VectorXd ring_;
+    Eigen::Index head_ = 0;
+};
+
+}  // namespace signorini

@@ -1,0 +1,103 @@
+#pragma once
+/// \file
+/// From (30)-(32) to a simplex or a box: the complete solution set of a one-phase schedule.
+///
+/// In the delay form of propagation.hpp periodicity reads p_{m+2N} = sigma_m p_m with p n-periodic,
+/// sigma = +1 in contact and -1 in free steps. Let G = gcd(2N, n). Shifting by 2N splits the n
+/// steps into G classes m = alpha G + j of nu = n/G members. Once around a class p is multiplied by
+/// (-1)^(free steps of the class): with an even count the class is live and carries one free
+/// amplitude z_j, with an odd one p = 0 on it. The live classes are one block of d neighbours, and
+/// all follow one sign pattern,
+///
+///     p_{alpha G + j} = epsilon_alpha z_j,   epsilon_{alpha + w} = sigma_alpha epsilon_alpha,
+///
+/// with w = 2N/G. Over a window of 2N steps epsilon adds up to `windowSum`; the gap row (31) says
+/// windowSum * S = -N with S = sum z. What remains of (32):
+///
+/// - pressing (a live class touches the wall): every contact epsilon is +1, no prefix sum of
+///   epsilon over the free blocks is positive, windowSum < 0. The set is {z >= 0, sum z = S}.
+/// - grazing (no live class does): nu is even and w odd, so epsilon alternates and windowSum = 1;
+///   the set is the box -N <= Z_j <= 0, Z_d = S = -N. It is never empty: linear motions that touch
+///   the wall without force.
+///
+/// docs/theory.md derives each step. Schedules are folded first (schedule.hpp).
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "signorini/amplitude_set.hpp"
+#include "signorini/schedule.hpp"
+#include "signorini/state.hpp"
+
+namespace signorini {
+
+/// Why no motion exists; the first that applies, in this order.
+enum class Reason {
+    noLiveClass,  ///< ker(W - 1) = 0: only the bar at rest repeats
+    contactSign,  ///< the same amplitude would have to push and to pull on the wall
+    penetration,  ///< a prefix sum of (12) is positive whatever the amplitudes
+    gap,          ///< the tip cannot be at the wall at t = 0: row (31) reads 0 or < 0 = g
+    constraints,  ///< motions exist, but none meets the further demands
+};
+
+/// "no-live-class", "contact-sign", "penetration", "gap", "constraints".
+[[nodiscard]] std::string_view name(Reason reason);
+
+/// Does the wall feel the motion?
+enum class Contact {
+    pressing,  ///< positive force at some contact step
+    grazing,   ///< the tip touches, the force is zero throughout: a linear motion
+};
+
+/// "pressing" or "grazing".
+[[nodiscard]] std::string_view name(Contact contact);
+
+/// Both ends of the energies E/E_1 that the motions of a set have.
+struct EnergyRange {
+    double least = 0.0;  ///< [E_1]
+    double most = 0.0;   ///< [E_1]
+};
+
+/// The verdict on a schedule and everything needed to write down each of its motions.
+struct Reduction {
+    Schedule schedule;                    ///< the folded schedule that all counts below refer to
+    std::int64_t classes = 0;             ///< [-], G
+    std::int64_t members = 0;             ///< [-], nu, steps in a class
+    std::int64_t window = 0;              ///< [-], w = 2N/G, blocks in a window of 2N steps
+    std::int64_t contactMembers = 0;      ///< [-], contact steps in a live class
+    std::int64_t firstLive = 0;           ///< [-], j of the first live class
+    std::int64_t kernelDimension = 0;     ///< [-], d = dim ker(W - 1)
+    std::vector<std::int8_t> signs;       ///< epsilon_alpha, alpha = 0..nu-1 (empty if d = 0)
+    std::int64_t windowSum = 0;           ///< [-], sum of epsilon over w blocks
+    std::int64_t worstBlock = -1;         ///< alpha of the largest prefix sum, when it is > 0
+    std::int64_t worstPrefix = 0;         ///< [-], that sum
+    std::optional<Reason> reason;         ///< set exactly when the set is empty
+    Contact contact = Contact::pressing;  ///< meaningful when the set is not empty
+    AmplitudeSet set;                     ///< in z_j, j = firstLive .. firstLive + d - 1
+};
+
+/// Decides a schedule. O(min(n, 12N)/G) steps on integers, one array of that many bytes; no heap
+/// use at all when `result` is used again for a schedule that needs no more room. \throws
+/// std::invalid_argument on an invalid schedule or more than one phase.
+void reduce(const Schedule& schedule, Reduction& result);
+
+/// The same, returning a fresh object.
+[[nodiscard]] Reduction reduce(const Schedule& schedule);
+
+/// [E_min, E_max]/E_1 over the whole set: 2w/N times the extremes of sum z^2. O(1).
+/// \throws std::invalid_argument if the set is empty.
+[[nodiscard]] EnergyRange energyRange(const Reduction& reduction);
+
+/// The state at t = 0 of the motion with the given amplitudes. O(N).
+/// \throws std::invalid_argument if the set is empty, z has the wrong length, or z lies outside
+/// the set by more than 1e-9 |S|.
+[[nodiscard]] State motionOf(const Reduction& reduction, std::span<const double> amplitudes);
+
+/// The state at t = 0 of the motion of least energy, z = S/d throughout. O(N), the time needed to
+/// write 2N numbers. \throws std::invalid_argument if the set is empty.
+[[nodiscard]] State leastEnergyMotion(const Reduction& reduction);
+
+}  // namespace signorini

@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// A schedule: how many steps the tip of the bar touches the wall, how many it flies free, in turn.
+///
+/// The bar is cut into N equal cells, dx = L/N, and time into steps dt = dx/c, equation (26) and
+/// what follows it. One period is a list of phases, each n_c contact steps followed by n_f free
+/// steps; the paper has one phase. Period T = n dt with n the sum of all steps.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace signorini {
+
+/// One contact phase and the free flight after it.
+struct Phase {
+    std::int64_t contact = 0;  ///< [steps], n_c >= 1
+    std::int64_t free = 0;     ///< [steps], n_f >= 1
+
+    friend bool operator==(const Phase&, const Phase&) = default;
+};
+
+/// The grid and the phases of one period.
+struct Schedule {
+    std::int64_t cells = 300;   ///< [-], N, number of equal cells of the bar
+    std::vector<Phase> phases;  ///< at least one; the period starts with the first contact
+
+    friend bool operator==(const Schedule&, const Schedule&) = default;
+};
+
+/// Largest number of cells: one state then fills 1.6 GB, and every product formed inside the
+/// library fits in 64 bits.
+inline constexpr std::int64_t maxCells = 100'000'000;
+
+/// Largest number of steps in one period.
+inline constexpr std::int64_t maxSteps = std::int64_t{1} << 62;
+
+/// Checks 1 <= N <= maxCells, at least one phase, every phase >= 1 step of each kind, and a sum of
+/// all steps <= maxSteps; reports all faults in one message.
+/// \throws std::invalid_argument with field, value and allowed range.
+void validate(const Schedule& schedule);
+
+/// n, all steps of one period of a valid schedule. O(K).
+[[nodiscard]] std::int64_t steps(const Schedule& schedule);
+
+/// T c/L = n/N, the period in units of the time a wave needs to cross the bar.
+[[nodiscard]] double period(const Schedule& schedule);
+
+/// omega/omega_1 = 4N/n, the abscissa of the frequency-energy plot.
+[[nodiscard]] double frequencyRatio(const Schedule& schedule);
+
+/// Replaces a schedule by one with the same equations and fewer steps.
+///
+/// In contact the state repeats after 2N steps, in free flight after 4N (equations (21)-(25)), and
+/// so do the inequalities. Hence n_c >= 2N may be replaced by 2N + (n_c mod 2N) and n_f >= 4N by
+/// 4N + (n_f mod 4N): W of (30) is the same matrix, and the rows of (32) that fall away repeat rows
+/// that stay. Afterwards n < 12N per phase, so the cost of a verdict never grows with the period.
+void fold(Schedule& schedule);
+
+/// "N = 300, (150, 900)", for people; more than eight phases are abridged.
+[[nodiscard]] std::string describe(const Schedule& schedule);
+
+}  // namespace signorini

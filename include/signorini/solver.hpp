@@ -1,0 +1,126 @@
+#pragma once
+/// \file
+/// One interface to every back end, and the table of those this library was built with.
+///
+/// A solver receives a Program and options, and answers with a status and a point. What it claims
+/// is recomputed here before it is passed on: a point whose violation exceeds the tolerance is
+/// never "optimal". Solvers hold no state between calls; one object may be used from one thread.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <string_view>
+
+#include "signorini/program.hpp"
+
+namespace signorini {
+
+/// What a solver says of a program.
+enum class SolverStatus {
+    notRun,      ///< `solve` was not called
+    optimal,     ///< x meets every row within the tolerance and minimises the objective
+    infeasible,  ///< the solver found that no x meets the rows; a claim, not a proof
+    unbounded,   ///< the objective has no lower bound
+    limit,       ///< an iteration or time limit was reached first
+    cancelled,   ///< `SolverOptions::cancel` was requested
+    failed,      ///< anything else; `detail` says what
+};
+
+/// "not run", "optimal", "infeasible", "unbounded", "limit", "cancelled", "failed".
+[[nodiscard]] std::string_view name(SolverStatus status);
+
+/// Settings that all back ends share. One that a back end cannot honour is refused by name.
+struct SolverOptions {
+    /// Largest relative violation of a row or bound (see `violation`); smaller costs iterations.
+    double tolerance = 1e-7;
+    /// [-], most iterations; 0: no limit.
+    std::int64_t iterationLimit = 0;
+    /// [s], wall time; infinite: no limit.
+    double timeLimit = std::numeric_limits<double>::infinity();
+    /// Where to start; empty: the back end's own choice.
+    std::optional<Eigen::VectorXd> start = std::nullopt;
+    /// Ask it to stop from another thread.
+    std::stop_token cancel = {};
+};
+
+/// Outcome of one call. Invariant: `x` has n values when the status is optimal.
+struct SolverResult {
+    SolverStatus status = SolverStatus::notRun;
+    std::string detail = "the solver has not been called";  ///< for people: the native verdict
+    Eigen::VectorXd x;            ///< the point, or the last iterate, or empty
+    double objective = 0.0;       ///< recomputed at x
+    double violation = 0.0;       ///< recomputed at x
+    std::int64_t iterations = 0;  ///< [-], as the back end counts them
+    double setupSeconds = 0.0;    ///< [s], handing the program over
+    double solveSeconds = 0.0;    ///< [s], inside the library
+};
+
+/// What a back end can be asked for.
+struct Capabilities {
+    bool quadraticObjective = false;
+    bool energyEquality = false;
+    bool detectsInfeasibility = false;
+    bool iterationLimit = false;
+    bool timeLimit = false;
+    bool start = false;
+    bool cancel = false;
+};
+
+/// A back end, ready to solve.
+class Solver {
+public:
+    Solver() = default;
+    Solver(const Solver&) = delete;
+    Solver& operator=(const Solver&) = delete;
+    virtual ~Solver() = default;
+
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    [[nodiscard]] virtual Capabilities capabilities() const = 0;
+
+    /// Validates, refuses what the back end cannot do, solves, recomputes what was claimed.
+    /// \throws std::invalid_argument on a malformed program, an option out of range or one that
+    /// this back end does not support.
+    [[nodiscard]] SolverResult solve(const Program& program,
+                                     const SolverOptions& options = {}) const;
+
+private:
+    /// The library call: fills everything but objective and violation.
+    virtual SolverResult run(const Program& program, const SolverOptions& options) const = 0;
+};
+
+/// A back end that this build does not contain was asked for, or an outside program is missing.
+class BackendUnavailable : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// One row of the table in solvers/backends.cpp.
+struct Backend {
+    std::string_view name;              ///< as in --solver, e.g. "glpk-simplex"
+    std::string_view library;           ///< e.g. "GLPK"; empty: part of signorini
+    std::string_view option;            ///< CMake option that switches it, or empty
+    std::string (*version)();           ///< version of the library; null: not in this build
+    std::unique_ptr<Solver> (*make)();  ///< null for closed-form, which reads schedules directly
+    std::string_view purpose;           ///< one line for people
+
+    [[nodiscard]] bool available() const { return version != nullptr; }
+};
+
+/// All back ends known to the project, in this build or not.
+[[nodiscard]] std::span<const Backend> backends();
+
+/// The row of that name.
+/// \throws std::invalid_argument for an unknown name, listing the known ones.
+[[nodiscard]] const Backend& findBackend(std::string_view name);
+
+/// \throws std::invalid_argument for an unknown name or one that solves no programs,
+/// BackendUnavailable for one that this build does not contain.
+[[nodiscard]] std::unique_ptr<Solver> makeSolver(std::string_view name);
+
+}  // namespace signorini

@@ -1,0 +1,85 @@
+#include "signorini/closed_form.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// The farthest point of a box: Z_1 = first, then jumps across the whole box, then the step to S.
+/// Sum of squares is convex, so an optimum has every inner Z_j at a bound; an inner pair of equal
+/// neighbours is needed only when the parity of the jumps does not fit.
+struct Zigzag {
+    bool firstIsUpper;
+    bool lastIsUpper;
+    std::int64_t jumps;
+    double squares;
+};
+
+Zigzag farthestZigzag(const AmplitudeSet& box)
+{
+    const std::int64_t inner = box.count - 1;  // Z_1 .. Z_{d-1}
+    const double width = box.upper - box.lower;
+    Zigzag best{false, false, 0, -1.0};
+    for (const bool firstIsUpper : {false, true}) {
+        for (const bool lastIsUpper : {false, true}) {
+            const std::int64_t parity = firstIsUpper == lastIsUpper ? 0 : 1;
+            if (inner - 1 < parity) {
+                continue;
+            }
+            const std::int64_t jumps = inner - 1 - (inner - 1 - parity) % 2;
+            const double first = firstIsUpper ? box.upper : box.lower;
+            const double last = box.sum - (lastIsUpper ? box.upper : box.lower);
+            const double squares =
+                first * first + last * last + static_cast<double>(jumps) * width * width;
+            if (squares > best.squares) {
+                best = {firstIsUpper, lastIsUpper, jumps, squares};
+            }
+        }
+    }
+    return best;
+}
+
+bool isProperBox(const AmplitudeSet& set)
+{
+    return set.kind == SetKind::box && set.count > 1;
+}
+
+}  // namespace
+
+double leastSquares(const AmplitudeSet& set)
+{
+    return set.count == 0 ? 0.0 : set.sum * set.sum / static_cast<double>(set.count);
+}
+
+double mostSquares(const AmplitudeSet& set)
+{
+    return isProperBox(set) ? farthestZigzag(set).squares : set.sum * set.sum;
+}
+
+std::vector<double> leastAmplitudes(const AmplitudeSet& set)
+{
+    const auto count = static_cast<std::size_t>(set.count);
+    return std::vector<double>(count, set.sum / static_cast<double>(set.count));
+}
+
+std::vector<double> mostAmplitudes(const AmplitudeSet& set)
+{
+    std::vector<double> z(static_cast<std::size_t>(set.count), 0.0);
+    if (!isProperBox(set)) {
+        if (!z.empty()) {
+            z.front() = set.sum;
+        }
+        return z;
+    }
+    const Zigzag path = farthestZigzag(set);
+    bool atUpper = path.firstIsUpper;
+    const auto position = [&set](bool upper) { return upper ? set.upper : set.lower; };
+    z.front() = position(atUpper);
+    for (std::size_t j = 1; j <= static_cast<std::size_t>(path.jumps); ++j) {
+        z[j] = position(!atUpper) - position(atUpper);
+        atUpper = !atUpper;
+    }
+    z.back() = set.sum - position(atUpper);
+    return z;
+}
+
+}  // namespace signorini

@@ -1,0 +1,61 @@
+#include "signorini/bar.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "faults.hpp"
+
+namespace signorini {
+
+Bar barOfMaterial(double length, double young, double density, double area, double gap)
+{
+    Faults faults;
+    faults.requirePositive("young", young, "Pa");
+    faults.requirePositive("density", density, "kg/m^3");
+    faults.requirePositive("area", area, "m^2");
+    faults.throwIfAny();
+    Bar bar{.length = length,
+            .waveSpeed = std::sqrt(young / density),
+            .axialStiffness = young * area,
+            .gap = gap};
+    validate(bar);
+    return bar;
+}
+
+void validate(const Bar& bar)
+{
+    Faults faults;
+    faults.requirePositive("length", bar.length, "m");
+    faults.requirePositive("waveSpeed", bar.waveSpeed, "m/s");
+    faults.requirePositive("axialStiffness", bar.axialStiffness, "N");
+    faults.requirePositive("gap", bar.gap, "m");
+    faults.throwIfAny();
+
+    const Scales unit = scales(bar);
+    const auto requireNormal = [&faults](const char* name, double value) {
+        if (!std::isnormal(value)) {
+            faults.add(name, value, "a value a double can hold at full precision",
+                       "choose less extreme length, waveSpeed, axialStiffness or gap");
+        }
+    };
+    requireNormal("gap/length", unit.strain);
+    requireNormal("waveSpeed*gap/length", unit.velocity);
+    requireNormal("length/waveSpeed", unit.time);
+    requireNormal("axialStiffness*gap^2/(2*length)", unit.energy);
+    requireNormal("pi*waveSpeed/(2*length)", unit.frequency);
+    faults.throwIfAny();
+}
+
+Scales scales(const Bar& bar)
+{
+    const double strain = bar.gap / bar.length;
+    return {.displacement = bar.gap,
+            .strain = strain,
+            .velocity = bar.waveSpeed * strain,
+            .time = bar.length / bar.waveSpeed,
+            .energy = 0.5 * bar.axialStiffness * bar.gap * strain,
+            .frequency = std::numbers::pi * bar.waveSpeed / (2.0 * bar.length)};
+}
+
+}  // namespace signorini

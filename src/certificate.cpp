@@ -1,0 +1,169 @@
+#include "signorini/certificate.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "signorini/integers.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// A linear function of p_0 .. p_{2N-1} with integer coefficients.
+using Functional = std::vector<std::int64_t>;
+
+/// Multipliers of the gap row and of (32) whose combination vanishes on ker(W - 1).
+struct Combination {
+    std::int64_t gap;
+    std::vector<Multiplier> pressure;
+    std::vector<Multiplier> penetration;
+};
+
+/// On the kernel the gap row is -windowSum * sum z, a pressure row of block alpha is
+/// -epsilon_alpha z_j, and the prefix row at the end of block alpha is prefix_alpha * sum z.
+Combination combine(const Reduction& r)
+{
+    if (*r.reason == Reason::noLiveClass) {
+        return {.gap = -1, .pressure = {}, .penetration = {}};
+    }
+    const auto pressAll = [&r](std::int64_t alpha, std::int64_t multiplier) {
+        std::vector<Multiplier> rows;
+        for (std::int64_t j = 0; multiplier != 0 && j < r.kernelDimension; ++j) {
+            rows.push_back({alpha * r.classes + r.firstLive + j, multiplier});
+        }
+        return rows;
+    };
+    if (r.windowSum >= 0) {  // positive amplitudes pull the tip away from the wall
+        return {.gap = -1, .pressure = pressAll(0, r.windowSum), .penetration = {}};
+    }
+    if (*r.reason == Reason::contactSign) {
+        const auto negative = std::find(r.signs.begin(), r.signs.end(), std::int8_t{-1});
+        return {.gap = -1,
+                .pressure = pressAll(negative - r.signs.begin(), -r.windowSum),
+                .penetration = {}};
+    }
+    const std::int64_t lastStep = r.worstBlock * r.classes + r.firstLive + r.kernelDimension - 1;
+    const std::int64_t common = std::gcd(r.worstPrefix, r.windowSum);
+    return {.gap = -r.worstPrefix / common,
+            .pressure = {},
+            .penetration = {{lastStep - r.schedule.phases.front().contact, -r.windowSum / common}}};
+}
+
+/// Writes out the combination as a functional of p_0 .. p_{2N-1}, before periodicity is used.
+Functional expand(const Combination& combination, const Schedule& schedule)
+{
+    const std::int64_t size = 2 * schedule.cells;
+    const Phase& phase = schedule.phases.front();
+    Functional f(static_cast<std::size_t>(size), -combination.gap);
+    for (const Multiplier& m : combination.pressure) {
+        f[static_cast<std::size_t>(m.row % size)] -= m.value;
+    }
+    for (const Multiplier& m : combination.penetration) {
+        // During free flight p_{m+2N} = -p_m: the sign alternates with each turn of the ring.
+        for (std::int64_t k = 0; k <= m.row; ++k) {
+            const std::int64_t sign = (k / size) % 2 == 0 ? 1 : -1;
+            f[static_cast<std::size_t>((phase.contact + k) % size)] += sign * m.value;
+        }
+    }
+    return f;
+}
+
+/// The sign of p_{u+n} relative to the p_v, v = (u + n) mod 2N, that it comes from.
+std::int64_t periodSign(std::int64_t v, const Schedule& schedule)
+{
+    const std::int64_t size = 2 * schedule.cells;
+    const Phase& phase = schedule.phases.front();
+    const std::int64_t firstVisit = ((v - phase.contact) % size + size) % size;
+    const std::int64_t visits =
+        phase.free > firstVisit ? 1 + (phase.free - 1 - firstVisit) / size : 0;
+    return visits % 2 == 0 ? 1 : -1;
+}
+
+/// y with sum_u y_u (p_{u+n} - p_u) + 2 f = 0. The permutation u -> u + n (mod 2N) has G cycles;
+/// along one, y_v = sign_v y_u + 2 f_v with v = u + n, and the cycle closes because f vanishes on
+/// the kernel (even cycles) or because 2 f is even (odd cycles).
+Functional eliminate(const Functional& f, const Reduction& r)
+{
+    const auto size = static_cast<std::int64_t>(f.size());
+    const std::int64_t stride =
+        (r.schedule.phases.front().contact + r.schedule.phases.front().free) % size;
+    Functional y(f.size(), 0);
+    for (std::int64_t start = 0; start < r.classes; ++start) {
+        const auto walk = [&](std::int64_t value) {
+            std::int64_t u = start;
+            do {
+                const std::int64_t v = (u + stride) % size;
+                const auto at = static_cast<std::size_t>(v);
+                value = checkedAdd(periodSign(v, r.schedule) * value, checkedMultiply(2, f[at]));
+                y[at] = value;
+                u = v;
+            } while (u != start);
+            return value;
+        };
+        // From 0 an even cycle returns to 0; an odd one to c, and from c/2 it returns to c/2.
+        const std::int64_t defect = walk(0);
+        if (defect != 0) {
+            walk(defect / 2);
+        }
+    }
+    return y;
+}
+
+/// Rows of (30) in the order of the unknowns a_1..a_N, b_1..b_N: a_i = p_{N-i}, b_i = -p_{N+i-1}.
+std::vector<Multiplier> inUnknowns(const Functional& y)
+{
+    const auto size = static_cast<std::int64_t>(y.size());
+    const std::int64_t cells = size / 2;
+    std::vector<Multiplier> rows;
+    for (std::int64_t row = 0; row < size; ++row) {
+        const std::int64_t value = row < cells ? y[static_cast<std::size_t>(cells - 1 - row)]
+                                               : -y[static_cast<std::size_t>(row)];
+        if (value != 0) {
+            rows.push_back({row, value});
+        }
+    }
+    return rows;
+}
+
+void divideByCommonFactor(FarkasCertificate& certificate)
+{
+    std::int64_t common = certificate.gap;
+    const auto all = {&certificate.periodicity, &certificate.pressure, &certificate.penetration};
+    for (const auto* rows : all) {
+        for (const Multiplier& m : *rows) {
+            common = std::gcd(common, m.value);
+        }
+    }
+    certificate.gap /= common;
+    for (auto* rows : all) {
+        for (Multiplier& m : *rows) {
+            m.value /= common;
+        }
+    }
+}
+
+}  // namespace
+
+FarkasCertificate proveAbsence(const Reduction& reduction)
+{
+    if (!reduction.reason) {
+        throw std::invalid_argument(
+            "reduction: the schedule has motions, their absence has no proof");
+    }
+    Combination combination = combine(reduction);
+    const Functional y = eliminate(expand(combination, reduction.schedule), reduction);
+    FarkasCertificate certificate{.gap = 2 * combination.gap,
+                                  .periodicity = inUnknowns(y),
+                                  .pressure = std::move(combination.pressure),
+                                  .penetration = std::move(combination.penetration)};
+    for (auto* rows : {&certificate.pressure, &certificate.penetration}) {
+        for (Multiplier& m : *rows) {
+            m.value *= 2;
+        }
+    }
+    divideByCommonFactor(certificate);
+    return certificate;
+}
+
+}  // namespace signorini

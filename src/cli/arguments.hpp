@@ -1,0 +1,63 @@
+#pragma once
+/// \file
+/// Words of the command line turned into numbers, with one line of text when they are wrong.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "signorini/bar.hpp"
+#include "signorini/schedule.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace signorini::cli {
+
+/// Exit status of the program.
+enum ExitStatus : int {
+    exitFound = 0,        ///< found / done
+    exitNone = 1,         ///< proved: none exists
+    exitWrongUse = 2,     ///< an argument is wrong; nothing was written
+    exitUndecided = 3,    ///< a limit or numerics stood in the way
+    exitUnavailable = 4,  ///< a file, database or back end could not be used
+};
+
+/// A whole number in [low, high]. \throws std::invalid_argument naming argument, value and range.
+[[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,
+                                      std::int64_t low, std::int64_t high);
+
+/// A finite number > 0. \throws std::invalid_argument naming argument, value and range.
+[[nodiscard]] double parsePositive(std::string_view name, std::string_view text,
+                                   std::string_view unit);
+
+/// The options every command shares, as words; empty means not given.
+struct CommonOptions {
+    std::string cells;
+    std::string length;
+    std::string waveSpeed;
+    std::string axialStiffness;
+    std::string gap;
+    std::string young;
+    std::string density;
+    std::string area;
+    std::string format;
+    std::string threads;
+    bool quiet = false;
+
+    /// Adds them to a command.
+    void addTo(CLI::App& command);
+
+    /// \throws std::invalid_argument on a wrong value or a clash.
+    [[nodiscard]] std::int64_t parseCells() const;
+    [[nodiscard]] Bar parseBar() const;
+    [[nodiscard]] bool wantsJson() const;
+    [[nodiscard]] std::int64_t parseThreads() const;
+};
+
+/// NC NF [NC NF ...]. \throws std::invalid_argument on a wrong value or an odd number of words.
+[[nodiscard]] std::vector<Phase> parsePhases(const std::vector<std::string>& words);
+
+}  // namespace signorini::cli

@@ -1,0 +1,175 @@
+#include "find_command.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cstdio>
+#include <filesystem>
+
+#include "faults.hpp"
+#include "report.hpp"
+#include "signorini/figure.hpp"
+#include "signorini/find_periodic.hpp"
+#include "signorini/motion.hpp"
+#include "signorini/output.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+/// The value whose name is `text`; `preset` when nothing was given.
+template <typename Value>
+Value parseName(const char* option, const std::string& text, Value preset,
+                std::initializer_list<Value> values)
+{
+    if (text.empty()) {
+        return preset;
+    }
+    std::string allowed;
+    for (const Value value : values) {
+        if (name(value) == text) {
+            return value;
+        }
+        allowed += fmt::format("{}{}", allowed.empty() ? "" : "|", name(value));
+    }
+    Faults faults;
+    faults.add(option, text, allowed);
+    faults.throwIfAny();
+    return preset;
+}
+
+FindOptions parseOptions(const FindCommand& words)
+{
+    FindOptions options;
+    options.bar = words.common.parseBar();
+    if (!words.solver.empty()) {
+        options.solver = words.solver;
+    }
+    options.formulation =
+        parseName("--formulation", words.formulation, Formulation::automatic,
+                  {Formulation::automatic, Formulation::state, Formulation::reduced});
+    options.objective = parseName("--objective", words.objective, Objective::automatic,
+                                  {Objective::any, Objective::minEnergy, Objective::maxEnergy});
+    if (!words.tolerance.empty()) {
+        options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
+    }
+    if (!words.timeLimit.empty()) {
+        options.timeLimit = parsePositive("--time-limit", words.timeLimit, "s");
+    }
+    return options;
+}
+
+bool isVtk(const std::string& path)
+{
+    return path.ends_with(".vtk");
+}
+
+/// Names that are wrong before any work is done.
+void validateFiles(const FindCommand& words)
+{
+    if (!words.figureFile.empty()) {
+        (void)figureFormat(words.figureFile);
+    }
+    Faults faults;
+    if (!words.motionFile.empty() && !words.motionFile.ends_with(".csv") &&
+        !isVtk(words.motionFile)) {
+        faults.add("--motion", words.motionFile, "a name ending in .csv or .vtk");
+    }
+    const auto clash = [&](const char* first, const std::string& a, const char* second,
+                           const std::string& b) {
+        if (!a.empty() && !b.empty() &&
+            std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b)) {
+            faults.add(fmt::format("{} and {}", first, second), a, "two different files");
+        }
+    };
+    clash("--state", words.stateFile, "--motion", words.motionFile);
+    clash("--state", words.stateFile, "--figure", words.figureFile);
+    clash("--motion", words.motionFile, "--figure", words.figureFile);
+    faults.throwIfAny();
+}
+
+/// Runs `action` and names the option and the user's file in what it throws.
+template <typename Action>
+auto forFile(const char* option, const std::string& path, Action action)
+{
+    try {
+        return action();
+    } catch (const FileError& error) {
+        throw FileError(fmt::format("{} {}", option, path), error.reason());
+    }
+}
+
+}  // namespace
+
+void FindCommand::addTo(CLI::App& command)
+{
+    command.add_option("steps", steps, "contact and free steps of each phase")
+        ->type_name("NC NF ...");
+    command.add_option("--solver", solver, "a back end listed by signorini --version (auto)")
+        ->type_name("NAME");
+    command.add_option("--formulation", formulation, "unknowns of the problem (auto)")
+        ->type_name("auto|state|reduced");
+    command.add_option("--objective", objective, "which motion of the set (least energy)")
+        ->type_name("any|min-energy|max-energy");
+    command.add_option("--tolerance", tolerance, "largest relative residual (1e-7)")
+        ->type_name("X");
+    command.add_option("--time-limit", timeLimit, "for the solver")->type_name("S");
+    command.add_option("--state", stateFile, "write the state at t = 0")->type_name("FILE.csv");
+    command.add_option("--motion", motionFile, "write u, v, s over one period")
+        ->type_name("FILE.csv|.vtk");
+    command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
+        ->type_name("FILE.svg|.png|.pdf");
+    common.addTo(command);
+}
+
+ExitStatus FindCommand::run() const
+{
+    const Schedule schedule{common.parseCells(), parsePhases(steps)};
+    const bool json = common.wantsJson();
+    (void)common.parseThreads();
+    const FindOptions options = parseOptions(*this);
+    validate(schedule);
+    validateFiles(*this);
+
+    OutputFiles files;
+    const auto stage = [&files](const char* option, const std::string& path) {
+        return path.empty() ? std::string()
+                            : forFile(option, path, [&] { return files.stage(path); });
+    };
+    const std::string state = stage("--state", stateFile);
+    const std::string motion = stage("--motion", motionFile);
+    const std::string figure = stage("--figure", figureFile);
+
+    const PeriodicResult result = findPeriodic(schedule, options);
+    const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();
+    if (result.status == Status::found) {
+        if (!state.empty()) {
+            forFile("--state", stateFile, [&] { writeStateCsv(state, result.state, options.bar); });
+        }
+        if (!motion.empty()) {
+            forFile("--motion", motionFile, [&] {
+                const auto write = isVtk(motionFile) ? writeMotionVtk : writeMotionCsv;
+                write(motion, Motion(result.state, schedule), options.bar);
+            });
+        }
+        if (!figure.empty()) {
+            forFile("--figure", figureFile,
+                    [&] { drawMotion(result, figureFormat(figureFile), figure); });
+        }
+        files.commit();
+    } else if (wantsFiles && !common.quiet) {
+        fmt::print(stderr, "signorini find: no motion, so no file was written\n");
+    }
+    fmt::print("{}", json ? asJson(result) : asText(result));
+    switch (result.status) {
+        case Status::found:
+            return exitFound;
+        case Status::none:
+            return exitNone;
+        case Status::undecided:
+            return exitUndecided;
+    }
+    return exitUndecided;
+}
+
+}  // namespace signorini::cli

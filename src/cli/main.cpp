@@ -1,0 +1,116 @@
+// The program signorini: reads the command line, runs one command, turns trouble into exit status.
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <cctype>
+#include <cstdio>
+#include <new>
+
+#include "find_command.hpp"
+#include "signorini/config.hpp"
+#include "signorini/output.hpp"
+#include "signorini/solver.hpp"
+
+namespace {
+
+using namespace signorini;
+using namespace signorini::cli;
+
+std::string versionText()
+{
+    std::string text = fmt::format("signorini {}\nback ends:\n", SIGNORINI_VERSION);
+    for (const Backend& backend : backends()) {
+        const std::string library =
+            backend.library.empty() ? ""
+            : backend.available()   ? fmt::format(" ({} {})", backend.library, backend.version())
+                                    : fmt::format(" ({}, not in this build)", backend.library);
+        text += fmt::format("  {:<14} {}{}\n", backend.name, backend.purpose, library);
+    }
+    return text;
+}
+
+/// "-5", "-inf", "-nan": a number where CLI11 sees an unknown option.
+bool looksLikeNumber(const std::string& word)
+{
+    return word.size() > 1 && word[0] == '-' &&
+           (std::isdigit(static_cast<unsigned char>(word[1])) != 0 || word[1] == '.' ||
+            word == "-inf" || word == "-nan" || word == "-infinity");
+}
+
+int complain(ExitStatus status, std::string_view text)
+{
+    fmt::print(stderr, "signorini: {}\n", text);
+    return status;
+}
+
+/// The first number CLI11 did not know where to put, as the step count it was meant to be.
+std::string explainExtras(const CLI::App& app, const std::string& message)
+{
+    for (const std::string& word : app.remaining(true)) {
+        if (looksLikeNumber(word)) {
+            return fmt::format("step count = {} is out of range: allowed whole numbers 1..{}", word,
+                               maxSteps);
+        }
+    }
+    return message;
+}
+
+int run(int argc, char** argv)
+{
+    CLI::App app{
+        "Finds, proves, measures and draws the periodic motions of an elastic bar in "
+        "unilateral contact with a wall.",
+        "signorini"};
+    app.set_version_flag("--version", versionText());
+    app.require_subcommand(1);
+    FindCommand find;
+    CLI::App& findApp =
+        *app.add_subcommand("find", "a periodic motion of a schedule, or a proof of absence");
+    find.addTo(findApp);
+    app.footer(
+        "Exit status: 0 found, 1 proved that none exists, 2 wrong use, 3 undecided,\n"
+        "4 a file or back end could not be used.");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return app.exit(success) == 0 ? exitFound : exitUnavailable;
+    } catch (const CLI::ExtrasError& error) {
+        return complain(exitWrongUse, explainExtras(app, error.what()));
+    } catch (const CLI::RequiredError&) {
+        const std::string given = argc > 1 ? fmt::format(" = {}", argv[1]) : " is missing";
+        return complain(exitWrongUse,
+                        fmt::format("command{}: allowed find; see signorini --help", given));
+    } catch (const CLI::ParseError& error) {
+        std::string text = error.what();
+        text = text.substr(0, text.find('\n'));
+        return complain(exitWrongUse, text + "; see signorini --help");
+    }
+    return find.run();
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    int status = exitUndecided;
+    try {
+        status = run(argc, argv);
+    } catch (const std::invalid_argument& error) {
+        return complain(exitWrongUse, error.what());
+    } catch (const FileError& error) {
+        return complain(exitUnavailable, error.what());
+    } catch (const BackendUnavailable& error) {
+        return complain(exitUnavailable, error.what());
+    } catch (const std::bad_alloc&) {
+        return complain(exitUndecided, "undecided: the memory of this machine is not enough");
+    } catch (const std::exception& error) {
+        return complain(exitUndecided, fmt::format("undecided: {}", error.what()));
+    }
+    if (std::fflush(stdout) != 0) {
+        return complain(exitUnavailable, "standard output: cannot write");
+    }
+    return status;
+}

@@ -1,0 +1,231 @@
+#include "report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace signorini::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Certificates with more multipliers than this are summarised.
+constexpr std::size_t maxPrintedMultipliers = 100'000;
+constexpr std::size_t maxPrintedPhases = 8;
+
+std::size_t multiplierCount(const FarkasCertificate& certificate)
+{
+    return certificate.periodicity.size() + certificate.pressure.size() +
+           certificate.penetration.size();
+}
+
+const char* explain(Reason reason)
+{
+    switch (reason) {
+        case Reason::noLiveClass:
+            return "only the bar at rest repeats with this period: ker(W - 1) = 0";
+        case Reason::contactSign:
+            return "the same wave would have to push and to pull on the wall";
+        case Reason::penetration:
+            return "the tip would enter the wall in free flight, whatever the amplitudes";
+        case Reason::gap:
+            return "the tip cannot be at the wall when contact starts";
+        case Reason::constraints:
+            return "motions of the schedule exist, but none meets the further demands";
+    }
+    return "";
+}
+
+std::string phasesAsText(const std::vector<Phase>& phases)
+{
+    std::string text;
+    for (std::size_t k = 0; k < std::min(phases.size(), maxPrintedPhases); ++k) {
+        text += fmt::format("{}({}, {})", k == 0 ? "" : " ", phases[k].contact, phases[k].free);
+    }
+    if (phases.size() > maxPrintedPhases) {
+        text += fmt::format(" … {} phases in all", phases.size());
+    }
+    return text.empty() ? "no contact phase" : text;
+}
+
+std::string setAsText(const PeriodicResult& result)
+{
+    std::string text;
+    if (result.solutionSet) {
+        const AmplitudeSet& set = *result.solutionSet;
+        text = set.kind == SetKind::empty ? "empty"
+               : set.kind == SetKind::point
+                   ? "a single motion"
+                   : fmt::format("{} of dimension {}", name(set.kind), set.dimension());
+    } else {
+        text = "not known to this route";
+    }
+    if (result.kernelDimension) {
+        text += fmt::format(", dim ker(W - 1) = {}", *result.kernelDimension);
+    }
+    return text;
+}
+
+std::string energyAsText(const PeriodicResult& result)
+{
+    std::string text = fmt::format("{:.6g} J = {:.10g} E₁", result.energy, result.energyRatio);
+    if (result.energyRange && result.energyRange->most > result.energyRange->least) {
+        text += fmt::format("   (the set reaches {:.10g} … {:.10g} E₁)", result.energyRange->least,
+                            result.energyRange->most);
+    }
+    return text;
+}
+
+std::string motionAsText(const PeriodicResult& result)
+{
+    const Residuals& r = result.residuals;
+    std::string text = fmt::format("energy      {}\n", energyAsText(result));
+    if (result.contact == Contact::grazing) {
+        text += "contact     grazing: a linear motion that touches the wall without force\n";
+    } else if (result.canonical == result.schedule.phases) {
+        text += "contact     pressing at every contact step\n";
+    } else {
+        text += fmt::format("contact     pressing, canonical schedule {}\n",
+                            phasesAsText(result.canonical));
+    }
+    text += fmt::format(
+        "residuals   periodicity {:.3g}, gap {:.3g}, pressure {:.3g}, penetration {:.3g}, march "
+        "{:.3g}\n",
+        r.periodicity, r.gap, r.pressure, r.penetration, r.march);
+    return text;
+}
+
+std::string absenceAsText(const PeriodicResult& result)
+{
+    const FarkasCertificate& c = *result.certificate;
+    return fmt::format(
+        "reason      {}: {}\n"
+        "proof       Farkas certificate, checked in integers: gap row × {}, {} rows of (30), {} of "
+        "(10), {} of (12)\n",
+        name(*result.reason), explain(*result.reason), c.gap, c.periodicity.size(),
+        c.pressure.size(), c.penetration.size());
+}
+
+Json phasesAsJson(const std::vector<Phase>& phases)
+{
+    Json list = Json::array();
+    for (const Phase& phase : phases) {
+        list.push_back({phase.contact, phase.free});
+    }
+    return list;
+}
+
+Json certificateAsJson(const FarkasCertificate& certificate)
+{
+    Json json{{"kind", "farkas"}, {"verified", true}, {"gap", certificate.gap}};
+    const auto list = [&](const std::vector<Multiplier>& rows) {
+        Json pairs = Json::array();
+        for (const Multiplier& m : rows) {
+            pairs.push_back({m.row, m.value});
+        }
+        return pairs;
+    };
+    json["multipliers"] = multiplierCount(certificate);
+    const bool isPrinted = multiplierCount(certificate) <= maxPrintedMultipliers;
+    json["periodicity"] = isPrinted ? list(certificate.periodicity) : Json();
+    json["pressure"] = isPrinted ? list(certificate.pressure) : Json();
+    json["penetration"] = isPrinted ? list(certificate.penetration) : Json();
+    return json;
+}
+
+Json numberOrNull(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
+}  // namespace
+
+std::string asText(const PeriodicResult& result)
+{
+    std::string text = fmt::format("{:<12}{}, T = {:.10g} s, ω/ω₁ = {:.10g}\n", name(result.status),
+                                   describe(result.schedule), result.period, result.frequencyRatio);
+    text += fmt::format("set         {}\n", setAsText(result));
+    switch (result.status) {
+        case Status::found:
+            text += motionAsText(result);
+            break;
+        case Status::none:
+            text += absenceAsText(result);
+            break;
+        case Status::undecided:
+            text += fmt::format("why         {}\n", result.detail);
+            break;
+    }
+    text += fmt::format("route       {}, {:.3g} s\n", result.route, result.solver.seconds);
+    for (std::size_t k = 0; k < result.leftOut.size(); ++k) {
+        text += fmt::format("{:<12}{}\n", k == 0 ? "left out" : "", result.leftOut[k]);
+    }
+    return text;
+}
+
+std::string asJson(const PeriodicResult& result)
+{
+    const bool found = result.status == Status::found;
+    Json json{{"status", name(result.status)},
+              {"cells", result.schedule.cells},
+              {"schedule", phasesAsJson(result.schedule.phases)},
+              {"period", result.period},
+              {"frequency_ratio", result.frequencyRatio},
+              {"kernel_dimension", nullptr},
+              {"solution_set", nullptr},
+              {"contact", nullptr},
+              {"canonical_schedule", nullptr},
+              {"energy", nullptr},
+              {"energy_ratio", nullptr},
+              {"energy_ratio_range", nullptr},
+              {"residuals", nullptr},
+              {"reason", nullptr},
+              {"certificate", nullptr},
+              {"route", result.route},
+              {"left_out", result.leftOut},
+              {"solver",
+               {{"name", result.solver.name},
+                {"iterations", result.solver.iterations},
+                {"seconds", result.solver.seconds}}}};
+    if (result.kernelDimension) {
+        json["kernel_dimension"] = *result.kernelDimension;
+    }
+    if (result.solutionSet) {
+        const AmplitudeSet& set = *result.solutionSet;
+        json["solution_set"] = {{"kind", name(set.kind)}, {"dimension", nullptr}};
+        if (set.kind != SetKind::empty) {
+            json["solution_set"]["dimension"] = set.dimension();
+        }
+    }
+    if (result.energyRange) {
+        json["energy_ratio_range"] = {numberOrNull(result.energyRange->least),
+                                      numberOrNull(result.energyRange->most)};
+    }
+    if (found) {
+        const Residuals& r = result.residuals;
+        json["contact"] = name(result.contact);
+        json["canonical_schedule"] = phasesAsJson(result.canonical);
+        json["energy"] = result.energy;
+        json["energy_ratio"] = result.energyRatio;
+        json["residuals"] = {{"periodicity", r.periodicity},
+                             {"gap", r.gap},
+                             {"pressure", r.pressure},
+                             {"penetration", r.penetration},
+                             {"march", r.march}};
+    }
+    if (result.reason) {
+        json["reason"] = name(*result.reason);
+    }
+    if (result.certificate) {
+        json["certificate"] = certificateAsJson(*result.certificate);
+    }
+    if (result.status == Status::undecided) {
+        json["detail"] = result.detail;
+    }
+    return json.dump() + "\n";
+}
+
+}  // namespace signorini::cli

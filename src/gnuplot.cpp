@@ -1,0 +1,143 @@
+#include "gnuplot.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "signorini/output.hpp"
+#include "signorini/solver.hpp"
+
+extern char** environ;
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that vanishes with all it holds.
+class TemporaryFolder {
+public:
+    TemporaryFolder()
+    {
+        std::string pattern = (fs::temp_directory_path() / "signorini-XXXXXX").string();
+        if (mkdtemp(pattern.data()) == nullptr) {
+            throw FileError(pattern, fmt::format("cannot create: {}", std::strerror(errno)));
+        }
+        path_ = pattern;
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder()
+    {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+
+    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
+
+private:
+    fs::path path_;
+};
+
+std::string terminal(FigureFormat format, double width, double height)
+{
+    constexpr double pixelsPerCm = 80.0;  // about 200 dpi in print
+    constexpr double svgUnitsPerCm = 60.0;
+    switch (format) {
+        case FigureFormat::svg:
+            return fmt::format(
+                "set terminal svg size {:.0f},{:.0f} dynamic font 'Sans,15' background '#ffffff'\n",
+                width * svgUnitsPerCm, height * svgUnitsPerCm);
+        case FigureFormat::png:
+            return fmt::format("set terminal pngcairo size {:.0f},{:.0f} font 'Sans,20' lw 2\n",
+                               width * pixelsPerCm, height * pixelsPerCm);
+        case FigureFormat::pdf:
+            return fmt::format("set terminal pdfcairo size {}cm,{}cm font 'Sans,9'\n", width,
+                               height);
+    }
+    throw std::logic_error("unnamed FigureFormat");
+}
+
+std::string quoted(const std::string& text)
+{
+    std::string result = "'";
+    for (const char c : text) {
+        result += c == '\'' ? "''" : std::string(1, c);
+    }
+    return result + "'";
+}
+
+std::string contentOf(const std::string& path)
+{
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Runs gnuplot and returns its wait status, or -1 if it could not be started.
+int spawnGnuplot(const std::string& script, const std::string& messages)
+{
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(),
+                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    std::string program = "gnuplot";
+    std::string argument = script;
+    const std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+    pid_t child = 0;
+    const int error =
+        posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0) {
+        return -1;
+    }
+    int status = 0;
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+}  // namespace
+
+void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
+                const std::string& path)
+{
+    const TemporaryFolder folder;
+    const std::string scriptFile = folder.file("figure.gp");
+    const std::string messages = folder.file("messages.txt");
+    TextFile file(scriptFile);
+    file.write("set encoding utf8\n" + terminal(format, width, height) + "set output " +
+               quoted(path) + "\n" + script + "\nset output\n");
+    file.close();
+    const int status = spawnGnuplot(scriptFile, messages);
+    if (status == -1) {
+        throw BackendUnavailable(
+            "figures need the program gnuplot, which was not found: install it "
+            "(Debian: gnuplot-nox)");
+    }
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        std::string said = contentOf(messages);
+        for (char& c : said) {
+            c = c == '\n' ? ' ' : c;
+        }
+        throw BackendUnavailable(fmt::format("gnuplot failed: {}", said));
+    }
+    std::error_code error;
+    if (fs::file_size(path, error) == 0 || error) {
+        throw FileError(path, "gnuplot wrote nothing (is the disk full?)");
+    }
+}
+
+}  // namespace signorini

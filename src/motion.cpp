@@ -1,0 +1,75 @@
+#include "signorini/motion.hpp"
+
+#include "compensated_sum.hpp"
+#include "faults.hpp"
+#include "signorini/propagation.hpp"
+
+namespace signorini {
+
+Motion::Motion(const State& state, const Schedule& schedule) : cells_(state.cells())
+{
+    validate(schedule);
+    if (state.cells() != schedule.cells) {
+        throw std::invalid_argument(fmt::format("state: {} cells: allowed {}, as in the schedule",
+                                                state.cells(), schedule.cells));
+    }
+    Schedule walked = schedule;
+    fold(walked);
+    steps_ = signorini::steps(walked);
+    const auto count = static_cast<std::size_t>(steps_ + 2 * cells_);
+    p_.reserve(count);
+    DelayLine line(state);
+    while (p_.size() < count) {
+        for (const Phase& phase : walked.phases) {
+            for (std::int64_t step = 0; step < phase.contact; ++step) {
+                p_.push_back(line.incoming());
+                line.contactStep();
+            }
+            for (std::int64_t step = 0; step < phase.free; ++step) {
+                p_.push_back(line.incoming());
+                line.freeStep();
+            }
+        }
+    }
+    p_.resize(count);
+    sum_.reserve(count + 1);
+    CompensatedSum total;
+    sum_.push_back(0.0);
+    for (const double p : p_) {
+        total.add(p);
+        sum_.push_back(total.value());
+    }
+}
+
+double Motion::displacement(std::int64_t node, std::int64_t instant) const
+{
+    const auto right = static_cast<std::size_t>(instant + cells_ + node);
+    const auto left = static_cast<std::size_t>(instant + cells_ - node);
+    return (sum_[left] - sum_[right]) / static_cast<double>(cells_);
+}
+
+double Motion::velocity(std::int64_t cell, std::int64_t instant) const
+{
+    return p_[static_cast<std::size_t>(instant + cells_ - cell)] -
+           p_[static_cast<std::size_t>(instant + cells_ + cell - 1)];
+}
+
+double Motion::strain(std::int64_t cell, std::int64_t instant) const
+{
+    return -p_[static_cast<std::size_t>(instant + cells_ - cell)] -
+           p_[static_cast<std::size_t>(instant + cells_ + cell - 1)];
+}
+
+std::vector<std::int64_t> thinned(std::int64_t last, std::int64_t most)
+{
+    const std::int64_t intervals = most - 1;
+    const std::int64_t stride = last <= intervals ? 1 : (last + intervals - 1) / intervals;
+    std::vector<std::int64_t> values;
+    for (std::int64_t value = 0; value < last; value += stride) {
+        values.push_back(value);
+    }
+    values.push_back(last);
+    return values;
+}
+
+}  // namespace signorini

@@ -1,0 +1,272 @@
+#include "signorini/output.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
+
+namespace signorini {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t bufferSize = std::size_t{1} << 20;
+
+/// The value times its unit, with -0 shown as 0.
+double inUnit(double value, double unit)
+{
+    return value * unit + 0.0;
+}
+
+/// The nodes and instants of a motion that go into a file, in SI units.
+class Samples {
+public:
+    std::vector<std::int64_t> nodes;
+    std::vector<std::int64_t> instants;
+
+    Samples(const Motion& motion, const Bar& bar)
+        : nodes(thinned(motion.cells(), maxMotionNodes)),
+          instants(thinned(motion.steps(), maxMotionInstants)),
+          motion_(motion),
+          unit_(scales(bar)),
+          cellLength_(bar.length / static_cast<double>(motion.cells())),
+          stepTime_(unit_.time / static_cast<double>(motion.cells()))
+    {
+    }
+
+    [[nodiscard]] double x(std::int64_t i) const { return static_cast<double>(i) * cellLength_; }
+    [[nodiscard]] double t(std::int64_t m) const { return static_cast<double>(m) * stepTime_; }
+
+    [[nodiscard]] double displacement(std::int64_t i, std::int64_t m) const
+    {
+        return inUnit(motion_.displacement(i, m), unit_.displacement);
+    }
+    [[nodiscard]] double velocity(std::int64_t i, std::int64_t m) const
+    {
+        return inUnit(motion_.velocity(std::max<std::int64_t>(i, 1), m), unit_.velocity);
+    }
+    [[nodiscard]] double strain(std::int64_t i, std::int64_t m) const
+    {
+        return inUnit(motion_.strain(std::max<std::int64_t>(i, 1), m), unit_.strain);
+    }
+
+private:
+    const Motion& motion_;
+    Scales unit_;
+    double cellLength_;  ///< [m]
+    double stepTime_;    ///< [s]
+};
+
+template <typename... Args>
+void print(TextFile& file, fmt::format_string<Args...> format, Args&&... args)
+{
+    fmt::memory_buffer line;
+    fmt::format_to(std::back_inserter(line), format, std::forward<Args>(args)...);
+    file.write({line.data(), line.size()});
+}
+
+/// Copies a staged file into a target that cannot be replaced by renaming.
+void copyContent(const std::string& from, const std::string& to)
+{
+    TextFile target(to);
+    const int source = open(from.c_str(), O_RDONLY | O_CLOEXEC);
+    std::vector<char> block(bufferSize);
+    ssize_t count = source < 0 ? -1 : 0;
+    while (count >= 0 && (count = read(source, block.data(), block.size())) > 0) {
+        target.write({block.data(), static_cast<std::size_t>(count)});
+    }
+    const int error = errno;
+    if (source >= 0) {
+        close(source);
+    }
+    if (count < 0) {
+        throw FileError(from, fmt::format("cannot read: {}", std::strerror(error)));
+    }
+    target.close();
+}
+
+}  // namespace
+
+FileError::FileError(const std::string& path, std::string reason)
+    : std::runtime_error(path + ": " + reason), reason_(std::move(reason))
+{
+}
+
+TextFile::TextFile(const std::string& path)
+    : path_(path), descriptor_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666))
+{
+    if (descriptor_ < 0) {
+        fail("open");
+    }
+    buffer_.reserve(bufferSize);
+}
+
+TextFile::~TextFile()
+{
+    if (descriptor_ >= 0) {
+        ::close(descriptor_);
+    }
+}
+
+void TextFile::write(std::string_view text)
+{
+    buffer_ += text;
+    if (buffer_.size() >= bufferSize) {
+        flush();
+    }
+}
+
+void TextFile::flush()
+{
+    std::string_view rest = buffer_;
+    while (!rest.empty()) {
+        const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+        if (written < 0 && errno != EINTR) {
+            fail("write");
+        }
+        rest.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+    buffer_.clear();
+}
+
+void TextFile::close()
+{
+    flush();
+    const int closed = ::close(descriptor_);
+    descriptor_ = -1;
+    if (closed != 0) {
+        fail("close");
+    }
+}
+
+void TextFile::fail(const char* action) const
+{
+    throw FileError(path_, fmt::format("cannot {}: {}", action, std::strerror(errno)));
+}
+
+OutputFiles::~OutputFiles()
+{
+    for (const Entry& entry : entries_) {
+        std::error_code ignored;
+        fs::remove(entry.staged, ignored);
+    }
+}
+
+std::string OutputFiles::stage(const std::string& path)
+{
+    std::error_code error;
+    fs::path target = fs::weakly_canonical(path, error);
+    if (error) {
+        target = path;
+    }
+    const fs::file_status status = fs::status(target, error);
+    if (fs::is_directory(status)) {
+        throw FileError(path, "is a directory");
+    }
+    const bool isRegular = !fs::exists(status) || fs::is_regular_file(status);
+    const fs::path folder = isRegular ? target.parent_path() : fs::temp_directory_path();
+    const std::string name =
+        fmt::format(".{}.{}-{}.partial", target.filename().string(), getpid(), entries_.size());
+    const std::string staged = (folder / name).string();
+    const int descriptor = open(staged.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        throw FileError(path, fmt::format("cannot write: {}", std::strerror(errno)));
+    }
+    ::close(descriptor);
+    entries_.push_back({staged, target.string(), isRegular});
+    return staged;
+}
+
+void OutputFiles::commit()
+{
+    // Targets that can fail half way come first: renaming does not.
+    for (const Entry& entry : entries_) {
+        if (!entry.isRegular) {
+            copyContent(entry.staged, entry.target);
+            fs::remove(entry.staged);
+        }
+    }
+    for (const Entry& entry : entries_) {
+        if (entry.isRegular) {
+            std::error_code error;
+            fs::rename(entry.staged, entry.target, error);
+            if (error) {
+                throw FileError(entry.target, fmt::format("cannot replace: {}", error.message()));
+            }
+        }
+    }
+    entries_.clear();
+}
+
+void writeStateCsv(const std::string& path, const State& state, const Bar& bar)
+{
+    const Scales unit = scales(bar);
+    const Eigen::VectorXd v = velocity(state);
+    const Eigen::VectorXd s = strain(state);
+    const Eigen::VectorXd u = displacement(state);
+    const double cellLength = bar.length / static_cast<double>(state.cells());
+    TextFile file(path);
+    file.write("x,a,b,velocity,strain,displacement\n");
+    for (Eigen::Index i = 0; i < state.cells(); ++i) {
+        print(file, "{},{},{},{},{},{}\n", static_cast<double>(i + 1) * cellLength,
+              inUnit(state.a[i], unit.strain), inUnit(state.b[i], unit.strain),
+              inUnit(v[i], unit.velocity), inUnit(s[i], unit.strain),
+              inUnit(u[i], unit.displacement));
+    }
+    file.close();
+}
+
+void writeMotionCsv(const std::string& path, const Motion& motion, const Bar& bar)
+{
+    const Samples samples(motion, bar);
+    TextFile file(path);
+    file.write("time,x,displacement,velocity,strain\n");
+    for (const std::int64_t m : samples.instants) {
+        for (const std::int64_t i : samples.nodes) {
+            print(file, "{},{},{},{},{}\n", samples.t(m), samples.x(i), samples.displacement(i, m),
+                  samples.velocity(i, m), samples.strain(i, m));
+        }
+    }
+    file.close();
+}
+
+void writeMotionVtk(const std::string& path, const Motion& motion, const Bar& bar)
+{
+    const Samples samples(motion, bar);
+    TextFile file(path);
+    print(file,
+          "# vtk DataFile Version 3.0\n"
+          "signorini: motion of a bar over one period; x in m along X, time in s along Y\n"
+          "ASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS {} {} 1\n",
+          samples.nodes.size(), samples.instants.size());
+    print(file, "X_COORDINATES {} double\n", samples.nodes.size());
+    for (const std::int64_t i : samples.nodes) {
+        print(file, "{}\n", samples.x(i));
+    }
+    print(file, "Y_COORDINATES {} double\n", samples.instants.size());
+    for (const std::int64_t m : samples.instants) {
+        print(file, "{}\n", samples.t(m));
+    }
+    print(file, "Z_COORDINATES 1 double\n0\nPOINT_DATA {}\n",
+          samples.nodes.size() * samples.instants.size());
+    const auto writeField = [&](const char* name, auto value) {
+        print(file, "SCALARS {} double 1\nLOOKUP_TABLE default\n", name);
+        for (const std::int64_t m : samples.instants) {
+            for (const std::int64_t i : samples.nodes) {
+                print(file, "{}\n", (samples.*value)(i, m));
+            }
+        }
+    };
+    writeField("displacement", &Samples::displacement);
+    writeField("velocity", &Samples::velocity);
+    writeField("strain", &Samples::strain);
+    file.close();
+}
+
+}  // namespace signorini

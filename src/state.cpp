@@ -1,0 +1,47 @@
+#include "signorini/state.hpp"
+
+#include <algorithm>
+
+namespace signorini {
+
+Eigen::VectorXd velocity(const State& state)
+{
+    return state.a + state.b;
+}
+
+Eigen::VectorXd strain(const State& state)
+{
+    return state.b - state.a;
+}
+
+Eigen::VectorXd displacement(const State& state)
+{
+    Eigen::VectorXd u = strain(state);
+    double sum = 0.0;
+    for (double& value : u) {
+        sum += value;
+        value = sum / static_cast<double>(state.cells());
+    }
+    return u;
+}
+
+double energyRatio(const State& state)
+{
+    return 2.0 * (state.a.squaredNorm() + state.b.squaredNorm()) /
+           static_cast<double>(state.cells());
+}
+
+State refined(const State& state, std::int64_t factor)
+{
+    const auto repeat = [factor](const Eigen::VectorXd& values) {
+        return Eigen::VectorXd(values.transpose().replicate(factor, 1).reshaped());
+    };
+    return {repeat(state.a), repeat(state.b)};
+}
+
+double amplitude(const State& state)
+{
+    return std::max(state.a.lpNorm<Eigen::Infinity>(), state.b.lpNorm<Eigen::Infinity>());
+}
+
+}  // namespace signorini
