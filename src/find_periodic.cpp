@@ -85,7 +85,8 @@ void setUndecided(PeriodicResult& result, std::string why)
 /// Accepts a state only if every residual is within the tolerance.
 void acceptMotion(State state, const FindOptions& options, PeriodicResult& result)
 {
-    result.residuals = residuals(state, result.schedule, options.tolerance);
+    Verification verified = verify(state, result.schedule, options.tolerance);
+    result.residuals = verified.residuals;
     if (!(result.residuals.worst() <= options.tolerance)) {
         setUndecided(result,
                      fmt::format("{} returned a motion with a residual of {:.3g}, more than "
@@ -95,7 +96,7 @@ void acceptMotion(State state, const FindOptions& options, PeriodicResult& resul
     }
     result.status = Status::found;
     result.detail.clear();
-    result.canonical = canonicalPhases(state, result.schedule, options.tolerance);
+    result.canonical = std::move(verified.canonical);
     result.contact = result.canonical.empty() ? Contact::grazing : Contact::pressing;
     result.energyRatio = energyRatio(state);
     result.energy = result.energyRatio * scales(options.bar).energy;

@@ -1,6 +1,7 @@
 #include "signorini/propagation.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "faults.hpp"
 
@@ -51,14 +52,27 @@ void DelayLine::period(const Schedule& schedule)
 State DelayLine::state() const
 {
     const Eigen::Index cells = ring_.size() / 2;
-    const Eigen::Index tail = ring_.size() - head_;
     State state{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
-    const auto value = [&](Eigen::Index m) { return ring_[m < tail ? head_ + m : m - tail]; };
-    for (Eigen::Index i = 0; i < cells; ++i) {
-        state.a[cells - 1 - i] = value(i);
-        state.b[i] = -value(cells + i);
+    for (Eigen::Index m = 0; m < cells; ++m) {
+        state.a[cells - 1 - m] = ahead(m);
+        state.b[m] = -ahead(cells + m);
     }
     return state;
+}
+
+double DelayLine::distance(const State& other) const
+{
+    const Eigen::Index cells = ring_.size() / 2;
+    if (other.a.size() != cells || other.b.size() != cells) {
+        throw std::invalid_argument(
+            fmt::format("state: {} cells: allowed {}", other.a.size(), cells));
+    }
+    double largest = 0.0;
+    for (Eigen::Index m = 0; m < cells; ++m) {
+        largest = std::max({largest, std::abs(ahead(m) - other.a[cells - 1 - m]),
+                            std::abs(ahead(cells + m) + other.b[m])});
+    }
+    return largest;
 }
 
 }  // namespace signorini

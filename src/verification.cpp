@@ -20,12 +20,12 @@ bool isFinite(const State& state)
     return state.a.allFinite() && state.b.allFinite();
 }
 
-double relativeDifference(const State& now, const State& before)
+/// How far the bar is from a state, relative to that state.
+double relativeDistance(const DelayLine& line, const State& state)
 {
-    const double size = amplitude(before);
-    const double change = std::max((now.a - before.a).lpNorm<Eigen::Infinity>(),
-                                   (now.b - before.b).lpNorm<Eigen::Infinity>());
-    return size > 0.0 ? change / size : change;
+    const double size = amplitude(state);
+    const double distance = line.distance(state);
+    return size > 0.0 ? distance / size : distance;
 }
 
 /// N (1 - u(L)/g) / 2: how far the tip is from the wall, in units in which a free step with
@@ -219,6 +219,37 @@ bool combinesToContradiction(const FarkasCertificate& certificate, const Schedul
     return total.isZero();
 }
 
+/// (30)-(32) along the schedule; the march is left at 0.
+Residuals residualsOfRows(const State& state, Schedule schedule)
+{
+    fold(schedule);
+    DelayLine line(state);
+    const double size = amplitude(state);
+    const double halfCells = 0.5 * static_cast<double>(state.cells());
+    CompensatedSum opening = openingOf(state);
+    double tension = 0.0;
+    double deepest = 0.0;
+    double misplaced = 0.0;
+    for (const Phase& phase : schedule.phases) {
+        misplaced = std::max(misplaced, std::abs(opening.value()));
+        for (std::int64_t step = 0; step < phase.contact; ++step) {
+            tension = std::max(tension, -line.incoming());
+            line.contactStep();
+        }
+        CompensatedSum prefix;
+        for (std::int64_t step = 0; step < phase.free; ++step) {
+            prefix.add(line.incoming());
+            deepest = std::max(deepest, prefix.value());
+            line.freeStep();
+        }
+        opening.add(-prefix.value());
+    }
+    return {.periodicity = relativeDistance(line, state),
+            .gap = misplaced / halfCells,
+            .pressure = size > 0.0 ? tension / size : tension,
+            .penetration = deepest / halfCells};
+}
+
 }  // namespace
 
 March march(const State& state, std::int64_t count, double tolerance)
@@ -234,7 +265,7 @@ March march(const State& state, std::int64_t count, double tolerance)
     }
     const double size = amplitude(state);
     const double halfCells = 0.5 * static_cast<double>(state.cells());
-    const double atWall = tolerance * std::max(halfCells, size);
+    const double atWall = tolerance * halfCells;
     CompensatedSum opening = openingOf(state);
     ContactRuns runs;
 
@@ -242,19 +273,20 @@ March march(const State& state, std::int64_t count, double tolerance)
     std::int64_t flight = 0;
     for (std::int64_t step = 0; step < count; ++step) {
         const double p = line.incoming();
-        const bool closed = opening.value() <= atWall;
-        if (closed && p > 0.0) {
+        const double room = opening.value();
+        const bool wouldPass = p > 0.0 && p > room;
+        if (wouldPass && room <= atWall) {
             runs.add(p > tolerance * size, 1);
             line.contactStep();
             flight = 0;
             continue;
         }
-        opening.add(-p);
-        if (!(opening.value() >= -atWall)) {
+        if (wouldPass && p - room > atWall) {
             result.firstFault = step;
-            result.residual = -opening.value() / halfCells;
+            result.residual = (p - room) / halfCells;
             return result;
         }
+        opening.add(-p);
         runs.add(false, 1);
         line.freeStep();
         if (++flight == repeat) {
@@ -266,7 +298,7 @@ March march(const State& state, std::int64_t count, double tolerance)
             count -= skipped;
         }
     }
-    result.residual = relativeDifference(line.state(), state);
+    result.residual = relativeDistance(line, state);
     result.phases = runs.phases();
     return result;
 }
@@ -276,49 +308,22 @@ double Residuals::worst() const
     return std::max({periodicity, gap, pressure, penetration, march});
 }
 
-Residuals residuals(const State& state, const Schedule& schedule, double tolerance)
+Verification verify(const State& state, const Schedule& schedule, double tolerance)
 {
     validate(schedule);
-    DelayLine line(state);
     if (state.cells() != schedule.cells) {
         throw std::invalid_argument(fmt::format("state: {} cells: allowed {}, as in the schedule",
                                                 state.cells(), schedule.cells));
     }
     if (!isFinite(state)) {
-        return {infinity, infinity, infinity, infinity, infinity};
+        return {{infinity, infinity, infinity, infinity, infinity}, {}};
     }
-    Schedule walked = schedule;
-    fold(walked);
-    const double size = amplitude(state);
-    const double halfCells = 0.5 * static_cast<double>(state.cells());
-    CompensatedSum opening = openingOf(state);
-    double tension = 0.0;
-    double deepest = 0.0;
-    double misplaced = 0.0;
-    for (const Phase& phase : walked.phases) {
-        misplaced = std::max(misplaced, std::abs(opening.value()));
-        for (std::int64_t step = 0; step < phase.contact; ++step) {
-            tension = std::max(tension, -line.incoming());
-            line.contactStep();
-        }
-        CompensatedSum prefix;
-        for (std::int64_t step = 0; step < phase.free; ++step) {
-            prefix.add(line.incoming());
-            deepest = std::max(deepest, prefix.value());
-            line.freeStep();
-        }
-        opening.add(-prefix.value());
-    }
-    return {.periodicity = relativeDifference(line.state(), state),
-            .gap = misplaced / halfCells,
-            .pressure = size > 0.0 ? tension / size : tension,
-            .penetration = deepest / halfCells,
-            .march = march(state, steps(schedule), tolerance).residual};
-}
-
-std::vector<Phase> canonicalPhases(const State& state, const Schedule& schedule, double tolerance)
-{
-    return march(state, steps(schedule), tolerance).phases;
+    Verification result;
+    result.residuals = residualsOfRows(state, schedule);
+    March seen = march(state, steps(schedule), tolerance);
+    result.residuals.march = seen.residual;
+    result.canonical = std::move(seen.phases);
+    return result;
 }
 
 bool isProof(const FarkasCertificate& certificate, const Schedule& schedule)

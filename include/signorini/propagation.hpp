@@ -52,8 +52,19 @@ public:
     /// a and b at the present instant. O(N).
     [[nodiscard]] State state() const;
 
+    /// max |x - y| over all 2N values, x being the present state. O(N), no copy.
+    /// \throws std::invalid_argument if `other` has another number of cells.
+    [[nodiscard]] double distance(const State& other) const;
+
 private:
     void negate(std::int64_t count);
+
+    /// p_{now+m}, 0 <= m < 2N.
+    [[nodiscard]] double ahead(Eigen::Index m) const
+    {
+        const Eigen::Index tail = ring_.size() - head_;
+        return ring_[m < tail ? head_ + m : m - tail];
+    }
 
     Eigen::VectorXd ring_;
     Eigen::Index head_ = 0;

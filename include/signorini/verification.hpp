@@ -14,21 +14,21 @@ namespace signorini {
 
 /// What a march over one period saw.
 struct March {
-    double residual = 0.0;  ///< [-], change of the state over the period / its amplitude, or the
-                            ///< depth by which the tip would enter the wall / g, if that is larger
-    std::int64_t firstFault = -1;  ///< step in which the tip would enter the wall; -1: none
+    double residual = 0.0;         ///< [-], change of the state over the period / its amplitude, or
+                                   ///< the depth by which the tip enters the wall / g
+    std::int64_t firstFault = -1;  ///< step in which the tip enters the wall; -1: none
     std::vector<Phase> phases;     ///< phases in which the wall is pressed, from the start of one;
                                    ///< empty for a grazing motion and after a fault
 };
 
 /// Marches the bar for `count` steps from t = 0 knowing nothing of any schedule. In each step the
-/// Signorini rule decides: away from the wall the tip is free; at the wall it is held if the
-/// arriving wave pushes (p > 0), and free otherwise.
+/// Signorini rule decides: a tip that is at the wall and pushed (p > 0) is held, any other is free. A
+/// tip that would meet the wall in the middle of a step leaves the grid: a fault.
 ///
-/// `tolerance` (relative to g and to the amplitude) says when the tip counts as being at the wall
-/// and when a contact step counts as pressed. A flight of 4N steps restores the state exactly, so
-/// longer flights are not walked to their end. O(N + min(count, contact steps + 4N)).
-/// \throws std::invalid_argument on a malformed state or a negative count.
+/// `tolerance` says how near the wall counts as being there, relative to g, and how strong a push
+/// counts as pressing, relative to the amplitude. A flight of 4N steps restores the state exactly,
+/// so longer flights are not walked to their end. O(N + min(count, contact steps + 4N)); one copy
+/// of the state. \throws std::invalid_argument on a malformed state or a negative count.
 [[nodiscard]] March march(const State& state, std::int64_t count, double tolerance = 1e-9);
 
 /// Violations of the problem by a state, relative, 0 when there are none; all infinite when the
@@ -44,15 +44,18 @@ struct Residuals {
     [[nodiscard]] double worst() const;
 };
 
-/// Recomputes (30)-(32) for a state and a schedule by stepping, and marches the bar. O(N + min(n,
-/// 12N)). \throws std::invalid_argument if the state does not have the schedule's cells.
-[[nodiscard]] Residuals residuals(const State& state, const Schedule& schedule,
-                                  double tolerance = 1e-9);
+/// What can be said of a state without knowing how it was found.
+struct Verification {
+    Residuals residuals;
+    std::vector<Phase> canonical;  ///< the schedule with contact exactly where the wall is pressed,
+                                   ///< seen by the march; empty for a grazing motion
+};
 
-/// The schedule that has contact exactly where the wall is pressed, seen by a march; empty for a
-/// grazing motion.
-[[nodiscard]] std::vector<Phase> canonicalPhases(const State& state, const Schedule& schedule,
-                                                 double tolerance = 1e-9);
+/// Recomputes (30)-(32) for a state and a schedule by stepping, and marches the bar over a period.
+/// O(N + min(n, 12N)) time, one copy of the state.
+/// \throws std::invalid_argument if the state does not have the schedule's cells.
+[[nodiscard]] Verification verify(const State& state, const Schedule& schedule,
+                                  double tolerance = 1e-9);
 
 /// Checks a certificate against the rows listed in certificate.hpp, in 64-bit integers that refuse
 /// to overflow. O(N + rows). False for anything that is not a proof.
