@@ -54,7 +54,7 @@ enum class Formulation {
 
 /// A request names only what it wants.
 struct FindOptions {
-    Bar bar;                      ///< turns numbers into metres, seconds and joules
+    Bar bar = {};                 ///< turns numbers into metres, seconds and joules
     std::string solver = "auto";  ///< a name from `backends()`, or "auto"
     Formulation formulation = Formulation::automatic;
     Objective objective = Objective::automatic;

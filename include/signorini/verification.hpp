@@ -22,8 +22,8 @@ struct March {
 };
 
 /// Marches the bar for `count` steps from t = 0 knowing nothing of any schedule. In each step the
-/// Signorini rule decides: a tip that is at the wall and pushed (p > 0) is held, any other is free. A
-/// tip that would meet the wall in the middle of a step leaves the grid: a fault.
+/// Signorini rule decides: a tip that is at the wall and pushed (p > 0) is held, any other is free.
+/// A tip that would meet the wall in the middle of a step leaves the grid: a fault.
 ///
 /// `tolerance` says how near the wall counts as being there, relative to g, and how strong a push
 /// counts as pressing, relative to the amplitude. A flight of 4N steps restores the state exactly,

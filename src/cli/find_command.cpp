@@ -75,10 +75,12 @@ void validateFiles(const FindCommand& words)
         !isVtk(words.motionFile)) {
         faults.add("--motion", words.motionFile, "a name ending in .csv or .vtk");
     }
+    const auto place = [](const std::string& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
+    };
     const auto clash = [&](const char* first, const std::string& a, const char* second,
                            const std::string& b) {
-        if (!a.empty() && !b.empty() &&
-            std::filesystem::weakly_canonical(a) == std::filesystem::weakly_canonical(b)) {
+        if (!a.empty() && !b.empty() && place(a) == place(b)) {
             faults.add(fmt::format("{} and {}", first, second), a, "two different files");
         }
     };

@@ -1,0 +1,311 @@
+// The program as people and scripts meet it: exit status, stdout, stderr, files.
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "signorini/solver.hpp"
+
+using nlohmann::json;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string contentOf(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Runs the program in a folder of its own.
+class Program {
+public:
+    Program() : folder_(fs::temp_directory_path() / ("signorini-cli-" + std::to_string(getpid())))
+    {
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+    ~Program() { fs::remove_all(folder_); }
+
+    struct Outcome {
+        int status;
+        std::string out;
+        std::string err;
+    };
+
+    [[nodiscard]] Outcome run(const std::string& arguments, const std::string& prefix = "") const
+    {
+        const std::string base = folder_.string() + "-std";
+        const std::string command = "cd '" + folder_.string() + "' && " + prefix + " '" +
+                                    SIGNORINI_PROGRAM + "' " + arguments + " >" + base + "out 2>" +
+                                    base + "err </dev/null";
+        const int status = std::system(command.c_str());
+        Outcome outcome{WEXITSTATUS(status), contentOf(base + "out"), contentOf(base + "err")};
+        fs::remove(base + "out");
+        fs::remove(base + "err");
+        return outcome;
+    }
+
+    [[nodiscard]] json find(const std::string& arguments, int status) const
+    {
+        const Outcome outcome = run("find " + arguments + " --format json");
+        INFO(arguments << "\n" << outcome.err);
+        REQUIRE(outcome.status == status);
+        return json::parse(outcome.out);
+    }
+
+    [[nodiscard]] fs::path file(const char* name) const { return folder_ / name; }
+    [[nodiscard]] std::ptrdiff_t files() const
+    {
+        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+    }
+
+private:
+    fs::path folder_;
+};
+
+std::ptrdiff_t lines(const std::string& text)
+{
+    return std::count(text.begin(), text.end(), '\n');
+}
+
+}  // namespace
+
+TEST_CASE("cli: the paper's case in JSON, every field of the contract")
+{
+    const Program program;
+    const json r = program.find("150 900", 0);
+    CHECK(r["status"] == "found");
+    CHECK(r["cells"] == 300);
+    CHECK(r["schedule"] == json({{150, 900}}));
+    CHECK(r["period"] == 3.5);
+    CHECK(r["frequency_ratio"] == 8.0 / 7.0);
+    CHECK(r["kernel_dimension"] == 150);
+    CHECK(r["solution_set"] == json({{"kind", "simplex"}, {"dimension", 149}}));
+    CHECK(r["contact"] == "pressing");
+    CHECK(r["canonical_schedule"] == json({{150, 900}}));
+    CHECK(r["energy"] == 2e-6);
+    CHECK(r["energy_ratio"] == 4.0);
+    CHECK(r["energy_ratio_range"] == json({4.0, 600.0}));
+    for (const char* name : {"periodicity", "gap", "pressure", "penetration", "march"}) {
+        CHECK(r["residuals"][name] == 0.0);
+    }
+    CHECK(r["reason"].is_null());
+    CHECK(r["certificate"].is_null());
+    CHECK(r["route"] == "closed-form");
+    CHECK(r["left_out"].is_array());
+    CHECK(r["solver"]["name"] == "closed-form");
+    CHECK(r["solver"]["iterations"] == 0);
+    CHECK(r["solver"]["seconds"].get<double>() >= 0.0);
+}
+
+TEST_CASE("cli: absence is exit status 1 with reason and verified certificate")
+{
+    const Program program;
+    const json r = program.find("2 4 --cells 2", 1);
+    CHECK(r["status"] == "none");
+    CHECK(r["reason"] == "gap");
+    CHECK(r["solution_set"]["kind"] == "empty");
+    CHECK(r["certificate"]["kind"] == "farkas");
+    CHECK(r["certificate"]["verified"] == true);
+    CHECK(r["energy"].is_null());
+    CHECK(r["residuals"].is_null());
+    CHECK(program.find("20 109 --cells 40", 1)["reason"] == "no-live-class");
+}
+
+TEST_CASE("cli: undecided is exit status 3 and says why")
+{
+    if (!signorini::findBackend("glpk-simplex").available()) {
+        return;
+    }
+    const Program program;
+    const json r =
+        program.find("1500 12000 --cells 3000 --solver glpk-simplex --time-limit 0.001", 3);
+    CHECK(r["status"] == "undecided");
+    CHECK_THAT(r["detail"].get<std::string>(), containsText("limit"));
+}
+
+TEST_CASE("cli: text is for people and goes to stdout, nothing to stderr")
+{
+    const Program program;
+    const auto found = program.run("find 150 900");
+    CHECK(found.status == 0);
+    CHECK(found.err.empty());
+    for (const char* text : {"found", "N = 300", "simplex of dimension 149", "4 E₁", "residuals"}) {
+        CHECK_THAT(found.out, containsText(text));
+    }
+    const auto none = program.run("find 2 4 --cells 2");
+    CHECK(none.status == 1);
+    CHECK_THAT(none.out, containsText("reason") && containsText("Farkas"));
+}
+
+TEST_CASE("cli: wrong use is exit status 2, one line naming argument, value and range, no file")
+{
+    struct Wrong {
+        const char* arguments;
+        const char* named;
+    };
+    const auto wrong = GENERATE(values<Wrong>({
+        {"0 5", "NC (phase 1) = 0"},
+        {"5 0", "NF (phase 1) = 0"},
+        {"-5 3", "-5"},
+        {"1.5 2", "1.5"},
+        {"1e3 2", "1e3"},
+        {"nan 2", "nan"},
+        {"-inf 2", "-inf"},
+        {"x 2", "= x"},
+        {"'' 2", "''"},
+        {"3", "even number"},
+        {"3 4 5", "even number"},
+        {"", "even number"},
+        {"99999999999999999999 3", "99999999999999999999"},
+        {"4611686018427387904 4611686018427387904", "sum of all steps"},
+        {"3 9 --cells 0", "--cells = 0"},
+        {"3 9 --cells 100000001", "100000000"},
+        {"3 9 --cells 3.5", "--cells = 3.5"},
+        {"3 9 --gap nan", "--gap = nan"},
+        {"3 9 --gap inf", "--gap = inf"},
+        {"3 9 --gap -1", "--gap = -1"},
+        {"3 9 --gap 0", "--gap = 0"},
+        {"3 9 --gap 1e-200", "gap"},
+        {"3 9 --length 0", "--length = 0"},
+        {"3 9 --wave-speed -2", "--wave-speed = -2"},
+        {"3 9 --axial-stiffness x", "--axial-stiffness = x"},
+        {"3 9 --young 1", "all three"},
+        {"3 9 --young 1 --density 1 --area 1 --wave-speed 3", "clash"},
+        {"3 9 --young 1 --density 0 --area 1", "--density = 0"},
+        {"3 9 --format xml", "--format = xml"},
+        {"3 9 --threads 0", "--threads = 0"},
+        {"3 9 --solver oracle", "oracle"},
+        {"3 9 --formulation dense", "--formulation = dense"},
+        {"3 9 --objective best", "--objective = best"},
+        {"3 9 --tolerance 0", "--tolerance = 0"},
+        {"3 9 --tolerance 1", "tolerance = 1"},
+        {"3 9 --time-limit -1", "--time-limit = -1"},
+        {"3 9 --solver closed-form --formulation state", "formulation = state"},
+        {"3 9 --frobnicate", "--frobnicate"},
+        {"3 9 --gap", "--gap"},
+        {"3 9 --gap 1 --gap 2", "--gap"},
+        {"3 9 --figure a.gif", "a.gif"},
+        {"3 9 --motion a.txt", "a.txt"},
+        {"3 9 --state a.csv --motion a.csv", "a.csv"},
+        {"3 9 --state a.csv --motion ./a.csv", "a.csv"},
+        {"150 900 --state a.csv --gap -1", "--gap"},
+    }));
+    const Program program;
+    const auto outcome = program.run(std::string("find ") + wrong.arguments);
+    INFO(wrong.arguments << " -> " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(outcome.out.empty());
+    CHECK(lines(outcome.err) == 1);
+    CHECK_THAT(outcome.err, containsText(wrong.named));
+    CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli: unknown and missing commands are wrong use")
+{
+    const Program program;
+    CHECK(program.run("").status == 2);
+    CHECK(program.run("fly").status == 2);
+    CHECK_THAT(program.run("fly").err, containsText("fly"));
+    CHECK(lines(program.run("fly").err) == 1);
+}
+
+TEST_CASE("cli: help and version succeed; the version lists every back end")
+{
+    const Program program;
+    CHECK(program.run("--help").status == 0);
+    CHECK_THAT(program.run("find --help").out, containsText("--figure"));
+    const auto version = program.run("--version");
+    CHECK(version.status == 0);
+    for (const signorini::Backend& backend : signorini::backends()) {
+        CHECK_THAT(version.out, containsText(std::string(backend.name)));
+    }
+}
+
+TEST_CASE("cli: files are written whole, together, and replace old ones")
+{
+    const Program program;
+    std::ofstream(program.file("state.csv")) << "old";
+    const auto outcome = program.run(
+        "find 5 23 --cells 8 --state state.csv --motion motion.csv --figure figure.svg");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    CHECK(program.files() == 3);
+    CHECK_THAT(contentOf(program.file("state.csv")),
+               containsText("x,a,b,velocity,strain,displacement\n"));
+    CHECK(lines(contentOf(program.file("state.csv"))) == 9);
+    CHECK(lines(contentOf(program.file("motion.csv"))) == 1 + 29 * 9);
+    CHECK_THAT(contentOf(program.file("figure.svg")), containsText("</svg>"));
+    CHECK(program.run("find 5 23 --cells 8 --motion m.vtk").status == 0);
+    CHECK_THAT(contentOf(program.file("m.vtk")), containsText("RECTILINEAR_GRID"));
+}
+
+TEST_CASE("cli: without a motion no file is written, and old ones stay")
+{
+    const Program program;
+    std::ofstream(program.file("state.csv")) << "old";
+    const auto outcome = program.run("find 2 4 --cells 2 --state state.csv --figure f.png");
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.err, containsText("no file was written"));
+    CHECK(contentOf(program.file("state.csv")) == "old");
+    CHECK(program.files() == 1);
+}
+
+TEST_CASE("cli: files that cannot be written are exit status 4, and nothing is left behind")
+{
+    const Program program;
+    for (const char* arguments :
+         {"--state /no/such/folder/x.csv", "--state .", "--state /dev/full",
+          "--motion good.csv --state /dev/full", "--figure /no/such/folder/x.png"}) {
+        const auto outcome = program.run(std::string("find 5 23 --cells 8 ") + arguments);
+        INFO(arguments << " -> " << outcome.err);
+        CHECK(outcome.status == 4);
+        CHECK(outcome.out.empty());
+        CHECK(lines(outcome.err) == 1);
+        CHECK(program.files() == 0);
+    }
+    const auto full = program.run("find 5 23 --cells 8 >/dev/full; exit $?; #");
+    CHECK(full.status == 4);
+}
+
+TEST_CASE("cli: a missing gnuplot is exit status 4, named, and leaves no file")
+{
+    const Program program;
+    const auto outcome =
+        program.run("find 5 23 --cells 8 --state s.csv --figure f.svg", "PATH=/nowhere");
+    CHECK(outcome.status == 4);
+    CHECK_THAT(outcome.err, containsText("gnuplot"));
+    CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli: steel in SI units gives the same energy ratio")
+{
+    const Program program;
+    const json r = program.find("150 900 --young 210e9 --density 7800 --area 1e-4 --gap 1e-6", 0);
+    CHECK(r["energy_ratio"].get<double>() == Approx(4.0).epsilon(1e-12));
+    CHECK(r["period"].get<double>() == Approx(3.5 / 5188.7449).epsilon(1e-6));
+}
+
+TEST_CASE("cli: a million cells stay under three states of memory")
+{
+    const Program program;
+    const auto outcome = program.run("find 500000 3000000 --cells 1000000 --quiet");
+    REQUIRE(outcome.status == 0);
+    rusage usage{};
+    getrusage(RUSAGE_CHILDREN, &usage);
+    const double stateKilobytes = 2e6 * sizeof(double) / 1024.0;
+#if !defined(__SANITIZE_ADDRESS__)
+    CHECK(static_cast<double>(usage.ru_maxrss) < 3.0 * stateKilobytes);
+#endif
+}

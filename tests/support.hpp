@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// What several tests share.
+
+#include <cstdint>
+#include <random>
+
+#include "signorini/schedule.hpp"
+#include "signorini/state.hpp"
+
+namespace signorini::test {
+
+inline Schedule onePhase(std::int64_t cells, std::int64_t contact, std::int64_t free)
+{
+    return {cells, {{contact, free}}};
+}
+
+/// Calls action(schedule) for every one-phase schedule with N <= maxCells, n_c <= 2N + margin and
+/// n_f <= 8N + margin.
+template <typename Action>
+void forAllSchedules(std::int64_t maxCells, std::int64_t margin, Action action)
+{
+    for (std::int64_t cells = 1; cells <= maxCells; ++cells) {
+        for (std::int64_t contact = 1; contact <= 2 * cells + margin; ++contact) {
+            for (std::int64_t free = 1; free <= 8 * cells + margin; ++free) {
+                action(onePhase(cells, contact, free));
+            }
+        }
+    }
+}
+
+/// A state with values in [-1, 1], the same for the same seed.
+inline State randomState(std::int64_t cells, unsigned seed = 1)
+{
+    std::mt19937_64 generator(seed);
+    std::uniform_real_distribution<double> value(-1.0, 1.0);
+    State state{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
+    for (Eigen::Index i = 0; i < cells; ++i) {
+        state.a[i] = value(generator);
+        state.b[i] = value(generator);
+    }
+    return state;
+}
+
+/// The unknowns (a, b) of the paper as one vector.
+inline Eigen::VectorXd stacked(const State& state)
+{
+    Eigen::VectorXd x(2 * state.cells());
+    x << state.a, state.b;
+    return x;
+}
+
+}  // namespace signorini::test

@@ -1,0 +1,175 @@
+#include "signorini/output.hpp"
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "catch.hpp"
+#include "signorini/reduction.hpp"
+#include "support.hpp"
+
+using namespace signorini;
+using test::onePhase;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// An empty folder that vanishes with the test.
+class Folder {
+public:
+    Folder() : path_(fs::temp_directory_path() / ("signorini-test-" + std::to_string(getpid())))
+    {
+        fs::create_directories(path_);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() { fs::remove_all(path_); }
+    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
+    [[nodiscard]] std::ptrdiff_t files() const
+    {
+        return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
+    }
+
+private:
+    fs::path path_;
+};
+
+std::string contentOf(const std::string& path)
+{
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void writeText(const std::string& path, const std::string& text)
+{
+    TextFile file(path);
+    file.write(text);
+    file.close();
+}
+
+std::vector<std::vector<double>> rowsOf(const std::string& csv)
+{
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    std::vector<std::vector<double>> rows;
+    while (std::getline(lines, line)) {
+        std::istringstream cells(line);
+        std::string cell;
+        rows.emplace_back();
+        while (std::getline(cells, cell, ',')) {
+            rows.back().push_back(std::stod(cell));
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
+TEST_CASE("output: files appear together at commit, and not at all without it")
+{
+    const Folder folder;
+    {
+        OutputFiles files;
+        writeText(files.stage(folder.file("a.txt")), "one");
+        CHECK_FALSE(fs::exists(folder.file("a.txt")));
+    }
+    CHECK(folder.files() == 0);
+    OutputFiles files;
+    writeText(files.stage(folder.file("a.txt")), "one");
+    writeText(files.stage(folder.file("b.txt")), "two");
+    files.commit();
+    CHECK(contentOf(folder.file("a.txt")) == "one");
+    CHECK(contentOf(folder.file("b.txt")) == "two");
+    CHECK(folder.files() == 2);
+}
+
+TEST_CASE("output: an existing file stays until the new one is complete")
+{
+    const Folder folder;
+    writeText(folder.file("a.txt"), "old");
+    {
+        OutputFiles files;
+        writeText(files.stage(folder.file("a.txt")), "half");
+    }
+    CHECK(contentOf(folder.file("a.txt")) == "old");
+    OutputFiles files;
+    writeText(files.stage(folder.file("a.txt")), "new");
+    files.commit();
+    CHECK(contentOf(folder.file("a.txt")) == "new");
+}
+
+TEST_CASE("output: what cannot be written is reported with its reason")
+{
+    const Folder folder;
+    OutputFiles files;
+    CHECK_THROWS_WITH(files.stage("/no/such/folder/x.csv"), containsText("No such file"));
+    CHECK_THROWS_WITH(files.stage(fs::temp_directory_path().string()),
+                      containsText("is a directory"));
+    CHECK_THROWS_AS(TextFile("/no/such/folder/x.csv"), FileError);
+}
+
+TEST_CASE("output: a full disk is an error, not a short file")
+{
+    if (!fs::exists("/dev/full")) {
+        return;
+    }
+    CHECK_THROWS_WITH(writeText("/dev/full", "text"), containsText("No space left"));
+    OutputFiles files;
+    writeText(files.stage("/dev/full"), "text");
+    CHECK_THROWS_AS(files.commit(), FileError);
+}
+
+TEST_CASE("output: the state file holds SI values that read back exactly")
+{
+    const Folder folder;
+    const Bar steel = barOfMaterial(2.0, 210e9, 7800.0, 1e-4, 1e-6);
+    const Scales unit = scales(steel);
+    const State state = leastEnergyMotion(reduce(onePhase(7, 3, 23)));
+    writeStateCsv(folder.file("state.csv"), state, steel);
+    const std::string text = contentOf(folder.file("state.csv"));
+    CHECK(text.starts_with("x,a,b,velocity,strain,displacement\n"));
+    const auto rows = rowsOf(text);
+    REQUIRE(rows.size() == 7);
+    for (std::size_t i = 0; i < 7; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        CHECK(rows[i][0] == Approx(static_cast<double>(i + 1) * 2.0 / 7.0));
+        CHECK(rows[i][1] == state.a[k] * unit.strain);
+        CHECK(rows[i][2] == state.b[k] * unit.strain);
+        CHECK(rows[i][3] == Approx(steel.waveSpeed * (rows[i][1] + rows[i][2])).margin(1e-18));
+        CHECK(rows[i][4] == Approx(rows[i][2] - rows[i][1]).margin(1e-18));
+    }
+    CHECK(rows[6][5] == Approx(1e-6).epsilon(1e-14));
+}
+
+TEST_CASE("output: motion files hold every node and instant of a small case")
+{
+    const Folder folder;
+    const Schedule schedule = onePhase(5, 3, 14);
+    const Motion motion(leastEnergyMotion(reduce(schedule)), schedule);
+    writeMotionCsv(folder.file("m.csv"), motion, Bar{});
+    const auto rows = rowsOf(contentOf(folder.file("m.csv")));
+    REQUIRE(rows.size() == 18 * 6);
+    CHECK(rows.front() == std::vector<double>{0, 0, 0, rows[1][3], rows[1][4]});
+    CHECK(rows.back()[0] == Approx(3.4));
+    CHECK(rows.back()[2] == Approx(1e-3));
+
+    writeMotionVtk(folder.file("m.vtk"), motion, Bar{});
+    std::istringstream vtk(contentOf(folder.file("m.vtk")));
+    std::string line;
+    std::getline(vtk, line);
+    CHECK(line == "# vtk DataFile Version 3.0");
+    std::vector<std::string> words((std::istream_iterator<std::string>(vtk)), {});
+    const auto at = [&](const char* word) {
+        return std::find(words.begin(), words.end(), word) - words.begin();
+    };
+    CHECK(words[static_cast<std::size_t>(at("DIMENSIONS") + 1)] == "6");
+    CHECK(words[static_cast<std::size_t>(at("DIMENSIONS") + 2)] == "18");
+    CHECK(words[static_cast<std::size_t>(at("POINT_DATA") + 1)] == "108");
+    CHECK(std::count(words.begin(), words.end(), "SCALARS") == 3);
+    CHECK(words.size() - static_cast<std::size_t>(at("POINT_DATA")) == 2 + 3 * (4 + 2 + 108));
+}
