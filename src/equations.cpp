@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Term a(Index i, double sign) const { return {i - 1, sign}; }
+    [[nodiscard]] static Term a(Index i, double sign) { return {i - 1, sign}; }
     [[nodiscard]] Term b(Index i, double sign) const { return {n_ + i - 1, sign}; }
 
     /// The representative of j modulo `repeat` in last-repeat+1 .. last.
@@ -264,10 +264,10 @@ TipRows tipRows(const Schedule& schedule)
 
 Inequalities inequalities(const Schedule& schedule)
 {
-    TipRows rows = tipRows(schedule);
+    const TipRows rows = tipRows(schedule);
     requireEntries(rows.velocity.rows() * 2 * schedule.cells);
-    SparseMatrix penetration = prefixSums(rows.velocity, schedule.phases);
-    return {.pressure = std::move(rows.pressure), .penetration = std::move(penetration)};
+    const SparseMatrix penetration = prefixSums(rows.velocity, schedule.phases);
+    return {.pressure = rows.pressure, .penetration = penetration};
 }
 
 }  // namespace signorini

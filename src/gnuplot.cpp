@@ -9,15 +9,13 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "signorini/output.hpp"
 #include "signorini/solver.hpp"
-
-extern char** environ;
 
 namespace signorini {
 
@@ -32,7 +30,8 @@ public:
     {
         std::string pattern = (fs::temp_directory_path() / "signorini-XXXXXX").string();
         if (mkdtemp(pattern.data()) == nullptr) {
-            throw FileError(pattern, fmt::format("cannot create: {}", std::strerror(errno)));
+            throw FileError(
+                pattern, fmt::format("cannot create: {}", std::generic_category().message(errno)));
         }
         path_ = pattern;
     }

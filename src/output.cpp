@@ -6,9 +6,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <system_error>
 
 namespace signorini {
 
@@ -86,7 +86,8 @@ void copyContent(const std::string& from, const std::string& to)
         close(source);
     }
     if (count < 0) {
-        throw FileError(from, fmt::format("cannot read: {}", std::strerror(error)));
+        throw FileError(from,
+                        fmt::format("cannot read: {}", std::generic_category().message(error)));
     }
     target.close();
 }
@@ -147,7 +148,8 @@ void TextFile::close()
 
 void TextFile::fail(const char* action) const
 {
-    throw FileError(path_, fmt::format("cannot {}: {}", action, std::strerror(errno)));
+    throw FileError(path_,
+                    fmt::format("cannot {}: {}", action, std::generic_category().message(errno)));
 }
 
 OutputFiles::~OutputFiles()
@@ -173,10 +175,11 @@ std::string OutputFiles::stage(const std::string& path)
     const fs::path folder = isRegular ? target.parent_path() : fs::temp_directory_path();
     const std::string name =
         fmt::format(".{}.{}-{}.partial", target.filename().string(), getpid(), entries_.size());
-    const std::string staged = (folder / name).string();
+    std::string staged = (folder / name).string();
     const int descriptor = open(staged.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (descriptor < 0) {
-        throw FileError(path, fmt::format("cannot write: {}", std::strerror(errno)));
+        throw FileError(path,
+                        fmt::format("cannot write: {}", std::generic_category().message(errno)));
     }
     ::close(descriptor);
     entries_.push_back({staged, target.string(), isRegular});

@@ -98,7 +98,8 @@ public:
     [[nodiscard]] std::int64_t sign(std::int64_t m) const
     {
         const std::int64_t k = (head_ + m) % size();
-        return (k < cells_ ? 1 : -1) * signs_[static_cast<std::size_t>(k)];
+        const std::int64_t sign = signs_[static_cast<std::size_t>(k)];
+        return k < cells_ ? sign : -sign;
     }
 
     void contact(std::int64_t count) { head_ = (head_ + count % size()) % size(); }
@@ -107,7 +108,7 @@ public:
     {
         for (std::int64_t step = count % (2 * size()); step > 0; --step) {
             auto& flipped = signs_[static_cast<std::size_t>(head_)];
-            flipped = static_cast<std::int8_t>(-flipped);
+            flipped = -flipped;
             contact(1);
         }
     }
@@ -115,7 +116,7 @@ public:
 private:
     std::int64_t cells_;
     std::int64_t head_ = 0;
-    std::vector<std::int8_t> signs_;
+    std::vector<std::int32_t> signs_;
 };
 
 /// The coefficients of a combination of rows over the 2N unknowns.

@@ -58,7 +58,8 @@ double mostSquares(const AmplitudeSet& set)
 std::vector<double> leastAmplitudes(const AmplitudeSet& set)
 {
     const auto count = static_cast<std::size_t>(set.count);
-    return std::vector<double>(count, set.sum / static_cast<double>(set.count));
+    std::vector<double> z(count, set.sum / static_cast<double>(set.count));
+    return z;
 }
 
 std::vector<double> mostAmplitudes(const AmplitudeSet& set)

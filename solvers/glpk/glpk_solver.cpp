@@ -137,15 +137,16 @@ int clampToInt(double value)
 
 class Simplex final : public Solver {
 public:
-    std::string_view name() const override { return "glpk-simplex"; }
+    [[nodiscard]] std::string_view name() const override { return "glpk-simplex"; }
 
-    Capabilities capabilities() const override
+    [[nodiscard]] Capabilities capabilities() const override
     {
         return {.detectsInfeasibility = true, .iterationLimit = true, .timeLimit = true};
     }
 
 private:
-    SolverResult run(const Program& program, const SolverOptions& options) const override
+    [[nodiscard]] SolverResult run(const Program& program,
+                                   const SolverOptions& options) const override
     {
         SolverResult result;
         glp_term_out(GLP_OFF);  // per thread: GLPK keeps an environment in each
