@@ -5,7 +5,7 @@
 #include "signorini/config.hpp"
 #include "signorini/solver.hpp"
 #if SIGNORINI_HAS_GLPK
-#include "glpk/glpk_solver.hpp"
+#include "glpk/glpk.hpp"
 #endif
 
 namespace signorini {
@@ -23,9 +23,13 @@ std::string ownVersion()
 #if SIGNORINI_HAS_GLPK
 constexpr Version glpkVersion = glpk::version;
 constexpr Make glpkSimplex = glpk::makeSimplex;
+constexpr Make glpkInterior = glpk::makeInterior;
+constexpr Make glpkExact = glpk::makeExact;
 #else
 constexpr Version glpkVersion = nullptr;
 constexpr Make glpkSimplex = nullptr;
+constexpr Make glpkInterior = nullptr;
+constexpr Make glpkExact = nullptr;
 #endif
 
 }  // namespace
@@ -45,6 +49,18 @@ std::span<const Backend> backends()
                 .version = glpkVersion,
                 .make = glpkSimplex,
                 .purpose = "linear programs by the primal simplex method with presolve"},
+        Backend{.name = "glpk-interior",
+                .library = "GLPK",
+                .option = "SIGNORINI_WITH_GLPK",
+                .version = glpkVersion,
+                .make = glpkInterior,
+                .purpose = "linear programs by an interior-point method"},
+        Backend{.name = "glpk-exact",
+                .library = "GLPK",
+                .option = "SIGNORINI_WITH_GLPK",
+                .version = glpkVersion,
+                .make = glpkExact,
+                .purpose = "linear programs by the simplex method in rational numbers"},
     };
     return table;
 }

@@ -53,9 +53,15 @@ struct SolverOptions {
 struct SolverResult {
     SolverStatus status = SolverStatus::notRun;
     std::string detail = "the solver has not been called";  ///< for people: the native verdict
-    Eigen::VectorXd x;            ///< the point, or the last iterate, or empty
-    double objective = 0.0;       ///< recomputed at x
-    double violation = 0.0;       ///< recomputed at x
+    Eigen::VectorXd x;       ///< the point, or the last iterate, or empty
+    double objective = 0.0;  ///< recomputed at x
+    double violation = 0.0;  ///< recomputed at x
+    /// Multipliers y (p values) and mu (q values, <= 0) of an optimal x, from back ends with
+    /// `Capabilities::duals`; empty otherwise. The reduced costs c - equalities^T y -
+    /// inequalities^T mu are >= 0 where x is at its lower bound, <= 0 at its upper, else 0: y_i is
+    /// what the objective gains per unit of equalityRhs_i.
+    Eigen::VectorXd equalityDuals;
+    Eigen::VectorXd inequalityDuals;
     std::int64_t iterations = 0;  ///< [-], as the back end counts them
     double setupSeconds = 0.0;    ///< [s], handing the program over
     double solveSeconds = 0.0;    ///< [s], inside the library
@@ -65,7 +71,8 @@ struct SolverResult {
 struct Capabilities {
     bool quadraticObjective = false;
     bool energyEquality = false;
-    bool detectsInfeasibility = false;
+    bool detectsInfeasibility = false;  ///< may answer "infeasible" after a search for a point
+    bool duals = false;                 ///< fills the multipliers of a linear program
     bool iterationLimit = false;
     bool timeLimit = false;
     bool start = false;
