@@ -7,6 +7,9 @@
 #if SIGNORINI_HAS_GLPK
 #include "glpk/glpk.hpp"
 #endif
+#if SIGNORINI_HAS_IPOPT
+#include "ipopt/ipopt.hpp"
+#endif
 
 namespace signorini {
 
@@ -30,6 +33,14 @@ constexpr Version glpkVersion = nullptr;
 constexpr Make glpkSimplex = nullptr;
 constexpr Make glpkInterior = nullptr;
 constexpr Make glpkExact = nullptr;
+#endif
+
+#if SIGNORINI_HAS_IPOPT
+constexpr Version ipoptVersion = ipopt::version;
+constexpr Make ipoptMake = ipopt::makeIpopt;
+#else
+constexpr Version ipoptVersion = nullptr;
+constexpr Make ipoptMake = nullptr;
 #endif
 
 }  // namespace
@@ -61,6 +72,12 @@ std::span<const Backend> backends()
                 .version = glpkVersion,
                 .make = glpkExact,
                 .purpose = "linear programs by the simplex method in rational numbers"},
+        Backend{.name = "ipopt",
+                .library = "Ipopt",
+                .option = "SIGNORINI_WITH_IPOPT",
+                .version = ipoptVersion,
+                .make = ipoptMake,
+                .purpose = "convex quadratic programs and a given energy, interior point"},
     };
     return table;
 }
