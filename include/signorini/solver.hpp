@@ -4,7 +4,8 @@
 ///
 /// A solver receives a Program and options, and answers with a status and a point. What it claims
 /// is recomputed here before it is passed on: a point whose violation exceeds the tolerance is
-/// never "optimal". Solvers hold no state between calls; one object may be used from one thread.
+/// never "optimal". A badly scaled program reaches the back end in its own units, rescaled by
+/// powers of two. Solvers hold no state between calls; one object may be used from one thread.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -90,14 +91,16 @@ public:
     [[nodiscard]] virtual std::string_view name() const = 0;
     [[nodiscard]] virtual Capabilities capabilities() const = 0;
 
-    /// Validates, refuses what the back end cannot do, solves, recomputes what was claimed.
+    /// Validates, refuses what the back end cannot do, rescales if needed, solves, recomputes what
+    /// was claimed.
     /// \throws std::invalid_argument on a malformed program, an option out of range or one that
     /// this back end does not support.
     [[nodiscard]] SolverResult solve(const Program& program,
                                      const SolverOptions& options = {}) const;
 
 private:
-    /// The library call: fills everything but objective and violation.
+    /// The library call: fills everything but objective and violation. The program may be a scaled
+    /// copy, so no text should quote its numbers.
     virtual SolverResult run(const Program& program, const SolverOptions& options) const = 0;
 };
 
