@@ -5,7 +5,10 @@
 #include "signorini/config.hpp"
 #include "signorini/solver.hpp"
 #if SIGNORINI_HAS_GLPK
-#include "glpk/glpk_solver.hpp"
+#include "glpk/glpk.hpp"
+#endif
+#if SIGNORINI_HAS_IPOPT
+#include "ipopt/ipopt.hpp"
 #endif
 
 namespace signorini {
@@ -23,9 +26,21 @@ std::string ownVersion()
 #if SIGNORINI_HAS_GLPK
 constexpr Version glpkVersion = glpk::version;
 constexpr Make glpkSimplex = glpk::makeSimplex;
+constexpr Make glpkInterior = glpk::makeInterior;
+constexpr Make glpkExact = glpk::makeExact;
 #else
 constexpr Version glpkVersion = nullptr;
 constexpr Make glpkSimplex = nullptr;
+constexpr Make glpkInterior = nullptr;
+constexpr Make glpkExact = nullptr;
+#endif
+
+#if SIGNORINI_HAS_IPOPT
+constexpr Version ipoptVersion = ipopt::version;
+constexpr Make ipoptMake = ipopt::makeIpopt;
+#else
+constexpr Version ipoptVersion = nullptr;
+constexpr Make ipoptMake = nullptr;
 #endif
 
 }  // namespace
@@ -45,6 +60,24 @@ std::span<const Backend> backends()
                 .version = glpkVersion,
                 .make = glpkSimplex,
                 .purpose = "linear programs by the primal simplex method with presolve"},
+        Backend{.name = "glpk-interior",
+                .library = "GLPK",
+                .option = "SIGNORINI_WITH_GLPK",
+                .version = glpkVersion,
+                .make = glpkInterior,
+                .purpose = "linear programs by an interior-point method"},
+        Backend{.name = "glpk-exact",
+                .library = "GLPK",
+                .option = "SIGNORINI_WITH_GLPK",
+                .version = glpkVersion,
+                .make = glpkExact,
+                .purpose = "linear programs by the simplex method in rational numbers"},
+        Backend{.name = "ipopt",
+                .library = "Ipopt",
+                .option = "SIGNORINI_WITH_IPOPT",
+                .version = ipoptVersion,
+                .make = ipoptMake,
+                .purpose = "convex quadratic programs and a given energy, interior point"},
     };
     return table;
 }

@@ -12,12 +12,38 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double relative(double excess, double bound)
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// Largest and sum of the absolute coefficients of a row.
+struct RowSize {
+    double largest = 0.0;
+    double sum = 0.0;
+};
+
+RowSize rowSize(const Rows& rows, Eigen::Index row)
 {
-    return excess / std::max(1.0, std::abs(bound));
+    RowSize size;
+    for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
+        size.largest = std::max(size.largest, std::abs(entry.value()));
+        size.sum += std::abs(entry.value());
+    }
+    return size;
 }
 
-bool hasNan(const Eigen::SparseMatrix<double, Eigen::RowMajor>& matrix)
+/// The least max |x_i| that a row needs in order to reach its right side.
+double leastSize(const Rows& rows, Eigen::Index row, double rhs)
+{
+    const double sum = rowSize(rows, row).sum;
+    return sum > 0.0 ? std::abs(rhs) / sum : 0.0;
+}
+
+/// \pre excess > 0 implies bound != 0 or unit > 0, or the violation is infinite.
+double relative(double excess, double bound, double unit)
+{
+    return excess > 0.0 ? excess / std::max(unit, std::abs(bound)) : 0.0;
+}
+
+bool hasNan(const Rows& matrix)
 {
     return matrix.nonZeros() > 0 &&
            !Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()).allFinite();
@@ -110,31 +136,49 @@ double objective(const Program& program, const Eigen::VectorXd& x)
     return value;
 }
 
+double naturalSize(const Program& program)
+{
+    double size = 0.0;
+    for (Eigen::Index i = 0; i < program.equalities.rows(); ++i) {
+        size = std::max(size, leastSize(program.equalities, i, program.equalityRhs[i]));
+    }
+    for (Eigen::Index i = 0; i < program.inequalities.rows(); ++i) {
+        const double rhs = std::min(0.0, program.inequalityRhs[i]);
+        size = std::max(size, leastSize(program.inequalities, i, rhs));
+    }
+    for (Eigen::Index i = 0; i < program.variables(); ++i) {
+        size = std::max({size, program.lower[i], -program.upper[i]});
+    }
+    if (program.energy && program.energy->weights.sum() > 0.0) {
+        size = std::max(size, std::sqrt(program.energy->value / program.energy->weights.sum()));
+    }
+    return size > 0.0 ? size : 1.0;
+}
+
 double violation(const Program& program, const Eigen::VectorXd& x)
 {
     if (x.size() != program.variables() || !x.allFinite()) {
         return infinity;
     }
+    const double unit = naturalSize(program);
     double worst = 0.0;
     const Eigen::VectorXd equal = program.equalities * x - program.equalityRhs;
     for (Eigen::Index i = 0; i < equal.size(); ++i) {
-        worst = std::max(worst, relative(std::abs(equal[i]), program.equalityRhs[i]));
+        worst = std::max(worst, relative(std::abs(equal[i]), program.equalityRhs[i],
+                                         unit * rowSize(program.equalities, i).largest));
     }
     const Eigen::VectorXd above = program.inequalities * x - program.inequalityRhs;
     for (Eigen::Index i = 0; i < above.size(); ++i) {
-        worst = std::max(worst, relative(above[i], program.inequalityRhs[i]));
+        worst = std::max(worst, relative(above[i], program.inequalityRhs[i],
+                                         unit * rowSize(program.inequalities, i).largest));
     }
     for (Eigen::Index i = 0; i < x.size(); ++i) {
-        if (program.lower[i] > x[i]) {
-            worst = std::max(worst, relative(program.lower[i] - x[i], program.lower[i]));
-        }
-        if (x[i] > program.upper[i]) {
-            worst = std::max(worst, relative(x[i] - program.upper[i], program.upper[i]));
-        }
+        worst = std::max({worst, relative(program.lower[i] - x[i], program.lower[i], unit),
+                          relative(x[i] - program.upper[i], program.upper[i], unit)});
     }
     if (program.energy) {
         const double excess = program.energy->weights.dot(x.cwiseAbs2()) - program.energy->value;
-        worst = std::max(worst, relative(std::abs(excess), program.energy->value));
+        worst = std::max(worst, relative(std::abs(excess), program.energy->value, 0.0));
     }
     return worst;
 }

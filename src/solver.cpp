@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "faults.hpp"
+#include "scaling.hpp"
 
 namespace signorini {
 
@@ -81,7 +82,17 @@ SolverResult Solver::solve(const Program& program, const SolverOptions& options)
         result.detail = "cancelled before the start";
         return result;
     }
-    SolverResult result = run(program, options);
+    SolverResult result;
+    if (const std::optional<Scaling> scaling = scalingOf(program)) {
+        SolverOptions scaledOptions = options;
+        if (scaledOptions.start) {
+            *scaledOptions.start /= scaling->unit;
+        }
+        result = run(scaled(program, *scaling), scaledOptions);
+        unscale(*scaling, result);
+    } else {
+        result = run(program, options);
+    }
     if (result.x.size() == program.variables()) {
         result.objective = objective(program, result.x);
         result.violation = violation(program, result.x);

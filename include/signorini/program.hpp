@@ -46,8 +46,15 @@ void validate(const Program& program);
 /// linear . x + 1/2 sum quadratic_i x_i^2. O(n).
 [[nodiscard]] double objective(const Program& program, const Eigen::VectorXd& x);
 
-/// The largest violation of any row, bound or the energy equality at x, each divided by
-/// max(1, |right side|); infinite if x is not finite or of the wrong length. O(entries).
+/// The size of the problem's own unit: no x with max |x_i| below it meets the rows and bounds. That
+/// is the largest |right side| / sum |coefficients| of the rows and the largest |bound| that 0 does
+/// not meet; 1 if 0 meets them all. O(entries).
+[[nodiscard]] double naturalSize(const Program& program);
+
+/// The largest violation of any row or bound at x, each divided by the larger of |right side| and
+/// what one unit does to the row, naturalSize times its largest |coefficient|; for the energy
+/// equality divided by its value. So rows and unknowns may be given in any units: x = 0 violates
+/// sum x_i = 1e-10 by 1. Infinite if x is not finite or of the wrong length. O(entries).
 [[nodiscard]] double violation(const Program& program, const Eigen::VectorXd& x);
 
 }  // namespace signorini

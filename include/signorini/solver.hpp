@@ -4,7 +4,8 @@
 ///
 /// A solver receives a Program and options, and answers with a status and a point. What it claims
 /// is recomputed here before it is passed on: a point whose violation exceeds the tolerance is
-/// never "optimal". Solvers hold no state between calls; one object may be used from one thread.
+/// never "optimal". A badly scaled program reaches the back end in its own units, rescaled by
+/// powers of two. Solvers hold no state between calls; one object may be used from one thread.
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -53,9 +54,15 @@ struct SolverOptions {
 struct SolverResult {
     SolverStatus status = SolverStatus::notRun;
     std::string detail = "the solver has not been called";  ///< for people: the native verdict
-    Eigen::VectorXd x;            ///< the point, or the last iterate, or empty
-    double objective = 0.0;       ///< recomputed at x
-    double violation = 0.0;       ///< recomputed at x
+    Eigen::VectorXd x;       ///< the point, or the last iterate, or empty
+    double objective = 0.0;  ///< recomputed at x
+    double violation = 0.0;  ///< recomputed at x
+    /// Multipliers y (p values) and mu (q values, <= 0) of an optimal x, from back ends with
+    /// `Capabilities::duals`; empty otherwise. The reduced costs c - equalities^T y -
+    /// inequalities^T mu are >= 0 where x is at its lower bound, <= 0 at its upper, else 0: y_i is
+    /// what the objective gains per unit of equalityRhs_i.
+    Eigen::VectorXd equalityDuals;
+    Eigen::VectorXd inequalityDuals;
     std::int64_t iterations = 0;  ///< [-], as the back end counts them
     double setupSeconds = 0.0;    ///< [s], handing the program over
     double solveSeconds = 0.0;    ///< [s], inside the library
@@ -65,7 +72,8 @@ struct SolverResult {
 struct Capabilities {
     bool quadraticObjective = false;
     bool energyEquality = false;
-    bool detectsInfeasibility = false;
+    bool detectsInfeasibility = false;  ///< may answer "infeasible" after a search for a point
+    bool duals = false;                 ///< fills the multipliers of a linear program
     bool iterationLimit = false;
     bool timeLimit = false;
     bool start = false;
@@ -83,16 +91,17 @@ public:
     [[nodiscard]] virtual std::string_view name() const = 0;
     [[nodiscard]] virtual Capabilities capabilities() const = 0;
 
-    /// Validates, refuses what the back end cannot do, solves, recomputes what was claimed.
+    /// Validates, refuses what the back end cannot do, rescales if needed, solves, recomputes what
+    /// was claimed.
     /// \throws std::invalid_argument on a malformed program, an option out of range or one that
     /// this back end does not support.
     [[nodiscard]] SolverResult solve(const Program& program,
                                      const SolverOptions& options = {}) const;
 
 private:
-    /// The library call: fills everything but objective and violation.
-    [[nodiscard]] virtual SolverResult run(const Program& program,
-                                           const SolverOptions& options) const = 0;
+    /// The library call: fills everything but objective and violation. The program may be a scaled
+    /// copy, so no text should quote its numbers.
+    [[nodiscard]] virtual SolverResult run(const Program& program, const SolverOptions& options) const = 0;
 };
 
 /// A back end that this build does not contain was asked for, or an outside program is missing.

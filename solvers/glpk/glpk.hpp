@@ -1,6 +1,9 @@
 #pragma once
 /// \file
 /// GLPK behind the Solver interface. GLPK is GPL: a build with it is under the GPL as a whole.
+///
+/// GLPK keeps one environment per thread, so solvers may run in several threads at once. It stops
+/// the process when memory runs out; that cannot be caught.
 
 #include <memory>
 #include <string>
@@ -14,5 +17,11 @@ namespace signorini::glpk {
 
 /// Primal simplex in doubles, with GLPK's presolver.
 [[nodiscard]] std::unique_ptr<Solver> makeSimplex();
+
+/// Primal-dual interior point. It has no settings: no tolerance, no limits.
+[[nodiscard]] std::unique_ptr<Solver> makeInterior();
+
+/// Simplex in rational numbers: pivots and verdict are exact, the point is rounded at the end.
+[[nodiscard]] std::unique_ptr<Solver> makeExact();
 
 }  // namespace signorini::glpk

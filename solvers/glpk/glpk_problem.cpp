@@ -1,28 +1,32 @@
-#include "glpk/glpk_solver.hpp"
-
-#include <glpk.h>
+#include "glpk/glpk_problem.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <vector>
+
+#include "glpk/glpk.hpp"
 
 namespace signorini::glpk {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-double secondsSince(Clock::time_point start)
+/// Limits built into GLPK; beyond them it aborts.
+constexpr Eigen::Index maxRowsOrColumns = 100'000'000;
+constexpr Eigen::Index maxEntries = 500'000'000;
+
+void refuseOversized(const Program& program)
 {
-    return std::chrono::duration<double>(Clock::now() - start).count();
+    const Eigen::Index rows = program.equalities.rows() + program.inequalities.rows() + 1;
+    const Eigen::Index entries = program.equalities.nonZeros() + program.inequalities.nonZeros();
+    if (std::max(rows, program.linear.size()) > maxRowsOrColumns || entries > maxEntries) {
+        throw std::invalid_argument(
+            "GLPK accepts at most 10^8 rows, 10^8 variables and 5 10^8 entries");
+    }
 }
-
-struct DeleteProblem {
-    void operator()(glp_prob* problem) const { glp_delete_prob(problem); }
-};
-using Problem = std::unique_ptr<glp_prob, DeleteProblem>;
 
 void setBounds(glp_prob* problem, int column, double lower, double upper)
 {
@@ -36,20 +40,18 @@ void setBounds(glp_prob* problem, int column, double lower, double upper)
 }
 
 /// GLPK's sparse rows count from 1; entry 0 of the arrays is unused.
-void addRows(glp_prob* problem, const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows,
-             const Eigen::VectorXd& rhs, int type)
+void addRows(glp_prob* problem, const Rows& rows, const Eigen::VectorXd& rhs, int type)
 {
     if (rows.rows() == 0) {
         return;
     }
     const int first = glp_add_rows(problem, static_cast<int>(rows.rows()));
-    std::vector<int> columns(1);
-    std::vector<double> values(1);
+    std::vector<int> columns;
+    std::vector<double> values;
     for (int row = 0; row < static_cast<int>(rows.rows()); ++row) {
         columns.resize(1);
         values.resize(1);
-        for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(rows, row); entry;
-             ++entry) {
+        for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
             if (entry.value() != 0.0) {
                 columns.push_back(static_cast<int>(entry.col()) + 1);
                 values.push_back(entry.value());
@@ -61,8 +63,31 @@ void addRows(glp_prob* problem, const Eigen::SparseMatrix<double, Eigen::RowMajo
     }
 }
 
+void addUnboundedRow(glp_prob* problem)
+{
+    const int row = glp_add_rows(problem, 1);
+    const int columns[] = {0, 1};
+    const double values[] = {0.0, 1.0};
+    glp_set_mat_row(problem, row, 1, columns, values);
+    glp_set_row_bnds(problem, row, GLP_FR, 0.0, 0.0);
+}
+
+int clampToInt(double value)
+{
+    return static_cast<int>(std::min(value, static_cast<double>(std::numeric_limits<int>::max())));
+}
+
+}  // namespace
+
+std::string version()
+{
+    return glp_version();
+}
+
 Problem build(const Program& program)
 {
+    refuseOversized(program);
+    glp_term_out(GLP_OFF);
     Problem problem(glp_create_prob());
     glp_set_obj_dir(problem.get(), GLP_MIN);
     const int variables = static_cast<int>(program.variables());
@@ -73,16 +98,11 @@ Problem build(const Program& program)
     }
     addRows(problem.get(), program.equalities, program.equalityRhs, GLP_FX);
     addRows(problem.get(), program.inequalities, program.inequalityRhs, GLP_UP);
+    addUnboundedRow(problem.get());
     return problem;
 }
 
-struct Verdict {
-    SolverStatus status;
-    const char* detail;
-};
-
-/// Every return code of glp_simplex, and of glp_get_status after a return of 0.
-Verdict verdictOf(int code, glp_prob* problem)
+Verdict simplexVerdict(int code, glp_prob* problem)
 {
     switch (code) {
         case 0:
@@ -110,7 +130,7 @@ Verdict verdictOf(int code, glp_prob* problem)
         case GLP_EFAIL:
             return {SolverStatus::failed, "GLP_EFAIL: solver failure"};
         default:
-            return {SolverStatus::failed, "unknown return code of glp_simplex"};
+            return {SolverStatus::failed, "unknown return code of the simplex method"};
     }
     switch (glp_get_status(problem)) {
         case GLP_OPT:
@@ -130,72 +150,27 @@ Verdict verdictOf(int code, glp_prob* problem)
     }
 }
 
-int clampToInt(double value)
+void setLimits(const SolverOptions& options, glp_smcp& settings)
 {
-    return static_cast<int>(std::min(value, static_cast<double>(std::numeric_limits<int>::max())));
+    if (options.iterationLimit > 0) {
+        settings.it_lim = clampToInt(static_cast<double>(options.iterationLimit));
+    }
+    if (std::isfinite(options.timeLimit)) {
+        settings.tm_lim = clampToInt(std::ceil(1e3 * options.timeLimit));
+    }
 }
 
-class Simplex final : public Solver {
-public:
-    [[nodiscard]] std::string_view name() const override { return "glpk-simplex"; }
-
-    [[nodiscard]] Capabilities capabilities() const override
-    {
-        return {.detectsInfeasibility = true, .iterationLimit = true, .timeLimit = true};
-    }
-
-private:
-    [[nodiscard]] SolverResult run(const Program& program,
-                                   const SolverOptions& options) const override
-    {
-        SolverResult result;
-        glp_term_out(GLP_OFF);  // per thread: GLPK keeps an environment in each
-        const auto start = Clock::now();
-        const Problem problem = build(program);
-
-        glp_smcp settings;
-        glp_init_smcp(&settings);
-        settings.msg_lev = GLP_MSG_OFF;
-        settings.presolve = GLP_ON;
-        // GLPK's own default is 1e-7; it stops when rows hold to a tenth of what is asked.
-        settings.tol_bnd = std::min(1e-7, 0.1 * options.tolerance);
-        settings.tol_dj = settings.tol_bnd;
-        if (options.iterationLimit > 0) {
-            settings.it_lim = clampToInt(static_cast<double>(options.iterationLimit));
-        }
-        if (std::isfinite(options.timeLimit)) {
-            settings.tm_lim = clampToInt(std::ceil(1e3 * options.timeLimit));
-        }
-        result.setupSeconds = secondsSince(start);
-
-        const auto solving = Clock::now();
-        const int code = glp_simplex(problem.get(), &settings);
-        result.solveSeconds = secondsSince(solving);
-
-        const Verdict verdict = verdictOf(code, problem.get());
-        result.status = verdict.status;
-        result.detail = verdict.detail;
-        result.iterations = glp_get_it_cnt(problem.get());
-        if (result.status == SolverStatus::optimal) {
-            result.x.resize(program.variables());
-            for (int i = 0; i < static_cast<int>(program.variables()); ++i) {
-                result.x[i] = glp_get_col_prim(problem.get(), i + 1);
-            }
-        }
-        return result;
-    }
-};
-
-}  // namespace
-
-std::string version()
+void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_prob*, int),
+               double (*dual)(glp_prob*, int), SolverResult& result)
 {
-    return glp_version();
-}
-
-std::unique_ptr<Solver> makeSimplex()
-{
-    return std::make_unique<Simplex>();
+    const auto read = [problem](auto accessor, Eigen::Index first, Eigen::Index count) {
+        return Eigen::VectorXd(Eigen::VectorXd::NullaryExpr(
+            count, [&](Eigen::Index i) { return accessor(problem, static_cast<int>(first + i)); }));
+    };
+    const Eigen::Index equalities = program.equalities.rows();
+    result.x = read(value, 1, program.variables());
+    result.equalityDuals = read(dual, 1, equalities);
+    result.inequalityDuals = read(dual, 1 + equalities, program.inequalities.rows());
 }
 
 }  // namespace signorini::glpk

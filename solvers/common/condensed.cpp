@@ -1,0 +1,212 @@
+#include "common/condensed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/independent_rows.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Index = Eigen::Index;
+using Triplet = Eigen::Triplet<double>;
+
+/// A basis whose own residual is larger than this share of the tolerance decides nothing.
+constexpr double residualShare = 0.1;
+
+Rows select(const Rows& matrix, const std::vector<Index>& rows, const std::vector<Index>& columns)
+{
+    std::vector<int> place(static_cast<std::size_t>(matrix.cols()), -1);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        place[static_cast<std::size_t>(columns[k])] = static_cast<int>(k);
+    }
+    std::vector<Triplet> entries;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        for (Rows::InnerIterator entry(matrix, rows[k]); entry; ++entry) {
+            const int column = place[static_cast<std::size_t>(entry.col())];
+            if (column >= 0 && entry.value() != 0.0) {
+                entries.emplace_back(static_cast<int>(k), column, entry.value());
+            }
+        }
+    }
+    Rows selected(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+    selected.setFromTriplets(entries.begin(), entries.end());
+    return selected;
+}
+
+std::vector<Index> all(Index count)
+{
+    std::vector<Index> indices(static_cast<std::size_t>(count));
+    for (Index i = 0; i < count; ++i) {
+        indices[static_cast<std::size_t>(i)] = i;
+    }
+    return indices;
+}
+
+/// Splits off the variables with lower = upper.
+void removeFixed(const Program& program, Condensed& result)
+{
+    result.fixed = Eigen::VectorXd::Zero(program.variables());
+    for (Index i = 0; i < program.variables(); ++i) {
+        if (program.lower[i] == program.upper[i]) {
+            result.fixed[i] = program.lower[i];
+        } else {
+            result.variables.push_back(i);
+        }
+    }
+    const std::vector<Index>& left = result.variables;
+    Program& condensed = result.program;
+    condensed.equalities = select(program.equalities, all(program.equalities.rows()), left);
+    condensed.equalityRhs = program.equalityRhs - program.equalities * result.fixed;
+    condensed.inequalities = select(program.inequalities, all(program.inequalities.rows()), left);
+    condensed.inequalityRhs = program.inequalityRhs - program.inequalities * result.fixed;
+    condensed.lower = program.lower(left);
+    condensed.upper = program.upper(left);
+    condensed.linear = program.linear(left);
+    if (program.quadratic.size() > 0) {
+        condensed.quadratic = program.quadratic(left);
+    }
+    if (program.energy) {
+        const Eigen::VectorXd& weights = program.energy->weights;
+        condensed.energy = EnergyEquality{
+            weights(left), program.energy->value - weights.dot(result.fixed.cwiseAbs2())};
+    }
+}
+
+SolverResult answer(SolverStatus status, std::string detail, Eigen::VectorXd x = {})
+{
+    SolverResult result;
+    result.status = status;
+    result.detail = std::move(detail);
+    result.x = std::move(x);
+    return result;
+}
+
+/// The row that misses its right side most, relative to max(1, |right side|).
+std::pair<Index, double> worstRow(const Program& program, const Eigen::VectorXd& x)
+{
+    std::pair<Index, double> worst{0, 0.0};
+    const Eigen::VectorXd residual = program.equalities * x - program.equalityRhs;
+    for (Index row = 0; row < residual.size(); ++row) {
+        const double relative =
+            std::abs(residual[row]) / std::max(1.0, std::abs(program.equalityRhs[row]));
+        if (!(relative <= worst.second)) {
+            worst = {row, relative};
+        }
+    }
+    return worst;
+}
+
+/// The energy that is left to variables that are not fixed.
+void decideEnergy(double tolerance, Condensed& result)
+{
+    const EnergyEquality& energy = *result.program.energy;
+    const bool hasWeight = energy.weights.size() > 0 && energy.weights.maxCoeff() > 0.0;
+    if (hasWeight ? energy.value < -tolerance : std::abs(energy.value) > tolerance) {
+        result.decided =
+            answer(SolverStatus::infeasible,
+                   fmt::format("fixed variables leave an energy of {:.3g}", energy.value));
+    } else if (!hasWeight) {
+        result.program.energy.reset();
+    }
+}
+
+/// What one solution of the independent rows says about the others, and about itself if it is the
+/// only one.
+void decide(const Program& program, double tolerance, const Program& independent, Condensed& result)
+{
+    const Basis basis(independent.equalities, result.pivots);
+    const Eigen::VectorXd x = basis.solve(independent.equalityRhs);
+    if (!(worstRow(independent, x).second <= residualShare * tolerance)) {
+        return;
+    }
+    const Eigen::VectorXd point = result.expand(x);
+    const auto [row, residual] = worstRow(program, point);
+    if (residual > tolerance) {
+        result.decided = answer(
+            SolverStatus::infeasible,
+            fmt::format("equality {} contradicts the others: it misses by {:.3g}", row, residual));
+    } else if (independent.equalities.rows() == independent.variables()) {
+        const double worst = violation(program, point);
+        result.decided =
+            worst <= tolerance
+                ? answer(SolverStatus::optimal, "the equalities have one solution", point)
+                : answer(SolverStatus::infeasible,
+                         fmt::format("the only solution of the equalities violates a bound or "
+                                     "inequality by {:.3g}",
+                                     worst));
+    }
+}
+
+}  // namespace
+
+Basis::Basis(const Rows& rows, std::vector<Index> columns)
+    : variables_(rows.cols()),
+      columns_(std::move(columns)),
+      matrix_(select(rows, all(rows.rows()), columns_)),
+      factors_(std::make_unique<Eigen::SparseLU<Eigen::SparseMatrix<double>>>())
+{
+    if (!columns_.empty()) {
+        factors_->compute(matrix_);
+    }
+}
+
+Eigen::VectorXd Basis::solve(const Eigen::VectorXd& rhs) const
+{
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(variables_);
+    if (columns_.empty()) {
+        return x;
+    }
+    if (factors_->info() != Eigen::Success) {
+        x.setConstant(std::nan(""));
+        return x;
+    }
+    Eigen::VectorXd inBasis = factors_->solve(rhs);
+    inBasis += factors_->solve(rhs - matrix_ * inBasis);
+    x(columns_) = inBasis;
+    return x;
+}
+
+Eigen::VectorXd Condensed::expand(const Eigen::VectorXd& x) const
+{
+    Eigen::VectorXd result = fixed;
+    result(variables) = x;
+    return result;
+}
+
+Eigen::VectorXd Condensed::restrict(const Eigen::VectorXd& x) const
+{
+    return x(variables);
+}
+
+Condensed condense(const Program& program, double tolerance)
+{
+    Condensed result;
+    removeFixed(program, result);
+    if (program.energy) {
+        decideEnergy(tolerance * std::max(1.0, program.energy->value), result);
+    }
+    if (result.decided) {
+        return result;
+    }
+    Program& left = result.program;
+    IndependentRows independent = independentRows(left.equalities);
+    const bool isRedundant = static_cast<Index>(independent.rows.size()) < left.equalities.rows();
+    std::vector<Index> rows = std::move(independent.rows);
+    result.pivots = std::move(independent.pivots);
+    if (isRedundant) {
+        std::sort(rows.begin(), rows.end());
+        left.equalities = select(left.equalities, rows, all(left.variables()));
+        left.equalityRhs = Eigen::VectorXd(left.equalityRhs(rows));
+    }
+    if (isRedundant || left.equalities.rows() == left.variables()) {
+        decide(program, tolerance, left, result);
+    }
+    return result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// What the three GLPK back ends share: handing a program over, reading verdict and point back.
+
+#include <glpk.h>
+
+#include <memory>
+
+#include "signorini/solver.hpp"
+
+namespace signorini::glpk {
+
+struct DeleteProblem {
+    void operator()(glp_prob* problem) const { glp_delete_prob(problem); }
+};
+using Problem = std::unique_ptr<glp_prob, DeleteProblem>;
+
+/// The linear part of a program: rows 1..p are the equalities, p+1..p+q the inequalities, and a
+/// last one without bounds, because GLPK refuses to solve a problem without rows. Also silences
+/// GLPK in this thread. \throws std::invalid_argument if it exceeds what GLPK accepts; going there
+/// would end the process.
+[[nodiscard]] Problem build(const Program& program);
+
+struct Verdict {
+    SolverStatus status;
+    const char* detail;
+};
+
+/// The meaning of what glp_simplex or glp_exact returned, and of glp_get_status after a 0.
+[[nodiscard]] Verdict simplexVerdict(int code, glp_prob* problem);
+
+/// it_lim and tm_lim of the simplex methods.
+void setLimits(const SolverOptions& options, glp_smcp& settings);
+
+/// Reads n values and the multipliers of p + q rows, where `value` and `dual` are GLPK's accessors
+/// of the method used, e.g. glp_get_col_prim and glp_get_row_dual. GLPK's multipliers have the sign
+/// documented in SolverResult.
+void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_prob*, int),
+               double (*dual)(glp_prob*, int), SolverResult& result);
+
+}  // namespace signorini::glpk

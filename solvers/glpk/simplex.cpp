@@ -1,0 +1,62 @@
+#include <algorithm>
+
+#include "common/stopwatch.hpp"
+#include "glpk/glpk.hpp"
+#include "glpk/glpk_problem.hpp"
+
+namespace signorini::glpk {
+
+namespace {
+
+/// GLPK's own value of tol_bnd and tol_dj: looser asks for nothing, tighter costs pivots.
+constexpr double defaultTolerance = 1e-7;
+/// GLPK measures on rows it has scaled itself, so it is asked for a tenth of what rows must hold.
+constexpr double toleranceShare = 0.1;
+
+class Simplex final : public Solver {
+public:
+    [[nodiscard]] std::string_view name() const override { return "glpk-simplex"; }
+
+    [[nodiscard]] Capabilities capabilities() const override
+    {
+        return {
+            .detectsInfeasibility = true, .duals = true, .iterationLimit = true, .timeLimit = true};
+    }
+
+private:
+    [[nodiscard]] SolverResult run(const Program& program, const SolverOptions& options) const override
+    {
+        SolverResult result;
+        Stopwatch watch;
+        const Problem problem = build(program);
+        glp_smcp settings;
+        glp_init_smcp(&settings);
+        settings.msg_lev = GLP_MSG_OFF;
+        settings.presolve = GLP_ON;
+        settings.tol_bnd = std::min(defaultTolerance, toleranceShare * options.tolerance);
+        settings.tol_dj = settings.tol_bnd;
+        setLimits(options, settings);
+        result.setupSeconds = watch.restart();
+
+        const int code = glp_simplex(problem.get(), &settings);
+        result.solveSeconds = watch.seconds();
+
+        const Verdict verdict = simplexVerdict(code, problem.get());
+        result.status = verdict.status;
+        result.detail = verdict.detail;
+        result.iterations = glp_get_it_cnt(problem.get());
+        if (result.status == SolverStatus::optimal) {
+            readPoint(problem.get(), program, glp_get_col_prim, glp_get_row_dual, result);
+        }
+        return result;
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> makeSimplex()
+{
+    return std::make_unique<Simplex>();
+}
+
+}  // namespace signorini::glpk

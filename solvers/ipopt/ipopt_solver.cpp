@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+
+#include <IpIpoptApplication.hpp>
+#include <IpSolveStatistics.hpp>
+#include <algorithm>
+#include <limits>
+#include <mutex>
+
+#include "common/condensed.hpp"
+#include "common/stopwatch.hpp"
+#include "ipopt/ipopt.hpp"
+#include "ipopt/program_nlp.hpp"
+
+namespace signorini::ipopt {
+
+namespace {
+
+/// Optimality error aimed at, and the one that will do where rounding ends the search earlier:
+/// minima of quadratic programs then agree with the exact ones to 1e-8.
+constexpr double optimality = 1e-9;
+constexpr double acceptableOptimality = 1e-8;
+/// Ipopt's measure of a row is absolute, ours relative, and a bound may be relaxed on top.
+constexpr double violationShare = 0.1;
+/// Bounds are relaxed by this, Ipopt's own value, unless the tolerance asks for less.
+constexpr double boundRelaxation = 1e-8;
+/// How far a given start is pushed off its bounds: far enough to have an interior, near enough to
+/// be worth having.
+constexpr double startPush = 1e-6;
+/// Barrier parameter of a given start; a cold one begins at 0.1.
+constexpr double startBarrier = 1e-4;
+
+class Settings {
+public:
+    explicit Settings(Ipopt::IpoptApplication& application) : options_(*application.Options()) {}
+
+    void set(const char* option, const char* value)
+    {
+        require(options_.SetStringValue(option, value), option);
+    }
+    void set(const char* option, double value)
+    {
+        require(options_.SetNumericValue(option, value), option);
+    }
+    void set(const char* option, int value)
+    {
+        require(options_.SetIntegerValue(option, value), option);
+    }
+
+private:
+    /// Ipopt answers an unknown option or a value out of range with false, and goes on.
+    static void require(bool accepted, const char* option)
+    {
+        if (!accepted) {
+            throw std::logic_error(fmt::format("Ipopt does not accept the option {}", option));
+        }
+    }
+
+    Ipopt::OptionsList& options_;
+};
+
+void configure(Ipopt::IpoptApplication& application, const Program& program,
+               const SolverOptions& options)
+{
+    Settings settings(application);
+    settings.set("print_level", 0);
+    settings.set("sb", "yes");
+    settings.set("tol", std::min(optimality, violationShare * options.tolerance));
+    settings.set("constr_viol_tol", violationShare * options.tolerance);
+    settings.set("bound_relax_factor",
+                 std::min(boundRelaxation, violationShare * options.tolerance));
+    settings.set("acceptable_tol", std::min(acceptableOptimality, options.tolerance));
+    settings.set("acceptable_constr_viol_tol", violationShare * options.tolerance);
+    settings.set("acceptable_iter", 0);  // only when nothing better can be had
+    settings.set("jac_d_constant", "yes");
+    settings.set("jac_c_constant", program.energy ? "no" : "yes");
+    settings.set("hessian_constant", program.energy ? "no" : "yes");
+    const auto most = static_cast<std::int64_t>(std::numeric_limits<int>::max());
+    settings.set("max_iter", static_cast<int>(options.iterationLimit > 0
+                                                  ? std::min(options.iterationLimit, most)
+                                                  : most));
+    if (options.start) {
+        settings.set("bound_push", startPush);
+        settings.set("bound_frac", startPush);
+        settings.set("slack_bound_push", startPush);
+        settings.set("slack_bound_frac", startPush);
+        settings.set("mu_init", startBarrier);
+    }
+}
+
+struct Verdict {
+    SolverStatus status;
+    const char* detail;
+};
+
+/// Every status of Ipopt. User_Requested_Stop is ours: `stop` says which limit it was.
+Verdict verdictOf(Ipopt::ApplicationReturnStatus status, const Verdict& stop)
+{
+    switch (status) {
+        case Ipopt::Solve_Succeeded:
+            return {SolverStatus::optimal, "Solve_Succeeded"};
+        case Ipopt::Solved_To_Acceptable_Level:
+            return {SolverStatus::optimal, "Solved_To_Acceptable_Level: to 1e-8"};
+        case Ipopt::Infeasible_Problem_Detected:
+            return {SolverStatus::failed,
+                    "Infeasible_Problem_Detected: no better point nearby, which proves nothing"};
+        case Ipopt::Search_Direction_Becomes_Too_Small:
+            return {SolverStatus::failed, "Search_Direction_Becomes_Too_Small"};
+        case Ipopt::Diverging_Iterates:
+            return {SolverStatus::failed, "Diverging_Iterates: the program may be unbounded"};
+        case Ipopt::User_Requested_Stop:
+            return stop;
+        case Ipopt::Feasible_Point_Found:
+            return {SolverStatus::optimal, "Feasible_Point_Found: as many rows as variables"};
+        case Ipopt::Maximum_Iterations_Exceeded:
+            return {SolverStatus::limit, "Maximum_Iterations_Exceeded"};
+        case Ipopt::Restoration_Failed:
+            return {SolverStatus::failed, "Restoration_Failed"};
+        case Ipopt::Error_In_Step_Computation:
+            return {SolverStatus::failed, "Error_In_Step_Computation"};
+        case Ipopt::Maximum_CpuTime_Exceeded:
+            return {SolverStatus::limit, "Maximum_CpuTime_Exceeded"};
+#if IPOPT_VERSION_MAJOR > 3 || IPOPT_VERSION_MINOR >= 14
+        case Ipopt::Maximum_WallTime_Exceeded:
+            return {SolverStatus::limit, "Maximum_WallTime_Exceeded"};
+#endif
+        case Ipopt::Not_Enough_Degrees_Of_Freedom:
+            return {SolverStatus::failed, "Not_Enough_Degrees_Of_Freedom"};
+        case Ipopt::Invalid_Problem_Definition:
+            return {SolverStatus::failed, "Invalid_Problem_Definition"};
+        case Ipopt::Invalid_Option:
+            return {SolverStatus::failed, "Invalid_Option"};
+        case Ipopt::Invalid_Number_Detected:
+            return {SolverStatus::failed, "Invalid_Number_Detected"};
+        case Ipopt::Unrecoverable_Exception:
+            return {SolverStatus::failed, "Unrecoverable_Exception"};
+        case Ipopt::NonIpopt_Exception_Thrown:
+            return {SolverStatus::failed, "NonIpopt_Exception_Thrown"};
+        case Ipopt::Insufficient_Memory:
+            return {SolverStatus::failed, "Insufficient_Memory"};
+        case Ipopt::Internal_Error:
+            return {SolverStatus::failed, "Internal_Error"};
+        default:
+            return {SolverStatus::failed, "unknown status of Ipopt"};
+    }
+}
+
+/// Zero, and for an energy equality a point that has this energy: there its gradient is not zero.
+Eigen::VectorXd coldStart(const Program& program)
+{
+    Eigen::VectorXd start = Eigen::VectorXd::Zero(program.variables());
+    if (program.energy) {
+        start.setConstant(std::sqrt(program.energy->value / program.energy->weights.sum()));
+    }
+    return start;
+}
+
+class IpoptSolver final : public Solver {
+public:
+    [[nodiscard]] std::string_view name() const override { return "ipopt"; }
+
+    [[nodiscard]] Capabilities capabilities() const override
+    {
+        return {.quadraticObjective = true,
+                .energyEquality = true,
+                .iterationLimit = true,
+                .timeLimit = true,
+                .start = true,
+                .cancel = true};
+    }
+
+private:
+    [[nodiscard]] SolverResult run(const Program& program, const SolverOptions& options) const override
+    {
+        Stopwatch watch;
+        const Condensed condensed = condense(program, options.tolerance);
+        if (condensed.decided) {
+            return *condensed.decided;
+        }
+        // MUMPS keeps state of its own that threads would share.
+        static std::mutex oneAtATime;
+        const std::lock_guard lock(oneAtATime);
+
+        Verdict stop{SolverStatus::failed, "User_Requested_Stop"};
+        const auto goOn = [&] {
+            if (options.cancel.stop_requested()) {
+                stop = {SolverStatus::cancelled, "cancelled"};
+                return false;
+            }
+            if (watch.seconds() > options.timeLimit) {
+                stop = {SolverStatus::limit, "time limit"};
+                return false;
+            }
+            return true;
+        };
+        const Ipopt::SmartPtr<ProgramNlp> nlp = new ProgramNlp(
+            condensed.program,
+            options.start ? condensed.restrict(*options.start) : coldStart(condensed.program),
+            goOn);
+        const Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
+            new Ipopt::IpoptApplication(false);
+        application->RethrowNonIpoptException(true);
+        configure(*application, condensed.program, options);
+
+        SolverResult result;
+        Verdict verdict = verdictOf(application->Initialize(std::string()), stop);
+        result.setupSeconds = watch.seconds();
+        if (verdict.status == SolverStatus::optimal) {
+            verdict = verdictOf(application->OptimizeTNLP(Ipopt::GetRawPtr(nlp)), stop);
+        }
+        result.solveSeconds = watch.seconds() - result.setupSeconds;
+        result.status = verdict.status;
+        result.detail = verdict.detail;
+        if (Ipopt::IsValid(application->Statistics())) {
+            result.iterations = application->Statistics()->IterationCount();
+        }
+        if (nlp->point().size() > 0) {
+            result.x = condensed.expand(nlp->point());
+        }
+        return result;
+    }
+};
+
+}  // namespace
+
+std::string version()
+{
+    return IPOPT_VERSION;
+}
+
+std::unique_ptr<Solver> makeIpopt()
+{
+    return std::make_unique<IpoptSolver>();
+}
+
+}  // namespace signorini::ipopt
