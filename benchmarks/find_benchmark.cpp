@@ -96,7 +96,7 @@ void stateProgramByGlpkSimplex(benchmark::State& bench)
         bench.SkipWithError("glpk-simplex is not in this build");
         return;
     }
-    const Program program = stateProgram(paperCase(bench.range(0))).program;
+    const Program program = formulate(paperCase(bench.range(0)), Formulation::state).program;
     const auto solver = makeSolver("glpk-simplex");
     for (auto _ : bench) {
         const SolverResult result = solver->solve(program);

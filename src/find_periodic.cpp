@@ -1,10 +1,13 @@
 #include "signorini/find_periodic.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 
 #include "faults.hpp"
+#include "signorini/class_types.hpp"
 #include "signorini/closed_form.hpp"
-#include "signorini/formulation.hpp"
 #include "signorini/solver.hpp"
 
 namespace signorini {
@@ -13,28 +16,24 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr std::string_view closedForm = "closed-form";
+
 double secondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The solver that a request ends up with.
-std::string chosenSolver(const Schedule& schedule, const FindOptions& options)
+Demands demandsOf(const FindOptions& options)
 {
-    if (options.solver != "auto") {
-        const Backend& backend = findBackend(options.solver);
-        if (!backend.available()) {
-            (void)makeSolver(options.solver);  // throws, and says how to get it
-        }
-        return options.solver;
-    }
-    if (schedule.phases.size() == 1 && options.formulation != Formulation::state) {
-        return "closed-form";
-    }
-    return "glpk-simplex";
+    return {.objective = options.objective,
+            .target = options.target,
+            .strainLimit = options.strainLimit / scales(options.bar).strain,
+            .tipFloor = options.tipFloor / options.bar.gap,
+            .fixed = options.fixed,
+            .energyRatio = options.energyRatio};
 }
 
-void validate(const Schedule& schedule, const FindOptions& options, const std::string& solver)
+void validate(const Schedule& schedule, const FindOptions& options)
 {
     signorini::validate(schedule);
     signorini::validate(options.bar);
@@ -45,130 +44,388 @@ void validate(const Schedule& schedule, const FindOptions& options, const std::s
     if (!(options.timeLimit > 0.0)) {
         faults.add("timeLimit", options.timeLimit, "> 0 [s]");
     }
-    const bool closedForm = solver == "closed-form";
-    if (closedForm && schedule.phases.size() != 1) {
-        faults.add("phases", schedule.phases.size(), "1 with solver closed-form");
+    if (options.iterationLimit < 0) {
+        faults.add("iterationLimit", options.iterationLimit, ">= 0 (0: no limit)");
     }
-    if (closedForm && options.formulation == Formulation::state) {
-        faults.add("formulation", name(options.formulation),
-                   "auto|reduced with solver closed-form");
+    if (!(options.strainLimit > 0.0)) {
+        faults.add("strainLimit", options.strainLimit, "> 0");
     }
-    if (!closedForm && options.formulation == Formulation::reduced) {
-        faults.add("formulation", name(options.formulation),
-                   fmt::format("auto|state with solver {}", solver));
+    if (!(options.tipFloor < options.bar.gap)) {
+        faults.add("tipFloor", options.tipFloor, "below the gap [m]");
     }
-    if (!closedForm && options.objective != Objective::automatic &&
-        options.objective != Objective::any) {
-        faults.add("objective", name(options.objective),
-                   fmt::format("auto|any with solver {}", solver));
+    if (options.solver != "auto") {
+        const Backend& backend = findBackend(options.solver);
+        if (!backend.available()) {
+            (void)makeSolver(options.solver);  // throws, and says how to get it
+        }
+    }
+    if (options.solver == closedForm) {
+        if (schedule.phases.size() != 1) {
+            faults.add("phases", schedule.phases.size(), "1 with solver closed-form");
+        }
+        if (options.formulation == Formulation::state) {
+            faults.add("formulation", name(options.formulation),
+                       "auto|reduced with solver closed-form");
+        }
+        if (options.objective == Objective::nearest) {
+            faults.add("objective", name(options.objective),
+                       "all but nearest with solver closed-form");
+        }
     }
     faults.throwIfAny();
 }
 
-/// What the exact reduction says of the schedule as a whole, whichever solver looks for a motion.
-void describeSet(const Reduction& reduction, PeriodicResult& result)
-{
-    result.kernelDimension = reduction.kernelDimension;
-    result.solutionSet = reduction.set;
-    if (!reduction.reason) {
-        result.energyRange = energyRange(reduction);
+/// One call of findPeriodic on its way to an answer.
+class Search {
+public:
+    Search(const Schedule& schedule, const FindOptions& options)
+        : options_(options), demands_(demandsOf(options))
+    {
+        signorini::validate(demands_, schedule);
+        result_.schedule = schedule;
+        result_.bar = options.bar;
+        result_.period = period(schedule) * scales(options.bar).time;
+        result_.frequencyRatio = frequencyRatio(schedule);
     }
-}
 
-void setUndecided(PeriodicResult& result, std::string why)
-{
-    result.status = Status::undecided;
-    result.detail = std::move(why);
-    result.state = {};
-}
+    PeriodicResult run()
+    {
+        const bool mayUseClosedForm =
+            options_.solver == closedForm ||
+            (options_.solver == "auto" && options_.formulation != Formulation::state);
+        if (isOnePhase()) {
+            reduce(result_.schedule, reduction_);
+            describeSet();
+        }
+        if (isOnePhase() && mayUseClosedForm && solveInClosedForm()) {
+            return std::move(result_);
+        }
+        if (options_.solver == closedForm) {
+            setUndecided(
+                "the closed form knows no motion that meets these demands, and no proof "
+                "that there is none: try solver auto");
+            return std::move(result_);
+        }
+        solveAsProgram();
+        return std::move(result_);
+    }
 
-/// Accepts a state only if every residual is within the tolerance.
-void acceptMotion(State state, const FindOptions& options, PeriodicResult& result)
-{
-    Verification verified = verify(state, result.schedule, options.tolerance);
-    result.residuals = verified.residuals;
-    if (!(result.residuals.worst() <= options.tolerance)) {
-        setUndecided(result,
-                     fmt::format("{} returned a motion with a residual of {:.3g}, more than "
-                                 "the tolerance {:.3g}",
-                                 result.route, result.residuals.worst(), options.tolerance));
-        return;
-    }
-    result.status = Status::found;
-    result.detail.clear();
-    result.canonical = std::move(verified.canonical);
-    result.contact = result.canonical.empty() ? Contact::grazing : Contact::pressing;
-    result.energyRatio = energyRatio(state);
-    result.energy = result.energyRatio * scales(options.bar).energy;
-    result.state = std::move(state);
-}
+private:
+    [[nodiscard]] bool isOnePhase() const { return result_.schedule.phases.size() == 1; }
 
-/// Accepts absence only with a certificate that holds in integers.
-void acceptAbsence(const Reduction& reduction, PeriodicResult& result)
-{
-    FarkasCertificate certificate = proveAbsence(reduction);
-    if (!isProof(certificate, result.schedule)) {
-        setUndecided(result, "the certificate of absence does not hold in 64-bit integers");
-        return;
+    /// What the exact reduction says of the schedule as a whole, whichever solver looks for a
+    /// motion.
+    void describeSet()
+    {
+        result_.kernelDimension = reduction_.kernelDimension;
+        result_.solutionSet = reduction_.set;
+        if (!reduction_.reason) {
+            result_.energyRange = energyRange(reduction_);
+        }
     }
-    result.status = Status::none;
-    result.detail.clear();
-    result.reason = reduction.reason;
-    result.certificate = std::move(certificate);
-}
 
-void solveInClosedForm(const FindOptions& options, PeriodicResult& result)
-{
-    result.leftOut = {"matrices of (27)-(32): steps are signed shifts",
-                      "solver libraries: the solution set is known in closed form",
-                      "all but one row of (32) per sign block: prefix sums are monotone inside"};
-    const auto start = Clock::now();
-    const Reduction reduction = reduce(result.schedule);
-    State state;
-    if (!reduction.reason) {
-        state = options.objective == Objective::maxEnergy
-                    ? motionOf(reduction, mostAmplitudes(reduction.set))
-                    : leastEnergyMotion(reduction);
+    void setUndecided(std::string why)
+    {
+        result_.status = Status::undecided;
+        result_.detail = std::move(why);
+        result_.state = {};
     }
-    result.solver.seconds = secondsSince(start);
-    if (reduction.schedule != result.schedule) {
-        result.leftOut.emplace_back("steps beyond 2N in contact and 4N in flight: they repeat");
-    }
-    describeSet(reduction, result);
-    if (reduction.reason) {
-        acceptAbsence(reduction, result);
-    } else {
-        acceptMotion(std::move(state), options, result);
-    }
-}
 
-void solveInStateForm(const FindOptions& options, PeriodicResult& result)
-{
-    const auto start = Clock::now();
-    Formulated formulated = stateProgram(result.schedule);
-    const SolverResult answer = makeSolver(result.solver.name)
-                                    ->solve(formulated.program, {.tolerance = options.tolerance,
-                                                                 .timeLimit = options.timeLimit});
-    result.solver.seconds = secondsSince(start);
-    result.solver.iterations = answer.iterations;
-    result.leftOut = std::move(formulated.leftOut);
+    /// Accepts a state only if every residual is within the tolerance.
+    void acceptMotion(State state)
+    {
+        Verification verified = verify(state, result_.schedule, options_.tolerance);
+        result_.residuals = verified.residuals;
+        result_.residuals.demands = violation(demands_, state, result_.schedule);
+        if (!(result_.residuals.worst() <= options_.tolerance)) {
+            setUndecided(
+                fmt::format("{} returned a motion with a residual of {:.3g}, more than the "
+                            "tolerance {:.3g}",
+                            result_.route, result_.residuals.worst(), options_.tolerance));
+            return;
+        }
+        const Scales unit = scales(options_.bar);
+        result_.status = Status::found;
+        result_.detail.clear();
+        result_.canonical = std::move(verified.canonical);
+        result_.contact = result_.canonical.empty() ? Contact::grazing : Contact::pressing;
+        result_.energyRatio = energyRatio(state);
+        result_.energy = result_.energyRatio * unit.energy;
+        result_.peakStrain = extremesOf(state, result_.schedule).peakStrain * unit.strain;
+        result_.state = std::move(state);
+    }
 
-    std::optional<Reduction> reduction;
-    if (result.schedule.phases.size() == 1) {
-        reduction = reduce(result.schedule);
-        describeSet(*reduction, result);
+    /// Absence by the closed form: only with a certificate that holds in integers.
+    void acceptAbsence()
+    {
+        FarkasCertificate certificate = proveAbsence(reduction_);
+        if (!isProof(certificate, result_.schedule)) {
+            setUndecided("the certificate of absence does not hold in 64-bit integers");
+            return;
+        }
+        result_.status = Status::none;
+        result_.detail.clear();
+        result_.reason = reduction_.reason;
+        result_.certificate = std::move(certificate);
     }
-    if (answer.status == SolverStatus::optimal) {
-        acceptMotion(stateOf(answer.x, result.schedule.cells), options, result);
-    } else if (answer.status != SolverStatus::infeasible) {
-        setUndecided(result, fmt::format("{}: {}", result.solver.name, answer.detail));
-    } else if (reduction && reduction->reason) {
-        acceptAbsence(*reduction, result);
-    } else {
-        setUndecided(result, fmt::format("{} finds no motion ({}), but there is no exact proof",
-                                         result.solver.name, answer.detail));
+
+    /// Absence by an exact proof over the rows of a program.
+    void acceptAbsence(InfeasibilityProof proof, Formulation rows)
+    {
+        result_.status = Status::none;
+        result_.detail.clear();
+        result_.reason = reasonOfProgram();
+        result_.programProof = std::move(proof);
+        result_.proofRows = rows;
     }
-}
+
+    /// Why a program without solution has none.
+    [[nodiscard]] Reason reasonOfProgram() const
+    {
+        if (isOnePhase()) {
+            return reduction_.reason.value_or(Reason::constraints);
+        }
+        const ClassTypes classes = classTypes(result_.schedule);
+        if (classes.kernelDimension == 0) {
+            return Reason::noLiveClass;
+        }
+        const auto any = [&classes](auto condition) {
+            return std::any_of(classes.types.begin(), classes.types.end(), condition);
+        };
+        if (!any([](const ClassType& type) { return type.isLive(); })) {
+            return Reason::contactSign;
+        }
+        if (!any([](const ClassType& type) {
+                return (type.kind == TypeKind::pressing && type.windowSum < 0) ||
+                       (type.kind == TypeKind::grazing && type.windowSum != 0);
+            })) {
+            return Reason::gap;
+        }
+        if (demands_.areLimits() && !proofFor(Demands{}, Formulation::lumped)) {
+            return Reason::constraints;
+        }
+        return Reason::penetration;
+    }
+
+    /// Tries the closed form; false if it cannot answer the request.
+    bool solveInClosedForm()
+    {
+        result_.solver.name = closedForm;
+        result_.route = closedForm;
+        result_.leftOut = {
+            "matrices of (27)-(32): steps are signed shifts",
+            "solver libraries: the solution set is known in closed form",
+            "all but one row of (32) per sign block: prefix sums are monotone inside"};
+        const auto start = Clock::now();
+        if (reduction_.schedule != result_.schedule) {
+            result_.leftOut.emplace_back(
+                "steps beyond 2N in contact and 4N in flight: they repeat");
+        }
+        if (reduction_.reason) {
+            acceptAbsence();
+            result_.solver.seconds = secondsSince(start);
+            return true;
+        }
+        if (demands_.objective == Objective::nearest) {
+            return false;
+        }
+        if (demands_.energyRatio && energyIsOutOfRange()) {
+            return true;
+        }
+        // Timed as one piece with the verdict, as a user would see it.
+        reduce(result_.schedule, reduction_);
+        State state = candidate();
+        result_.solver.seconds = secondsSince(start);
+        if (violation(demands_, state, result_.schedule) > options_.tolerance) {
+            return false;
+        }
+        acceptMotion(std::move(state));
+        return true;
+    }
+
+    /// E_min and E_max are exact up to rounding: what lies further out is proved absent.
+    bool energyIsOutOfRange()
+    {
+        constexpr double rounding = 1e-14;
+        const EnergyRange range = *result_.energyRange;
+        const double wanted = *demands_.energyRatio;
+        if (wanted >= range.least * (1.0 - rounding) && wanted <= range.most * (1.0 + rounding)) {
+            return false;
+        }
+        result_.status = Status::none;
+        result_.detail = fmt::format("E/E_1 = {} is outside the range [{}, {}] of the schedule",
+                                     wanted, range.least, range.most);
+        result_.reason = Reason::constraints;
+        return true;
+    }
+
+    /// The motion of the closed form that fits the objective. Equal amplitudes have the least
+    /// energy and the least peak strain, and the impulse is the same for all amplitudes.
+    [[nodiscard]] State candidate() const
+    {
+        if (demands_.objective == Objective::maxEnergy) {
+            return motionOf(reduction_, mostAmplitudes(reduction_.set));
+        }
+        if (demands_.energyRatio) {
+            const double squares = *demands_.energyRatio *
+                                   static_cast<double>(reduction_.schedule.cells) /
+                                   (2.0 * static_cast<double>(reduction_.window));
+            return motionOf(reduction_, amplitudesWithSquares(reduction_.set, squares));
+        }
+        return leastEnergyMotion(reduction_);
+    }
+
+    /// The objective that a program gets: several phases answer with least energy if they can.
+    [[nodiscard]] Objective effectiveObjective() const
+    {
+        const bool least = demands_.objective == Objective::automatic &&
+                           options_.solver == "auto" && !demands_.energyRatio &&
+                           hasAny({"ipopt", "nlopt-slsqp"});
+        return least ? Objective::minEnergy : demands_.objective;
+    }
+
+    static bool hasAny(std::initializer_list<std::string_view> names)
+    {
+        return std::any_of(names.begin(), names.end(), [](std::string_view solver) {
+            const auto table = backends();
+            return std::any_of(table.begin(), table.end(), [solver](const Backend& backend) {
+                return backend.name == solver && backend.available();
+            });
+        });
+    }
+
+    /// The first of the solvers suited to a program that this build contains.
+    [[nodiscard]] std::string solverFor(const Program& program) const
+    {
+        if (options_.solver != "auto") {
+            return options_.solver;
+        }
+        const std::array<std::string_view, 2> candidates =
+            program.energy ? std::array<std::string_view, 2>{"ipopt", "nlopt-auglag"}
+            : program.quadratic.size() > 0
+                ? std::array<std::string_view, 2>{"ipopt", "nlopt-slsqp"}
+                : std::array<std::string_view, 2>{"glpk-simplex", "ipopt"};
+        for (const std::string_view solver : candidates) {
+            if (hasAny({solver})) {
+                return std::string(solver);
+            }
+        }
+        throw BackendUnavailable(
+            fmt::format("this request needs one of the solvers {}: none is in "
+                        "this build",
+                        fmt::join(candidates, ", ")));
+    }
+
+    void solveAsProgram()
+    {
+        const auto start = Clock::now();
+        Demands posed = demands_;
+        posed.objective = effectiveObjective();
+        const Formulation formulation = options_.formulation == Formulation::automatic
+                                            ? cheapestFormulation(posed)
+                                            : options_.formulation;
+        Formulated formulated = pose(result_.schedule, posed, formulation);
+        result_.solver.name = solverFor(formulated.program);
+        result_.route =
+            fmt::format("{} on the {} formulation", result_.solver.name, name(formulation));
+        SolverResult answer = solve(formulated, posed);
+        result_.solver.seconds = secondsSince(start);
+        result_.solver.iterations = answer.iterations;
+        result_.leftOut = formulated.leftOut;
+        if (answer.status == SolverStatus::optimal) {
+            acceptMotion(stateOf(formulated, answer.x));
+            return;
+        }
+        if (answer.status == SolverStatus::infeasible || answer.status == SolverStatus::failed) {
+            if (isOnePhase() && reduction_.reason) {
+                acceptAbsence();
+                return;
+            }
+            if (auto proof = proofFor(demands_, formulation)) {
+                acceptAbsence(std::move(*proof), formulation);
+                return;
+            }
+        }
+        setUndecided(fmt::format("{}: {}; no exact proof of absence was found either",
+                                 result_.solver.name, answer.detail));
+    }
+
+    [[nodiscard]] SolverOptions solverOptions() const
+    {
+        return {.tolerance = options_.tolerance,
+                .iterationLimit = options_.iterationLimit,
+                .timeLimit = options_.timeLimit,
+                .cancel = options_.cancel};
+    }
+
+    [[nodiscard]] SolverResult solve(Formulated& formulated, const Demands& posed) const
+    {
+        const auto solver = makeSolver(result_.solver.name);
+        if (posed.objective == Objective::maxEnergy) {
+            return climb(formulated, *solver);
+        }
+        return solver->solve(formulated.program, solverOptions());
+    }
+
+    /// Most energy is a convex maximum: from several directions, follow its linearisation from
+    /// vertex to vertex while the energy grows. The best vertex found is no proof of the most.
+    [[nodiscard]] SolverResult climb(Formulated& formulated, const Solver& solver) const
+    {
+        constexpr int directions = 8;
+        const Eigen::VectorXd weights = energyWeights(formulated);
+        const auto energy = [&weights](const Eigen::VectorXd& x) {
+            return weights.dot(x.cwiseAbs2());
+        };
+        SolverResult best;
+        for (int k = 0; k < directions; ++k) {
+            // Directions spread over the unknowns, the same in every run.
+            Eigen::VectorXd& cost = formulated.program.linear;
+            for (Eigen::Index i = 0; i < cost.size(); ++i) {
+                cost[i] = std::cos(static_cast<double>((i + 1) * (k + 1)));
+            }
+            double reached = -1.0;
+            while (true) {
+                SolverResult next = solver.solve(formulated.program, solverOptions());
+                if (next.status != SolverStatus::optimal) {
+                    return best.status == SolverStatus::optimal ? best : next;
+                }
+                const double found = energy(next.x);
+                if (!(found > reached * (1.0 + 1e-9))) {
+                    break;
+                }
+                reached = found;
+                cost = -2.0 * weights.cwiseProduct(next.x);
+                if (best.status != SolverStatus::optimal || found > energy(best.x)) {
+                    best = std::move(next);
+                }
+            }
+        }
+        return best;
+    }
+
+    /// An exact proof that no motion meets the linear demands, if one can be had.
+    [[nodiscard]] std::optional<InfeasibilityProof> proofFor(Demands demands,
+                                                             Formulation formulation) const
+    {
+        demands.objective = Objective::any;
+        demands.target.reset();
+        demands.energyRatio.reset();
+        const Program program = pose(result_.schedule, demands, formulation).program;
+        if (auto proof = proveByOneRow(program)) {
+            return proof;
+        }
+        if (!hasAny({"glpk-simplex"})) {
+            return std::nullopt;
+        }
+        return proveInfeasible(program, *makeSolver("glpk-simplex"),
+                               {.tolerance = options_.tolerance, .timeLimit = options_.timeLimit});
+    }
+
+    const FindOptions& options_;
+    Demands demands_;
+    PeriodicResult result_;
+    Reduction reduction_;
+};
 
 }  // namespace
 
@@ -185,51 +442,10 @@ std::string_view name(Status status)
     throw std::logic_error("unnamed Status");
 }
 
-std::string_view name(Objective objective)
-{
-    switch (objective) {
-        case Objective::automatic:
-            return "auto";
-        case Objective::any:
-            return "any";
-        case Objective::minEnergy:
-            return "min-energy";
-        case Objective::maxEnergy:
-            return "max-energy";
-    }
-    throw std::logic_error("unnamed Objective");
-}
-
-std::string_view name(Formulation formulation)
-{
-    switch (formulation) {
-        case Formulation::automatic:
-            return "auto";
-        case Formulation::state:
-            return "state";
-        case Formulation::reduced:
-            return "reduced";
-    }
-    throw std::logic_error("unnamed Formulation");
-}
-
 PeriodicResult findPeriodic(const Schedule& schedule, const FindOptions& options)
 {
-    const std::string solver = chosenSolver(schedule, options);
-    validate(schedule, options, solver);
-    PeriodicResult result;
-    result.schedule = schedule;
-    result.bar = options.bar;
-    result.period = period(schedule) * scales(options.bar).time;
-    result.frequencyRatio = frequencyRatio(schedule);
-    result.solver.name = solver;
-    result.route = solver == "closed-form" ? solver : solver + " on the state formulation";
-    if (solver == "closed-form") {
-        solveInClosedForm(options, result);
-    } else {
-        solveInStateForm(options, result);
-    }
-    return result;
+    validate(schedule, options);
+    return Search(schedule, options).run();
 }
 
 PeriodicResult findPeriodic(std::int64_t contactSteps, std::int64_t freeSteps, std::int64_t cells,

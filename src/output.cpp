@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <system_error>
 
@@ -69,6 +72,20 @@ void print(TextFile& file, fmt::format_string<Args...> format, Args&&... args)
     fmt::memory_buffer line;
     fmt::format_to(std::back_inserter(line), format, std::forward<Args>(args)...);
     file.write({line.data(), line.size()});
+}
+
+/// The fields of one CSV line, without spaces around them.
+std::vector<std::string> fieldsOf(const std::string& line)
+{
+    std::vector<std::string> fields(1);
+    for (const char c : line) {
+        if (c == ',') {
+            fields.emplace_back();
+        } else if (c != ' ' && c != '\t' && c != '\r') {
+            fields.back() += c;
+        }
+    }
+    return fields;
 }
 
 /// Copies a staged file into a target that cannot be replaced by renaming.
@@ -223,6 +240,55 @@ void writeStateCsv(const std::string& path, const State& state, const Bar& bar)
               inUnit(u[i], unit.displacement));
     }
     file.close();
+}
+
+State readStateCsv(const std::string& path, const Bar& bar)
+{
+    std::ifstream file(path);
+    if (!file || fs::is_directory(path)) {
+        throw FileError(path, fmt::format("cannot read: {}",
+                                          std::generic_category().message(file ? EISDIR : errno)));
+    }
+    std::string line;
+    std::getline(file, line);
+    const std::vector<std::string> names = fieldsOf(line);
+    const auto column = [&](const char* wanted) {
+        const auto at = std::find(names.begin(), names.end(), wanted);
+        if (at == names.end()) {
+            throw std::invalid_argument(fmt::format(
+                "{} line 1: no column {}: allowed a header with columns a and b", path, wanted));
+        }
+        return static_cast<std::size_t>(at - names.begin());
+    };
+    const std::size_t atA = column("a");
+    const std::size_t atB = column("b");
+    const double unit = scales(bar).strain;
+    std::vector<double> a;
+    std::vector<double> b;
+    while (std::getline(file, line)) {
+        const std::vector<std::string> fields = fieldsOf(line);
+        const auto value = [&](std::size_t at) {
+            double number = 0.0;
+            const std::string text = at < fields.size() ? fields[at] : "";
+            const auto [stop, error] =
+                std::from_chars(text.data(), text.data() + text.size(), number);
+            if (error != std::errc{} || stop != text.data() + text.size() ||
+                !std::isfinite(number)) {
+                throw std::invalid_argument(fmt::format("{} line {}: '{}': allowed finite numbers",
+                                                        path, a.size() + 2, text));
+            }
+            return number / unit;
+        };
+        const double next = value(atA);
+        b.push_back(value(atB));
+        a.push_back(next);
+    }
+    if (a.empty()) {
+        throw std::invalid_argument(fmt::format("{}: no rows: allowed one per cell", path));
+    }
+    const auto size = static_cast<Eigen::Index>(a.size());
+    return {Eigen::Map<const Eigen::VectorXd>(a.data(), size),
+            Eigen::Map<const Eigen::VectorXd>(b.data(), size)};
 }
 
 void writeMotionCsv(const std::string& path, const Motion& motion, const Bar& bar)

@@ -306,7 +306,7 @@ March march(const State& state, std::int64_t count, double tolerance)
 
 double Residuals::worst() const
 {
-    return std::max({periodicity, gap, pressure, penetration, march});
+    return std::max({periodicity, gap, pressure, penetration, march, demands});
 }
 
 Verification verify(const State& state, const Schedule& schedule, double tolerance)
@@ -317,7 +317,7 @@ Verification verify(const State& state, const Schedule& schedule, double toleran
                                                 state.cells(), schedule.cells));
     }
     if (!isFinite(state)) {
-        return {{infinity, infinity, infinity, infinity, infinity}, {}};
+        return {{infinity, infinity, infinity, infinity, infinity, infinity}, {}};
     }
     Verification result;
     result.residuals = residualsOfRows(state, schedule);

@@ -26,4 +26,10 @@ namespace signorini {
 /// Amplitudes of largest sum z^2 (one of several equal choices). O(d).
 [[nodiscard]] std::vector<double> mostAmplitudes(const AmplitudeSet& set);
 
+/// Amplitudes with a given sum z^2 between least and most: on the straight way from the least to
+/// the most, where sum z^2 grows steadily because the way starts at right angles to the least.
+/// O(d). \throws std::invalid_argument if `squares` lies outside [least, most] by more than
+/// rounding.
+[[nodiscard]] std::vector<double> amplitudesWithSquares(const AmplitudeSet& set, double squares);
+
 }  // namespace signorini

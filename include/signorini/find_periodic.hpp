@@ -9,11 +9,15 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "signorini/bar.hpp"
 #include "signorini/certificate.hpp"
+#include "signorini/demands.hpp"
+#include "signorini/formulation.hpp"
+#include "signorini/infeasibility.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/state.hpp"
@@ -31,37 +35,25 @@ enum class Status {
 /// "found", "none", "undecided".
 [[nodiscard]] std::string_view name(Status status);
 
-/// Which motion of the solution set to return.
-enum class Objective {
-    automatic,  ///< least energy where that costs nothing (closed form), otherwise any
-    any,        ///< whichever the route finds first
-    minEnergy,  ///< least E
-    maxEnergy,  ///< most E
-};
-
-/// "auto", "any", "min-energy", "max-energy".
-[[nodiscard]] std::string_view name(Objective objective);
-
-/// Which unknowns the problem is posed in.
-enum class Formulation {
-    automatic,  ///< whatever the route needs least of
-    state,      ///< the paper's a and b, equations (30)-(32) as they stand
-    reduced,    ///< class amplitudes
-};
-
-/// "auto", "state", "reduced".
-[[nodiscard]] std::string_view name(Formulation formulation);
-
 /// A request names only what it wants.
 struct FindOptions {
     Bar bar = {};                 ///< turns numbers into metres, seconds and joules
     std::string solver = "auto";  ///< a name from `backends()`, or "auto"
-    Formulation formulation = Formulation::automatic;
-    Objective objective = Objective::automatic;
+    Formulation formulation = Formulation::automatic;  ///< unknowns handed to a solver
+    Objective objective = Objective::automatic;        ///< which motion of the set
+    std::optional<State> target = std::nullopt;        ///< [g/L], for Objective::nearest
+    /// [-], S > 0: strain s >= -S for all x and t; the paper's admissibility is S = 1.
+    double strainLimit = std::numeric_limits<double>::infinity();
+    /// [m], lowest displacement of the tip allowed, below the gap.
+    double tipFloor = -std::numeric_limits<double>::infinity();
+    std::vector<FixedValue> fixed = {};                ///< prescribed parts of the initial state
+    std::optional<double> energyRatio = std::nullopt;  ///< E/E_1 to hold
     /// Largest relative residual a found motion may have; also the solver's tolerance. Looser
     /// values do not make the closed form faster.
     double tolerance = 1e-7;
     double timeLimit = std::numeric_limits<double>::infinity();  ///< [s], for the solver
+    std::int64_t iterationLimit = 0;                             ///< [-], for the solver; 0: none
+    std::stop_token cancel = {};  ///< stops a solver that can be stopped
 };
 
 /// Who did the work, and how long it took.
@@ -72,7 +64,8 @@ struct SolverReport {
 };
 
 /// The answer. Invariants: found <=> `state` has N cells and `residuals` are within the tolerance;
-/// none <=> `reason` and a verified `certificate` are present; undecided <=> `detail` is not empty.
+/// none <=> `reason` is present, with a verified `certificate` or `programProof`, or with an
+/// `energyRange` that excludes the energy to hold; undecided => `detail` says why.
 struct PeriodicResult {
     Status status = Status::undecided;
     std::string detail = "findPeriodic has not been called";  ///< why undecided, else empty
@@ -89,11 +82,17 @@ struct PeriodicResult {
     std::vector<Phase> canonical;  ///< phases in which the wall is pressed; empty if grazing
     double energy = 0.0;           ///< [J]
     double energyRatio = 0.0;      ///< E/E_1
+    double peakStrain = 0.0;       ///< [-], deepest compression: -min s over all x and t
     std::optional<EnergyRange> energyRange;  ///< over the whole set, if the route knows it
     Residuals residuals;                     ///< recomputed, relative
 
-    std::optional<Reason> reason;                  ///< why none exists
-    std::optional<FarkasCertificate> certificate;  ///< checked in integers
+    std::optional<Reason> reason;  ///< why none exists
+    /// Proof over the paper's rows, checked in integers (closed form).
+    std::optional<FarkasCertificate> certificate;
+    /// Proof over the rows of the program `pose(schedule, demands, proofRows)`, checked in
+    /// rationals (further demands, several phases).
+    std::optional<InfeasibilityProof> programProof;
+    Formulation proofRows = Formulation::automatic;
 
     std::string route;                 ///< e.g. "closed-form"
     std::vector<std::string> leftOut;  ///< what the request did not need
@@ -102,12 +101,16 @@ struct PeriodicResult {
 
 /// Decides a schedule, and returns a motion of it or the proof that there is none.
 ///
-/// Routes: one contact phase and `auto` or `closed-form` -> closed form, O(N); a linear-programming
-/// back end -> the paper's equations in a, b (its answer is a witness, any motion of the set).
-/// Several phases: a back end finds motions; their absence is left undecided.
+/// Routes, the cheapest that is exact for the request:
+/// - one contact phase: the closed form, O(N); limits on strain and tip are met by the motion of
+///   least energy or by none
+/// - several phases, or demands the closed form cannot answer: a linear, quadratic or nonlinear
+///   program in as few unknowns as they allow (`cheapestFormulation`), by GLPK, Ipopt or NLopt
+/// - the paper's equations in a, b (`Formulation::state`) when asked for, as a witness
+/// Where a program has no solution, absence is claimed only with an exact proof.
 ///
-/// \throws std::invalid_argument on an invalid schedule, bar or option, BackendUnavailable if the
-/// solver asked for is not in this build, std::bad_alloc if 2N numbers do not fit.
+/// \throws std::invalid_argument on an invalid schedule, bar or option, BackendUnavailable if no
+/// solver in this build can do what is asked, std::bad_alloc if 2N numbers do not fit.
 [[nodiscard]] PeriodicResult findPeriodic(const Schedule& schedule,
                                           const FindOptions& options = {});
 

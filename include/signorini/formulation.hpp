@@ -1,21 +1,36 @@
 #pragma once
 /// \file
-/// From a schedule to a Program: which rows a solver gets.
+/// From a schedule to a Program: which unknowns and which rows a solver gets.
 ///
-/// `stateProgram` is the paper's own problem in a and b. The prefix sums of (12) enter as further
-/// unknowns y_k = y_{k-1} + v(L)/(2c), y_k <= 0, so that every row stays sparse:
+/// Three formulations of the same set of motions, each a list of unknowns x, rows, and the delay
+/// sequence p (propagation.hpp) as a linear function of x:
 ///
-///     x = (a_1..a_N, b_1..b_N, y_1..y_m)          m = free steps of the folded schedule
-///     (W - 1)(a, b) = 0                           (30), 2N rows
-///     sum(b - a) = N                              (31)
-///     -p_m <= 0                                   (10), one row per contact step
-///     y_k - y_{k-1} - v_k = 0,   y_k <= 0         (12), and (11), which is its first row
-///     y_k = 0 at the end of each free phase       only when there are several: one phase implies
-///     it
+/// **state**: the paper's own, x = (a_1..a_N, b_1..b_N, y_1..y_m). The prefix sums of (12) enter as
+/// unknowns y_k, so that every row stays sparse:
+///
+///     (W - 1)(a, b) = 0,   sum(b - a) = N,   -p_m <= 0 in contact,
+///     y_k = y_{k-1} + p_k,   -depth <= y_k <= 0 in flight,   y = 0 at the end of a flight
+///
+/// **reduced**: class amplitudes z (class_types.hpp) satisfy (30) by themselves, and inside a block
+/// of a pressing type the prefix sums are monotone, so that only block ends count. With S the sum
+/// of z over a type, Z_j the partial sums of a grazing type, and P a prefix sum at the end of a
+/// block, an integer combination of the S:
+///
+///     sum windowSum S = -N,   z >= 0 if pressing,   -depth <= P <= 0,   P = 0 at the end of a
+///     flight P + epsilon Z_j <= 0 and >= -depth  for the block of a grazing type that follows P,
+///     written with two bounds  below <= Z_j <= above  per type, so that rows stay linear in number
+///
+/// **lumped**: only the S, at most 2K unknowns whatever N is. Every S that the reduced rows allow
+/// is reached with equal amplitudes z = S/d, which also have the least energy and the least peak
+/// strain for that S.
+///
+/// The closure of the last flight is left out: periodicity implies it once the others close.
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "signorini/program.hpp"
@@ -24,17 +39,39 @@
 
 namespace signorini {
 
-/// A program and the words for what it does not contain.
-struct Formulated {
-    Program program;
-    std::vector<std::string> leftOut;
+/// Which unknowns the problem is posed in.
+enum class Formulation {
+    automatic,  ///< whatever the request needs least of
+    state,      ///< the paper's a and b, equations (30)-(32) as they stand
+    reduced,    ///< class amplitudes
+    lumped,     ///< sums of class amplitudes
 };
 
-/// The paper's problem in a, b, without objective. O(n + N) memory.
-/// \throws std::invalid_argument on an invalid or too large schedule (equations.hpp).
-[[nodiscard]] Formulated stateProgram(const Schedule& schedule);
+/// "auto", "state", "reduced", "lumped".
+[[nodiscard]] std::string_view name(Formulation formulation);
 
-/// a and b out of the unknowns of `stateProgram`.
-[[nodiscard]] State stateOf(const Eigen::VectorXd& x, std::int64_t cells);
+/// p_m = factor * x[column]; factor 0 where p_m = 0 for every motion.
+struct DelayTerm {
+    Eigen::Index column = 0;
+    double factor = 0.0;
+};
+
+/// A program, and how to read a motion out of its unknowns.
+struct Formulated {
+    Program program;
+    Schedule schedule;                 ///< folded
+    std::vector<DelayTerm> delay;      ///< p_0 .. p_{n-1}
+    std::vector<std::string> leftOut;  ///< what the program does not contain, for people
+};
+
+/// Poses existence of a motion, without objective. `depth` is how far the tip may retreat from the
+/// wall, in units in which a free step with wave p moves it by p (N/2 of them are g); infinite: no
+/// bound. O(n + N) time and memory; lumped O(nu K).
+/// \throws std::invalid_argument on an invalid or too large schedule, or an automatic formulation.
+[[nodiscard]] Formulated formulate(const Schedule& schedule, Formulation formulation,
+                                   double depth = std::numeric_limits<double>::infinity());
+
+/// The state at t = 0 of the motion with unknowns x: a_i = p_{N-i}, b_i = -p_{N+i-1}. O(N).
+[[nodiscard]] State stateOf(const Formulated& formulated, const Eigen::VectorXd& x);
 
 }  // namespace signorini

@@ -79,6 +79,11 @@ private:
 /// u(x_i); [m], [-], [-], [m/s], [-], [m] with v = c (a + b), s = b - a. \throws FileError.
 void writeStateCsv(const std::string& path, const State& state, const Bar& bar);
 
+/// Reads columns a and b of such a file, wherever they stand; other columns are not needed.
+/// \throws FileError if it cannot be read, std::invalid_argument naming file, line and fault if it
+/// has no such columns, no rows, or a value that is no finite number.
+[[nodiscard]] State readStateCsv(const std::string& path, const Bar& bar);
+
 /// Most nodes and instants in a motion file; longer motions are thinned out evenly.
 inline constexpr std::int64_t maxMotionNodes = 1001;
 inline constexpr std::int64_t maxMotionInstants = 2001;

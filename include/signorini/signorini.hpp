@@ -1,16 +1,19 @@
 #pragma once
 /// \file
-/// Everything a user of the library needs, in the order in which data flows.
+/// Everything a user of the library needs.
 
 #include "signorini/amplitude_set.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/certificate.hpp"
+#include "signorini/class_types.hpp"
 #include "signorini/closed_form.hpp"
 #include "signorini/config.hpp"
+#include "signorini/demands.hpp"
 #include "signorini/equations.hpp"
 #include "signorini/figure.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/formulation.hpp"
+#include "signorini/infeasibility.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
 #include "signorini/program.hpp"

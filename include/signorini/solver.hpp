@@ -101,7 +101,8 @@ public:
 private:
     /// The library call: fills everything but objective and violation. The program may be a scaled
     /// copy, so no text should quote its numbers.
-    [[nodiscard]] virtual SolverResult run(const Program& program, const SolverOptions& options) const = 0;
+    [[nodiscard]] virtual SolverResult run(const Program& program,
+                                           const SolverOptions& options) const = 0;
 };
 
 /// A back end that this build does not contain was asked for, or an outside program is missing.

@@ -39,8 +39,9 @@ struct Residuals {
     double pressure = 0.0;     ///< (10): max tension of the tip on the wall / max |x|
     double penetration = 0.0;  ///< (11), (12): max depth of the tip inside the wall / g
     double march = 0.0;        ///< March::residual
+    double demands = 0.0;      ///< further demands of a request: see demands.hpp
 
-    /// The largest of the five.
+    /// The largest of them.
     [[nodiscard]] double worst() const;
 };
 

@@ -1,5 +1,9 @@
 #include "signorini/closed_form.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 namespace signorini {
 
 namespace {
@@ -80,6 +84,26 @@ std::vector<double> mostAmplitudes(const AmplitudeSet& set)
         atUpper = !atUpper;
     }
     z.back() = set.sum - position(atUpper);
+    return z;
+}
+
+std::vector<double> amplitudesWithSquares(const AmplitudeSet& set, double squares)
+{
+    const double least = leastSquares(set);
+    const double most = mostSquares(set);
+    const double rounding = 1e-14 * most;
+    if (!(squares >= least - rounding && squares <= most + rounding)) {
+        throw std::invalid_argument("sum of squares: outside the range of the set");
+    }
+    std::vector<double> z = leastAmplitudes(set);
+    if (most <= least) {
+        return z;
+    }
+    const double share = std::sqrt(std::clamp((squares - least) / (most - least), 0.0, 1.0));
+    const std::vector<double> far = mostAmplitudes(set);
+    for (std::size_t j = 0; j < z.size(); ++j) {
+        z[j] += share * (far[j] - z[j]);
+    }
     return z;
 }
 

@@ -45,7 +45,8 @@ public:
     }
 
 private:
-    [[nodiscard]] SolverResult run(const Program& program, const SolverOptions& options) const override
+    [[nodiscard]] SolverResult run(const Program& program,
+                                   const SolverOptions& options) const override
     {
         SolverResult result;
         Stopwatch watch;

@@ -169,7 +169,8 @@ public:
     }
 
 private:
-    [[nodiscard]] SolverResult run(const Program& program, const SolverOptions& options) const override
+    [[nodiscard]] SolverResult run(const Program& program,
+                                   const SolverOptions& options) const override
     {
         Stopwatch watch;
         const Condensed condensed = condense(program, options.tolerance);

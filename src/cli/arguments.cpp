@@ -51,6 +51,15 @@ double parsePositive(std::string_view name, std::string_view text, std::string_v
     return value;
 }
 
+double parseReal(std::string_view name, std::string_view text, std::string_view unit)
+{
+    double value = 0.0;
+    if (!readAll(text, value) || !std::isfinite(value)) {
+        refuse(name, text, fmt::format("finite numbers [{}]", unit));
+    }
+    return value;
+}
+
 void CommonOptions::addTo(CLI::App& command)
 {
     command.add_option("--cells", cells, "N, equal cells of the bar (300)")->type_name("N");

@@ -33,6 +33,9 @@ enum ExitStatus : int {
 [[nodiscard]] double parsePositive(std::string_view name, std::string_view text,
                                    std::string_view unit);
 
+/// A finite number. \throws std::invalid_argument naming argument, value and range.
+[[nodiscard]] double parseReal(std::string_view name, std::string_view text, std::string_view unit);
+
 /// The options every command shares, as words; empty means not given.
 struct CommonOptions {
     std::string cells;

@@ -45,11 +45,31 @@ FindOptions parseOptions(const FindCommand& words)
     if (!words.solver.empty()) {
         options.solver = words.solver;
     }
-    options.formulation =
-        parseName("--formulation", words.formulation, Formulation::automatic,
-                  {Formulation::automatic, Formulation::state, Formulation::reduced});
-    options.objective = parseName("--objective", words.objective, Objective::automatic,
-                                  {Objective::any, Objective::minEnergy, Objective::maxEnergy});
+    options.formulation = parseName(
+        "--formulation", words.formulation, Formulation::automatic,
+        {Formulation::automatic, Formulation::state, Formulation::reduced, Formulation::lumped});
+    options.objective =
+        parseName("--objective", words.objective, Objective::automatic,
+                  {Objective::any, Objective::minEnergy, Objective::maxEnergy,
+                   Objective::minPeakStrain, Objective::maxImpulse, Objective::nearest});
+    if (!words.energyRatio.empty()) {
+        options.energyRatio = parsePositive("--energy-ratio", words.energyRatio, "E_1");
+    }
+    if (!words.strainLimit.empty()) {
+        options.strainLimit = parsePositive("--strain-limit", words.strainLimit, "-");
+    }
+    if (!words.tipFloor.empty()) {
+        options.tipFloor = parseReal("--tip-floor", words.tipFloor, "m");
+    }
+    if (options.objective == Objective::nearest && words.targetFile.empty()) {
+        throw std::invalid_argument("--target is missing: --objective nearest needs a state file");
+    }
+    if (!words.targetFile.empty()) {
+        if (options.objective != Objective::nearest) {
+            throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
+        }
+        options.target = readStateCsv(words.targetFile, options.bar);
+    }
     if (!words.tolerance.empty()) {
         options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
     }
@@ -110,9 +130,15 @@ void FindCommand::addTo(CLI::App& command)
     command.add_option("--solver", solver, "a back end listed by signorini --version (auto)")
         ->type_name("NAME");
     command.add_option("--formulation", formulation, "unknowns of the problem (auto)")
-        ->type_name("auto|state|reduced");
+        ->type_name("auto|state|reduced|lumped");
     command.add_option("--objective", objective, "which motion of the set (least energy)")
-        ->type_name("any|min-energy|max-energy");
+        ->type_name("any|min-energy|max-energy|min-peak-strain|max-impulse|nearest");
+    command.add_option("--target", targetFile, "state to come nearest to, as --state writes it")
+        ->type_name("FILE.csv");
+    command.add_option("--energy-ratio", energyRatio, "hold E/E_1 = X")->type_name("X");
+    command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")
+        ->type_name("S");
+    command.add_option("--tip-floor", tipFloor, "lowest displacement of the tip")->type_name("M");
     command.add_option("--tolerance", tolerance, "largest relative residual (1e-7)")
         ->type_name("X");
     command.add_option("--time-limit", timeLimit, "for the solver")->type_name("S");

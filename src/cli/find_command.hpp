@@ -16,6 +16,10 @@ struct FindCommand {
     std::string solver;
     std::string formulation;
     std::string objective;
+    std::string targetFile;
+    std::string energyRatio;
+    std::string strainLimit;
+    std::string tipFloor;
     std::string tolerance;
     std::string timeLimit;
     std::string stateFile;

@@ -16,12 +16,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t maxPrintedMultipliers = 100'000;
 constexpr std::size_t maxPrintedPhases = 8;
 
-std::size_t multiplierCount(const FarkasCertificate& certificate)
-{
-    return certificate.periodicity.size() + certificate.pressure.size() +
-           certificate.penetration.size();
-}
-
 const char* explain(Reason reason)
 {
     switch (reason) {
@@ -91,22 +85,35 @@ std::string motionAsText(const PeriodicResult& result)
         text += fmt::format("contact     pressing, canonical schedule {}\n",
                             phasesAsText(result.canonical));
     }
+    text += fmt::format("strain      at most {:.6g} in compression\n", result.peakStrain);
     text += fmt::format(
         "residuals   periodicity {:.3g}, gap {:.3g}, pressure {:.3g}, penetration {:.3g}, march "
-        "{:.3g}\n",
-        r.periodicity, r.gap, r.pressure, r.penetration, r.march);
+        "{:.3g}, demands {:.3g}\n",
+        r.periodicity, r.gap, r.pressure, r.penetration, r.march, r.demands);
     return text;
 }
 
 std::string absenceAsText(const PeriodicResult& result)
 {
-    const FarkasCertificate& c = *result.certificate;
-    return fmt::format(
-        "reason      {}: {}\n"
-        "proof       Farkas certificate, checked in integers: gap row × {}, {} rows of (30), {} of "
-        "(10), {} of (12)\n",
-        name(*result.reason), explain(*result.reason), c.gap, c.periodicity.size(),
-        c.pressure.size(), c.penetration.size());
+    std::string text =
+        fmt::format("reason      {}: {}\n", name(*result.reason), explain(*result.reason));
+    if (result.certificate) {
+        const FarkasCertificate& c = *result.certificate;
+        text += fmt::format(
+            "proof       Farkas certificate, checked in integers: gap row × {}, {} rows of (30), "
+            "{} "
+            "of (10), {} of (12)\n",
+            c.gap, c.periodicity.size(), c.pressure.size(), c.penetration.size());
+    } else if (result.programProof) {
+        text += fmt::format(
+            "proof       Farkas certificate, checked in rationals: {} equalities and {} "
+            "inequalities of the {} formulation\n",
+            result.programProof->equalities.size(), result.programProof->inequalities.size(),
+            name(result.proofRows));
+    } else {
+        text += fmt::format("proof       {}\n", result.detail);
+    }
+    return text;
 }
 
 Json phasesAsJson(const std::vector<Phase>& phases)
@@ -118,22 +125,39 @@ Json phasesAsJson(const std::vector<Phase>& phases)
     return list;
 }
 
-Json certificateAsJson(const FarkasCertificate& certificate)
+/// Rows and multipliers as pairs; null when there are too many to print.
+Json multipliersAsJson(const std::vector<Multiplier>& rows)
 {
-    Json json{{"kind", "farkas"}, {"verified", true}, {"gap", certificate.gap}};
-    const auto list = [&](const std::vector<Multiplier>& rows) {
-        Json pairs = Json::array();
-        for (const Multiplier& m : rows) {
-            pairs.push_back({m.row, m.value});
-        }
-        return pairs;
-    };
-    json["multipliers"] = multiplierCount(certificate);
-    const bool isPrinted = multiplierCount(certificate) <= maxPrintedMultipliers;
-    json["periodicity"] = isPrinted ? list(certificate.periodicity) : Json();
-    json["pressure"] = isPrinted ? list(certificate.pressure) : Json();
-    json["penetration"] = isPrinted ? list(certificate.penetration) : Json();
-    return json;
+    if (rows.size() > maxPrintedMultipliers) {
+        return {};
+    }
+    Json pairs = Json::array();
+    for (const Multiplier& m : rows) {
+        pairs.push_back({m.row, m.value});
+    }
+    return pairs;
+}
+
+Json certificateAsJson(const PeriodicResult& result)
+{
+    if (result.certificate) {
+        const FarkasCertificate& c = *result.certificate;
+        return {{"kind", "farkas"},
+                {"verified", true},
+                {"rows", "paper"},
+                {"gap", c.gap},
+                {"periodicity", multipliersAsJson(c.periodicity)},
+                {"pressure", multipliersAsJson(c.pressure)},
+                {"penetration", multipliersAsJson(c.penetration)}};
+    }
+    if (result.programProof) {
+        return {{"kind", "farkas"},
+                {"verified", true},
+                {"rows", name(result.proofRows)},
+                {"equalities", multipliersAsJson(result.programProof->equalities)},
+                {"inequalities", multipliersAsJson(result.programProof->inequalities)}};
+    }
+    return {{"kind", "energy-range"}, {"verified", true}};
 }
 
 Json numberOrNull(double value)
@@ -210,19 +234,18 @@ std::string asJson(const PeriodicResult& result)
         json["canonical_schedule"] = phasesAsJson(result.canonical);
         json["energy"] = result.energy;
         json["energy_ratio"] = result.energyRatio;
-        json["residuals"] = {{"periodicity", r.periodicity},
-                             {"gap", r.gap},
-                             {"pressure", r.pressure},
-                             {"penetration", r.penetration},
-                             {"march", r.march}};
+        json["residuals"] = {
+            {"periodicity", r.periodicity}, {"gap", r.gap},     {"pressure", r.pressure},
+            {"penetration", r.penetration}, {"march", r.march}, {"demands", r.demands}};
+        json["peak_strain"] = result.peakStrain;
     }
     if (result.reason) {
         json["reason"] = name(*result.reason);
     }
-    if (result.certificate) {
-        json["certificate"] = certificateAsJson(*result.certificate);
+    if (result.status == Status::none) {
+        json["certificate"] = certificateAsJson(result);
     }
-    if (result.status == Status::undecided) {
+    if (!result.detail.empty()) {
         json["detail"] = result.detail;
     }
     return json.dump() + "\n";

@@ -129,8 +129,8 @@ TEST_CASE("cli: undecided is exit status 3 and says why")
         return;
     }
     const Program program;
-    const json r =
-        program.find("1500 12000 --cells 3000 --solver glpk-simplex --time-limit 0.001", 3);
+    const json r = program.find(
+        "1500 12000 --cells 3000 --solver glpk-simplex --formulation state --time-limit 0.001", 3);
     CHECK(r["status"] == "undecided");
     CHECK_THAT(r["detail"].get<std::string>(), containsText("limit"));
 }

@@ -1,0 +1,96 @@
+#pragma once
+/// \file
+/// What a user may ask for beyond existence: which motion of the set, and within which limits.
+///
+/// Every demand is linear or diagonal-quadratic in the delay sequence p (propagation.hpp). The
+/// strain is s(x, t) = -(P(t + L - x) + P(t + L + x)) with P(t) = p_m in step m (c = 1), so over
+/// all x and all t, also inside steps, the deepest compression is exactly
+///
+///     -min s = 2 max_m p_m,
+///
+/// reached at the clamp, x = 0, whatever the motion: a strain limit is a bound on each p_m and
+/// couples nothing. (At the instants t_m alone only sums p_k + p_l with odd k - l occur.)
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "signorini/formulation.hpp"
+#include "signorini/state.hpp"
+
+namespace signorini {
+
+/// Which motion of the solution set to return.
+enum class Objective {
+    automatic,      ///< least energy where that costs nothing, otherwise any
+    any,            ///< whichever the route finds first
+    minEnergy,      ///< least E
+    maxEnergy,      ///< most E: exact in closed form, otherwise the best one found
+    minPeakStrain,  ///< least deepest compression over all x and t
+    maxImpulse,     ///< most impulse on the wall over a period
+    nearest,        ///< least squared distance of (a, b) to a given state
+};
+
+/// "auto", "any", "min-energy", "max-energy", "min-peak-strain", "max-impulse", "nearest".
+[[nodiscard]] std::string_view name(Objective objective);
+
+/// One of the two travelling waves.
+enum class Wave { a, b };
+
+/// A prescribed value of the state at t = 0.
+struct FixedValue {
+    Wave wave = Wave::a;
+    std::int64_t cell = 1;  ///< 1..N
+    double value = 0.0;     ///< [g/L]
+};
+
+/// Demands in scaled units; the defaults demand nothing.
+struct Demands {
+    Objective objective = Objective::automatic;
+    std::optional<State> target = std::nullopt;  ///< for Objective::nearest
+    /// [g/L], S > 0: s >= -S for all x and t.
+    double strainLimit = std::numeric_limits<double>::infinity();
+    /// [g], lowest displacement of the tip allowed, < 1.
+    double tipFloor = -std::numeric_limits<double>::infinity();
+    std::vector<FixedValue> fixed = {};                ///< prescribed parts of the initial state
+    std::optional<double> energyRatio = std::nullopt;  ///< E/E_1 to hold
+
+    /// Is any motion of the schedule acceptable?
+    [[nodiscard]] bool areLimits() const;
+};
+
+/// Checks ranges, sizes and finiteness for a schedule. \throws std::invalid_argument, all faults.
+void validate(const Demands& demands, const Schedule& schedule);
+
+/// The formulation of least size that answers these demands exactly: lumped unless single
+/// amplitudes matter (nearest, fixed values, most energy, held energy), then reduced.
+[[nodiscard]] Formulation cheapestFormulation(const Demands& demands);
+
+/// The program of a schedule with the demands: bounds for limits, rows for fixed values, one more
+/// unknown for the peak strain, a diagonal objective or energy equality. Most energy is posed as
+/// least negative energy linearised nowhere: its objective is left zero. O(n + N).
+/// \throws std::invalid_argument on invalid input, or if `formulation` is lumped and does not do.
+[[nodiscard]] Formulated pose(const Schedule& schedule, const Demands& demands,
+                              Formulation formulation);
+
+/// (2/N) sum of factor^2 per unknown over the window of 2N steps: E/E_1 = sum weight_i x_i^2.
+[[nodiscard]] Eigen::VectorXd energyWeights(const Formulated& formulated);
+
+/// What a demand-checker needs to know of a state.
+struct Extremes {
+    double peakStrain = 0.0;  ///< [g/L], -min s over all x and t
+    double lowestTip = 0.0;   ///< [g], min u(L, t)
+    double impulse = 0.0;     ///< [g/c * EA/L * L/c], sum of 2 p_m over contact steps / N
+};
+
+/// Walks one period. O(N + min(n, 12N)).
+[[nodiscard]] Extremes extremesOf(const State& state, const Schedule& schedule);
+
+/// The largest relative violation of the limits by a state: strain, tip floor, fixed values, held
+/// energy. 0 if all are met. Independent of how the state was found. O(N + min(n, 12N)).
+[[nodiscard]] double violation(const Demands& demands, const State& state,
+                               const Schedule& schedule);
+
+}  // namespace signorini
