@@ -2,6 +2,7 @@
 /// \file
 /// What several tests share.
 
+#include <algorithm>
 #include <cstdint>
 #include <random>
 
@@ -27,6 +28,26 @@ void forAllSchedules(std::int64_t maxCells, std::int64_t margin, Action action)
             }
         }
     }
+}
+
+/// 1..maxPhases phases on 1..maxCells cells; half of them with flights near the free period 4N,
+/// where motions are frequent.
+inline Schedule randomSchedule(std::mt19937_64& generator, std::int64_t maxCells, int maxPhases)
+{
+    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
+        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+    };
+    Schedule schedule{draw(1, maxCells), {}};
+    const std::int64_t count = draw(1, maxPhases);
+    for (std::int64_t k = 0; k < count; ++k) {
+        const std::int64_t contact = draw(1, schedule.cells);
+        const std::int64_t free = draw(0, 1) == 0 ? draw(1, 8 * schedule.cells)
+                                                  : std::max<std::int64_t>(
+                                                        1, 4 * schedule.cells - contact -
+                                                               draw(0, schedule.cells));
+        schedule.phases.push_back({contact, free});
+    }
+    return schedule;
 }
 
 /// A state with values in [-1, 1], the same for the same seed.

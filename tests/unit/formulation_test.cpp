@@ -4,7 +4,10 @@
 
 #include "catch.hpp"
 #include "signorini/equations.hpp"
+#include "signorini/find_periodic.hpp"
 #include "signorini/reduction.hpp"
+#include "signorini/solver.hpp"
+#include "signorini/verification.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -68,4 +71,67 @@ TEST_CASE("formulation: several phases close one by one")
     CHECK(program.lower[8 + 11] == 0.0);
     CHECK(std::isinf(program.lower[8 + 23]));  // implied by periodicity
     CHECK(program.upper[8 + 5] == 0.0);
+}
+
+TEST_CASE("formulation: reduced and lumped unknowns give the same verdict as the paper's own rows")
+{
+    if (!findBackend("glpk-simplex").available()) {
+        return;
+    }
+    const auto solver = makeSolver("glpk-simplex");
+    std::mt19937_64 generator(12);
+    int found = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Schedule schedule = test::randomSchedule(generator, 8, 4);
+        INFO(describe(schedule));
+        const auto solve = [&](Formulation form) {
+            const Formulated formulated = formulate(schedule, form);
+            const SolverResult answer = solver->solve(formulated.program);
+            if (answer.status == SolverStatus::optimal) {
+                const State state = stateOf(formulated, answer.x);
+                REQUIRE(verify(state, schedule).residuals.worst() < 1e-7);
+            }
+            return answer.status;
+        };
+        const SolverStatus paper = solve(Formulation::state);
+        REQUIRE((paper == SolverStatus::optimal || paper == SolverStatus::infeasible));
+        REQUIRE(solve(Formulation::reduced) == paper);
+        REQUIRE(solve(Formulation::lumped) == paper);
+        found += paper == SolverStatus::optimal ? 1 : 0;
+    }
+    CHECK(found > 100);
+}
+
+TEST_CASE("formulation: a motion of least energy known for several phases")
+{
+    struct Known {
+        Schedule schedule;
+        double energy;
+    };
+    for (const Known& known : {Known{{4, {{1, 10}, {1, 14}}}, 16.0},
+                               Known{{4, {{1, 12}, {1, 14}}}, 8.0},
+                               Known{{4, {{1, 12}, {3, 12}}}, 16.0 / 3.0},
+                               Known{{4, {{1, 13}, {2, 12}}}, 6.0},
+                               Known{{5, {{1, 1}, {1, 13}}}, 50.0}}) {
+        if (!findBackend("ipopt").available()) {
+            return;
+        }
+        const PeriodicResult result = findPeriodic(known.schedule);
+        INFO(describe(known.schedule) << " " << result.detail);
+        REQUIRE(result.status == Status::found);
+        CHECK(result.energyRatio == Approx(known.energy).epsilon(1e-7));
+        CHECK(result.canonical == known.schedule.phases);
+    }
+}
+
+TEST_CASE("formulation: the lumped program does not grow with N, the reduced one linearly")
+{
+    const auto entries = [](std::int64_t factor, Formulation form) {
+        const Schedule schedule{4 * factor, {{factor, 12 * factor}, {3 * factor, 12 * factor}}};
+        const Program program = formulate(schedule, form).program;
+        return program.equalities.nonZeros() + program.inequalities.nonZeros() +
+               program.variables();
+    };
+    CHECK(entries(1000, Formulation::lumped) == entries(10, Formulation::lumped));
+    CHECK(entries(1000, Formulation::reduced) < 101 * entries(10, Formulation::reduced));
 }
