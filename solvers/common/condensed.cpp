@@ -195,11 +195,12 @@ Condensed condense(const Program& program, double tolerance)
     }
     Program& left = result.program;
     IndependentRows independent = independentRows(left.equalities);
-    const bool isRedundant = static_cast<Index>(independent.rows.size()) < left.equalities.rows();
-    std::vector<Index> rows = std::move(independent.rows);
+    result.rows = std::move(independent.rows);
     result.pivots = std::move(independent.pivots);
+    std::vector<Index>& rows = result.rows;
+    std::sort(rows.begin(), rows.end());
+    const bool isRedundant = static_cast<Index>(rows.size()) < left.equalities.rows();
     if (isRedundant) {
-        std::sort(rows.begin(), rows.end());
         left.equalities = select(left.equalities, rows, all(left.variables()));
         left.equalityRhs = Eigen::VectorXd(left.equalityRhs(rows));
     }

@@ -37,7 +37,8 @@ private:
 struct Condensed {
     Program program;                      ///< in the variables that are left
     std::vector<Eigen::Index> variables;  ///< which ones these are
-    std::vector<Eigen::Index> pivots;     ///< columns of a basis of the equalities
+    std::vector<Eigen::Index> rows;       ///< which equalities are left
+    std::vector<Eigen::Index> pivots;     ///< columns of a basis of them
     Eigen::VectorXd fixed;                ///< all variables: those that are fixed, else 0
 
     /// Set when nothing is left to search: the equalities contradict each other or have one
