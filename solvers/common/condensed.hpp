@@ -41,8 +41,9 @@ struct Condensed {
     std::vector<Eigen::Index> pivots;     ///< columns of a basis of them
     Eigen::VectorXd fixed;                ///< all variables: those that are fixed, else 0
 
-    /// Set when nothing is left to search: the equalities contradict each other or have one
-    /// solution. "infeasible" then rests on a residual beyond the tolerance, not on a search.
+    /// Set when nothing is left to search: there are no rows, or the equalities contradict each
+    /// other or have one solution. "infeasible" then rests on a residual beyond the tolerance, not
+    /// on a search.
     std::optional<SolverResult> decided;
 
     /// From the variables that are left to all of them, and back.

@@ -21,7 +21,7 @@ namespace signorini::nlopt {
 /// Sequential least squares, dense: O(d^3) per iteration, d = variables - independent equalities.
 [[nodiscard]] std::unique_ptr<Solver> makeSlsqp();
 
-/// Augmented Lagrangian, each of its subproblems by L-BFGS.
+/// Augmented Lagrangian, each of its subproblems by separable convex approximations (CCSAQ).
 [[nodiscard]] std::unique_ptr<Solver> makeAuglag();
 
 /// Linear approximations without derivatives.

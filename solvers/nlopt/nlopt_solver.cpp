@@ -19,7 +19,7 @@ namespace {
 struct Method {
     const char* name;
     nlopt_algorithm algorithm;
-    bool hasInner;                ///< solves its subproblems by L-BFGS
+    bool hasInner;                ///< CCSAQ for its subproblems: L-BFGS gives up too often
     bool holdsEnergy;             ///< copes with a quadratic equality
     Eigen::Index maxSize;         ///< most unknowns; beyond, memory and time grow out of hand
     std::int64_t maxEvaluations;  ///< where no iteration limit is given: it always ends
@@ -320,7 +320,7 @@ private:
         }
         if (method_.hasInner) {
             const Optimizer inner(
-                nlopt_create(NLOPT_LD_LBFGS, static_cast<unsigned>(reduced.size())));
+                nlopt_create(NLOPT_LD_CCSAQ, static_cast<unsigned>(reduced.size())));
             require(nlopt_set_ftol_rel(inner.get(), objectiveTolerance));
             require(nlopt_set_xtol_rel(inner.get(), pointTolerance));
             require(nlopt_set_local_optimizer(optimizer, inner.get()));
