@@ -10,6 +10,9 @@
 #if SIGNORINI_HAS_IPOPT
 #include "ipopt/ipopt.hpp"
 #endif
+#if SIGNORINI_HAS_NLOPT
+#include "nlopt/nlopt.hpp"
+#endif
 
 namespace signorini {
 
@@ -41,6 +44,18 @@ constexpr Make ipoptMake = ipopt::makeIpopt;
 #else
 constexpr Version ipoptVersion = nullptr;
 constexpr Make ipoptMake = nullptr;
+#endif
+
+#if SIGNORINI_HAS_NLOPT
+constexpr Version nloptVersion = nlopt::version;
+constexpr Make nloptSlsqp = nlopt::makeSlsqp;
+constexpr Make nloptAuglag = nlopt::makeAuglag;
+constexpr Make nloptCobyla = nlopt::makeCobyla;
+#else
+constexpr Version nloptVersion = nullptr;
+constexpr Make nloptSlsqp = nullptr;
+constexpr Make nloptAuglag = nullptr;
+constexpr Make nloptCobyla = nullptr;
 #endif
 
 }  // namespace
@@ -78,6 +93,24 @@ std::span<const Backend> backends()
                 .version = ipoptVersion,
                 .make = ipoptMake,
                 .purpose = "convex quadratic programs and a given energy, interior point"},
+        Backend{.name = "nlopt-slsqp",
+                .library = "NLopt",
+                .option = "SIGNORINI_WITH_NLOPT",
+                .version = nloptVersion,
+                .make = nloptSlsqp,
+                .purpose = "the same for medium sizes, sequential least squares"},
+        Backend{.name = "nlopt-auglag",
+                .library = "NLopt",
+                .option = "SIGNORINI_WITH_NLOPT",
+                .version = nloptVersion,
+                .make = nloptAuglag,
+                .purpose = "the same for medium sizes, augmented Lagrangian"},
+        Backend{.name = "nlopt-cobyla",
+                .library = "NLopt",
+                .option = "SIGNORINI_WITH_NLOPT",
+                .version = nloptVersion,
+                .make = nloptCobyla,
+                .purpose = "the same for small sizes, without derivatives"},
     };
     return table;
 }

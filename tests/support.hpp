@@ -41,10 +41,10 @@ inline Schedule randomSchedule(std::mt19937_64& generator, std::int64_t maxCells
     const std::int64_t count = draw(1, maxPhases);
     for (std::int64_t k = 0; k < count; ++k) {
         const std::int64_t contact = draw(1, schedule.cells);
-        const std::int64_t free = draw(0, 1) == 0 ? draw(1, 8 * schedule.cells)
-                                                  : std::max<std::int64_t>(
-                                                        1, 4 * schedule.cells - contact -
-                                                               draw(0, schedule.cells));
+        const std::int64_t free =
+            draw(0, 1) == 0
+                ? draw(1, 8 * schedule.cells)
+                : std::max<std::int64_t>(1, 4 * schedule.cells - contact - draw(0, schedule.cells));
         schedule.phases.push_back({contact, free});
     }
     return schedule;

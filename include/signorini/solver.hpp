@@ -100,7 +100,7 @@ public:
 
 private:
     /// The library call: fills everything but objective and violation. The program may be a scaled
-    /// copy, so no text should quote its numbers.
+    /// copy: texts may quote relative numbers only.
     [[nodiscard]] virtual SolverResult run(const Program& program,
                                            const SolverOptions& options) const = 0;
 };

@@ -115,6 +115,29 @@ void decideEnergy(double tolerance, Condensed& result)
     }
 }
 
+/// Where linear x + quadratic/2 x^2 is least between two bounds; infinite if nowhere.
+double leastPoint(double linear, double quadratic, double lower, double upper)
+{
+    if (quadratic > 0.0) {
+        return std::clamp(-linear / quadratic, lower, upper);
+    }
+    return linear > 0.0 ? lower : linear < 0.0 ? upper : std::clamp(0.0, lower, upper);
+}
+
+/// Without rows each variable is on its own.
+void decideWithoutRows(Condensed& result)
+{
+    const Program& left = result.program;
+    Eigen::VectorXd x(left.variables());
+    for (Index i = 0; i < x.size(); ++i) {
+        const double quadratic = left.quadratic.size() > 0 ? left.quadratic[i] : 0.0;
+        x[i] = leastPoint(left.linear[i], quadratic, left.lower[i], left.upper[i]);
+    }
+    result.decided = x.allFinite()
+                         ? answer(SolverStatus::optimal, "there are no rows", result.expand(x))
+                         : answer(SolverStatus::unbounded, "there are no rows");
+}
+
 /// What one solution of the independent rows says about the others, and about itself if it is the
 /// only one.
 void decide(const Program& program, double tolerance, const Program& independent, Condensed& result)
@@ -194,12 +217,17 @@ Condensed condense(const Program& program, double tolerance)
         return result;
     }
     Program& left = result.program;
+    if (program.equalities.rows() + left.inequalities.rows() == 0 && !left.energy) {
+        decideWithoutRows(result);
+        return result;
+    }
     IndependentRows independent = independentRows(left.equalities);
-    const bool isRedundant = static_cast<Index>(independent.rows.size()) < left.equalities.rows();
-    std::vector<Index> rows = std::move(independent.rows);
+    result.rows = std::move(independent.rows);
     result.pivots = std::move(independent.pivots);
+    std::vector<Index>& rows = result.rows;
+    std::sort(rows.begin(), rows.end());
+    const bool isRedundant = static_cast<Index>(rows.size()) < left.equalities.rows();
     if (isRedundant) {
-        std::sort(rows.begin(), rows.end());
         left.equalities = select(left.equalities, rows, all(left.variables()));
         left.equalityRhs = Eigen::VectorXd(left.equalityRhs(rows));
     }

@@ -37,11 +37,13 @@ private:
 struct Condensed {
     Program program;                      ///< in the variables that are left
     std::vector<Eigen::Index> variables;  ///< which ones these are
-    std::vector<Eigen::Index> pivots;     ///< columns of a basis of the equalities
+    std::vector<Eigen::Index> rows;       ///< which equalities are left
+    std::vector<Eigen::Index> pivots;     ///< columns of a basis of them
     Eigen::VectorXd fixed;                ///< all variables: those that are fixed, else 0
 
-    /// Set when nothing is left to search: the equalities contradict each other or have one
-    /// solution. "infeasible" then rests on a residual beyond the tolerance, not on a search.
+    /// Set when nothing is left to search: there are no rows, or the equalities contradict each
+    /// other or have one solution. "infeasible" then rests on a residual beyond the tolerance, not
+    /// on a search.
     std::optional<SolverResult> decided;
 
     /// From the variables that are left to all of them, and back.

@@ -1,3 +1,8 @@
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "common/condensed.hpp"
 #include "common/stopwatch.hpp"
 #include "glpk/glpk.hpp"
 #include "glpk/glpk_problem.hpp"
@@ -7,7 +12,9 @@ namespace signorini::glpk {
 namespace {
 
 // Tolerances: none to set. glp_interior stops at 1e-8 relative, in its own scaling; what that
-// means for a row is decided afterwards, by `violation`.
+// means for a row is decided afterwards, by `violation`. Where a program has no interior it gets
+// near, then stops with GLP_EINSTAB: its best point is accepted if the multipliers show it to be
+// optimal within the tolerance. Equalities that it leaves open by 1e-7 are closed by a projection.
 
 /// Every return code of glp_interior, and of glp_ipt_status after a 0.
 Verdict interiorVerdict(int code, glp_prob* problem)
@@ -40,6 +47,42 @@ Verdict interiorVerdict(int code, glp_prob* problem)
     }
 }
 
+/// How far the objective can be from its minimum, by weak duality, relative to max(1, |objective|).
+/// A reduced cost that no bound answers is charged with the size of x. 0 without an objective.
+double dualityGap(const Program& program, const SolverResult& result)
+{
+    if (program.linear.isZero(0.0)) {
+        return 0.0;
+    }
+    const Eigen::VectorXd& x = result.x;
+    const Eigen::VectorXd reducedCosts = program.linear -
+                                         program.equalities.transpose() * result.equalityDuals -
+                                         program.inequalities.transpose() * result.inequalityDuals;
+    const double size = std::max(1.0, x.lpNorm<Eigen::Infinity>());
+    double gap = 0.0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double bound = reducedCosts[i] > 0.0 ? program.lower[i] : program.upper[i];
+        gap += std::abs(reducedCosts[i]) * (std::isfinite(bound) ? std::abs(x[i] - bound) : size);
+    }
+    const Eigen::VectorXd slack = program.inequalityRhs - program.inequalities * x;
+    gap += result.inequalityDuals.cwiseMin(0.0).cwiseProduct(slack).lpNorm<1>();
+    gap += size * result.inequalityDuals.cwiseMax(0.0).lpNorm<1>();
+    return gap / std::max(1.0, std::abs(program.linear.dot(x)));
+}
+
+/// If x misses the tolerance: moves it to the nearest point that meets the equalities, which are
+/// independent. The bounds, which the method keeps, may lose what it moves by.
+void closeEqualities(const Program& program, double tolerance, Eigen::VectorXd& x)
+{
+    if (!x.allFinite() || violation(program, x) <= tolerance || program.equalities.rows() == 0) {
+        return;
+    }
+    const Eigen::SparseMatrix<double> normal = program.equalities * program.equalities.transpose();
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(normal);
+    const Eigen::VectorXd residual = program.equalities * x - program.equalityRhs;
+    x -= program.equalities.transpose() * factors.solve(residual);
+}
+
 class Interior final : public Solver {
 public:
     [[nodiscard]] std::string_view name() const override { return "glpk-interior"; }
@@ -47,11 +90,16 @@ public:
     [[nodiscard]] Capabilities capabilities() const override { return {.duals = true}; }
 
 private:
-    [[nodiscard]] SolverResult run(const Program& program, const SolverOptions&) const override
+    [[nodiscard]] SolverResult run(const Program& program,
+                                   const SolverOptions& options) const override
     {
         SolverResult result;
         Stopwatch watch;
-        const Problem problem = build(program);
+        const Condensed condensed = condense(program, options.tolerance);
+        if (condensed.decided) {
+            return *condensed.decided;
+        }
+        const Problem problem = build(condensed.program);
         glp_iptcp settings;
         glp_init_iptcp(&settings);
         settings.msg_lev = GLP_MSG_OFF;
@@ -60,13 +108,36 @@ private:
         const int code = glp_interior(problem.get(), &settings);
         result.solveSeconds = watch.seconds();
 
-        const Verdict verdict = interiorVerdict(code, problem.get());
+        Verdict verdict = interiorVerdict(code, problem.get());
+        if (verdict.status == SolverStatus::optimal || code == GLP_EINSTAB) {
+            readPoint(problem.get(), condensed.program, glp_ipt_col_prim, glp_ipt_row_dual, result);
+            closeEqualities(condensed.program, options.tolerance, result.x);
+        }
+        if (code == GLP_EINSTAB && result.x.allFinite() &&
+            violation(condensed.program, result.x) <= options.tolerance &&
+            dualityGap(condensed.program, result) <= options.tolerance) {
+            verdict = {SolverStatus::optimal, "GLP_EINSTAB, but optimal within the tolerance"};
+        }
         result.status = verdict.status;
         result.detail = verdict.detail;
-        if (result.status == SolverStatus::optimal) {
-            readPoint(problem.get(), program, glp_ipt_col_prim, glp_ipt_row_dual, result);
-        }
+        expand(condensed, program.equalities.rows(), result);
         return result;
+    }
+
+    static void expand(const Condensed& condensed, Eigen::Index equalities, SolverResult& result)
+    {
+        if (result.status != SolverStatus::optimal) {
+            result.equalityDuals.resize(0);
+            result.inequalityDuals.resize(0);
+        }
+        if (result.x.size() > 0) {
+            result.x = condensed.expand(result.x);
+        }
+        if (result.status == SolverStatus::optimal) {  // rows left out need no multiplier
+            const Eigen::VectorXd duals = result.equalityDuals;
+            result.equalityDuals = Eigen::VectorXd::Zero(equalities);
+            result.equalityDuals(condensed.rows) = duals;
+        }
     }
 };
 

@@ -21,8 +21,9 @@ constexpr double optimality = 1e-9;
 constexpr double acceptableOptimality = 1e-8;
 /// Ipopt's measure of a row is absolute, ours relative, and a bound may be relaxed on top.
 constexpr double violationShare = 0.1;
-/// Bounds are relaxed by this, Ipopt's own value, unless the tolerance asks for less.
-constexpr double boundRelaxation = 1e-8;
+/// Bounds are relaxed by this share of the tolerance: grazing schedules leave no interior without
+/// it, and a tenth of Ipopt's own 1e-8 keeps minima of linear programs within 1e-6.
+constexpr double relaxationShare = 0.01;
 /// How far a given start is pushed off its bounds: far enough to have an interior, near enough to
 /// be worth having.
 constexpr double startPush = 1e-6;
@@ -66,8 +67,7 @@ void configure(Ipopt::IpoptApplication& application, const Program& program,
     settings.set("sb", "yes");
     settings.set("tol", std::min(optimality, violationShare * options.tolerance));
     settings.set("constr_viol_tol", violationShare * options.tolerance);
-    settings.set("bound_relax_factor",
-                 std::min(boundRelaxation, violationShare * options.tolerance));
+    settings.set("bound_relax_factor", relaxationShare * std::min(options.tolerance, 1e-7));
     settings.set("acceptable_tol", std::min(acceptableOptimality, options.tolerance));
     settings.set("acceptable_constr_viol_tol", violationShare * options.tolerance);
     settings.set("acceptable_iter", 0);  // only when nothing better can be had

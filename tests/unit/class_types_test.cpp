@@ -42,8 +42,7 @@ TEST_CASE("class types: with several phases their classes add up to the kernel o
         const Eigen::MatrixXd matrix =
             Eigen::MatrixXd(periodMap(schedule)) - Eigen::MatrixXd::Identity(size, size);
         INFO(describe(schedule));
-        REQUIRE(classes.kernelDimension ==
-                size - Eigen::FullPivLU<Eigen::MatrixXd>(matrix).rank());
+        REQUIRE(classes.kernelDimension == size - Eigen::FullPivLU<Eigen::MatrixXd>(matrix).rank());
         REQUIRE(classes.types.size() <= 2 * schedule.phases.size());
         std::int64_t next = 0;
         for (const ClassType& type : classes.types) {

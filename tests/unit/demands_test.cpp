@@ -88,8 +88,7 @@ TEST_CASE("demands: a strain limit just met is met, one just missed is proved im
             CHECK(missed.reason == Reason::constraints);
             REQUIRE(missed.programProof);
             const Demands demands{.strainLimit = 0.99 * peak / 1e-3};
-            CHECK(isProof(*missed.programProof,
-                          pose(schedule, demands, missed.proofRows).program));
+            CHECK(isProof(*missed.programProof, pose(schedule, demands, missed.proofRows).program));
         }
     }
 }
@@ -102,9 +101,8 @@ TEST_CASE("demands: the same verdict in state, reduced and lumped unknowns")
     for (const double limit : {1.9e-3, 2.1e-3}) {
         for (const Formulation form :
              {Formulation::state, Formulation::reduced, Formulation::lumped}) {
-            const PeriodicResult result =
-                findPeriodic(15, 90, 30,
-                             {.solver = "glpk-simplex", .formulation = form, .strainLimit = limit});
+            const PeriodicResult result = findPeriodic(
+                15, 90, 30, {.solver = "glpk-simplex", .formulation = form, .strainLimit = limit});
             INFO(name(form) << " " << limit << " " << result.detail);
             CHECK(result.status == (limit > 2e-3 ? Status::found : Status::none));
         }
@@ -112,9 +110,8 @@ TEST_CASE("demands: the same verdict in state, reduced and lumped unknowns")
     for (const double floor : {-1.9e-3, -2.1e-3}) {
         for (const Formulation form :
              {Formulation::state, Formulation::reduced, Formulation::lumped}) {
-            const PeriodicResult result =
-                findPeriodic(15, 90, 30,
-                             {.solver = "glpk-simplex", .formulation = form, .tipFloor = floor});
+            const PeriodicResult result = findPeriodic(
+                15, 90, 30, {.solver = "glpk-simplex", .formulation = form, .tipFloor = floor});
             INFO(name(form) << " " << floor << " " << result.detail);
             CHECK(result.status == (floor < -2e-3 ? Status::found : Status::none));
         }
@@ -203,8 +200,7 @@ TEST_CASE("demands: least peak strain and most impulse by linear programs")
             schedule, {.solver = "glpk-simplex", .formulation = form, .objective = objective});
     };
     const PeriodicResult least = findPeriodic(schedule);
-    for (const Formulation form :
-         {Formulation::state, Formulation::reduced, Formulation::lumped}) {
+    for (const Formulation form : {Formulation::state, Formulation::reduced, Formulation::lumped}) {
         INFO(name(form));
         const PeriodicResult peak = solve(Objective::minPeakStrain, form);
         REQUIRE(peak.status == Status::found);
@@ -224,8 +220,8 @@ TEST_CASE("demands: most energy in closed form, and climbing vertices never exce
     const Schedule schedule = onePhase(8, 5, 23);
     const PeriodicResult most = findPeriodic(schedule, {.objective = Objective::maxEnergy});
     CHECK(most.energyRatio == Approx(16.0));
-    const PeriodicResult climbed = findPeriodic(
-        schedule, {.solver = "glpk-simplex", .objective = Objective::maxEnergy});
+    const PeriodicResult climbed =
+        findPeriodic(schedule, {.solver = "glpk-simplex", .objective = Objective::maxEnergy});
     REQUIRE(climbed.status == Status::found);
     CHECK(climbed.energyRatio == Approx(16.0));
 }
@@ -281,7 +277,7 @@ TEST_CASE("demands: what no back end of a build can do is said")
     if (has("ipopt") || has("nlopt-slsqp")) {
         return;
     }
-    CHECK_THROWS_AS(findPeriodic(5, 23, 8,
-                                 {.objective = Objective::nearest, .target = test::randomState(8)}),
-                    BackendUnavailable);
+    CHECK_THROWS_AS(
+        findPeriodic(5, 23, 8, {.objective = Objective::nearest, .target = test::randomState(8)}),
+        BackendUnavailable);
 }

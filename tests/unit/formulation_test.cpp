@@ -108,11 +108,10 @@ TEST_CASE("formulation: a motion of least energy known for several phases")
         Schedule schedule;
         double energy;
     };
-    for (const Known& known : {Known{{4, {{1, 10}, {1, 14}}}, 16.0},
-                               Known{{4, {{1, 12}, {1, 14}}}, 8.0},
-                               Known{{4, {{1, 12}, {3, 12}}}, 16.0 / 3.0},
-                               Known{{4, {{1, 13}, {2, 12}}}, 6.0},
-                               Known{{5, {{1, 1}, {1, 13}}}, 50.0}}) {
+    for (const Known& known :
+         {Known{{4, {{1, 10}, {1, 14}}}, 16.0}, Known{{4, {{1, 12}, {1, 14}}}, 8.0},
+          Known{{4, {{1, 12}, {3, 12}}}, 16.0 / 3.0}, Known{{4, {{1, 13}, {2, 12}}}, 6.0},
+          Known{{5, {{1, 1}, {1, 13}}}, 50.0}}) {
         if (!findBackend("ipopt").available()) {
             return;
         }

@@ -1,0 +1,38 @@
+#pragma once
+/// \file
+/// A program without its linear equalities: x = origin + directions u, with u free to choose.
+///
+/// u are the variables outside a basis of the equalities. Bounds of basic variables become rows.
+/// Rows with one unknown become bounds, equal rows are kept once.
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+#include <optional>
+
+#include "common/condensed.hpp"
+#include "signorini/solver.hpp"
+
+namespace signorini::nlopt {
+
+/// minimise f(origin + directions u) subject to rows u <= rhs, lower <= u <= upper.
+struct ReducedProgram {
+    Condensed condensed;                                ///< f, the energy, and the way back to x
+    std::vector<Eigen::Index> outside;                  ///< u_k is this condensed variable
+    Eigen::VectorXd origin;                             ///< condensed variables at u = 0
+    Eigen::SparseMatrix<double> directions;             ///< condensed variables x d
+    Eigen::SparseMatrix<double, Eigen::RowMajor> rows;  ///< m x d
+    Eigen::VectorXd rhs;                                ///< m
+    Eigen::VectorXd lower;                              ///< d
+    Eigen::VectorXd upper;                              ///< d
+    std::optional<SolverResult> decided;                ///< set when nothing is left to search
+
+    [[nodiscard]] Eigen::Index size() const { return lower.size(); }
+};
+
+/// Refuses, before any dense work, programs with more than `maxSize` unknowns left.
+/// Cost: one sparse LU and d solutions with it.
+/// \throws std::invalid_argument naming the size and its limit.
+[[nodiscard]] ReducedProgram reduceProgram(const Program& program, double tolerance,
+                                           Eigen::Index maxSize);
+
+}  // namespace signorini::nlopt
