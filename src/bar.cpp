@@ -33,9 +33,12 @@ void validate(const Bar& bar)
     faults.throwIfAny();
 
     const Scales unit = scales(bar);
+    // Leaves room for periods of 2^62 steps and energies of any motion.
+    constexpr double least = 1e-250;
+    constexpr double most = 1e250;
     const auto requireNormal = [&faults](const char* name, double value) {
-        if (!std::isnormal(value)) {
-            faults.add(name, value, "a value a double can hold at full precision",
+        if (!(value >= least && value <= most)) {
+            faults.add(name, value, "1e-250..1e250",
                        "choose less extreme length, waveSpeed, axialStiffness or gap");
         }
     };

@@ -170,15 +170,17 @@ std::string scriptFor(const PeriodicResult& result)
     printTip(script, motion);
     printContact(script, schedule, motion);
     const double reach = tipReach(motion);
+    const bool isFolded = period(schedule) < period(result.schedule);
     print(script,
           "set multiplot\n"
           "set label 1 \"{}   T = {:.6g} L/c   ω/ω_1 = {:.5g}   E/E_1 = {:.5g}\" at screen "
           "0.5,0.965 center\n"
-          "set label 2 \"L = {},  c = {},  g = {}\" at screen 0.5,0.925 center "
+          "set label 2 \"L = {},  c = {},  g = {}{}\" at screen 0.5,0.925 center "
           "textcolor '#444444'\n",
           describe(result.schedule), period(result.schedule), result.frequencyRatio,
           result.energyRatio, withPrefix(result.bar.length, "m"),
-          withPrefix(result.bar.waveSpeed, "m/s"), withPrefix(result.bar.gap, "m"));
+          withPrefix(result.bar.waveSpeed, "m/s"), withPrefix(result.bar.gap, "m"),
+          isFolded ? "   (free oscillations of 4 L/c that repeat are left out)" : "");
     print(script,
           "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 lc '#cccccc'\n"
           "set lmargin at screen 0.12\nset rmargin at screen 0.62\n"

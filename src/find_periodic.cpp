@@ -96,6 +96,8 @@ public:
         if (isOnePhase()) {
             reduce(result_.schedule, reduction_);
             describeSet();
+        } else {
+            result_.kernelDimension = classTypes(result_.schedule).kernelDimension;
         }
         if (isOnePhase() && mayUseClosedForm && solveInClosedForm()) {
             return std::move(result_);
@@ -212,6 +214,7 @@ private:
     {
         result_.solver.name = closedForm;
         result_.route = closedForm;
+        result_.routeReason = "one contact phase: exact, and without iteration";
         result_.leftOut = {
             "matrices of (27)-(32): steps are signed shifts",
             "solver libraries: the solution set is known in closed form",
@@ -316,6 +319,20 @@ private:
                         fmt::join(candidates, ", ")));
     }
 
+    /// Why this solver, and why not the closed form.
+    [[nodiscard]] std::string reasonForProgram(const Program& program) const
+    {
+        const char* kind = program.energy                 ? "a nonlinear program (held energy)"
+                           : program.quadratic.size() > 0 ? "a quadratic program"
+                                                          : "a linear program";
+        const char* cause = options_.solver != "auto" ? "as asked for"
+                            : !isOnePhase()           ? "several contact phases"
+                            : options_.formulation == Formulation::state
+                                ? "state asked for"
+                                : "demands beyond the closed form";
+        return fmt::format("{}: {}", cause, kind);
+    }
+
     void solveAsProgram()
     {
         const auto start = Clock::now();
@@ -364,7 +381,26 @@ private:
         if (posed.objective == Objective::maxEnergy) {
             return climb(formulated, *solver);
         }
-        return solver->solve(formulated.program, solverOptions());
+        SolverOptions settings = solverOptions();
+        if (posed.energyRatio && solver->capabilities().start) {
+            settings.start = startWithEnergy(formulated);
+        }
+        return solver->solve(formulated.program, settings);
+    }
+
+    /// Where to start for a held energy: equal amplitudes, where a solver would otherwise start,
+    /// are a stationary point of the energy on the set. This takes them apart, the same way in
+    /// every run.
+    [[nodiscard]] static Eigen::VectorXd startWithEnergy(const Formulated& formulated)
+    {
+        const EnergyEquality& energy = *formulated.program.energy;
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(formulated.program.variables());
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+            const double wave = 1.0 + 0.5 * std::cos(2.4 * static_cast<double>(i));
+            x[i] = energy.weights[i] > 0.0 ? wave : 0.0;
+        }
+        x *= std::sqrt(energy.value / energy.weights.dot(x.cwiseAbs2()));
+        return x.cwiseMax(formulated.program.lower).cwiseMin(formulated.program.upper);
     }
 
     /// Most energy is a convex maximum: from several directions, follow its linearisation from

@@ -6,12 +6,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include "signorini/output.hpp"
@@ -28,7 +30,7 @@ class TemporaryFolder {
 public:
     TemporaryFolder()
     {
-        std::string pattern = (fs::temp_directory_path() / "signorini-XXXXXX").string();
+        std::string pattern = (temporaryDirectory() / "signorini-XXXXXX").string();
         if (mkdtemp(pattern.data()) == nullptr) {
             throw FileError(
                 pattern, fmt::format("cannot create: {}", std::generic_category().message(errno)));
@@ -68,18 +70,23 @@ std::string terminal(FigureFormat format, double width, double height)
     throw std::logic_error("unnamed FigureFormat");
 }
 
-std::string quoted(const std::string& text)
+/// What stands in the last bytes of a complete picture.
+std::string_view ending(FigureFormat format)
 {
-    std::string result = "'";
-    for (const char c : text) {
-        result += c == '\'' ? "''" : std::string(1, c);
+    switch (format) {
+        case FigureFormat::svg:
+            return "</svg>";
+        case FigureFormat::png:
+            return "IEND";
+        case FigureFormat::pdf:
+            return "%%EOF";
     }
-    return result + "'";
+    throw std::logic_error("unnamed FigureFormat");
 }
 
 std::string contentOf(const std::string& path)
 {
-    std::ifstream file(path);
+    std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -93,8 +100,9 @@ int spawnGnuplot(const std::string& script, const std::string& messages)
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(),
                                      O_WRONLY | O_CREAT | O_TRUNC, 0600);
     std::string program = "gnuplot";
+    std::string defaults = "-d";  // without the user's own settings
     std::string argument = script;
-    const std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
+    const std::array<char*, 4> arguments{program.data(), defaults.data(), argument.data(), nullptr};
     pid_t child = 0;
     const int error =
         posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
@@ -113,12 +121,15 @@ int spawnGnuplot(const std::string& script, const std::string& messages)
 void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
                 const std::string& path)
 {
+    // gnuplot neither reports a full disk nor treats every name as a file: it writes to a name of
+    // ours, and a complete picture is copied.
     const TemporaryFolder folder;
     const std::string scriptFile = folder.file("figure.gp");
     const std::string messages = folder.file("messages.txt");
+    const std::string picture = folder.file("picture");
     TextFile file(scriptFile);
-    file.write("set encoding utf8\n" + terminal(format, width, height) + "set output " +
-               quoted(path) + "\n" + script + "\nset output\n");
+    file.write("set encoding utf8\n" + terminal(format, width, height) + "set output '" + picture +
+               "'\n" + script + "\nset output\n");
     file.close();
     const int status = spawnGnuplot(scriptFile, messages);
     if (status == -1) {
@@ -128,15 +139,16 @@ void runGnuplot(const std::string& script, FigureFormat format, double width, do
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         std::string said = contentOf(messages);
-        for (char& c : said) {
-            c = c == '\n' ? ' ' : c;
-        }
+        std::replace(said.begin(), said.end(), '\n', ' ');
         throw BackendUnavailable(fmt::format("gnuplot failed: {}", said));
     }
-    std::error_code error;
-    if (fs::file_size(path, error) == 0 || error) {
-        throw FileError(path, "gnuplot wrote nothing (is the disk full?)");
+    const std::string content = contentOf(picture);
+    if (content.size() < 64 || content.find(ending(format), content.size() - 64) == content.npos) {
+        throw FileError(picture, "gnuplot left an incomplete picture (is the disk full?)");
     }
+    TextFile target(path);
+    target.write(content);
+    target.close();
 }
 
 }  // namespace signorini

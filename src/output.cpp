@@ -2,12 +2,14 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -74,6 +76,26 @@ void print(TextFile& file, fmt::format_string<Args...> format, Args&&... args)
     file.write({line.data(), line.size()});
 }
 
+std::string reasonOf(int error)
+{
+    return std::generic_category().message(error);
+}
+
+/// The file that a name stands for, also where it does not exist yet. \throws FileError on a loop.
+fs::path withoutLinks(const std::string& path)
+{
+    constexpr int most = 40;
+    fs::path target = fs::absolute(path).lexically_normal();
+    std::error_code error;
+    for (int k = 0; fs::is_symlink(fs::symlink_status(target, error)); ++k) {
+        if (k == most) {
+            throw FileError(path, fmt::format("cannot write: {}", reasonOf(ELOOP)));
+        }
+        target = (target.parent_path() / fs::read_symlink(target)).lexically_normal();
+    }
+    return target;
+}
+
 /// The fields of one CSV line, without spaces around them.
 std::vector<std::string> fieldsOf(const std::string& line)
 {
@@ -103,8 +125,7 @@ void copyContent(const std::string& from, const std::string& to)
         close(source);
     }
     if (count < 0) {
-        throw FileError(from,
-                        fmt::format("cannot read: {}", std::generic_category().message(error)));
+        throw FileError(from, fmt::format("cannot read: {}", reasonOf(error)));
     }
     target.close();
 }
@@ -114,6 +135,16 @@ void copyContent(const std::string& from, const std::string& to)
 FileError::FileError(const std::string& path, std::string reason)
     : std::runtime_error(path + ": " + reason), reason_(std::move(reason))
 {
+}
+
+fs::path temporaryDirectory()
+{
+    std::error_code error;
+    fs::path folder = fs::temp_directory_path(error);
+    if (error) {
+        throw FileError("temporary folder", error.message());
+    }
+    return folder;
 }
 
 TextFile::TextFile(const std::string& path)
@@ -165,8 +196,7 @@ void TextFile::close()
 
 void TextFile::fail(const char* action) const
 {
-    throw FileError(path_,
-                    fmt::format("cannot {}: {}", action, std::generic_category().message(errno)));
+    throw FileError(path_, fmt::format("cannot {}: {}", action, reasonOf(errno)));
 }
 
 OutputFiles::~OutputFiles()
@@ -179,25 +209,30 @@ OutputFiles::~OutputFiles()
 
 std::string OutputFiles::stage(const std::string& path)
 {
+    const fs::path target = withoutLinks(path);
     std::error_code error;
-    fs::path target = fs::weakly_canonical(path, error);
-    if (error) {
-        target = path;
-    }
     const fs::file_status status = fs::status(target, error);
     if (fs::is_directory(status)) {
         throw FileError(path, "is a directory");
     }
     const bool isRegular = !fs::exists(status) || fs::is_regular_file(status);
-    const fs::path folder = isRegular ? target.parent_path() : fs::temp_directory_path();
-    const std::string name =
-        fmt::format(".{}.{}-{}.partial", target.filename().string(), getpid(), entries_.size());
-    std::string staged = (folder / name).string();
-    const int descriptor = open(staged.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-    if (descriptor < 0) {
-        throw FileError(path,
-                        fmt::format("cannot write: {}", std::generic_category().message(errno)));
+    if (fs::exists(status) && access(target.c_str(), W_OK) != 0) {
+        throw FileError(path, fmt::format("cannot write: {}", reasonOf(errno)));
     }
+    const fs::path folder = isRegular ? target.parent_path() : temporaryDirectory();
+    std::string staged = (folder / ".signorini-XXXXXX").string();
+    const int descriptor = mkstemp(staged.data());
+    if (descriptor < 0) {
+        throw FileError(path, fmt::format("cannot write: {}", reasonOf(errno)));
+    }
+    // mkstemp keeps its file to the user; a result gets the mode of the file it replaces, or the
+    // usual one.
+    const mode_t mask = umask(0);
+    umask(mask);
+    const mode_t mode = fs::is_regular_file(status)
+                            ? static_cast<mode_t>(status.permissions()) & 07777U
+                            : 0666U & ~mask;
+    (void)fchmod(descriptor, mode);
     ::close(descriptor);
     entries_.push_back({staged, target.string(), isRegular});
     return staged;
@@ -246,8 +281,7 @@ State readStateCsv(const std::string& path, const Bar& bar)
 {
     std::ifstream file(path);
     if (!file || fs::is_directory(path)) {
-        throw FileError(path, fmt::format("cannot read: {}",
-                                          std::generic_category().message(file ? EISDIR : errno)));
+        throw FileError(path, fmt::format("cannot read: {}", reasonOf(file ? EISDIR : errno)));
     }
     std::string line;
     std::getline(file, line);
@@ -311,7 +345,7 @@ void writeMotionVtk(const std::string& path, const Motion& motion, const Bar& ba
     TextFile file(path);
     print(file,
           "# vtk DataFile Version 3.0\n"
-          "signorini: motion of a bar over one period; x in m along X, time in s along Y\n"
+          "signorini: motion of a bar until it repeats; x in m along X, time in s along Y\n"
           "ASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS {} {} 1\n",
           samples.nodes.size(), samples.instants.size());
     print(file, "X_COORDINATES {} double\n", samples.nodes.size());

@@ -276,7 +276,9 @@ March march(const State& state, std::int64_t count, double tolerance)
         const double p = line.incoming();
         const double room = opening.value();
         const bool wouldPass = p > 0.0 && p > room;
-        if (wouldPass && room <= atWall) {
+        // Rounding may make p exceed the room of a tip that lands just now: it is at the wall
+        // before the step only if that is nearer than landing.
+        if (wouldPass && room <= atWall && room < 0.5 * p) {
             runs.add(p > tolerance * size, 1);
             line.contactStep();
             flight = 0;

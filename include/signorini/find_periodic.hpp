@@ -11,6 +11,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "signorini/bar.hpp"
@@ -95,6 +96,7 @@ struct PeriodicResult {
     Formulation proofRows = Formulation::automatic;
 
     std::string route;                 ///< e.g. "closed-form"
+    std::string routeReason;           ///< why that route
     std::vector<std::string> leftOut;  ///< what the request did not need
     SolverReport solver;
 };

@@ -28,7 +28,7 @@ public:
 
     /// N.
     [[nodiscard]] std::int64_t cells() const { return cells_; }
-    /// n, steps after which the motion repeats.
+    /// n of the folded schedule: steps after which the motion is back at its start.
     [[nodiscard]] std::int64_t steps() const { return steps_; }
 
     /// u(x_i, t_m) in units of g; node i in 0..N, instant m in 0..n.

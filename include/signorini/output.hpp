@@ -5,6 +5,7 @@
 /// Numbers are printed in the shortest form that reads back exactly.
 
 #include <cstdint>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -28,6 +29,9 @@ private:
     std::string reason_;
 };
 
+/// Where temporary files go. \throws FileError if the system names no usable folder.
+[[nodiscard]] std::filesystem::path temporaryDirectory();
+
 /// Writes text to one file through a buffer. Every failure throws FileError, that of closing too.
 class TextFile {
 public:
@@ -50,8 +54,10 @@ private:
 };
 
 /// A set of files that appear together: each is written under a temporary name beside its target,
-/// and `commit` moves all of them into place. What is not committed is removed. A target that is no
-/// regular file (a pipe, /dev/stdout) receives its content at `commit`.
+/// and `commit` renames all of them into place, which fails only if the file system changes
+/// meanwhile. What is not committed is removed. Existing files keep their permissions, symbolic
+/// links are followed, and a target that is no regular file (a pipe) receives its content at
+/// `commit`.
 class OutputFiles {
 public:
     OutputFiles() = default;
@@ -59,8 +65,8 @@ public:
     OutputFiles& operator=(const OutputFiles&) = delete;
     ~OutputFiles();
 
-    /// The temporary name to write to. \throws FileError if `path` is a directory or its folder
-    /// does not exist or cannot be written to.
+    /// The temporary name to write to. \throws FileError if `path` is a directory or read-only, or
+    /// its folder does not exist or cannot be written to.
     [[nodiscard]] std::string stage(const std::string& path);
 
     /// Puts every staged file into place. \throws FileError.
@@ -88,7 +94,8 @@ void writeStateCsv(const std::string& path, const State& state, const Bar& bar);
 inline constexpr std::int64_t maxMotionNodes = 1001;
 inline constexpr std::int64_t maxMotionInstants = 2001;
 
-/// time, x, displacement, velocity, strain over one period, instant by instant; [s], [m], [m],
+/// time, x, displacement, velocity, strain over `Motion::steps`, one period unless the schedule has
+/// flights of 4N steps and more, which only repeat; instant by instant; [s], [m], [m],
 /// [m/s], [-]. At node i velocity and strain are those of cell i (cell 1 at the clamp).
 /// \throws FileError.
 void writeMotionCsv(const std::string& path, const Motion& motion, const Bar& bar);

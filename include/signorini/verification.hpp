@@ -59,7 +59,7 @@ struct Verification {
                                   double tolerance = 1e-9);
 
 /// Checks a certificate against the rows listed in certificate.hpp, in 64-bit integers that refuse
-/// to overflow. O(N + rows). False for anything that is not a proof.
+/// to overflow. O(K (N + rows)). False for anything that is not a proof.
 [[nodiscard]] bool isProof(const FarkasCertificate& certificate, const Schedule& schedule);
 
 }  // namespace signorini

@@ -1,18 +1,39 @@
 #include "arguments.hpp"
 
+#include <unistd.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <system_error>
 
 #include "faults.hpp"
+#include "signorini/output.hpp"
 
 namespace signorini::cli {
 
 namespace {
 
 constexpr std::int64_t maxThreads = 1024;
+
+// What the signal handler can reach: a plain array, written before the handler is installed.
+std::array<std::array<char, 4096>, 8> stagedPaths;
+std::size_t stagedCount = 0;
+
+extern "C" void removeStagedAndQuit(int number)
+{
+    for (std::size_t k = 0; k < stagedCount; ++k) {
+        (void)unlink(stagedPaths[k].data());
+    }
+    _exit(128 + number);
+}
 
 [[noreturn]] void refuse(std::string_view name, std::string_view text, std::string_view allowed)
 {
@@ -31,6 +52,28 @@ bool readAll(std::string_view text, Number& value)
 }
 
 }  // namespace
+
+void writeOut(std::string_view text)
+{
+    const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
+    if (written != text.size() || std::fflush(stdout) != 0) {
+        throw FileError("standard output",
+                        "cannot write: " + std::generic_category().message(errno));
+    }
+}
+
+void removeOnSignal(const std::string& path)
+{
+    if (stagedCount == stagedPaths.size() || path.size() >= stagedPaths.front().size()) {
+        return;
+    }
+    std::copy(path.begin(), path.end(), stagedPaths[stagedCount].begin());
+    stagedPaths[stagedCount][path.size()] = '\0';
+    ++stagedCount;
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        (void)std::signal(number, removeStagedAndQuit);
+    }
+}
 
 std::int64_t parseWhole(std::string_view name, std::string_view text, std::int64_t low,
                         std::int64_t high)
@@ -74,6 +117,14 @@ void CommonOptions::addTo(CLI::App& command)
     command.add_option("--format", format, "text or json (text)")->type_name("text|json");
     command.add_flag("--quiet", quiet, "no words for people on stderr but errors");
     command.add_option("--threads", threads, "most threads to use (1)")->type_name("K");
+    for (CLI::Option* option : command.get_options()) {
+        if (option->get_name().starts_with("--") && option->get_items_expected_max() > 0) {
+            option->check([](const std::string& value) {
+                return value.empty() ? std::string("'' is out of range: allowed a value")
+                                     : std::string();
+            });
+        }
+    }
 }
 
 std::int64_t CommonOptions::parseCells() const

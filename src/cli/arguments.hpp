@@ -25,6 +25,13 @@ enum ExitStatus : int {
     exitUnavailable = 4,  ///< a file, database or back end could not be used
 };
 
+/// Writes to standard output, whole or with an error. \throws FileError.
+void writeOut(std::string_view text);
+
+/// Stops the removal of temporary files from being skipped when a signal ends the program: files
+/// staged later under `path` are removed by the handlers of SIGINT, SIGTERM and SIGHUP.
+void removeOnSignal(const std::string& path);
+
 /// A whole number in [low, high]. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,
                                       std::int64_t low, std::int64_t high);

@@ -1,5 +1,8 @@
 #include "find_command.hpp"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -84,6 +87,14 @@ bool isVtk(const std::string& path)
     return path.ends_with(".vtk");
 }
 
+bool isStandardOutput(const std::string& path)
+{
+    struct stat file = {};
+    struct stat out = {};
+    return stat(path.c_str(), &file) == 0 && fstat(STDOUT_FILENO, &out) == 0 &&
+           file.st_dev == out.st_dev && file.st_ino == out.st_ino;
+}
+
 /// Names that are wrong before any work is done.
 void validateFiles(const FindCommand& words)
 {
@@ -104,6 +115,13 @@ void validateFiles(const FindCommand& words)
             faults.add(fmt::format("{} and {}", first, second), a, "two different files");
         }
     };
+    for (const auto& [option, path] :
+         {std::pair{"--state", words.stateFile}, std::pair{"--motion", words.motionFile},
+          std::pair{"--figure", words.figureFile}}) {
+        if (!path.empty() && isStandardOutput(path)) {
+            faults.add(option, path, "another file than standard output, where the report goes");
+        }
+    }
     clash("--state", words.stateFile, "--motion", words.motionFile);
     clash("--state", words.stateFile, "--figure", words.figureFile);
     clash("--motion", words.motionFile, "--figure", words.figureFile);
@@ -161,8 +179,12 @@ ExitStatus FindCommand::run() const
 
     OutputFiles files;
     const auto stage = [&files](const char* option, const std::string& path) {
-        return path.empty() ? std::string()
-                            : forFile(option, path, [&] { return files.stage(path); });
+        if (path.empty()) {
+            return std::string();
+        }
+        std::string staged = forFile(option, path, [&] { return files.stage(path); });
+        removeOnSignal(staged);
+        return staged;
     };
     const std::string state = stage("--state", stateFile);
     const std::string motion = stage("--motion", motionFile);
@@ -175,9 +197,15 @@ ExitStatus FindCommand::run() const
             forFile("--state", stateFile, [&] { writeStateCsv(state, result.state, options.bar); });
         }
         if (!motion.empty()) {
+            const Motion field(result.state, schedule);
+            if (field.steps() < signorini::steps(schedule) && !common.quiet) {
+                fmt::print(stderr,
+                           "signorini find: --motion holds {} of {} steps: the others repeat free "
+                           "oscillations\n",
+                           field.steps(), signorini::steps(schedule));
+            }
             forFile("--motion", motionFile, [&] {
-                const auto write = isVtk(motionFile) ? writeMotionVtk : writeMotionCsv;
-                write(motion, Motion(result.state, schedule), options.bar);
+                (isVtk(motionFile) ? writeMotionVtk : writeMotionCsv)(motion, field, options.bar);
             });
         }
         if (!figure.empty()) {
@@ -186,9 +214,9 @@ ExitStatus FindCommand::run() const
         }
         files.commit();
     } else if (wantsFiles && !common.quiet) {
-        fmt::print(stderr, "signorini find: no motion, so no file was written\n");
+        fmt::print(stderr, "signorini find: no motion to write, so no file was written\n");
     }
-    fmt::print("{}", json ? asJson(result) : asText(result));
+    writeOut(json ? asJson(result) : asText(result));
     switch (result.status) {
         case Status::found:
             return exitFound;

@@ -5,9 +5,12 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <new>
+#include <sstream>
 
 #include "find_command.hpp"
 #include "signorini/config.hpp"
@@ -42,7 +45,11 @@ bool looksLikeNumber(const std::string& word)
 
 int complain(ExitStatus status, std::string_view text)
 {
-    fmt::print(stderr, "signorini: {}\n", text);
+    std::string line(text);
+    std::replace_if(
+        line.begin(), line.end(),
+        [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
+    fmt::print(stderr, "signorini: {}\n", line);
     return status;
 }
 
@@ -75,8 +82,14 @@ int run(int argc, char** argv)
         "4 a file or back end could not be used.");
     try {
         app.parse(argc, argv);
+    } catch (const CLI::CallForVersion&) {
+        writeOut(versionText());
+        return exitFound;
     } catch (const CLI::Success& success) {
-        return app.exit(success) == 0 ? exitFound : exitUnavailable;
+        std::ostringstream help;
+        (void)app.exit(success, help, help);
+        writeOut(help.str());
+        return exitFound;
     } catch (const CLI::ExtrasError& error) {
         return complain(exitWrongUse, explainExtras(app, error.what()));
     } catch (const CLI::RequiredError&) {
@@ -95,6 +108,7 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    (void)std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a write that fails
     int status = exitUndecided;
     try {
         status = run(argc, argv);
@@ -108,9 +122,6 @@ int main(int argc, char** argv)
         return complain(exitUndecided, "undecided: the memory of this machine is not enough");
     } catch (const std::exception& error) {
         return complain(exitUndecided, fmt::format("undecided: {}", error.what()));
-    }
-    if (std::fflush(stdout) != 0) {
-        return complain(exitUnavailable, "standard output: cannot write");
     }
     return status;
 }

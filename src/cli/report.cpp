@@ -129,7 +129,7 @@ Json phasesAsJson(const std::vector<Phase>& phases)
 Json multipliersAsJson(const std::vector<Multiplier>& rows)
 {
     if (rows.size() > maxPrintedMultipliers) {
-        return {};
+        return {};  // the library call returns them all
     }
     Json pairs = Json::array();
     for (const Multiplier& m : rows) {
@@ -160,11 +160,6 @@ Json certificateAsJson(const PeriodicResult& result)
     return {{"kind", "energy-range"}, {"verified", true}};
 }
 
-Json numberOrNull(double value)
-{
-    return std::isfinite(value) ? Json(value) : Json();
-}
-
 }  // namespace
 
 std::string asText(const PeriodicResult& result)
@@ -183,7 +178,8 @@ std::string asText(const PeriodicResult& result)
             text += fmt::format("why         {}\n", result.detail);
             break;
     }
-    text += fmt::format("route       {}, {:.3g} s\n", result.route, result.solver.seconds);
+    text += fmt::format("route       {}, {:.3g} s: {}\n", result.route, result.solver.seconds,
+                        result.routeReason);
     for (std::size_t k = 0; k < result.leftOut.size(); ++k) {
         text += fmt::format("{:<12}{}\n", k == 0 ? "left out" : "", result.leftOut[k]);
     }
@@ -209,6 +205,7 @@ std::string asJson(const PeriodicResult& result)
               {"reason", nullptr},
               {"certificate", nullptr},
               {"route", result.route},
+              {"route_reason", result.routeReason},
               {"left_out", result.leftOut},
               {"solver",
                {{"name", result.solver.name},
@@ -225,8 +222,9 @@ std::string asJson(const PeriodicResult& result)
         }
     }
     if (result.energyRange) {
-        json["energy_ratio_range"] = {numberOrNull(result.energyRange->least),
-                                      numberOrNull(result.energyRange->most)};
+        json["energy_ratio_range"] = {result.energyRange->least, result.energyRange->most};
+    } else if (found) {
+        json["energy_ratio_range"] = {nullptr, nullptr};
     }
     if (found) {
         const Residuals& r = result.residuals;

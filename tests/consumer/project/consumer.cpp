@@ -8,7 +8,7 @@ int main()
     using namespace signorini;
     const PeriodicResult motion = findPeriodic(150, 900);  // n_c, n_f on 300 cells
     if (motion.status != Status::found) {
-        std::cout << "no motion: " << motion.detail << '\n';
+        std::cout << name(motion.status) << ' ' << motion.detail << '\n';
         return 1;
     }
     std::cout << "E/E1 = " << motion.energyRatio << " in [" << motion.energyRange->least << ", "
