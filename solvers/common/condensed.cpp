@@ -167,6 +167,11 @@ void decide(const Program& program, double tolerance, const Program& independent
 
 }  // namespace
 
+bool hasObjective(const Program& program)
+{
+    return !program.linear.isZero(0.0) || !program.quadratic.isZero(0.0);
+}
+
 Basis::Basis(const Rows& rows, std::vector<Index> columns)
     : variables_(rows.cols()),
       columns_(std::move(columns)),

@@ -13,6 +13,9 @@
 
 namespace signorini {
 
+/// False if every point that meets the rows will do.
+[[nodiscard]] bool hasObjective(const Program& program);
+
 /// Solves the equalities for their pivot variables.
 class Basis {
 public:

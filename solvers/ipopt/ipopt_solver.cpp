@@ -216,6 +216,11 @@ private:
         }
         if (nlp->point().size() > 0) {
             result.x = condensed.expand(nlp->point());
+            if (result.status == SolverStatus::failed && !hasObjective(program) &&
+                violation(program, result.x) <= violationShare * options.tolerance) {
+                result.status = SolverStatus::optimal;
+                result.detail += ", but the last point meets all rows, and there is no objective";
+            }
         }
         return result;
     }

@@ -82,11 +82,6 @@ Verdict verdictOf(nlopt_result code)
     }
 }
 
-bool hasObjective(const Program& program)
-{
-    return !program.linear.isZero(0.0) || !program.quadratic.isZero(0.0);
-}
-
 /// All variables of the program.
 Eigen::VectorXd pointOf(const ReducedProgram& reduced, const Eigen::VectorXd& u)
 {
