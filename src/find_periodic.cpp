@@ -67,10 +67,6 @@ void validate(const Schedule& schedule, const FindOptions& options)
             faults.add("formulation", name(options.formulation),
                        "auto|reduced with solver closed-form");
         }
-        if (options.objective == Objective::nearest) {
-            faults.add("objective", name(options.objective),
-                       "all but nearest with solver closed-form");
-        }
     }
     faults.throwIfAny();
 }
@@ -229,7 +225,7 @@ private:
             result_.solver.seconds = secondsSince(start);
             return true;
         }
-        if (demands_.objective == Objective::nearest) {
+        if (demands_.objective == Objective::nearest && reduction_.set.kind == SetKind::box) {
             return false;
         }
         if (demands_.energyRatio && energyIsOutOfRange()) {
@@ -268,6 +264,10 @@ private:
     {
         if (demands_.objective == Objective::maxEnergy) {
             return motionOf(reduction_, mostAmplitudes(reduction_.set));
+        }
+        if (demands_.objective == Objective::nearest) {
+            const std::vector<double> target = amplitudesOf(reduction_, *demands_.target);
+            return motionOf(reduction_, nearestAmplitudes(reduction_.set, target));
         }
         if (demands_.energyRatio) {
             const double squares = *demands_.energyRatio *

@@ -247,6 +247,27 @@ State motionOf(const Reduction& reduction, std::span<const double> amplitudes)
     });
 }
 
+std::vector<double> amplitudesOf(const Reduction& reduction, const State& state)
+{
+    requireMotion(reduction);
+    const std::int64_t cells = reduction.schedule.cells;
+    if (state.a.size() != cells || state.b.size() != cells) {
+        throw std::invalid_argument(
+            fmt::format("state: {} cells: allowed {}, as in the schedule", state.a.size(), cells));
+    }
+    std::vector<double> z(static_cast<std::size_t>(reduction.kernelDimension), 0.0);
+    for (std::int64_t block = 0; block < reduction.window; ++block) {
+        const double sign = reduction.signs[static_cast<std::size_t>(block % reduction.members)];
+        for (std::size_t j = 0; j < z.size(); ++j) {
+            const std::int64_t m =
+                block * reduction.classes + reduction.firstLive + static_cast<std::int64_t>(j);
+            const double p = m < cells ? state.a[cells - 1 - m] : -state.b[m - cells];
+            z[j] += sign * p / static_cast<double>(reduction.window);
+        }
+    }
+    return z;
+}
+
 State leastEnergyMotion(const Reduction& reduction)
 {
     requireMotion(reduction);

@@ -6,6 +6,7 @@
 /// energy of a whole solution set are the nearest and the farthest point of an AmplitudeSet from
 /// the origin.
 
+#include <span>
 #include <vector>
 
 #include "signorini/amplitude_set.hpp"
@@ -25,6 +26,12 @@ namespace signorini {
 
 /// Amplitudes of largest sum z^2 (one of several equal choices). O(d).
 [[nodiscard]] std::vector<double> mostAmplitudes(const AmplitudeSet& set);
+
+/// The member of a simplex or point nearest to given amplitudes: max(0, t_j - shift) with the shift
+/// that makes the sum right. O(d log d).
+/// \throws std::invalid_argument for a box of more than one amplitude, or a wrong number of them.
+[[nodiscard]] std::vector<double> nearestAmplitudes(const AmplitudeSet& set,
+                                                    std::span<const double> target);
 
 /// Amplitudes with a given sum z^2 between least and most: on the straight way from the least to
 /// the most, where sum z^2 grows steadily because the way starts at right angles to the least.

@@ -96,6 +96,11 @@ void reduce(const Schedule& schedule, Reduction& result);
 /// the set by more than 1e-9 |S|.
 [[nodiscard]] State motionOf(const Reduction& reduction, std::span<const double> amplitudes);
 
+/// The amplitudes nearest to any state: for each live class the mean of epsilon p over its w steps
+/// in the window of 2N; those of a motion give it back. O(N).
+/// \throws std::invalid_argument if the set is empty or the state has other cells.
+[[nodiscard]] std::vector<double> amplitudesOf(const Reduction& reduction, const State& state);
+
 /// The state at t = 0 of the motion of least energy, z = S/d throughout. O(N), the time needed to
 /// write 2N numbers. \throws std::invalid_argument if the set is empty.
 [[nodiscard]] State leastEnergyMotion(const Reduction& reduction);

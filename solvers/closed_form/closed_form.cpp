@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 namespace signorini {
@@ -84,6 +85,35 @@ std::vector<double> mostAmplitudes(const AmplitudeSet& set)
         atUpper = !atUpper;
     }
     z.back() = set.sum - position(atUpper);
+    return z;
+}
+
+std::vector<double> nearestAmplitudes(const AmplitudeSet& set, std::span<const double> target)
+{
+    if (isProperBox(set) || static_cast<std::int64_t>(target.size()) != set.count ||
+        set.count == 0) {
+        throw std::invalid_argument("amplitudes: allowed as many as the set has, and no box");
+    }
+    if (set.count == 1) {
+        return {set.sum};
+    }
+    std::vector<double> descending(target.begin(), target.end());
+    std::sort(descending.begin(), descending.end(), std::greater<>());
+    // The k largest stay positive for the largest k at which they all exceed their shift.
+    double sum = 0.0;
+    double shift = 0.0;
+    for (std::size_t k = 0; k < descending.size(); ++k) {
+        sum += descending[k];
+        const double next = (sum - set.sum) / static_cast<double>(k + 1);
+        if (descending[k] <= next) {
+            break;
+        }
+        shift = next;
+    }
+    std::vector<double> z(target.begin(), target.end());
+    for (double& value : z) {
+        value = std::max(0.0, value - shift);
+    }
     return z;
 }
 

@@ -108,7 +108,9 @@ int run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
-    (void)std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is a write that fails
+    // A closed pipe and a file size limit are writes that fail, not the end of the program.
+    (void)std::signal(SIGPIPE, SIG_IGN);
+    (void)std::signal(SIGXFSZ, SIG_IGN);
     int status = exitUndecided;
     try {
         status = run(argc, argv);

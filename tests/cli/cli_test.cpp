@@ -196,6 +196,18 @@ TEST_CASE("cli: wrong use is exit status 2, one line naming argument, value and 
         {"3 9 --frobnicate", "--frobnicate"},
         {"3 9 --gap", "--gap"},
         {"3 9 --gap 1 --gap 2", "--gap"},
+        {"3 9 --cells ''", "--cells"},
+        {"3 9 --state ''", "--state"},
+        {"3 9 --energy-ratio 0", "--energy-ratio = 0"},
+        {"3 9 --energy-ratio nan", "--energy-ratio = nan"},
+        {"3 9 --strain-limit -1", "--strain-limit = -1"},
+        {"3 9 --tip-floor x", "--tip-floor = x"},
+        {"3 9 --tip-floor 0.001", "tipFloor = 0.001"},
+        {"3 9 --objective nearest", "--target"},
+        {"3 9 --target s.csv", "--objective"},
+        {"3 9 --objective min-energy --energy-ratio 9", "objective = min-energy"},
+        {"3 9 --solver glpk-simplex --objective min-energy", "quadratic"},
+        {"3 9 --axial-stiffness 1e308 --gap 1", "axialStiffness"},
         {"3 9 --figure a.gif", "a.gif"},
         {"3 9 --motion a.txt", "a.txt"},
         {"3 9 --state a.csv --motion a.csv", "a.csv"},
@@ -277,6 +289,103 @@ TEST_CASE("cli: files that cannot be written are exit status 4, and nothing is l
     }
     const auto full = program.run("find 5 23 --cells 8 >/dev/full; exit $?; #");
     CHECK(full.status == 4);
+}
+
+TEST_CASE("cli: a file size limit is a full disk: exit status 4 and nothing left behind")
+{
+    const Program program;
+    for (const char* arguments : {"find 150 900 --figure f.svg", "find 150 900 --figure f.png",
+                                  "find 150 900 --state s.csv", "find 150 900 --motion m.vtk"}) {
+        const auto outcome = program.run(arguments, "ulimit -f 16;");
+        INFO(arguments << " -> " << outcome.err);
+        CHECK(outcome.status == 4);
+        CHECK(program.files() == 0);
+    }
+}
+
+TEST_CASE("cli: links are followed, modes kept, read-only and looping targets refused")
+{
+    const Program program;
+    std::ofstream(program.file("private.csv")) << "old";
+    fs::permissions(program.file("private.csv"), fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("private.csv", program.file("link.csv"));
+    fs::create_symlink("new.csv", program.file("dangling.csv"));
+    fs::create_symlink("loop2.csv", program.file("loop1.csv"));
+    fs::create_symlink("loop1.csv", program.file("loop2.csv"));
+    CHECK(program.run("find 5 23 --cells 8 --state link.csv").status == 0);
+    CHECK(fs::is_symlink(program.file("link.csv")));
+    CHECK(lines(contentOf(program.file("private.csv"))) == 9);
+    CHECK(fs::status(program.file("private.csv")).permissions() ==
+          (fs::perms::owner_read | fs::perms::owner_write));
+    CHECK(program.run("find 5 23 --cells 8 --state dangling.csv").status == 0);
+    CHECK(lines(contentOf(program.file("new.csv"))) == 9);
+    CHECK(program.run("find 5 23 --cells 8 --state loop1.csv").status == 4);
+    CHECK(program.run("find 5 23 --cells 8 --figure f.svg", "TMPDIR=/no/such/folder").status == 4);
+}
+
+TEST_CASE("cli: standard output is for the report alone")
+{
+    const Program program;
+    CHECK(program.run("find 5 23 --cells 8 --state /dev/stdout").status == 2);
+    CHECK(program.run("--version >/dev/full; exit $?; #").status == 4);
+    const auto large =
+        program.run("find 2000 10901 --cells 4000 --format json >/dev/full; exit $?; #");
+    CHECK(large.status == 4);
+}
+
+TEST_CASE("cli: a signal removes what was begun")
+{
+    const Program program;
+    const auto outcome =
+        program.run("find 1 39999999 --cells 10000000 --state s.csv", "timeout --signal=INT 0.7");
+    if (outcome.status == 0) {
+        return;  // a machine fast enough to finish first
+    }
+    CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli: the nearest motion to a state file is found, wrong files are refused")
+{
+    const Program program;
+    REQUIRE(program.run("find 5 23 --cells 8 --objective max-energy --state target.csv").status ==
+            0);
+    const json r = program.find("5 23 --cells 8 --objective nearest --target target.csv", 0);
+    CHECK(r["energy_ratio"].get<double>() == Approx(16.0).epsilon(1e-12));
+    const auto refused = [&](const char* name, const std::string& text, int status,
+                             const char* named) {
+        std::ofstream(program.file(name)) << text;
+        const auto outcome = program.run(std::string("find 5 23 --cells 8 --objective nearest ") +
+                                         "--target " + name);
+        INFO(name << " -> " << outcome.err);
+        CHECK(outcome.status == status);
+        CHECK(lines(outcome.err) == 1);
+        CHECK_THAT(outcome.err, containsText(named));
+    };
+    refused("short.csv", "x,a,b\n1,2,3\n", 2, "cells of the target = 1");
+    refused("nan.csv", "x,a,b\n1,nan,3\n", 2, "line 2");
+    refused("word.csv", "x,a,b\n1,2,b\n", 2, "line 2");
+    refused("header.csv", "x,y\n1,2\n", 2, "no column a");
+    refused("empty.csv", "", 2, "no column a");
+    const auto missing = program.run("find 5 23 --cells 8 --objective nearest --target no.csv");
+    CHECK(missing.status == 4);
+}
+
+TEST_CASE("cli: further demands: energy, strain, tip, and what cannot be")
+{
+    const Program program;
+    const json energy = program.find("150 900 --energy-ratio 20", 0);
+    CHECK(energy["energy_ratio"].get<double>() == Approx(20.0).epsilon(1e-12));
+    const json outside = program.find("150 900 --energy-ratio 3.9", 1);
+    CHECK(outside["reason"] == "constraints");
+    CHECK(program.find("150 900 --strain-limit 0.0021", 0)["peak_strain"].get<double>() ==
+          Approx(0.002));
+    if (signorini::findBackend("glpk-simplex").available()) {
+        const json tight = program.find("150 900 --strain-limit 0.0019", 1);
+        CHECK(tight["reason"] == "constraints");
+        CHECK(tight["certificate"]["verified"] == true);
+        CHECK(program.find("150 900 --tip-floor -0.0019", 1)["reason"] == "constraints");
+    }
+    CHECK(program.find("150 900 --tip-floor -0.0021", 0)["status"] == "found");
 }
 
 TEST_CASE("cli: a missing gnuplot is exit status 4, named, and leaves no file")
