@@ -1,11 +1,9 @@
-// What a verdict and a motion cost, next to a GLPK solve and next to writing the numbers.
+// What a verdict and a motion cost, next to writing the numbers.
 
 #include <benchmark/benchmark.h>
 
 #include "signorini/find_periodic.hpp"
-#include "signorini/formulation.hpp"
 #include "signorini/reduction.hpp"
-#include "signorini/solver.hpp"
 #include "signorini/verification.hpp"
 
 namespace {
@@ -89,24 +87,5 @@ void findPeriodicInFull(benchmark::State& bench)
     }
 }
 BENCHMARK(findPeriodicInFull)->Arg(300)->Arg(1'000'000);
-
-void stateProgramByGlpkSimplex(benchmark::State& bench)
-{
-    if (!findBackend("glpk-simplex").available()) {
-        bench.SkipWithError("glpk-simplex is not in this build");
-        return;
-    }
-    const Program program = formulate(paperCase(bench.range(0)), Formulation::state).program;
-    const auto solver = makeSolver("glpk-simplex");
-    for (auto _ : bench) {
-        const SolverResult result = solver->solve(program);
-        if (result.status != SolverStatus::optimal) {
-            bench.SkipWithError(result.detail.c_str());
-            break;
-        }
-        benchmark::DoNotOptimize(result.objective);
-    }
-}
-BENCHMARK(stateProgramByGlpkSimplex)->Arg(300)->Arg(3'000)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

@@ -74,7 +74,7 @@ std::span<const Backend> backends()
                 .option = "SIGNORINI_WITH_GLPK",
                 .version = glpkVersion,
                 .make = glpkSimplex,
-                .purpose = "linear programs by the primal simplex method with presolve"},
+                .purpose = "linear programs by the primal simplex method"},
         Backend{.name = "glpk-interior",
                 .library = "GLPK",
                 .option = "SIGNORINI_WITH_GLPK",

@@ -13,6 +13,11 @@ constexpr double defaultTolerance = 1e-7;
 /// GLPK measures on rows it has scaled itself, so it is asked for a tenth of what rows must hold.
 constexpr double toleranceShare = 0.1;
 
+/// With few rows the simplex method is done before the presolver has looked at them: a bounded
+/// unknown that stands in one row only costs the presolver that row's length, all of them its
+/// square.
+constexpr int fewRows = 64;
+
 class Simplex final : public Solver {
 public:
     [[nodiscard]] std::string_view name() const override { return "glpk-simplex"; }
@@ -33,7 +38,7 @@ private:
         glp_smcp settings;
         glp_init_smcp(&settings);
         settings.msg_lev = GLP_MSG_OFF;
-        settings.presolve = GLP_ON;
+        settings.presolve = glp_get_num_rows(problem.get()) > fewRows ? GLP_ON : GLP_OFF;
         settings.tol_bnd = std::min(defaultTolerance, toleranceShare * options.tolerance);
         settings.tol_dj = settings.tol_bnd;
         setLimits(options, settings);
