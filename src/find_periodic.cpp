@@ -236,9 +236,26 @@ private:
         State state = candidate();
         result_.solver.seconds = secondsSince(start);
         if (violation(demands_, state, result_.schedule) > options_.tolerance) {
-            return false;
+            return limitsExcludeAll();
         }
         acceptMotion(std::move(state));
+        return true;
+    }
+
+    /// Limits on strain and tip are met by equal amplitudes or by none: claims absence if they are
+    /// not, with a proof over the lumped rows.
+    bool limitsExcludeAll()
+    {
+        if (!demands_.fixed.empty() || demands_.energyRatio ||
+            violation(demands_, leastEnergyMotion(reduction_), result_.schedule) <=
+                options_.tolerance) {
+            return false;
+        }
+        auto proof = proofFor(demands_, Formulation::lumped);
+        if (!proof) {
+            return false;
+        }
+        acceptAbsence(std::move(*proof), Formulation::lumped);
         return true;
     }
 
