@@ -29,11 +29,11 @@ enum class SetKind {
 
 /// A simplex or a box of amplitudes, scaled units (g/L).
 struct AmplitudeSet {
-    SetKind kind = SetKind::empty;
-    std::int64_t count = 0;  ///< [-], d, number of amplitudes
-    double sum = 0.0;        ///< [g/L], S
-    double lower = 0.0;      ///< [g/L], bound on partial sums (box)
-    double upper = 0.0;      ///< [g/L], bound on partial sums (box)
+    SetKind kind = SetKind::empty;  ///< empty, point, simplex or box
+    std::int64_t count = 0;         ///< [-], d, number of amplitudes
+    double sum = 0.0;               ///< [g/L], S
+    double lower = 0.0;             ///< [g/L], bound on partial sums (box)
+    double upper = 0.0;             ///< [g/L], bound on partial sums (box)
 
     /// d - 1, or -1 for the empty set.
     [[nodiscard]] std::int64_t dimension() const { return count - 1; }

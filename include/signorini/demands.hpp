@@ -41,14 +41,14 @@ enum class Wave { a, b };
 
 /// A prescribed value of the state at t = 0.
 struct FixedValue {
-    Wave wave = Wave::a;
+    Wave wave = Wave::a;    ///< which wave
     std::int64_t cell = 1;  ///< 1..N
     double value = 0.0;     ///< [g/L]
 };
 
 /// Demands in scaled units; the defaults demand nothing.
 struct Demands {
-    Objective objective = Objective::automatic;
+    Objective objective = Objective::automatic;  ///< which motion of the set
     std::optional<State> target = std::nullopt;  ///< for Objective::nearest
     /// [g/L], S > 0: s >= -S for all x and t.
     double strainLimit = std::numeric_limits<double>::infinity();
@@ -69,8 +69,8 @@ void validate(const Demands& demands, const Schedule& schedule);
 [[nodiscard]] Formulation cheapestFormulation(const Demands& demands);
 
 /// The program of a schedule with the demands: bounds for limits, rows for fixed values, one more
-/// unknown for the peak strain, a diagonal objective or energy equality. Most energy is posed as
-/// least negative energy linearised nowhere: its objective is left zero. O(n + N).
+/// unknown for the peak strain, a diagonal objective or energy equality. Most energy is no convex
+/// objective and is left out. O(n + N).
 /// \throws std::invalid_argument on invalid input, or if `formulation` is lumped and does not do.
 [[nodiscard]] Formulated pose(const Schedule& schedule, const Demands& demands,
                               Formulation formulation);
@@ -82,7 +82,7 @@ void validate(const Demands& demands, const Schedule& schedule);
 struct Extremes {
     double peakStrain = 0.0;  ///< [g/L], -min s over all x and t
     double lowestTip = 0.0;   ///< [g], min u(L, t)
-    double impulse = 0.0;     ///< [g/c * EA/L * L/c], sum of 2 p_m over contact steps / N
+    double impulse = 0.0;     ///< [EA g/c], of the wall on the tip over a period
 };
 
 /// Walks one period. O(N + min(n, 12N)).

@@ -33,9 +33,10 @@ struct ExtendedWaves {
 /// Largest N these matrices are built for.
 inline constexpr std::int64_t maxEquationCells = 10'000'000;
 
-/// The 2N x 2N maps of (29): state after `count` steps of contact (DD) or free flight (DN).
+/// The 2N x 2N maps of (29): state after `count` steps of contact (DD).
 /// \throws std::invalid_argument if cells is not in 1..maxEquationCells or count < 0.
 [[nodiscard]] SparseMatrix contactMap(std::int64_t cells, std::int64_t count);
+/// The same for free flight (DN).
 [[nodiscard]] SparseMatrix freeMap(std::int64_t cells, std::int64_t count);
 
 /// W of (30), 2N x 2N: one period. A signed permutation.

@@ -59,31 +59,31 @@ struct FindOptions {
 
 /// Who did the work, and how long it took.
 struct SolverReport {
-    std::string name = "not run";
-    std::int64_t iterations = 0;
-    double seconds = 0.0;  ///< [s], formulation and solution, without verification
+    std::string name = "not run";  ///< as in --solver
+    std::int64_t iterations = 0;   ///< [-], as the solver counts them
+    double seconds = 0.0;          ///< [s], formulation and solution, without verification
 };
 
 /// The answer. Invariants: found <=> `state` has N cells and `residuals` are within the tolerance;
 /// none <=> `reason` is present, with a verified `certificate` or `programProof`, or with an
 /// `energyRange` that excludes the energy to hold; undecided => `detail` says why.
 struct PeriodicResult {
-    Status status = Status::undecided;
+    Status status = Status::undecided;                        ///< the verdict
     std::string detail = "findPeriodic has not been called";  ///< why undecided, else empty
     Schedule schedule;                                        ///< as asked for
-    Bar bar;
-    double period = 0.0;          ///< [s], T = n dt
-    double frequencyRatio = 0.0;  ///< omega/omega_1
+    Bar bar;                                                  ///< as asked for
+    double period = 0.0;                                      ///< [s], T = n dt
+    double frequencyRatio = 0.0;                              ///< omega/omega_1
 
     std::optional<std::int64_t> kernelDimension;  ///< dim ker(W - 1), if the route knows it
     std::optional<AmplitudeSet> solutionSet;      ///< the set of all motions, if the route knows it
 
-    State state;  ///< at t = 0, start of the first contact phase
-    Contact contact = Contact::pressing;
-    std::vector<Phase> canonical;  ///< phases in which the wall is pressed; empty if grazing
-    double energy = 0.0;           ///< [J]
-    double energyRatio = 0.0;      ///< E/E_1
-    double peakStrain = 0.0;       ///< [-], deepest compression: -min s over all x and t
+    State state;                          ///< at t = 0, start of the first contact phase
+    Contact contact = Contact::pressing;  ///< does the wall feel it?
+    std::vector<Phase> canonical;         ///< phases in which the wall is pressed; empty if grazing
+    double energy = 0.0;                  ///< [J]
+    double energyRatio = 0.0;             ///< E/E_1
+    double peakStrain = 0.0;              ///< [-], deepest compression: -min s over all x and t
     std::optional<EnergyRange> energyRange;  ///< over the whole set, if the route knows it
     Residuals residuals;                     ///< recomputed, relative
 
@@ -93,12 +93,12 @@ struct PeriodicResult {
     /// Proof over the rows of the program `pose(schedule, demands, proofRows)`, checked in
     /// rationals (further demands, several phases).
     std::optional<InfeasibilityProof> programProof;
-    Formulation proofRows = Formulation::automatic;
+    Formulation proofRows = Formulation::automatic;  ///< rows that programProof refers to
 
     std::string route;                 ///< e.g. "closed-form"
     std::string routeReason;           ///< why that route
     std::vector<std::string> leftOut;  ///< what the request did not need
-    SolverReport solver;
+    SolverReport solver;               ///< who did it
 };
 
 /// Decides a schedule, and returns a motion of it or the proof that there is none.

@@ -52,13 +52,13 @@ enum class Formulation {
 
 /// p_m = factor * x[column]; factor 0 where p_m = 0 for every motion.
 struct DelayTerm {
-    Eigen::Index column = 0;
-    double factor = 0.0;
+    Eigen::Index column = 0;  ///< of the unknown
+    double factor = 0.0;      ///< +-1, or +-1/d when lumped
 };
 
 /// A program, and how to read a motion out of its unknowns.
 struct Formulated {
-    Program program;
+    Program program;                   ///< rows, bounds, objective
     Schedule schedule;                 ///< folded
     std::vector<DelayTerm> delay;      ///< p_0 .. p_{n-1}
     std::vector<std::string> leftOut;  ///< what the program does not contain, for people

@@ -20,6 +20,7 @@ namespace signorini {
 /// A file could not be read or written; the message names it and the system's reason.
 class FileError : public std::runtime_error {
 public:
+    /// The message is "path: reason".
     FileError(const std::string& path, std::string reason);
 
     /// Why, without the path: "cannot write: No space left on device".
@@ -35,11 +36,13 @@ private:
 /// Writes text to one file through a buffer. Every failure throws FileError, that of closing too.
 class TextFile {
 public:
+    /// Creates the file or empties it.
     explicit TextFile(const std::string& path);
     TextFile(const TextFile&) = delete;
     TextFile& operator=(const TextFile&) = delete;
     ~TextFile();
 
+    /// Appends text.
     void write(std::string_view text);
     /// Flushes and closes; must be called for the file to count as written.
     void close();
@@ -92,7 +95,7 @@ void writeStateCsv(const std::string& path, const State& state, const Bar& bar);
 
 /// Most nodes and instants in a motion file; longer motions are thinned out evenly.
 inline constexpr std::int64_t maxMotionNodes = 1001;
-inline constexpr std::int64_t maxMotionInstants = 2001;
+inline constexpr std::int64_t maxMotionInstants = 2001;  ///< see maxMotionNodes
 
 /// time, x, displacement, velocity, strain over `Motion::steps`, one period unless the schedule has
 /// flights of 4N steps and more, which only repeat; instant by instant; [s], [m], [m],

@@ -31,8 +31,9 @@ struct Program {
     Eigen::VectorXd upper;                                      ///< n
     Eigen::VectorXd linear;                                     ///< n
     Eigen::VectorXd quadratic;                                  ///< n values >= 0, or empty: none
-    std::optional<EnergyEquality> energy;
+    std::optional<EnergyEquality> energy;                       ///< empty: none
 
+    /// n.
     [[nodiscard]] std::int64_t variables() const { return linear.size(); }
 };
 

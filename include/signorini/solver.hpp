@@ -52,7 +52,7 @@ struct SolverOptions {
 
 /// Outcome of one call. Invariant: `x` has n values when the status is optimal.
 struct SolverResult {
-    SolverStatus status = SolverStatus::notRun;
+    SolverStatus status = SolverStatus::notRun;             ///< recomputed claim
     std::string detail = "the solver has not been called";  ///< for people: the native verdict
     Eigen::VectorXd x;       ///< the point, or the last iterate, or empty
     double objective = 0.0;  ///< recomputed at x
@@ -62,22 +62,22 @@ struct SolverResult {
     /// inequalities^T mu are >= 0 where x is at its lower bound, <= 0 at its upper, else 0: y_i is
     /// what the objective gains per unit of equalityRhs_i.
     Eigen::VectorXd equalityDuals;
-    Eigen::VectorXd inequalityDuals;
-    std::int64_t iterations = 0;  ///< [-], as the back end counts them
-    double setupSeconds = 0.0;    ///< [s], handing the program over
-    double solveSeconds = 0.0;    ///< [s], inside the library
+    Eigen::VectorXd inequalityDuals;  ///< see equalityDuals
+    std::int64_t iterations = 0;      ///< [-], as the back end counts them
+    double setupSeconds = 0.0;        ///< [s], handing the program over
+    double solveSeconds = 0.0;        ///< [s], inside the library
 };
 
 /// What a back end can be asked for.
 struct Capabilities {
-    bool quadraticObjective = false;
-    bool energyEquality = false;
+    bool quadraticObjective = false;    ///< Program::quadratic
+    bool energyEquality = false;        ///< Program::energy
     bool detectsInfeasibility = false;  ///< may answer "infeasible" after a search for a point
     bool duals = false;                 ///< fills the multipliers of a linear program
-    bool iterationLimit = false;
-    bool timeLimit = false;
-    bool start = false;
-    bool cancel = false;
+    bool iterationLimit = false;        ///< SolverOptions::iterationLimit
+    bool timeLimit = false;             ///< SolverOptions::timeLimit
+    bool start = false;                 ///< SolverOptions::start
+    bool cancel = false;                ///< SolverOptions::cancel
 };
 
 /// A back end, ready to solve.
@@ -88,7 +88,9 @@ public:
     Solver& operator=(const Solver&) = delete;
     virtual ~Solver() = default;
 
+    /// As in the table of back ends.
     [[nodiscard]] virtual std::string_view name() const = 0;
+    /// What it can be asked for.
     [[nodiscard]] virtual Capabilities capabilities() const = 0;
 
     /// Validates, refuses what the back end cannot do, rescales if needed, solves, recomputes what
@@ -120,6 +122,7 @@ struct Backend {
     std::unique_ptr<Solver> (*make)();  ///< null for closed-form, which reads schedules directly
     std::string_view purpose;           ///< one line for people
 
+    /// Is it in this build?
     [[nodiscard]] bool available() const { return version != nullptr; }
 };
 

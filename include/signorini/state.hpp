@@ -20,6 +20,7 @@ struct State {
     Eigen::VectorXd a;  ///< [g/L], right-going wave r_1
     Eigen::VectorXd b;  ///< [g/L], left-going wave r_2
 
+    /// N.
     [[nodiscard]] std::int64_t cells() const { return a.size(); }
 
     friend bool operator==(const State&, const State&) = default;

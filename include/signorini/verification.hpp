@@ -47,7 +47,7 @@ struct Residuals {
 
 /// What can be said of a state without knowing how it was found.
 struct Verification {
-    Residuals residuals;
+    Residuals residuals;           ///< of (30)-(32) and the march
     std::vector<Phase> canonical;  ///< the schedule with contact exactly where the wall is pressed,
                                    ///< seen by the march; empty for a grazing motion
 };
