@@ -347,6 +347,12 @@ private:
                             : options_.formulation == Formulation::state
                                 ? "state asked for"
                                 : "demands beyond the closed form";
+        if (demands_.objective == Objective::maxEnergy) {
+            return fmt::format(
+                "{}: a convex maximum, climbed from vertex to vertex: the most found, "
+                "not proved the most",
+                cause);
+        }
         return fmt::format("{}: {}", cause, kind);
     }
 
@@ -362,6 +368,7 @@ private:
         result_.solver.name = solverFor(formulated.program);
         result_.route =
             fmt::format("{} on the {} formulation", result_.solver.name, name(formulation));
+        result_.routeReason = reasonForProgram(formulated.program);
         SolverResult answer = solve(formulated, posed);
         result_.solver.seconds = secondsSince(start);
         result_.solver.iterations = answer.iterations;

@@ -232,6 +232,8 @@ TEST_CASE("demands: most energy in closed form, and climbing vertices never exce
         findPeriodic(schedule, {.solver = "glpk-simplex", .objective = Objective::maxEnergy});
     REQUIRE(climbed.status == Status::found);
     CHECK(climbed.energyRatio == Approx(16.0));
+    CHECK_THAT(climbed.routeReason, containsText("not proved"));
+    CHECK_THAT(most.routeReason, containsText("exact"));
 }
 
 TEST_CASE("demands: prescribed parts of the initial state are kept, contradictory ones proved so")
