@@ -48,6 +48,9 @@ TEST_CASE("independent rows: as many as the rank, with a regular basis, on rando
         REQUIRE(found.rows.size() == rank);
         REQUIRE(found.pivots.size() == rank);
         CHECK(std::set<Eigen::Index>(found.rows.begin(), found.rows.end()).size() == rank);
+        if (rank == 0) {
+            continue;
+        }
         const Eigen::MatrixXd basis = dense(found.rows, found.pivots);
         CHECK(Eigen::FullPivLU<Eigen::MatrixXd>(basis).isInvertible());
     }
