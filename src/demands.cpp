@@ -70,7 +70,7 @@ void appendRows(SparseRows& matrix, Eigen::VectorXd& rhs, const std::vector<Trip
     const auto added = static_cast<Eigen::Index>(values.size());
     SparseRows larger(before + added, matrix.cols());
     larger.setFromTriplets(all.begin(), all.end());
-    matrix = std::move(larger);
+    matrix.swap(larger);
     rhs.conservativeResize(before + added);
     rhs.tail(added) = Eigen::Map<const Eigen::VectorXd>(values.data(), added);
 }

@@ -143,7 +143,8 @@ void runGnuplot(const std::string& script, FigureFormat format, double width, do
         throw BackendUnavailable(fmt::format("gnuplot failed: {}", said));
     }
     const std::string content = contentOf(picture);
-    if (content.size() < 64 || content.find(ending(format), content.size() - 64) == content.npos) {
+    if (content.size() < 64 ||
+        content.find(ending(format), content.size() - 64) == std::string::npos) {
         throw FileError(picture, "gnuplot left an incomplete picture (is the disk full?)");
     }
     TextFile target(path);

@@ -1,6 +1,7 @@
 #include "glpk/glpk_problem.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -66,9 +67,9 @@ void addRows(glp_prob* problem, const Rows& rows, const Eigen::VectorXd& rhs, in
 void addUnboundedRow(glp_prob* problem)
 {
     const int row = glp_add_rows(problem, 1);
-    const int columns[] = {0, 1};
-    const double values[] = {0.0, 1.0};
-    glp_set_mat_row(problem, row, 1, columns, values);
+    const std::array<int, 2> columns{0, 1};
+    const std::array<double, 2> values{0.0, 1.0};
+    glp_set_mat_row(problem, row, 1, columns.data(), values.data());
     glp_set_row_bnds(problem, row, GLP_FR, 0.0, 0.0);
 }
 
