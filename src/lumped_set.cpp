@@ -549,6 +549,11 @@ std::int64_t blockCount(const Schedule& schedule)
     return n / classes * std::min(boundaries, classes);
 }
 
+std::size_t liveTypeCount(const ClassTypes& classes)
+{
+    return liveTypes(classes).size();
+}
+
 LumpedSet lumpedSet(const Schedule& schedule)
 {
     const std::int64_t blocks = blockCount(schedule);
@@ -556,9 +561,14 @@ LumpedSet lumpedSet(const Schedule& schedule)
         throw std::invalid_argument(
             fmt::format("schedule: {} blocks in a period: allowed at most {}", blocks, maxBlocks));
     }
+    return lumpedSet(classTypes(schedule));
+}
+
+LumpedSet lumpedSet(ClassTypes classes)
+{
     LumpedSet set;
-    set.classes = classTypes(schedule);
-    set.live = liveTypes(set.classes);
+    set.live = liveTypes(classes);
+    set.classes = std::move(classes);
     if (set.live.size() > maxLiveTypes) {
         throw std::invalid_argument(fmt::format("schedule: {} live types: allowed at most {}",
                                                 set.live.size(), maxLiveTypes));

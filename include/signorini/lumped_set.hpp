@@ -66,10 +66,16 @@ inline constexpr std::int64_t maxBlocks = 50'000'000;
 /// \throws std::invalid_argument on an invalid schedule.
 [[nodiscard]] std::int64_t blockCount(const Schedule& schedule);
 
+/// How many types carry amplitudes.
+[[nodiscard]] std::size_t liveTypeCount(const ClassTypes& classes);
+
 /// Decides a schedule with any number of phases. O(blocks) for each of the few rows that matter.
 /// \throws std::invalid_argument on an invalid schedule or one beyond the limits above,
 /// std::overflow_error if a proof of absence does not fit in 64 bits.
 [[nodiscard]] LumpedSet lumpedSet(const Schedule& schedule);
+
+/// The same, for classes that are known already.
+[[nodiscard]] LumpedSet lumpedSet(ClassTypes classes);
 
 /// The proof of absence in terms of the program formulate(schedule, Formulation::lumped).
 /// O(rows of the program). \throws std::invalid_argument if there are motions.
