@@ -516,6 +516,41 @@ private:
     LumpedShape result_;
 };
 
+/// Writes a (reversed: a_i = p_{N-i}) and b (b_i = -p_{N+i-1}) in runs of neighbouring classes:
+/// fill(run, sign, type, j) for the classes j, j + 1, ... of a live type.
+template <typename Fill>
+State writeState(const ClassTypes& classes, Fill fill)
+{
+    const std::int64_t cells = classes.schedule.cells;
+    State state{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
+    auto forward = state.a.reverse();
+    for (std::int64_t block = 0; block < classes.window; ++block) {
+        for (const ClassType& type : classes.types) {
+            const bool live = type.isLive();
+            const double sign =
+                live ? type.signs[static_cast<std::size_t>(block % classes.members)] : 0.0;
+            const std::int64_t begin = block * classes.classes + type.first;
+            const std::int64_t end = begin + type.count;
+            const std::int64_t split = std::clamp(cells, begin, end);
+            const auto write = [&](auto run, double signOfRun, std::int64_t j) {
+                if (live) {
+                    fill(run, signOfRun, type, j);
+                } else {
+                    run.setZero();
+                }
+            };
+            if (begin < split) {
+                write(forward.segment(begin, split - begin), sign, type.first);
+            }
+            if (split < end) {
+                write(state.b.segment(split - cells, end - split), -sign,
+                      type.first + split - begin);
+            }
+        }
+    }
+    return state;
+}
+
 /// Number of the inequality of the program with these coefficients.
 std::int64_t rowOf(const Program& program, const std::vector<std::int64_t>& coefficients)
 {
@@ -647,38 +682,24 @@ State motionOf(const ClassTypes& classes, std::span<const double> z)
         throw std::invalid_argument(
             fmt::format("z: {} values given: allowed exactly {}", z.size(), classes.classes));
     }
-    const std::int64_t cells = classes.schedule.cells;
-    State state{Eigen::VectorXd::Zero(cells), Eigen::VectorXd::Zero(cells)};
-    for (std::int64_t block = 0; block < classes.window; ++block) {
-        for (const ClassType& type : classes.types) {
-            if (!type.isLive()) {
-                continue;
-            }
-            const double sign = type.signs[static_cast<std::size_t>(block % classes.members)];
-            const std::int64_t begin = block * classes.classes;
-            for (std::int64_t j = type.first; j < type.first + type.count; ++j) {
-                const double p = sign * z[static_cast<std::size_t>(j)];
-                const std::int64_t m = begin + j;
-                if (m < cells) {
-                    state.a[cells - 1 - m] = p;
-                } else {
-                    state.b[m - cells] = -p;
-                }
-            }
-        }
-    }
-    return state;
+    const Eigen::Map<const Eigen::VectorXd> values(z.data(), static_cast<Eigen::Index>(z.size()));
+    return writeState(classes, [&values](auto& run, double sign, const ClassType&, std::int64_t j) {
+        run = sign * values.segment(j, run.size());
+    });
 }
 
 State equalMotion(const LumpedSet& set, std::span<const double> sums)
 {
     requireSums(set, sums);
-    std::vector<double> z(static_cast<std::size_t>(set.classes.classes), 0.0);
+    std::vector<double> z(set.classes.types.size(), 0.0);
     for (std::size_t i = 0; i < sums.size(); ++i) {
-        const ClassType& type = set.classes.types[set.live[i]];
-        std::fill_n(z.begin() + type.first, type.count, sums[i] / static_cast<double>(type.count));
+        z[set.live[i]] = sums[i] / static_cast<double>(set.classes.types[set.live[i]].count);
     }
-    return motionOf(set.classes, z);
+    const ClassType* first = set.classes.types.data();
+    return writeState(set.classes,
+                      [&](auto& run, double sign, const ClassType& type, std::int64_t) {
+                          run.setConstant(sign * z[static_cast<std::size_t>(&type - first)]);
+                      });
 }
 
 State drawMotion(const LumpedSet& set, const LumpedShape& shape, std::mt19937_64& generator)
