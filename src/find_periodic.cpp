@@ -155,14 +155,14 @@ private:
             return true;
         }
         try {
-            lumped_ = lumpedSet(std::move(classes));
+            lumped_ = lumpedSetOf(std::move(classes));
         } catch (const std::overflow_error&) {
             return true;  // no proof in 64 bits: a program may find a shorter one
         }
-        const LumpedShape shape = shapeOf(*lumped_);
-        result_.setSummary = {shape.kind, shape.dimension};
+        shape_ = shapeOf(*lumped_);
+        result_.setSummary = {shape_.kind, shape_.dimension};
         if (!lumped_->absence) {
-            result_.energyRange = shape.energy;
+            result_.energyRange = shape_.energy;
         }
         result_.solver.seconds = secondsSince(start);
         return true;
@@ -182,23 +182,38 @@ private:
             nameLumpedRoute();
             acceptAbsenceOfSums();
             result_.solver.seconds += secondsSince(start);
-        } else {
-            State state = equalMotion(*lumped_, lumped_->leastSums);
-            if (!wantsLeastEnergy() ||
-                violation(demands_, state, result_.schedule) > options_.tolerance) {
-                return false;
-            }
-            nameLumpedRoute();
-            result_.solver.seconds += secondsSince(start);
-            acceptMotion(std::move(state));
+            return true;
         }
+        if (demands_.energyRatio && energyIsOutOfRange()) {
+            nameLumpedRoute();
+            return true;
+        }
+        std::optional<State> state = extremeOfSums();
+        if (!state || violation(demands_, *state, result_.schedule) > options_.tolerance) {
+            return false;
+        }
+        nameLumpedRoute();
+        result_.solver.seconds += secondsSince(start);
+        acceptMotion(std::move(*state));
         return true;
     }
 
-    [[nodiscard]] bool wantsLeastEnergy() const
+    /// The motion of least or of most energy, if that is what the objective asks for.
+    [[nodiscard]] std::optional<State> extremeOfSums() const
     {
-        return demands_.objective == Objective::automatic || demands_.objective == Objective::any ||
-               demands_.objective == Objective::minEnergy;
+        switch (demands_.objective) {
+            case Objective::automatic:
+            case Objective::any:
+            case Objective::minEnergy:
+                return equalMotion(*lumped_, lumped_->leastSums);
+            case Objective::maxEnergy:
+                if (std::isfinite(shape_.energy.most)) {
+                    return mostEnergyMotion(*lumped_, shape_);
+                }
+                return std::nullopt;
+            default:
+                return std::nullopt;
+        }
     }
 
     void nameLumpedRoute()
@@ -360,7 +375,8 @@ private:
         constexpr double rounding = 1e-14;
         const EnergyRange range = *result_.energyRange;
         const double wanted = *demands_.energyRatio;
-        if (wanted >= range.least * (1.0 - rounding) && wanted <= range.most * (1.0 + rounding)) {
+        // Written so that an unknown end excludes nothing.
+        if (!(wanted < range.least * (1.0 - rounding) || wanted > range.most * (1.0 + rounding))) {
             return false;
         }
         result_.status = Status::none;
@@ -574,6 +590,7 @@ private:
     PeriodicResult result_;
     Reduction reduction_;              ///< one phase
     std::optional<LumpedSet> lumped_;  ///< several phases, if within its limits
+    LumpedShape shape_;                ///< of that set
 };
 
 }  // namespace

@@ -551,6 +551,19 @@ State writeState(const ClassTypes& classes, Fill fill)
     return state;
 }
 
+/// One z per class: choose(the amplitudes of a type at given sums) for each live type, 0 elsewhere.
+template <typename Choose>
+std::vector<double> amplitudesOf(const LumpedSet& set, const std::vector<double>& sums,
+                                 Choose choose)
+{
+    std::vector<double> z(static_cast<std::size_t>(set.classes.classes), 0.0);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const std::vector<double> chosen = choose(amplitudesAt(set, sums, i));
+        std::copy(chosen.begin(), chosen.end(), z.begin() + set.classes.types[set.live[i]].first);
+    }
+    return z;
+}
+
 /// Number of the inequality of the program with these coefficients.
 std::int64_t rowOf(const Program& program, const std::vector<std::int64_t>& coefficients)
 {
@@ -596,10 +609,10 @@ LumpedSet lumpedSet(const Schedule& schedule)
         throw std::invalid_argument(
             fmt::format("schedule: {} blocks in a period: allowed at most {}", blocks, maxBlocks));
     }
-    return lumpedSet(classTypes(schedule));
+    return lumpedSetOf(classTypes(schedule));
 }
 
-LumpedSet lumpedSet(ClassTypes classes)
+LumpedSet lumpedSetOf(ClassTypes classes)
 {
     LumpedSet set;
     set.live = liveTypes(classes);
@@ -702,6 +715,25 @@ State equalMotion(const LumpedSet& set, std::span<const double> sums)
                       });
 }
 
+State mostEnergyMotion(const LumpedSet& set, const LumpedShape& shape)
+{
+    requireMotion(set);
+    if (!std::isfinite(shape.energy.most)) {
+        throw std::invalid_argument("shape: its most energy is infinite or not known");
+    }
+    const auto squaresOf = [&set](const std::vector<double>& sums) {
+        double squares = 0.0;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            squares += mostSquares(amplitudesAt(set, sums, i));
+        }
+        return squares;
+    };
+    const auto& best = *std::max_element(
+        shape.vertices.begin(), shape.vertices.end(),
+        [&](const auto& left, const auto& right) { return squaresOf(left) < squaresOf(right); });
+    return motionOf(set.classes, amplitudesOf(set, best, mostAmplitudes));
+}
+
 State drawMotion(const LumpedSet& set, const LumpedShape& shape, std::mt19937_64& generator)
 {
     requireMotion(set);
@@ -715,12 +747,9 @@ State drawMotion(const LumpedSet& set, const LumpedShape& shape, std::mt19937_64
             sums[i] += weights[k] * shape.spanning[k][i];
         }
     }
-    std::vector<double> z(static_cast<std::size_t>(set.classes.classes), 0.0);
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        const std::vector<double> drawn = drawAmplitudes(amplitudesAt(set, sums, i), generator);
-        std::copy(drawn.begin(), drawn.end(), z.begin() + set.classes.types[set.live[i]].first);
-    }
-    return motionOf(set.classes, z);
+    return motionOf(set.classes, amplitudesOf(set, sums, [&generator](const AmplitudeSet& type) {
+                        return drawAmplitudes(type, generator);
+                    }));
 }
 
 }  // namespace signorini

@@ -75,7 +75,7 @@ inline constexpr std::int64_t maxBlocks = 50'000'000;
 [[nodiscard]] LumpedSet lumpedSet(const Schedule& schedule);
 
 /// The same, for classes that are known already.
-[[nodiscard]] LumpedSet lumpedSet(ClassTypes classes);
+[[nodiscard]] LumpedSet lumpedSetOf(ClassTypes classes);
 
 /// The proof of absence in terms of the program formulate(schedule, Formulation::lumped).
 /// O(rows of the program). \throws std::invalid_argument if there are motions.
@@ -112,6 +112,11 @@ struct LumpedShape {
 /// The motion with sums S and equal amplitudes in each type, which have the least energy and the
 /// least peak strain for that S. O(N). \throws std::invalid_argument if the sums do not fit.
 [[nodiscard]] State equalMotion(const LumpedSet& set, std::span<const double> sums);
+
+/// A motion of most energy: the vertex with the largest squares, each type's amplitudes as far
+/// apart as its set allows. O(N + vertices blocks). \throws std::invalid_argument if the set is
+/// empty, or its most energy infinite or not known.
+[[nodiscard]] State mostEnergyMotion(const LumpedSet& set, const LumpedShape& shape);
 
 /// A random motion, reproducible from the generator: S a random mean of the spanning points, then
 /// each type's simplex or box. O(N + blocks). \throws std::invalid_argument if the set is empty.
