@@ -19,9 +19,8 @@ Rational dot(const std::vector<std::int64_t>& row, const RationalVector& x)
 
 class ActiveSet {
 public:
-    ActiveSet(const RowSource& source, const RationalVector& centre,
-              const std::vector<std::int64_t>& d)
-        : source_(source), x_(centre), d_(d)
+    ActiveSet(const RowSource& source, RationalVector centre, const std::vector<std::int64_t>& d)
+        : source_(source), x_(std::move(centre)), d_(d)
     {
     }
 

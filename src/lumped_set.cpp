@@ -80,7 +80,8 @@ public:
     {
         // Every sum below stays within the largest number times this.
         const Integer terms =
-            Integer(blockCount(classes_.schedule)) + 2 * classes_.schedule.cells * (unknowns() + 1);
+            Integer(blockCount(classes_.schedule)) +
+            2 * classes_.schedule.cells * (static_cast<std::int64_t>(unknowns()) + 1);
         Integer largest = point.denominator;
         for (const Integer& value : point.numerators) {
             largest = std::max<Integer>(largest, abs(value));
@@ -224,7 +225,7 @@ std::vector<double> asDoubles(const RationalVector& x)
 /// 2w/N, what one unit of sum z^2 is in E/E_1.
 Rational energyUnit(const ClassTypes& classes)
 {
-    return Rational(2 * classes.window, classes.schedule.cells);
+    return {2 * classes.window, classes.schedule.cells};
 }
 
 std::int64_t asInt64(const Integer& value)
