@@ -7,17 +7,6 @@ namespace signorini {
 
 namespace {
 
-/// First step of each stretch of contact or flight, and n at the end.
-std::vector<std::int64_t> boundaries(const Schedule& schedule)
-{
-    std::vector<std::int64_t> steps{0};
-    for (const Phase& phase : schedule.phases) {
-        steps.push_back(steps.back() + phase.contact);
-        steps.push_back(steps.back() + phase.free);
-    }
-    return steps;
-}
-
 /// First classes of the types, and G at the end.
 std::vector<std::int64_t> cuts(const std::vector<std::int64_t>& boundaries, std::int64_t classes)
 {
@@ -91,7 +80,7 @@ ClassTypes classTypes(const Schedule& schedule)
     all.classes = std::gcd(2 * all.schedule.cells, n);
     all.members = n / all.classes;
     all.window = 2 * all.schedule.cells / all.classes;
-    const std::vector<std::int64_t> stretches = boundaries(all.schedule);
+    const std::vector<std::int64_t> stretches = stretchesOf(all.schedule);
     const std::vector<std::int64_t> firsts = cuts(stretches, all.classes);
     for (std::size_t k = 0; k + 1 < firsts.size(); ++k) {
         ClassType type;
@@ -104,28 +93,21 @@ ClassTypes classTypes(const Schedule& schedule)
     return all;
 }
 
+std::vector<std::int64_t> stretchesOf(const Schedule& schedule)
+{
+    std::vector<std::int64_t> steps{0};
+    for (const Phase& phase : schedule.phases) {
+        steps.push_back(steps.back() + phase.contact);
+        steps.push_back(steps.back() + phase.free);
+    }
+    return steps;
+}
+
 std::vector<Block> blocksOf(const ClassTypes& classes)
 {
-    const std::vector<std::int64_t> stretches = boundaries(classes.schedule);
     std::vector<Block> blocks;
     blocks.reserve(static_cast<std::size_t>(classes.members) * classes.types.size());
-    std::size_t stretch = 0;
-    for (std::int64_t alpha = 0; alpha < classes.members; ++alpha) {
-        for (std::size_t type = 0; type < classes.types.size(); ++type) {
-            const std::int64_t step = alpha * classes.classes + classes.types[type].first;
-            if (step == stretches[stretch + 1]) {
-                ++stretch;
-                if (stretch % 2 == 0) {
-                    blocks.back().endsPhase = true;
-                }
-            }
-            blocks.push_back({.alpha = alpha,
-                              .type = type,
-                              .phase = stretch / 2,
-                              .isContact = stretch % 2 == 0});
-        }
-    }
-    blocks.back().endsPhase = true;
+    forEachBlock(classes, [&blocks](const Block& block) { blocks.push_back(block); });
     return blocks;
 }
 

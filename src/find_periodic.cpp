@@ -92,10 +92,13 @@ public:
         if (isOnePhase()) {
             reduce(result_.schedule, reduction_);
             describeSet();
-        } else {
-            result_.kernelDimension = classTypes(result_.schedule).kernelDimension;
+        } else if (!lump()) {
+            return std::move(result_);
         }
         if (isOnePhase() && mayUseClosedForm && solveInClosedForm()) {
+            return std::move(result_);
+        }
+        if (lumped_ && mayUseLumpedSet() && solveInSums()) {
             return std::move(result_);
         }
         if (options_.solver == closedForm) {
@@ -117,8 +120,112 @@ private:
     {
         result_.kernelDimension = reduction_.kernelDimension;
         result_.solutionSet = reduction_.set;
+        result_.setSummary = {reduction_.set.kind, reduction_.set.dimension()};
         if (!reduction_.reason) {
             result_.energyRange = energyRange(reduction_);
+        }
+    }
+
+    /// Several phases: finds the sums that decide the schedule and, if their number is within
+    /// reach, decides it. False if the schedule is out of reach of every route.
+    bool lump()
+    {
+        const auto start = Clock::now();
+        const std::int64_t blocks = blockCount(result_.schedule);
+        if (blocks > maxBlocks) {
+            setUndecided(fmt::format("a period of {} sign blocks: at most {} are walked", blocks,
+                                     maxBlocks));
+            return false;
+        }
+        ClassTypes classes = classTypes(result_.schedule);
+        result_.kernelDimension = classes.kernelDimension;
+        const std::size_t live = liveTypeCount(classes);
+        if (live > maxLiveTypes) {
+            if (blocks * static_cast<std::int64_t>(live) > maxBlocks) {
+                setUndecided(
+                    fmt::format("{} live types on {} sign blocks: exact arithmetic takes "
+                                "at most {} types, a program at most {} entries",
+                                live, blocks, maxLiveTypes, maxBlocks));
+                return false;
+            }
+            return true;
+        }
+        try {
+            lumped_ = lumpedSetOf(std::move(classes));
+        } catch (const std::overflow_error&) {
+            return true;  // no proof in 64 bits: a program may find a shorter one
+        }
+        shape_ = shapeOf(*lumped_);
+        result_.setSummary = {shape_.kind, shape_.dimension};
+        if (!lumped_->absence) {
+            result_.energyRange = shape_.energy;
+        }
+        result_.solver.seconds = secondsSince(start);
+        return true;
+    }
+
+    [[nodiscard]] bool mayUseLumpedSet() const
+    {
+        return options_.solver == "auto" && (options_.formulation == Formulation::automatic ||
+                                             options_.formulation == Formulation::lumped);
+    }
+
+    /// Answers from the exact sums; false if the request wants another motion than theirs.
+    bool solveInSums()
+    {
+        const auto start = Clock::now();
+        if (lumped_->absence) {
+            nameLumpedRoute();
+            acceptAbsenceOfSums();
+            result_.solver.seconds += secondsSince(start);
+            return true;
+        }
+        if (demands_.energyRatio && energyIsOutOfRange()) {
+            nameLumpedRoute();
+            return true;
+        }
+        std::optional<State> state = extremeOfSums();
+        if (!state || violation(demands_, *state, result_.schedule) > options_.tolerance) {
+            return false;
+        }
+        nameLumpedRoute();
+        result_.solver.seconds += secondsSince(start);
+        acceptMotion(std::move(*state));
+        return true;
+    }
+
+    /// The motion of least or of most energy, if that is what the objective asks for.
+    [[nodiscard]] std::optional<State> extremeOfSums() const
+    {
+        switch (demands_.objective) {
+            case Objective::automatic:
+            case Objective::any:
+            case Objective::minEnergy:
+                return equalMotion(*lumped_, lumped_->leastSums);
+            case Objective::maxEnergy:
+                if (std::isfinite(shape_.energy.most)) {
+                    return mostEnergyMotion(*lumped_, shape_);
+                }
+                return std::nullopt;
+            default:
+                return std::nullopt;
+        }
+    }
+
+    void nameLumpedRoute()
+    {
+        result_.solver.name = "lumped";
+        result_.route = "lumped";
+        result_.routeReason = fmt::format(
+            "several contact phases: exact, {} sums of amplitudes decide", lumped_->live.size());
+        result_.leftOut = {"matrices of (27)-(32): steps are signed shifts",
+                           "solver libraries: so few sums are decided in rational arithmetic",
+                           "single amplitudes: equal ones reach every sum at least energy",
+                           "rows of (32) inside sign blocks: prefix sums are monotone there",
+                           "closure of the last flight: periodicity implies it"};
+        if (lumped_->classes.schedule != result_.schedule) {
+            result_.leftOut.emplace_back(
+                "steps beyond 2N in contact and 4N in flight: they repeat");
         }
     }
 
@@ -146,6 +253,8 @@ private:
         result_.status = Status::found;
         result_.detail.clear();
         result_.canonical = std::move(verified.canonical);
+        result_.repetitions = verified.repetitions;
+        result_.pressing = std::move(verified.pressing);
         result_.contact = result_.canonical.empty() ? Contact::grazing : Contact::pressing;
         result_.energyRatio = energyRatio(state);
         result_.energy = result_.energyRatio * unit.energy;
@@ -177,6 +286,18 @@ private:
         result_.proofRows = rows;
     }
 
+    /// Absence by the exact sums.
+    void acceptAbsenceOfSums()
+    {
+        const Program program = formulate(result_.schedule, Formulation::lumped).program;
+        InfeasibilityProof proof = proofOf(*lumped_, program);
+        if (!isProof(proof, program)) {
+            setUndecided("the proof of absence does not hold");
+            return;
+        }
+        acceptAbsence(std::move(proof), Formulation::lumped);
+    }
+
     /// Why a program without solution has none.
     [[nodiscard]] Reason reasonOfProgram() const
     {
@@ -199,7 +320,9 @@ private:
             })) {
             return Reason::gap;
         }
-        if (demands_.areLimits() && !proofFor(Demands{}, Formulation::lumped)) {
+        const bool isEmpty = lumped_ ? lumped_->absence.has_value()
+                                     : proofFor(Demands{}, Formulation::lumped).has_value();
+        if (demands_.areLimits() && !isEmpty) {
             return Reason::constraints;
         }
         return Reason::penetration;
@@ -265,7 +388,8 @@ private:
         constexpr double rounding = 1e-14;
         const EnergyRange range = *result_.energyRange;
         const double wanted = *demands_.energyRatio;
-        if (wanted >= range.least * (1.0 - rounding) && wanted <= range.most * (1.0 + rounding)) {
+        // Written so that an unknown end excludes nothing.
+        if (!(wanted < range.least * (1.0 - rounding) || wanted > range.most * (1.0 + rounding))) {
             return false;
         }
         result_.status = Status::none;
@@ -382,6 +506,10 @@ private:
                 acceptAbsence();
                 return;
             }
+            if (lumped_ && lumped_->absence) {
+                acceptAbsenceOfSums();
+                return;
+            }
             if (auto proof = proofFor(demands_, formulation)) {
                 acceptAbsence(std::move(*proof), formulation);
                 return;
@@ -484,7 +612,9 @@ private:
     const FindOptions& options_;
     Demands demands_;
     PeriodicResult result_;
-    Reduction reduction_;
+    Reduction reduction_;              ///< one phase
+    std::optional<LumpedSet> lumped_;  ///< several phases, if within its limits
+    LumpedShape shape_;                ///< of that set
 };
 
 }  // namespace

@@ -220,8 +220,9 @@ bool combinesToContradiction(const FarkasCertificate& certificate, const Schedul
     return total.isZero();
 }
 
-/// (30)-(32) along the schedule; the march is left at 0.
-Residuals residualsOfRows(const State& state, Schedule schedule)
+/// (30)-(32) along the schedule, and which of its phases press; the march is left at 0.
+Residuals residualsOfRows(const State& state, Schedule schedule, double tolerance,
+                          std::vector<bool>& pressing)
 {
     fold(schedule);
     DelayLine line(state);
@@ -233,10 +234,13 @@ Residuals residualsOfRows(const State& state, Schedule schedule)
     double misplaced = 0.0;
     for (const Phase& phase : schedule.phases) {
         misplaced = std::max(misplaced, std::abs(opening.value()));
+        double push = 0.0;
         for (std::int64_t step = 0; step < phase.contact; ++step) {
             tension = std::max(tension, -line.incoming());
+            push = std::max(push, line.incoming());
             line.contactStep();
         }
+        pressing.push_back(push > tolerance * size);
         CompensatedSum prefix;
         for (std::int64_t step = 0; step < phase.free; ++step) {
             prefix.add(line.incoming());
@@ -249,6 +253,31 @@ Residuals residualsOfRows(const State& state, Schedule schedule)
             .gap = misplaced / halfCells,
             .pressure = size > 0.0 ? tension / size : tension,
             .penetration = deepest / halfCells};
+}
+
+/// Is the list one shorter list, `times` over?
+bool repeats(const std::vector<Phase>& phases, std::size_t times)
+{
+    const std::size_t length = phases.size() / times;
+    return phases.size() % times == 0 &&
+           std::equal(phases.begin() + static_cast<std::ptrdiff_t>(length), phases.end(),
+                      phases.begin());
+}
+
+/// Two equal phases may be one motion twice: shortens the canonical list to the shortest period
+/// that the list suggests and a march confirms.
+void findPrimitivePeriod(const State& state, std::int64_t count, double tolerance,
+                         Verification& result)
+{
+    for (std::size_t times = result.canonical.size(); times > 1; --times) {
+        const auto divisor = static_cast<std::int64_t>(times);
+        if (count % divisor == 0 && repeats(result.canonical, times) &&
+            march(state, count / divisor, tolerance).residual <= tolerance) {
+            result.canonical.resize(result.canonical.size() / times);
+            result.repetitions = divisor;
+            return;
+        }
+    }
 }
 
 }  // namespace
@@ -319,13 +348,14 @@ Verification verify(const State& state, const Schedule& schedule, double toleran
                                                 state.cells(), schedule.cells));
     }
     if (!isFinite(state)) {
-        return {{infinity, infinity, infinity, infinity, infinity, infinity}, {}};
+        return {{infinity, infinity, infinity, infinity, infinity, infinity}, {}, 1, {}};
     }
     Verification result;
-    result.residuals = residualsOfRows(state, schedule);
+    result.residuals = residualsOfRows(state, schedule, tolerance, result.pressing);
     March seen = march(state, steps(schedule), tolerance);
     result.residuals.march = seen.residual;
     result.canonical = std::move(seen.phases);
+    findPrimitivePeriod(state, steps(schedule), tolerance, result);
     return result;
 }
 

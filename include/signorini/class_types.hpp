@@ -61,6 +61,31 @@ struct Block {
     bool endsPhase = false;  ///< last block of its phase's flight
 };
 
+/// First step of each stretch of contact or flight in turn, and n at the end. O(K).
+[[nodiscard]] std::vector<std::int64_t> stretchesOf(const Schedule& schedule);
+
+/// Calls action(block) for every block of one period in the order of time, without storing any.
+/// O(nu K).
+template <typename Action>
+void forEachBlock(const ClassTypes& classes, Action action)
+{
+    const std::vector<std::int64_t> stretches = stretchesOf(classes.schedule);
+    std::size_t stretch = 0;
+    for (std::int64_t alpha = 0; alpha < classes.members; ++alpha) {
+        for (std::size_t type = 0; type < classes.types.size(); ++type) {
+            const ClassType& run = classes.types[type];
+            const std::int64_t step = alpha * classes.classes + run.first;
+            stretch += step == stretches[stretch + 1] ? 1 : 0;
+            const bool isContact = stretch % 2 == 0;
+            action(Block{.alpha = alpha,
+                         .type = type,
+                         .phase = stretch / 2,
+                         .isContact = isContact,
+                         .endsPhase = !isContact && step + run.count == stretches[stretch + 1]});
+        }
+    }
+}
+
 /// All blocks of one period in the order of time. O(nu K).
 [[nodiscard]] std::vector<Block> blocksOf(const ClassTypes& classes);
 

@@ -19,6 +19,7 @@
 #include "signorini/demands.hpp"
 #include "signorini/formulation.hpp"
 #include "signorini/infeasibility.hpp"
+#include "signorini/lumped_set.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/state.hpp"
@@ -64,6 +65,12 @@ struct SolverReport {
     double seconds = 0.0;          ///< [s], formulation and solution, without verification
 };
 
+/// What the set of all motions is, in brief; `reduce` and `lumpedSet` describe it in full.
+struct SetSummary {
+    SetKind kind = SetKind::empty;
+    std::int64_t dimension = -1;  ///< [-]; -1: empty
+};
+
 /// The answer. Invariants: found <=> `state` has N cells and `residuals` are within the tolerance;
 /// none <=> `reason` is present, with a verified `certificate` or `programProof`, or with an
 /// `energyRange` that excludes the energy to hold; undecided => `detail` says why.
@@ -76,16 +83,20 @@ struct PeriodicResult {
     double frequencyRatio = 0.0;                              ///< omega/omega_1
 
     std::optional<std::int64_t> kernelDimension;  ///< dim ker(W - 1), if the route knows it
-    std::optional<AmplitudeSet> solutionSet;      ///< the set of all motions, if the route knows it
+    std::optional<SetSummary> setSummary;         ///< the set of all motions, if the route knows it
+    std::optional<AmplitudeSet> solutionSet;      ///< the same in amplitudes, one phase only
 
     State state;                          ///< at t = 0, start of the first contact phase
     Contact contact = Contact::pressing;  ///< does the wall feel it?
     std::vector<Phase> canonical;         ///< phases in which the wall is pressed; empty if grazing
-    double energy = 0.0;                  ///< [J]
-    double energyRatio = 0.0;             ///< E/E_1
-    double peakStrain = 0.0;              ///< [-], deepest compression: -min s over all x and t
-    std::optional<EnergyRange> energyRange;  ///< over the whole set, if the route knows it
-    Residuals residuals;                     ///< recomputed, relative
+    std::int64_t repetitions = 1;  ///< how often the motion repeats within the schedule's period
+    std::vector<bool> pressing;    ///< for each phase of the schedule: is the wall pressed at all?
+    double energy = 0.0;           ///< [J]
+    double energyRatio = 0.0;      ///< E/E_1
+    double peakStrain = 0.0;       ///< [-], deepest compression: -min s over all x and t
+    /// Over the whole set, if the route knows it; `most` may be infinite, or NaN if not known.
+    std::optional<EnergyRange> energyRange;
+    Residuals residuals;  ///< recomputed, relative
 
     std::optional<Reason> reason;  ///< why none exists
     /// Proof over the paper's rows, checked in integers (closed form).
@@ -106,7 +117,8 @@ struct PeriodicResult {
 /// Routes, the cheapest that is exact for the request:
 /// - one contact phase: the closed form, O(N); limits on strain and tip are met by the motion of
 ///   least energy or by none
-/// - several phases, or demands the closed form cannot answer: a linear, quadratic or nonlinear
+/// - several contact phases: the exact verdict of lumped_set.hpp, O(N + blocks); demands as above
+/// - demands that neither can answer, or phases beyond its limits: a linear, quadratic or nonlinear
 ///   program in as few unknowns as they allow (`cheapestFormulation`), by GLPK, Ipopt or NLopt
 /// - the paper's equations in a, b (`Formulation::state`) when asked for, as a witness
 /// Where a program has no solution, absence is claimed only with an exact proof.

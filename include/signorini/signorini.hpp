@@ -14,6 +14,7 @@
 #include "signorini/find_periodic.hpp"
 #include "signorini/formulation.hpp"
 #include "signorini/infeasibility.hpp"
+#include "signorini/lumped_set.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
 #include "signorini/program.hpp"

@@ -49,11 +49,15 @@ struct Residuals {
 struct Verification {
     Residuals residuals;           ///< of (30)-(32) and the march
     std::vector<Phase> canonical;  ///< the schedule with contact exactly where the wall is pressed,
-                                   ///< seen by the march; empty for a grazing motion
+                                   ///< seen by the march over the shortest period after which
+                                   ///< the state is back; empty for a grazing motion
+    std::int64_t repetitions = 1;  ///< how often the canonical period fits into the schedule's
+    std::vector<bool> pressing;    ///< for each phase of the schedule: is the wall pressed at all?
 };
 
-/// Recomputes (30)-(32) for a state and a schedule by stepping, and marches the bar over a period.
-/// O(N + min(n, 12N)) time, one copy of the state.
+/// Recomputes (30)-(32) for a state and a schedule by stepping, and marches the bar over a period;
+/// where the pressed phases repeat, also over the shorter periods they suggest.
+/// O(N + min(n, 12N)) time per phase, one copy of the state.
 /// \throws std::invalid_argument if the state does not have the schedule's cells.
 [[nodiscard]] Verification verify(const State& state, const Schedule& schedule,
                                   double tolerance = 1e-9);

@@ -48,12 +48,12 @@ std::string phasesAsText(const std::vector<Phase>& phases)
 std::string setAsText(const PeriodicResult& result)
 {
     std::string text;
-    if (result.solutionSet) {
-        const AmplitudeSet& set = *result.solutionSet;
+    if (result.setSummary) {
+        const SetSummary& set = *result.setSummary;
         text = set.kind == SetKind::empty ? "empty"
                : set.kind == SetKind::point
                    ? "a single motion"
-                   : fmt::format("{} of dimension {}", name(set.kind), set.dimension());
+                   : fmt::format("{} of dimension {}", name(set.kind), set.dimension);
     } else {
         text = "not known to this route";
     }
@@ -63,10 +63,30 @@ std::string setAsText(const PeriodicResult& result)
     return text;
 }
 
+/// Which phases press on the wall, and which only touch it.
+std::string pressingAsText(const std::vector<bool>& pressing)
+{
+    std::string numbers;
+    std::size_t grazing = 0;
+    for (std::size_t k = 0; k < pressing.size(); ++k) {
+        if (!pressing[k] && ++grazing <= maxPrintedPhases) {
+            numbers += fmt::format("{}{}", grazing > 1 ? ", " : "", k + 1);
+        }
+    }
+    if (grazing == 0) {
+        return "all press";
+    }
+    return fmt::format("{} of {} press; touching without force: {}{}", pressing.size() - grazing,
+                       pressing.size(), numbers, grazing > maxPrintedPhases ? ", …" : "");
+}
+
 std::string energyAsText(const PeriodicResult& result)
 {
     std::string text = fmt::format("{:.6g} J = {:.10g} E₁", result.energy, result.energyRatio);
-    if (result.energyRange && result.energyRange->most > result.energyRange->least) {
+    if (result.energyRange && std::isinf(result.energyRange->most)) {
+        text += fmt::format("   (the set reaches from {:.10g} E₁ without bound)",
+                            result.energyRange->least);
+    } else if (result.energyRange && result.energyRange->most > result.energyRange->least) {
         text += fmt::format("   (the set reaches {:.10g} … {:.10g} E₁)", result.energyRange->least,
                             result.energyRange->most);
     }
@@ -82,8 +102,12 @@ std::string motionAsText(const PeriodicResult& result)
     } else if (result.canonical == result.schedule.phases) {
         text += "contact     pressing at every contact step\n";
     } else {
-        text += fmt::format("contact     pressing, canonical schedule {}\n",
-                            phasesAsText(result.canonical));
+        text += fmt::format(
+            "contact     pressing, canonical schedule {}{}\n", phasesAsText(result.canonical),
+            result.repetitions > 1 ? fmt::format(", {} times over", result.repetitions) : "");
+    }
+    if (result.pressing.size() > 1 && result.contact == Contact::pressing) {
+        text += fmt::format("phases      {}\n", pressingAsText(result.pressing));
     }
     text += fmt::format("strain      at most {:.6g} in compression\n", result.peakStrain);
     text += fmt::format(
@@ -214,14 +238,15 @@ std::string asJson(const PeriodicResult& result)
     if (result.kernelDimension) {
         json["kernel_dimension"] = *result.kernelDimension;
     }
-    if (result.solutionSet) {
-        const AmplitudeSet& set = *result.solutionSet;
+    if (result.setSummary) {
+        const SetSummary& set = *result.setSummary;
         json["solution_set"] = {{"kind", name(set.kind)}, {"dimension", nullptr}};
         if (set.kind != SetKind::empty) {
-            json["solution_set"]["dimension"] = set.dimension();
+            json["solution_set"]["dimension"] = set.dimension;
         }
     }
     if (result.energyRange) {
+        // JSON has no infinity: an unbounded or unknown end prints as null.
         json["energy_ratio_range"] = {result.energyRange->least, result.energyRange->most};
     } else if (found) {
         json["energy_ratio_range"] = {nullptr, nullptr};
@@ -230,6 +255,8 @@ std::string asJson(const PeriodicResult& result)
         const Residuals& r = result.residuals;
         json["contact"] = name(result.contact);
         json["canonical_schedule"] = phasesAsJson(result.canonical);
+        json["repetitions"] = result.repetitions;
+        json["pressing_phases"] = result.pressing;
         json["energy"] = result.energy;
         json["energy_ratio"] = result.energyRatio;
         json["residuals"] = {

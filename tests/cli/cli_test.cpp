@@ -123,6 +123,28 @@ TEST_CASE("cli: absence is exit status 1 with reason and verified certificate")
     CHECK(program.find("20 109 --cells 40", 1)["reason"] == "no-live-class");
 }
 
+TEST_CASE("cli: several phases in JSON, decided without a solver library")
+{
+    const Program program;
+    const json two = program.find("1 12 3 12 --cells 4", 0);
+    CHECK(two["solution_set"] == json{{"kind", "simplex"}, {"dimension", 2}});
+    CHECK(two["energy_ratio"].get<double>() == Approx(16.0 / 3.0));
+    CHECK(two["energy_ratio_range"][1] == 8.0);
+    CHECK(two["pressing_phases"] == json{true, true});
+    CHECK(two["canonical_schedule"] == two["schedule"]);
+    CHECK(two["route"] == "lumped");
+    const json twice = program.find("1 9 1 9 --cells 3", 0);
+    CHECK(twice["canonical_schedule"] == json::array({{1, 9}}));
+    CHECK(twice["repetitions"] == 2);
+    const json touching = program.find("2 3 1 29 --cells 10", 0);
+    CHECK(touching["pressing_phases"] == json{true, false});
+    const json none = program.find("1 1 1 1 --cells 4", 1);
+    CHECK(none["certificate"]["verified"] == true);
+    CHECK(none["solution_set"]["kind"] == "empty");
+    CHECK_THAT(program.run("find 1 9 1 9 --cells 3").out, containsText("2 times over"));
+    CHECK_THAT(program.run("find 2 3 1 29 --cells 10").out, containsText("without force: 2"));
+}
+
 TEST_CASE("cli: undecided is exit status 3 and says why")
 {
     if (!signorini::findBackend("glpk-simplex").available()) {

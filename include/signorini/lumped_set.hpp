@@ -1,0 +1,126 @@
+#pragma once
+/// \file
+/// Several contact phases: an exact verdict, and the complete solution set.
+///
+/// With S the sum of the amplitudes of each live type (class_types.hpp), at most 2K numbers for K
+/// phases, a schedule has a motion exactly when some S satisfies, whatever N is,
+///
+///     sum windowSum S = -N                          the gap row (31)
+///     sum over a flight of epsilon S = 0            every flight closes
+///     sum from take-off to the end of a block <= 0  no penetration (12)
+///     S >= 0 for a pressing type                    pressure (10)
+///
+/// All coefficients are integers, and the system is decided in rational arithmetic: the verdict
+/// depends on no tolerance and on no solver library. The nearest such S to 0 in the metric
+/// sum S^2/d gives the motion of least energy, with equal amplitudes S/d in each type.
+///
+/// The set of all motions: S in this polyhedron, and for each type, independently given S,
+///
+///     pressing   z >= 0, sum z = S                  a simplex
+///     grazing    lower(S) <= Z_j <= upper(S)        a box of partial sums, Z_d = S
+
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "signorini/amplitude_set.hpp"
+#include "signorini/class_types.hpp"
+#include "signorini/formulation.hpp"
+#include "signorini/infeasibility.hpp"
+#include "signorini/reduction.hpp"
+#include "signorini/state.hpp"
+
+namespace signorini {
+
+/// A row of (12) at the end of a block, in the sums S, and its multiplier.
+struct PrefixMultiplier {
+    std::vector<std::int64_t> coefficients;  ///< one per live type
+    std::int64_t value = 0;                  ///< [-], > 0
+};
+
+/// Why no S exists: these rows add up to sum s S <= -r with r > 0 and s >= 0 on pressing types,
+/// 0 on grazing ones.
+struct LumpedAbsence {
+    std::int64_t gap = 0;              ///< [-], multiplier of the gap row
+    std::vector<Multiplier> closures;  ///< row: number of the phase whose flight closes
+    std::vector<PrefixMultiplier> prefixes;
+};
+
+/// The verdict on a schedule, and its motion of least energy.
+struct LumpedSet {
+    ClassTypes classes;
+    std::vector<std::size_t> live;         ///< indices of the live types; entry i has the sum S_i
+    std::optional<LumpedAbsence> absence;  ///< set exactly when there is no motion
+    std::vector<double> leastSums;         ///< [g/L], S of least energy
+    double leastEnergy = 0.0;              ///< [E_1], E_min
+};
+
+/// Most live types and most blocks (`blockCount`) that `lumpedSet` takes on: beyond them exact
+/// arithmetic takes minutes. 2K live types suffice for K phases.
+inline constexpr std::size_t maxLiveTypes = 32;
+inline constexpr std::int64_t maxBlocks = 50'000'000;
+
+/// An upper bound on the blocks of one period, n/G min(2K, G). O(K).
+/// \throws std::invalid_argument on an invalid schedule.
+[[nodiscard]] std::int64_t blockCount(const Schedule& schedule);
+
+/// How many types carry amplitudes.
+[[nodiscard]] std::size_t liveTypeCount(const ClassTypes& classes);
+
+/// Decides a schedule with any number of phases. O(blocks) for each of the few rows that matter.
+/// \throws std::invalid_argument on an invalid schedule or one beyond the limits above,
+/// std::overflow_error if a proof of absence does not fit in 64 bits.
+[[nodiscard]] LumpedSet lumpedSet(const Schedule& schedule);
+
+/// The same, for classes that are known already.
+[[nodiscard]] LumpedSet lumpedSetOf(ClassTypes classes);
+
+/// The proof of absence in terms of the program formulate(schedule, Formulation::lumped).
+/// O(rows of the program). \throws std::invalid_argument if there are motions.
+[[nodiscard]] InfeasibilityProof proofOf(const LumpedSet& set, const Program& program);
+
+/// What the set of all motions looks like.
+struct LumpedShape {
+    SetKind kind = SetKind::empty;
+    std::int64_t dimension = -1;  ///< [-], exact; -1: empty
+    /// [E_1]; most: infinite if the set is unbounded, NaN if not known (a grazing type of several
+    /// classes whose box varies with S, or too many vertices)
+    EnergyRange energy;
+    /// Points S of the polyhedron that span it, the first of least energy.
+    std::vector<std::vector<double>> spanning;
+    /// All vertices S if there are few enough, otherwise empty.
+    std::vector<std::vector<double>> vertices;
+    bool isBounded = true;  ///< meaningful when the vertices are known
+};
+
+/// Dimension by exact projections, at most two for each live type; vertices by double description
+/// up to 512 rays. Grazing types count with d - 1 dimensions if their box has an interior, pressing
+/// ones if their sum is not 0 throughout.
+[[nodiscard]] LumpedShape shapeOf(const LumpedSet& set);
+
+/// The amplitudes that the live type number `index` may have at given sums S. O(blocks).
+/// \throws std::invalid_argument if the set is empty, or sums or index do not fit it.
+[[nodiscard]] AmplitudeSet amplitudesAt(const LumpedSet& set, std::span<const double> sums,
+                                        std::size_t index);
+
+/// The state at t = 0 of the motion with p_{alpha G + j} = epsilon_alpha z_j, one z per class, dead
+/// classes not read. O(N). \throws std::invalid_argument if z does not hold G values.
+[[nodiscard]] State motionOf(const ClassTypes& classes, std::span<const double> z);
+
+/// The motion with sums S and equal amplitudes in each type, which have the least energy and the
+/// least peak strain for that S. O(N). \throws std::invalid_argument if the sums do not fit.
+[[nodiscard]] State equalMotion(const LumpedSet& set, std::span<const double> sums);
+
+/// A motion of most energy: the vertex with the largest squares, each type's amplitudes as far
+/// apart as its set allows. O(N + vertices blocks). \throws std::invalid_argument if the set is
+/// empty, or its most energy infinite or not known.
+[[nodiscard]] State mostEnergyMotion(const LumpedSet& set, const LumpedShape& shape);
+
+/// A random motion, reproducible from the generator: S a random mean of the spanning points, then
+/// each type's simplex or box. O(N + blocks). \throws std::invalid_argument if the set is empty.
+[[nodiscard]] State drawMotion(const LumpedSet& set, const LumpedShape& shape,
+                               std::mt19937_64& generator);
+
+}  // namespace signorini

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// Exact numbers, and the little linear algebra in them that tiny systems need.
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace signorini {
+
+using Integer = boost::multiprecision::cpp_int;
+using Rational = boost::multiprecision::cpp_rational;
+using RationalVector = std::vector<Rational>;
+using IntegerVector = std::vector<Integer>;
+
+/// The point numerators / denominator, or, with denominator 0, a direction.
+struct Homogeneous {
+    IntegerVector numerators;
+    Integer denominator = 1;
+};
+
+/// x over one common denominator > 0. O(n) gcds.
+[[nodiscard]] Homogeneous overCommonDenominator(const RationalVector& x);
+
+/// x with M x = rhs for a square matrix given by rows, by elimination. O(n^3).
+/// \pre M is regular.
+[[nodiscard]] RationalVector solveRegular(std::vector<RationalVector> rows, RationalVector rhs);
+
+/// Some c != 0 of integers with row . c = 0 for all rows of `size` entries; empty if there is none.
+/// O(rows size^2).
+[[nodiscard]] std::optional<IntegerVector> nullVector(std::vector<RationalVector> rows,
+                                                      std::size_t size);
+
+}  // namespace signorini

@@ -1,0 +1,459 @@
+#include "signorini/lumped_set.hpp"
+
+#include <Eigen/Dense>
+#include <chrono>
+#include <cmath>
+
+#include "catch.hpp"
+#include "signorini/find_periodic.hpp"
+#include "signorini/solver.hpp"
+#include "signorini/verification.hpp"
+#include "support.hpp"
+
+using namespace signorini;
+using test::onePhase;
+
+namespace {
+
+bool hasSolver(std::string_view name)
+{
+    return findBackend(name).available();
+}
+
+bool isProvedEmpty(const LumpedSet& set, const Schedule& schedule)
+{
+    const Program program = formulate(schedule, Formulation::lumped).program;
+    return isProof(proofOf(set, program), program);
+}
+
+/// Flights near 3N and very short ones in turn: sums that vary, phases that only touch, and
+/// repeated motions are frequent here.
+Schedule nearMultiples(std::mt19937_64& generator, std::int64_t maxCells, int maxPhases)
+{
+    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
+        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+    };
+    Schedule schedule{draw(3, maxCells), {}};
+    const std::int64_t count = draw(2, maxPhases);
+    for (std::int64_t k = 0; k < count; ++k) {
+        const std::int64_t contact = draw(1, std::max<std::int64_t>(1, schedule.cells / 3));
+        const std::int64_t turns = draw(0, 3) == 0 ? 4 : 3;
+        schedule.phases.push_back(
+            {contact, draw(0, 2) == 0 ? draw(1, 4) : turns * schedule.cells + draw(-2, 3)});
+    }
+    return schedule;
+}
+
+/// One with motions, from either generator in turn.
+Schedule feasibleSchedule(std::mt19937_64& generator, std::int64_t maxCells, int turn)
+{
+    while (true) {
+        Schedule schedule = turn % 2 == 0 ? test::randomSchedule(generator, maxCells, 4)
+                                          : nearMultiples(generator, maxCells, 4);
+        if (!lumpedSet(schedule).absence) {
+            return schedule;
+        }
+    }
+}
+
+double seconds(std::chrono::steady_clock::time_point since)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+struct Known {
+    Schedule schedule;
+    double leastEnergy;
+};
+
+/// Motions of least energy that press in every phase.
+const std::vector<Known>& knownPoints()
+{
+    static const std::vector<Known> points{
+        {{4, {{1, 10}, {1, 14}}}, 16.0},       {{4, {{1, 12}, {1, 14}}}, 8.0},
+        {{4, {{1, 12}, {3, 12}}}, 16.0 / 3.0}, {{4, {{1, 13}, {2, 12}}}, 6.0},
+        {{4, {{2, 12}, {3, 11}}}, 6.0},        {{5, {{1, 1}, {1, 13}}}, 50.0}};
+    return points;
+}
+
+/// The affine dimension of the amplitudes that a program allows, by brute force: minimise and
+/// maximise functionals that are constant on all points found so far, until none varies.
+class BruteForceHull {
+public:
+    explicit BruteForceHull(Formulated formulated)
+        : formulated_(std::move(formulated)), solver_(makeSolver("glpk-simplex"))
+    {
+        const Eigen::Index n = formulated_.program.variables();
+        // Only unknowns that p reads; bounds of boxes are no amplitudes.
+        amplitudes_.assign(static_cast<std::size_t>(n), false);
+        for (const DelayTerm& term : formulated_.delay) {
+            if (term.factor != 0.0) {
+                amplitudes_[static_cast<std::size_t>(term.column)] = true;
+            }
+        }
+    }
+
+    /// Number of directions, or -1 if there is no point.
+    int dimension()
+    {
+        const auto first = extreme(Eigen::VectorXd::Zero(formulated_.program.variables()));
+        if (!first) {
+            return -1;
+        }
+        std::vector<Eigen::VectorXd> directions;
+        std::vector<Eigen::VectorXd> known;
+        while (true) {
+            const auto c = orthogonalTo(known);
+            if (!c) {
+                return static_cast<int>(directions.size());
+            }
+            bool varies = false;
+            for (const double sign : {1.0, -1.0}) {
+                const auto other = extreme(sign * *c);
+                REQUIRE(other);
+                if (std::abs(c->dot(*other - *first)) > 1e-6) {
+                    directions.push_back(masked(*other - *first));
+                    known.push_back(directions.back());
+                    varies = true;
+                    break;
+                }
+            }
+            if (!varies) {
+                known.push_back(*c);
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] Eigen::VectorXd masked(Eigen::VectorXd x) const
+    {
+        for (Eigen::Index i = 0; i < x.size(); ++i) {
+            x[i] = amplitudes_[static_cast<std::size_t>(i)] ? x[i] : 0.0;
+        }
+        return x;
+    }
+
+    [[nodiscard]] std::optional<Eigen::VectorXd> extreme(const Eigen::VectorXd& cost)
+    {
+        formulated_.program.linear = cost;
+        const SolverResult result = solver_->solve(formulated_.program);
+        REQUIRE(
+            (result.status == SolverStatus::optimal || result.status == SolverStatus::infeasible));
+        return result.status == SolverStatus::optimal ? std::optional(result.x) : std::nullopt;
+    }
+
+    [[nodiscard]] std::optional<Eigen::VectorXd> orthogonalTo(
+        const std::vector<Eigen::VectorXd>& known) const
+    {
+        const auto n = static_cast<Eigen::Index>(amplitudes_.size());
+        for (Eigen::Index i = 0; i < n; ++i) {
+            if (!amplitudes_[static_cast<std::size_t>(i)]) {
+                continue;
+            }
+            Eigen::VectorXd c = Eigen::VectorXd::Unit(n, i);
+            if (!known.empty()) {
+                Eigen::MatrixXd basis(n, static_cast<Eigen::Index>(known.size()));
+                for (std::size_t k = 0; k < known.size(); ++k) {
+                    basis.col(static_cast<Eigen::Index>(k)) = known[k];
+                }
+                c -= basis * basis.colPivHouseholderQr().solve(c);
+            }
+            if (c.norm() > 1e-6) {
+                return masked(c / c.norm());
+            }
+        }
+        return std::nullopt;
+    }
+
+    Formulated formulated_;
+    std::unique_ptr<Solver> solver_;
+    std::vector<bool> amplitudes_;
+};
+
+}  // namespace
+
+TEST_CASE("lumped set: one phase gives the closed form's verdict, set and energies")
+{
+    int found = 0;
+    test::forAllSchedules(8, 2, [&found](const Schedule& schedule) {
+        const Reduction r = reduce(schedule);
+        const LumpedSet set = lumpedSet(schedule);
+        INFO(describe(schedule));
+        REQUIRE(set.absence.has_value() == r.reason.has_value());
+        if (set.absence) {
+            REQUIRE(isProvedEmpty(set, schedule));
+            return;
+        }
+        ++found;
+        const LumpedShape shape = shapeOf(set);
+        REQUIRE(shape.kind == r.set.kind);
+        REQUIRE(shape.dimension == r.set.dimension());
+        REQUIRE(shape.energy.least == Approx(energyRange(r).least).epsilon(1e-14));
+        REQUIRE(shape.energy.most == Approx(energyRange(r).most).epsilon(1e-14));
+        const AmplitudeSet amplitudes = amplitudesAt(set, set.leastSums, 0);
+        REQUIRE(amplitudes.sum == r.set.sum);
+        if (shape.kind == SetKind::box) {
+            REQUIRE(amplitudes.lower == r.set.lower);
+            REQUIRE(amplitudes.upper == r.set.upper);
+        }
+        REQUIRE(equalMotion(set, set.leastSums) == leastEnergyMotion(r));
+    });
+    CHECK(found > 200);
+}
+
+TEST_CASE("lumped set: 24,000 random schedules agree with an LP on the paper's own rows")
+{
+    if (!hasSolver("glpk-simplex")) {
+        return;
+    }
+    const auto solver = makeSolver("glpk-simplex");
+    std::mt19937_64 generator(2026);
+    int found = 0;
+    int several = 0;
+    for (int trial = 0; trial < 24'000; ++trial) {
+        const Schedule schedule = trial % 2 == 0 ? test::randomSchedule(generator, 10, 4)
+                                                 : nearMultiples(generator, 10, 4);
+        INFO(describe(schedule));
+        const LumpedSet set = lumpedSet(schedule);
+        const SolverStatus witness =
+            solver->solve(formulate(schedule, Formulation::state).program).status;
+        REQUIRE((witness == SolverStatus::optimal || witness == SolverStatus::infeasible));
+        REQUIRE(set.absence.has_value() == (witness == SolverStatus::infeasible));
+        if (set.absence) {
+            REQUIRE(isProvedEmpty(set, schedule));
+            continue;
+        }
+        const State state = equalMotion(set, set.leastSums);
+        REQUIRE(verify(state, schedule).residuals.worst() < 1e-13);
+        REQUIRE(energyRatio(state) == Approx(set.leastEnergy).epsilon(1e-13));
+        ++found;
+        several += schedule.phases.size() > 1 ? 1 : 0;
+    }
+    CHECK(found > 2000);
+    CHECK(several > 1000);
+}
+
+TEST_CASE("lumped set: known points of two phases, pressing in each")
+{
+    for (const Known& known : knownPoints()) {
+        const PeriodicResult result = findPeriodic(known.schedule);
+        INFO(describe(known.schedule) << " " << result.detail);
+        REQUIRE(result.status == Status::found);
+        CHECK(result.energyRatio == Approx(known.leastEnergy).epsilon(1e-14));
+        CHECK(result.energyRange->least == Approx(known.leastEnergy).epsilon(1e-15));
+        CHECK(result.pressing == std::vector<bool>{true, true});
+        CHECK(result.residuals.worst() < 1e-15);
+        CHECK(result.route == "lumped");
+        if (hasSolver("ipopt")) {
+            const PeriodicResult witness =
+                findPeriodic(known.schedule, {.solver = "ipopt",
+                                              .formulation = Formulation::state,
+                                              .objective = Objective::minEnergy});
+            CHECK(witness.energyRatio == Approx(known.leastEnergy).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("lumped set: the least energy is that of a quadratic program")
+{
+    if (!hasSolver("ipopt")) {
+        return;
+    }
+    const auto solver = makeSolver("ipopt");
+    std::mt19937_64 generator(8);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Schedule schedule = feasibleSchedule(generator, 10, trial);
+        const LumpedSet set = lumpedSet(schedule);
+        const Formulated posed =
+            pose(schedule, {.objective = Objective::minEnergy}, Formulation::reduced);
+        const SolverResult result = solver->solve(posed.program, {.tolerance = 1e-10});
+        INFO(describe(schedule) << " " << result.detail);
+        REQUIRE(result.status == SolverStatus::optimal);
+        REQUIRE(energyRatio(stateOf(posed, result.x)) == Approx(set.leastEnergy).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("lumped set: the dimension is that of brute force in class amplitudes")
+{
+    if (!hasSolver("glpk-simplex")) {
+        return;
+    }
+    std::mt19937_64 generator(31);
+    int varying = 0;
+    for (int trial = 0; trial < 2500; ++trial) {
+        const Schedule schedule = feasibleSchedule(generator, 8, trial);
+        const LumpedShape shape = shapeOf(lumpedSet(schedule));
+        INFO(describe(schedule));
+        BruteForceHull hull(formulate(schedule, Formulation::reduced));
+        REQUIRE(hull.dimension() == shape.dimension);
+        varying += shape.spanning.size() > 1 ? 1 : 0;
+    }
+    CHECK(varying > 80);
+}
+
+TEST_CASE("lumped set: random members are motions within the energy range")
+{
+    std::mt19937_64 generator(77);
+    int boxes = 0;
+    int polytopes = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Schedule schedule = feasibleSchedule(generator, 12, trial);
+        const LumpedSet set = lumpedSet(schedule);
+        const LumpedShape shape = shapeOf(set);
+        INFO(describe(schedule));
+        REQUIRE(static_cast<std::int64_t>(shape.spanning.size()) <= shape.dimension + 1);
+        for (int draw = 0; draw < 3; ++draw) {
+            const State state = drawMotion(set, shape, generator);
+            REQUIRE(verify(state, schedule).residuals.worst() < 1e-12);
+            const double energy = energyRatio(state);
+            REQUIRE(energy >= shape.energy.least * (1.0 - 1e-12));
+            REQUIRE_FALSE(energy > shape.energy.most * (1.0 + 1e-12));
+        }
+        boxes += shape.kind == SetKind::box ? 1 : 0;
+        polytopes += shape.kind == SetKind::polytope ? 1 : 0;
+    }
+    CHECK(boxes > 10);
+    CHECK(polytopes > 10);
+}
+
+TEST_CASE("lumped set: the most energy is reached, at a vertex with each sum in one class")
+{
+    std::mt19937_64 generator(5);
+    for (int trial = 0; trial < 600; ++trial) {
+        const Schedule schedule = feasibleSchedule(generator, 10, trial);
+        const LumpedSet set = lumpedSet(schedule);
+        const LumpedShape shape = shapeOf(set);
+        INFO(describe(schedule));
+        REQUIRE(shape.isBounded);
+        REQUIRE(std::isfinite(shape.energy.most));
+        const State state = mostEnergyMotion(set, shape);
+        REQUIRE(verify(state, schedule).residuals.worst() < 1e-12);
+        REQUIRE(energyRatio(state) == Approx(shape.energy.most).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("lumped set: reasons for absence of several phases, each with a proof")
+{
+    const auto reasonOf = [](const Schedule& schedule) {
+        const PeriodicResult result = findPeriodic(schedule);
+        REQUIRE(result.status == Status::none);
+        REQUIRE(result.programProof);
+        CHECK(isProof(*result.programProof, formulate(schedule, Formulation::lumped).program));
+        CHECK(result.setSummary->kind == SetKind::empty);
+        return *result.reason;
+    };
+    CHECK(reasonOf({4, {{1, 1}, {1, 1}}}) == Reason::gap);
+    CHECK(reasonOf({40, {{20, 109}, {20, 110}}}) == Reason::noLiveClass);
+    std::mt19937_64 generator(3);
+    std::vector<int> seen(4, 0);
+    for (int trial = 0; trial < 3000; ++trial) {
+        Schedule schedule = test::randomSchedule(generator, 8, 3);
+        schedule.phases.push_back({1, 2});
+        if (lumpedSet(schedule).absence) {
+            ++seen.at(static_cast<std::size_t>(reasonOf(schedule)));
+        }
+    }
+    for (const int count : seen) {
+        CHECK(count > 0);
+    }
+}
+
+TEST_CASE("lumped set: a motion told twice is recognised")
+{
+    const PeriodicResult twice = findPeriodic(Schedule{3, {{1, 9}, {1, 9}}});
+    CHECK(twice.canonical == std::vector<Phase>{{1, 9}});
+    CHECK(twice.repetitions == 2);
+    const PeriodicResult thrice = findPeriodic(Schedule{3, {{1, 9}, {1, 9}, {1, 9}}});
+    CHECK(thrice.canonical == std::vector<Phase>{{1, 9}});
+    CHECK(thrice.repetitions == 3);
+    const PeriodicResult pairs = findPeriodic(Schedule{4, {{1, 12}, {3, 12}, {1, 12}, {3, 12}}});
+    CHECK(pairs.canonical == std::vector<Phase>{{1, 12}, {3, 12}});
+    CHECK(pairs.repetitions == 2);
+}
+
+TEST_CASE("lumped set: some phases press and others only touch")
+{
+    std::mt19937_64 generator(14);
+    int mixed = 0;
+    const Verification known =
+        verify(findPeriodic(Schedule{10, {{2, 3}, {1, 29}}}).state, {10, {{2, 3}, {1, 29}}});
+    CHECK(known.canonical == std::vector<Phase>{{1, 34}});
+    CHECK(known.pressing == std::vector<bool>{true, false});
+    for (int trial = 0; trial < 1000; ++trial) {
+        const Schedule schedule = feasibleSchedule(generator, 12, trial);
+        const LumpedSet set = lumpedSet(schedule);
+        const State state = equalMotion(set, set.leastSums);
+        const Verification seen = verify(state, schedule);
+        INFO(describe(schedule));
+        REQUIRE(seen.pressing.size() == schedule.phases.size());
+        const auto pressing = std::count(seen.pressing.begin(), seen.pressing.end(), true);
+        REQUIRE((pressing == 0) == seen.canonical.empty());
+        mixed += pressing > 0 && pressing < static_cast<int>(schedule.phases.size()) ? 1 : 0;
+    }
+    CHECK(mixed > 5);
+}
+
+TEST_CASE("lumped set: further demands are met by its motion, or handed on")
+{
+    const Schedule schedule{4, {{1, 12}, {3, 12}}};
+    CHECK(findPeriodic(schedule, {.strainLimit = 0.01}).route == "lumped");
+    CHECK(findPeriodic(schedule, {.objective = Objective::any}).route == "lumped");
+    CHECK(findPeriodic(schedule, {.objective = Objective::maxEnergy}).energyRatio == 8.0);
+    CHECK(findPeriodic(schedule, {.energyRatio = 8.1}).reason == Reason::constraints);
+    CHECK(findPeriodic(schedule, {.energyRatio = 5.3}).reason == Reason::constraints);
+    if (hasSolver("glpk-simplex")) {
+        const PeriodicResult none = findPeriodic(schedule, {.strainLimit = 1e-6});
+        CHECK(none.status == Status::none);
+        CHECK(none.reason == Reason::constraints);
+        CHECK(findPeriodic(schedule, {.solver = "glpk-simplex"}).solver.name == "glpk-simplex");
+    }
+}
+
+TEST_CASE("lumped set: extreme schedules are answered or refused, and quickly")
+{
+    const auto start = std::chrono::steady_clock::now();
+    CHECK_THROWS_AS(findPeriodic(Schedule{4, {}}), std::invalid_argument);
+    CHECK_THROWS_AS(findPeriodic(Schedule{4, {{maxSteps, 1}, {1, maxSteps}}}),
+                    std::invalid_argument);
+    CHECK(findPeriodic(Schedule{4, {{maxSteps / 4, 1}, {1, maxSteps / 4}}}).status !=
+          Status::undecided);
+
+    const Schedule periodic{3, std::vector<Phase>(10'000, Phase{1, 9})};
+    const PeriodicResult repeated = findPeriodic(periodic);
+    CHECK(repeated.status == Status::found);
+    CHECK(repeated.repetitions == 10'000);
+
+    std::mt19937_64 generator(1);
+    Schedule random{20, {}};
+    for (int k = 0; k < 10'000; ++k) {
+        random.phases.push_back({1 + static_cast<std::int64_t>(generator() % 20),
+                                 1 + static_cast<std::int64_t>(generator() % 80)});
+    }
+    CHECK(findPeriodic(random).status == Status::none);
+    random.cells = 10'000;
+    const PeriodicResult large = findPeriodic(random);
+    CHECK(large.status != Status::found);
+    CHECK_FALSE((large.status == Status::undecided && large.detail.empty()));
+
+    Schedule wide{maxCells, {{maxCells / 3, 3 * maxCells}, {maxCells / 7, 3 * maxCells + 1}}};
+    const PeriodicResult refused = findPeriodic(wide);
+    CHECK(refused.status == Status::undecided);
+    CHECK_THROWS_AS(lumpedSet(wide), std::invalid_argument);
+    CHECK(seconds(start) < 60.0);
+}
+
+TEST_CASE("lumped set: misuse is refused")
+{
+    const LumpedSet set = lumpedSet(Schedule{4, {{1, 12}, {3, 12}}});
+    const LumpedSet none = lumpedSet(Schedule{4, {{1, 1}, {1, 1}}});
+    std::mt19937_64 generator(1);
+    CHECK_THROWS_AS(equalMotion(set, std::vector<double>(3)), std::invalid_argument);
+    CHECK_THROWS_AS(amplitudesAt(set, set.leastSums, 9), std::invalid_argument);
+    CHECK_THROWS_AS(motionOf(set.classes, std::vector<double>(1)), std::invalid_argument);
+    CHECK_THROWS_AS(equalMotion(none, std::vector<double>(2)), std::invalid_argument);
+    CHECK_THROWS_AS(drawMotion(none, shapeOf(none), generator), std::invalid_argument);
+    CHECK_THROWS_AS(
+        proofOf(set, formulate(Schedule{4, {{1, 12}, {3, 12}}}, Formulation::lumped).program),
+        std::invalid_argument);
+    CHECK(shapeOf(none).dimension == -1);
+}
