@@ -271,9 +271,10 @@ std::vector<double> SectionPath::at(double s) const
 Spacing equalSpacing(const SectionPath& path, std::int64_t n)
 {
     // Grids that are more and more even iron out the steep ends of a chart.
-    Spacing grid = spread({0.0, 1.0}, {0.0, 1.0}, 4 * n + 1);
+    const std::int64_t nodes = std::min<std::int64_t>(4 * n, 4000) + 1;
+    Spacing grid = spread({0.0, 1.0}, {0.0, 1.0}, nodes);
     for (int pass = 0; pass < 3; ++pass) {
-        grid = spread(grid.parameters, lengthsAt(path, grid.parameters), 4 * n + 1);
+        grid = spread(grid.parameters, lengthsAt(path, grid.parameters), nodes);
     }
     return spread(grid.parameters, lengthsAt(path, grid.parameters), n);
 }
@@ -287,9 +288,13 @@ TravellingBlock::TravellingBlock(const SphereSection& section) : section_(clampe
         last_ = count - 0.5;
         return;
     }
-    // The block that starts at 0.
-    const double width =
-        bisect(1.0, count, [this](double w) { return coverageRatio(0.5 * w, w) - section_.ratio; });
+    // The block that starts at 0. A whole number of cells is a double root, which bisection finds
+    // to half of the digits only.
+    const auto excess = [this](double w) { return coverageRatio(0.5 * w, w) - section_.ratio; };
+    double width = bisect(1.0, count, excess);
+    if (std::abs(excess(std::round(width))) <= 1e-15) {
+        width = std::round(width);
+    }
     first_ = std::min(0.5 * width, 0.5 * count);
     last_ = count - first_;
 }

@@ -10,7 +10,7 @@
 /// - ipopt, nlopt: any set. Predictor: a step along the chord to the far end; corrector: the motion
 ///   of this energy that is nearest to it, a nonlinear program
 ///
-/// Each point is verified before it is kept.
+/// Each point is verified before it is kept. A curve takes 16 N bytes per point.
 
 #include <cstdint>
 #include <limits>
@@ -107,6 +107,9 @@ struct Continuum {
 /// \throws std::invalid_argument on invalid input.
 [[nodiscard]] std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio,
                                                std::int64_t count, std::uint64_t seed = 1);
+
+/// One row per point: lambda, a_1..a_N, b_1..b_N, the waves as strains [-]. \throws FileError.
+void writeContinuumCsv(const std::string& path, const Continuum& curve);
 
 /// The number of components of the motions with E/E_1 = energyRatio, of a simplex or a point,
 /// decided in rational numbers: 0 outside the range, 1 or d. Without an answer for a box.

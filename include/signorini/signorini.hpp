@@ -9,6 +9,7 @@
 #include "signorini/closed_form.hpp"
 #include "signorini/config.hpp"
 #include "signorini/continuum.hpp"
+#include "signorini/continuum_figure.hpp"
 #include "signorini/demands.hpp"
 #include "signorini/equations.hpp"
 #include "signorini/figure.hpp"

@@ -61,7 +61,7 @@ private:
 };
 
 /// n >= 1 parameters s of a path at equal distances along it, and its length up to each. Found on
-/// grids of 4 n points, so equal within a few percent. O(n d).
+/// grids of min(4 n, 4000) points, so equal within a few percent. O(min(n, 1000) d).
 struct Spacing {
     std::vector<double> parameters;
     std::vector<double> lengths;  ///< [sum z]
