@@ -471,10 +471,18 @@ TEST_CASE("cli: continuum joins two states of files, or proves that it cannot")
         program.run("continuum 6 36 --energy-ratio 8 --from from.csv --to high.csv" + small);
     CHECK(wrong.status == 2);
     CHECK_THAT(wrong.err, containsText("to = a motion") && containsText("E/E_1 = 8"));
-    // Amplitudes follow each other in time: a motion half as late has another dominant one.
-    const auto apart = program.run("continuum 6 36 --energy-ratio 16 --seed 4 --points 3" + small);
-    CHECK((apart.status == 0 || apart.status == 1));
-    CHECK_THAT(apart.out, containsText("6 components") && containsText("connected   no"));
+    // Two random members share their dominant amplitude, one of six, or not.
+    int apart = 0;
+    for (int seed = 1; seed <= 8; ++seed) {
+        const auto outcome = program.run("continuum 6 36 --energy-ratio 16 --points 3 --seed " +
+                                         std::to_string(seed) + small);
+        CHECK_THAT(outcome.out, containsText("6 components") && containsText("connected   no"));
+        if (outcome.status == 1) {
+            ++apart;
+            CHECK_THAT(outcome.out, containsText("different components"));
+        }
+    }
+    CHECK(apart > 0);
 }
 
 TEST_CASE("cli: continuum outside the range is exit status 1 with the range, and no file")

@@ -293,6 +293,16 @@ TEST_CASE("continuum: two phases and strain limits are traced by programs, each 
         CHECK(phases.points.back().lambda > 0.0);
     }
 
+    if (findBackend("nlopt-auglag").available()) {
+        options.engine = Engine::nlopt;
+        const Continuum other = traceContinuum({12, {{2, 38}, {4, 40}}}, 12.0, options);
+        options.engine = Engine::ipopt;
+        const Continuum first = traceContinuum({12, {{2, 38}, {4, 40}}}, 12.0, options);
+        requirePoints(other, 41, 1e-7);
+        CHECK(other.points.back().lambda == Approx(first.points.back().lambda).epsilon(1e-3));
+        options.engine = Engine::automatic;
+    }
+
     options.strainLimit = 0.012;
     const Continuum limited = traceContinuum(paper, 8.0, options);
     requirePoints(limited, 41, 1e-7);
