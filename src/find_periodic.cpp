@@ -382,13 +382,15 @@ private:
         return true;
     }
 
-    /// E_min and E_max are exact up to rounding: what lies further out is proved absent.
+    /// E_min and E_max are the doubles nearest to the exact ends: what lies further out, if only by
+    /// one unit in the last place, is proved absent.
     bool energyIsOutOfRange()
     {
-        constexpr double rounding = 1e-14;
         const EnergyRange range = *result_.energyRange;
         const double wanted = *demands_.energyRatio;
-        // Written so that an unknown end excludes nothing.
+        // Sums of several phases carry the rounding of a square root or two. Written so that an
+        // unknown end excludes nothing.
+        const double rounding = isOnePhase() ? 0.0 : 1e-14;
         if (!(wanted < range.least * (1.0 - rounding) || wanted > range.most * (1.0 + rounding))) {
             return false;
         }

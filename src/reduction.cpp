@@ -1,6 +1,7 @@
 #include "signorini/reduction.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -224,11 +225,15 @@ Reduction reduce(const Schedule& schedule)
 EnergyRange energyRange(const Reduction& reduction)
 {
     requireMotion(reduction);
-    const auto ratio = [&reduction](double squares) {
-        return 2.0 * static_cast<double>(reduction.window) * squares /
-               static_cast<double>(reduction.schedule.cells);
-    };
-    return {ratio(leastSquares(reduction.set)), ratio(mostSquares(reduction.set))};
+    // With S = -N/win both ends are rational; integers below 2^53 make their quotient the double
+    // nearest to it.
+    const auto sum = static_cast<double>(reduction.windowSum);
+    const auto count = static_cast<double>(reduction.set.count);
+    const double whole =
+        2.0 * static_cast<double>(reduction.window) * static_cast<double>(reduction.schedule.cells);
+    const double squares = reduction.set.sum * reduction.set.sum;
+    const double most = std::round(mostSquares(reduction.set) / squares);  // 1 on a simplex
+    return {whole / (sum * sum * count), whole * most / (sum * sum)};
 }
 
 State motionOf(const Reduction& reduction, std::span<const double> amplitudes)

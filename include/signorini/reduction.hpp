@@ -87,7 +87,8 @@ void reduce(const Schedule& schedule, Reduction& result);
 /// The same, returning a fresh object.
 [[nodiscard]] Reduction reduce(const Schedule& schedule);
 
-/// [E_min, E_max]/E_1 over the whole set: 2w/N times the extremes of sum z^2. O(1).
+/// [E_min, E_max]/E_1 over the whole set: 2w/N times the extremes of sum z^2, rounded once (where
+/// N < 4e7), so that a double beyond an end is beyond it by as much. O(1).
 /// \throws std::invalid_argument if the set is empty.
 [[nodiscard]] EnergyRange energyRange(const Reduction& reduction);
 

@@ -1,15 +1,12 @@
 #include "find_command.hpp"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cstdio>
-#include <filesystem>
 
 #include "faults.hpp"
+#include "files.hpp"
 #include "report.hpp"
 #include "signorini/figure.hpp"
 #include "signorini/find_periodic.hpp"
@@ -87,14 +84,6 @@ bool isVtk(const std::string& path)
     return path.ends_with(".vtk");
 }
 
-bool isStandardOutput(const std::string& path)
-{
-    struct stat file = {};
-    struct stat out = {};
-    return stat(path.c_str(), &file) == 0 && fstat(STDOUT_FILENO, &out) == 0 &&
-           file.st_dev == out.st_dev && file.st_ino == out.st_ino;
-}
-
 /// Names that are wrong before any work is done.
 void validateFiles(const FindCommand& words)
 {
@@ -106,37 +95,10 @@ void validateFiles(const FindCommand& words)
         !isVtk(words.motionFile)) {
         faults.add("--motion", words.motionFile, "a name ending in .csv or .vtk");
     }
-    const auto place = [](const std::string& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
-    };
-    const auto clash = [&](const char* first, const std::string& a, const char* second,
-                           const std::string& b) {
-        if (!a.empty() && !b.empty() && place(a) == place(b)) {
-            faults.add(fmt::format("{} and {}", first, second), a, "two different files");
-        }
-    };
-    for (const auto& [option, path] :
-         {std::pair{"--state", words.stateFile}, std::pair{"--motion", words.motionFile},
-          std::pair{"--figure", words.figureFile}}) {
-        if (!path.empty() && isStandardOutput(path)) {
-            faults.add(option, path, "another file than standard output, where the report goes");
-        }
-    }
-    clash("--state", words.stateFile, "--motion", words.motionFile);
-    clash("--state", words.stateFile, "--figure", words.figureFile);
-    clash("--motion", words.motionFile, "--figure", words.figureFile);
     faults.throwIfAny();
-}
-
-/// Runs `action` and names the option and the user's file in what it throws.
-template <typename Action>
-auto forFile(const char* option, const std::string& path, Action action)
-{
-    try {
-        return action();
-    } catch (const FileError& error) {
-        throw FileError(fmt::format("{} {}", option, path), error.reason());
-    }
+    validateOutputs({{"--state", words.stateFile},
+                     {"--motion", words.motionFile},
+                     {"--figure", words.figureFile}});
 }
 
 }  // namespace
@@ -178,17 +140,9 @@ ExitStatus FindCommand::run() const
     validateFiles(*this);
 
     OutputFiles files;
-    const auto stage = [&files](const char* option, const std::string& path) {
-        if (path.empty()) {
-            return std::string();
-        }
-        std::string staged = forFile(option, path, [&] { return files.stage(path); });
-        removeOnSignal(staged);
-        return staged;
-    };
-    const std::string state = stage("--state", stateFile);
-    const std::string motion = stage("--motion", motionFile);
-    const std::string figure = stage("--figure", figureFile);
+    const std::string state = stage(files, {"--state", stateFile});
+    const std::string motion = stage(files, {"--motion", motionFile});
+    const std::string figure = stage(files, {"--figure", figureFile});
 
     const PeriodicResult result = findPeriodic(schedule, options);
     const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();

@@ -12,6 +12,7 @@
 #include <new>
 #include <sstream>
 
+#include "continuum_command.hpp"
 #include "find_command.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
@@ -77,6 +78,10 @@ int run(int argc, char** argv)
     CLI::App& findApp =
         *app.add_subcommand("find", "a periodic motion of a schedule, or a proof of absence");
     find.addTo(findApp);
+    ContinuumCommand continuum;
+    CLI::App& continuumApp =
+        *app.add_subcommand("continuum", "a curve of motions of one schedule and energy");
+    continuum.addTo(continuumApp);
     app.footer(
         "Exit status: 0 found, 1 proved that none exists, 2 wrong use, 3 undecided,\n"
         "4 a file or back end could not be used.");
@@ -94,14 +99,15 @@ int run(int argc, char** argv)
         return complain(exitWrongUse, explainExtras(app, error.what()));
     } catch (const CLI::RequiredError&) {
         const std::string given = argc > 1 ? fmt::format(" = {}", argv[1]) : " is missing";
-        return complain(exitWrongUse,
-                        fmt::format("command{}: allowed find; see signorini --help", given));
+        return complain(
+            exitWrongUse,
+            fmt::format("command{}: allowed find|continuum; see signorini --help", given));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         text = text.substr(0, text.find('\n'));
         return complain(exitWrongUse, text + "; see signorini --help");
     }
-    return find.run();
+    return continuumApp.parsed() ? continuum.run() : find.run();
 }
 
 }  // namespace

@@ -1,0 +1,119 @@
+#pragma once
+/// \file
+/// Continua k(lambda): curves of motions of one schedule and one energy, the paper's Fig. 2.
+///
+/// The motions of energy E form the part of the solution set that lies on a sphere, since
+/// E/E_1 = (2w/N) sum z^2 (reduction.hpp). Three engines, one answer:
+///
+/// - geometric: a simplex of amplitudes, and what lies of a box inside such a simplex. Exact paths
+///   and exact connectivity (sphere_section.hpp), O(N) per point
+/// - ipopt, nlopt: any set. Predictor: a step along the chord to the far end; corrector: the motion
+///   of this energy that is nearest to it, a nonlinear program
+///
+/// Each point is verified before it is kept. A curve takes 16 N bytes per point.
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "signorini/bar.hpp"
+#include "signorini/find_periodic.hpp"
+#include "signorini/reduction.hpp"
+#include "signorini/schedule.hpp"
+#include "signorini/state.hpp"
+
+namespace signorini {
+
+/// Who traces.
+enum class Engine {
+    automatic,  ///< geometric where it is exact, otherwise the first of the others in this build
+    geometric,
+    ipopt,
+    nlopt,
+};
+
+/// "auto", "geometric", "ipopt", "nlopt".
+[[nodiscard]] std::string_view name(Engine engine);
+
+/// What a curve is to do beyond staying in the set.
+struct ContinuumOptions {
+    Bar bar = {};                              ///< unit of the strain limit and of peak strains
+    std::int64_t points = 201;                 ///< [-], 2..1e6
+    std::optional<State> from = std::nullopt;  ///< [g/L], a motion; both ends or none
+    std::optional<State> to = std::nullopt;    ///< [g/L], a motion
+    /// Without ends: a path between two members drawn at random; without a seed either: the
+    /// travelling block, or where there is none two members of the engine's choice.
+    std::optional<std::uint64_t> seed = std::nullopt;
+    Engine engine = Engine::automatic;
+    double strainLimit = std::numeric_limits<double>::infinity();  ///< [-], > 0: s >= -S
+    double tolerance = 1e-7;                                       ///< largest residual of a point
+    std::stop_token cancel = {};  ///< keeps the points found so far
+};
+
+/// One motion of the curve.
+struct ContinuumPoint {
+    double lambda = 0.0;
+    State state;
+    double energyRatio = 0.0;  ///< E/E_1, recomputed
+    double residual = 0.0;     ///< the largest of its Residuals, recomputed
+    double peakStrain = 0.0;   ///< [-], deepest compression over all x and t
+};
+
+/// What lambda is.
+enum class Parameter {
+    arcLength,  ///< length along the curve in the norm of the energy, E/E_1 = |state|^2
+    position,   ///< [cells] of the block's centre among the d amplitudes
+};
+
+/// "arc length", "position".
+[[nodiscard]] std::string_view name(Parameter parameter);
+
+/// The answer. Invariants: found <=> all points asked for, or one if the set is one motion, each
+/// with a residual within the tolerance; none => `detail` proves that there is no such curve;
+/// undecided => `detail` says what stopped it, and `points` holds what was found before.
+struct Continuum {
+    Status status = Status::undecided;
+    std::string detail = "traceContinuum has not been called";
+    std::optional<Reason> reason;  ///< why the schedule has no motion of this energy
+    /// Can the two ends be joined; without ends given, can all motions of this energy be. Exact for
+    /// simplices; for other sets true if a curve between the ends was found, otherwise unknown.
+    std::optional<bool> connected;
+    std::optional<std::int64_t> components;  ///< of the motions of this energy, if known
+    Schedule schedule;
+    Bar bar;
+    double energyRatio = 0.0;                ///< E/E_1 asked for
+    std::optional<EnergyRange> energyRange;  ///< over the whole set, if known
+    std::int64_t dimension = -1;  ///< of the motions of this energy; -1: none or not known
+    Engine engine = Engine::geometric;
+    Parameter parameter = Parameter::arcLength;
+    std::string family;  ///< e.g. "travelling block"
+    std::vector<ContinuumPoint> points;
+};
+
+/// Traces a curve of motions with E/E_1 = energyRatio.
+///
+/// \throws std::invalid_argument on invalid input: among it ends that are no motions of the
+/// schedule, have another energy, or break the limit; BackendUnavailable if no engine in this
+/// build can do what is asked.
+[[nodiscard]] Continuum traceContinuum(const Schedule& schedule, double energyRatio,
+                                       const ContinuumOptions& options = {});
+
+/// `count` motions spread over the whole set at one energy, the same for the same seed: hit-and-run
+/// (sphere_section.hpp). One contact phase. Empty if no motion has this energy.
+/// \throws std::invalid_argument on invalid input.
+[[nodiscard]] std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio,
+                                               std::int64_t count, std::uint64_t seed = 1);
+
+/// One row per point: lambda, a_1..a_N, b_1..b_N, the waves as strains [-]. \throws FileError.
+void writeContinuumCsv(const std::string& path, const Continuum& curve);
+
+/// The number of components of the motions with E/E_1 = energyRatio, of a simplex or a point,
+/// decided in rational numbers: 0 outside the range, 1 or d. Without an answer for a box.
+[[nodiscard]] std::optional<std::int64_t> componentsAt(const Reduction& reduction,
+                                                       double energyRatio);
+
+}  // namespace signorini

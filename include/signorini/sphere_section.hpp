@@ -1,0 +1,122 @@
+#pragma once
+/// \file
+/// The points of a simplex at one distance from the origin: pure geometry, O(d) per point.
+///
+///     M = { z >= 0,  z_1 + ... + z_d = 1,  sum z^2 = rho },   1/d <= rho <= 1
+///
+/// Since sum z^2 <= max z, every point lies in one of the d *caps* U_j = { z in M : z_j >= rho }.
+/// Seen from the vertex e_j, z = (1 - t) e_j + t y with y in the opposite face, a cap is a graph
+/// over a convex set: y with |y|^2 <= rho/(1 - rho), and
+///
+///     t(y) = (1 - rho)/(1 + sqrt(rho - |y|^2 (1 - rho))).
+///
+/// So a cap is connected, straight lines in y stay inside it, and amplitudes that are zero at both
+/// ends stay zero: the path slides along the faces of the simplex. Two caps meet exactly when
+/// rho <= 1/2. Hence M is connected for rho <= 1/2, and for rho > 1/2 it has d components, told
+/// apart by the one amplitude above 1/2. docs/theory.md, section 11, has the proof.
+
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "signorini/amplitude_set.hpp"
+
+namespace signorini {
+
+/// d and rho. The functions below take rho < 1/d as 1/d and rho > 1 as 1.
+struct SphereSection {
+    std::int64_t count = 1;  ///< [-], d
+    double ratio = 1.0;      ///< [-], rho = sum z^2/(sum z)^2
+};
+
+/// The index 0..d-1 of the largest amplitude: for rho > 1/2, the name of the component.
+[[nodiscard]] std::size_t dominant(std::span<const double> z);
+
+/// A path in M from one point to another: at most two straight lines, each in the chart y of a cap.
+class SectionPath {
+public:
+    /// The ends are moved onto M by rounding at most. If rho > 1/2 they must have the same dominant
+    /// amplitude. \throws std::invalid_argument if they do not, or on wrong lengths.
+    SectionPath(const SphereSection& section, std::span<const double> from,
+                std::span<const double> to);
+
+    /// The point at 0 <= s <= 1, from one end to the other. O(d).
+    [[nodiscard]] std::vector<double> at(double s) const;
+
+private:
+    struct Leg {
+        std::size_t apex;           ///< j of the cap U_j
+        std::vector<double> start;  ///< y at its start, 0 at the apex
+        std::vector<double> end;    ///< y at its end
+        double startRoot;           ///< rho - |y|^2 (1 - rho) at its start
+        double endRoot;             ///< the same at its end
+        double rise;                ///< what it gains in the middle: (1 - rho) |end - start|^2
+    };
+    void addLeg(std::size_t apex, std::span<const double> from, std::span<const double> to);
+
+    SphereSection section_;
+    std::vector<Leg> legs_;
+};
+
+/// n >= 1 parameters s of a path at equal distances along it, and its length up to each. Found on
+/// grids of min(4 n, 4000) points, so equal within a few percent. O(min(n, 1000) d).
+struct Spacing {
+    std::vector<double> parameters;
+    std::vector<double> lengths;  ///< [sum z]
+};
+[[nodiscard]] Spacing equalSpacing(const SectionPath& path, std::int64_t n);
+
+/// A natural curve in M with a position as its parameter, first <= position <= last [cells].
+///
+/// For rho <= 1/2 the *travelling block*: z is the part of each cell [j - 1, j] that an interval
+/// about the position covers, scaled to sum 1; its width, about 1/rho cells, is chosen so that
+/// sum z^2 = rho exactly. For rho > 1/2 a block cannot pass from cell to cell; then z_1 dominates,
+/// and a *companion* one cell wide, the rest of the sum, travels over the others.
+class TravellingBlock {
+public:
+    explicit TravellingBlock(const SphereSection& section);
+
+    [[nodiscard]] double first() const { return first_; }
+    [[nodiscard]] double last() const { return last_; }
+    [[nodiscard]] std::vector<double> at(double position) const;
+
+private:
+    [[nodiscard]] std::vector<double> companionAt(double position) const;
+
+    SphereSection section_;
+    double first_ = 0.0;
+    double last_ = 0.0;
+};
+
+/// Walks at random over the members of a simplex or a box with a given sum z^2: hit-and-run. Each
+/// move draws a great circle through the point, of the sphere about equal amplitudes, and a point
+/// evenly from the arcs of it that lie in the set; on a simplex the amplitudes are also shuffled,
+/// which maps the set to itself and visits every component. Even in the long run.
+class SectionSampler {
+public:
+    /// `squares` in [least, most] of the set (closed_form.hpp). \throws std::invalid_argument if it
+    /// is not.
+    SectionSampler(const AmplitudeSet& set, double squares, std::uint64_t seed);
+
+    /// The member reached after `moves` more moves. O(moves d log d).
+    [[nodiscard]] const std::vector<double>& next(int moves = 50);
+
+private:
+    void move();
+    void findArcs(const std::vector<double>& direction);
+    [[nodiscard]] double drawAngle();
+
+    AmplitudeSet set_;
+    double radius_;  ///< distance from equal amplitudes
+    std::mt19937_64 generator_;
+    std::vector<double> z_;
+    struct Arc {
+        double start;
+        double end;
+    };
+    std::vector<Arc> outside_;  ///< angles at which a bound is violated
+};
+
+}  // namespace signorini

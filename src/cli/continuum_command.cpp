@@ -1,0 +1,224 @@
+#include "continuum_command.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "faults.hpp"
+#include "files.hpp"
+#include "interrupt.hpp"
+#include "signorini/continuum.hpp"
+#include "signorini/continuum_figure.hpp"
+#include "signorini/output.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+constexpr std::int64_t maxPoints = 1'000'000;
+constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
+
+Engine parseEngine(const std::string& text)
+{
+    for (const Engine engine :
+         {Engine::automatic, Engine::geometric, Engine::ipopt, Engine::nlopt}) {
+        if (text == name(engine)) {
+            return engine;
+        }
+    }
+    Faults faults;
+    faults.add("--engine", text, "auto|geometric|ipopt|nlopt");
+    faults.throwIfAny();
+    return Engine::automatic;
+}
+
+ContinuumOptions parseOptions(const ContinuumCommand& words)
+{
+    ContinuumOptions options;
+    options.bar = words.common.parseBar();
+    if (!words.points.empty()) {
+        options.points = parseWhole("--points", words.points, 2, maxPoints);
+    }
+    if (!words.seed.empty()) {
+        options.seed = static_cast<std::uint64_t>(parseWhole("--seed", words.seed, 0, maxSeed));
+    }
+    if (!words.engine.empty()) {
+        options.engine = parseEngine(words.engine);
+    }
+    if (!words.strainLimit.empty()) {
+        options.strainLimit = parsePositive("--strain-limit", words.strainLimit, "-");
+    }
+    if (!words.tolerance.empty()) {
+        options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
+    }
+    if (words.fromFile.empty() != words.toFile.empty()) {
+        throw std::invalid_argument("--from and --to: allowed only both together");
+    }
+    if (!words.fromFile.empty()) {
+        if (options.seed) {
+            throw std::invalid_argument("--seed clashes with --from and --to: allowed one of them");
+        }
+        options.from = readStateCsv(words.fromFile, options.bar);
+        options.to = readStateCsv(words.toFile, options.bar);
+    }
+    return options;
+}
+
+std::string asText(const Continuum& curve)
+{
+    std::string text = fmt::format("{:<12}{}, E = {:.10g} E₁, {} motions by the {} engine\n",
+                                   name(curve.status), describe(curve.schedule), curve.energyRatio,
+                                   curve.points.size(), name(curve.engine));
+    if (curve.energyRange) {
+        text += fmt::format("range       {:.10g} … {:.10g} E₁\n", curve.energyRange->least,
+                            curve.energyRange->most);
+    }
+    if (curve.components) {
+        text += fmt::format("set         {} component{} of dimension {} at this energy\n",
+                            *curve.components, *curve.components == 1 ? "" : "s", curve.dimension);
+    }
+    text += fmt::format("connected   {}\n", !curve.connected   ? "not known"
+                                            : *curve.connected ? "yes"
+                                                               : "no");
+    if (!curve.points.empty()) {
+        double residual = 0.0;
+        double least = curve.points.front().peakStrain;
+        double most = least;
+        for (const ContinuumPoint& point : curve.points) {
+            residual = std::max(residual, point.residual);
+            least = std::min(least, point.peakStrain);
+            most = std::max(most, point.peakStrain);
+        }
+        text += fmt::format("curve       {}, λ = {} from {:.6g} to {:.6g}\n", curve.family,
+                            name(curve.parameter), curve.points.front().lambda,
+                            curve.points.back().lambda);
+        text += fmt::format("strain      at most {:.6g} … {:.6g} in compression along it\n", least,
+                            most);
+        text += fmt::format("residuals   at most {:.3g}\n", residual);
+    }
+    if (!curve.detail.empty()) {
+        text += fmt::format("why         {}\n", curve.detail);
+    }
+    return text;
+}
+
+std::string asJson(const Continuum& curve)
+{
+    using Json = nlohmann::ordered_json;
+    Json json{{"status", name(curve.status)},
+              {"energy_ratio", curve.energyRatio},
+              {"connected", nullptr},
+              {"components", nullptr},
+              {"dimension", nullptr},
+              {"energy_ratio_range", nullptr},
+              {"engine", name(curve.engine)},
+              {"family", curve.family},
+              {"parameter", name(curve.parameter)},
+              {"reason", nullptr},
+              {"points", Json::array()}};
+    if (curve.connected) {
+        json["connected"] = *curve.connected;
+    }
+    if (curve.components) {
+        json["components"] = *curve.components;
+    }
+    if (curve.dimension >= 0) {
+        json["dimension"] = curve.dimension;
+    }
+    if (curve.energyRange) {
+        json["energy_ratio_range"] = {curve.energyRange->least, curve.energyRange->most};
+    }
+    if (curve.reason) {
+        json["reason"] = name(*curve.reason);
+    }
+    for (const ContinuumPoint& point : curve.points) {
+        json["points"].push_back({{"lambda", point.lambda},
+                                  {"energy_ratio", point.energyRatio},
+                                  {"residual", point.residual},
+                                  {"peak_strain", point.peakStrain}});
+    }
+    if (!curve.detail.empty()) {
+        json["detail"] = curve.detail;
+    }
+    return json.dump() + "\n";
+}
+
+}  // namespace
+
+void ContinuumCommand::addTo(CLI::App& command)
+{
+    command.add_option("steps", steps, "contact and free steps of each phase")
+        ->type_name("NC NF ...");
+    command.add_option("--energy-ratio", energyRatio, "E/E_1 of every motion; required")
+        ->type_name("X");
+    command.add_option("--points", points, "motions along the curve (201)")->type_name("M");
+    command.add_option("--from", fromFile, "state to start from, as find --state writes it")
+        ->type_name("FILE.csv");
+    command.add_option("--to", toFile, "state to end at")->type_name("FILE.csv");
+    command.add_option("--seed", seed, "join two members drawn at random")->type_name("K");
+    command.add_option("--engine", engine, "who traces (auto)")
+        ->type_name("auto|geometric|ipopt|nlopt");
+    command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")
+        ->type_name("S");
+    command.add_option("--tolerance", tolerance, "largest relative residual (1e-7)")
+        ->type_name("X");
+    command.add_option("--csv", csvFile, "write lambda, a_1..a_N, b_1..b_N, a row per motion")
+        ->type_name("FILE.csv");
+    command.add_option("--figure", figureFile, "draw the curve (needs gnuplot)")
+        ->type_name("FILE.svg|.png|.pdf");
+    common.addTo(command);
+}
+
+ExitStatus ContinuumCommand::run() const
+{
+    const Schedule schedule{common.parseCells(), parsePhases(steps)};
+    const bool json = common.wantsJson();
+    (void)common.parseThreads();
+    if (energyRatio.empty()) {
+        throw std::invalid_argument("--energy-ratio is missing: allowed finite numbers > 0 [E_1]");
+    }
+    const double energy = parsePositive("--energy-ratio", energyRatio, "E_1");
+    ContinuumOptions options = parseOptions(*this);
+    validate(schedule);
+    if (!figureFile.empty()) {
+        (void)figureFormat(figureFile);
+    }
+    const OutputOption csvOption{"--csv", csvFile};
+    const OutputOption figureOption{"--figure", figureFile};
+    validateOutputs({csvOption, figureOption});
+    OutputFiles files;
+    const std::string csv = stage(files, csvOption);
+    const std::string figure = stage(files, figureOption);
+
+    std::optional<Interrupt> interrupt(std::in_place);
+    options.cancel = interrupt->token();
+    const Continuum curve = traceContinuum(schedule, energy, options);
+    interrupt.reset();
+    if (!curve.points.empty()) {
+        if (!csv.empty()) {
+            forFile("--csv", csvFile, [&] { writeContinuumCsv(csv, curve); });
+        }
+        if (!figure.empty()) {
+            forFile("--figure", figureFile,
+                    [&] { drawContinuum(curve, figureFormat(figureFile), figure); });
+        }
+        files.commit();
+    } else if ((!csv.empty() || !figure.empty()) && !common.quiet) {
+        fmt::print(stderr, "signorini continuum: no motion to write, so no file was written\n");
+    }
+    writeOut(json ? asJson(curve) : asText(curve));
+    switch (curve.status) {
+        case Status::found:
+            return exitFound;
+        case Status::none:
+            return exitNone;
+        case Status::undecided:
+            return exitUndecided;
+    }
+    return exitUndecided;
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,313 @@
+#include "signorini/continuum.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <thread>
+
+#include "catch.hpp"
+#include "signorini/closed_form.hpp"
+#include "signorini/demands.hpp"
+#include "signorini/solver.hpp"
+#include "support.hpp"
+
+using namespace signorini;
+using signorini::test::onePhase;
+
+namespace {
+
+const Schedule paper = onePhase(300, 150, 900);
+
+/// The motion with equal amplitudes on classes first .. first + count - 1.
+State blockMotion(const Schedule& schedule, std::size_t first, std::size_t count)
+{
+    const Reduction reduction = reduce(schedule);
+    std::vector<double> z(static_cast<std::size_t>(reduction.set.count), 0.0);
+    for (std::size_t j = first; j < first + count; ++j) {
+        z[j] = reduction.set.sum / static_cast<double>(count);
+    }
+    return motionOf(reduction, z);
+}
+
+/// A motion of the paper's case at 400 E_1 with the given dominant amplitude.
+State spikeMotion(std::size_t apex)
+{
+    const Reduction reduction = reduce(paper);
+    const double rho = 400.0 / 600.0;
+    const double top = 0.5 * (1.0 + std::sqrt(2.0 * rho - 1.0));
+    std::vector<double> z(150, 0.0);
+    z[apex] = top * reduction.set.sum;
+    z[apex + 1] = (1.0 - top) * reduction.set.sum;
+    return motionOf(reduction, z);
+}
+
+void requirePoints(const Continuum& curve, std::size_t count, double accuracy)
+{
+    INFO(curve.detail);
+    REQUIRE(curve.status == Status::found);
+    REQUIRE(curve.points.size() == count);
+    for (const ContinuumPoint& point : curve.points) {
+        CHECK(std::abs(point.energyRatio / curve.energyRatio - 1.0) <= accuracy);
+        CHECK(point.residual <= accuracy);
+        CHECK(verify(point.state, curve.schedule).residuals.worst() <= accuracy);
+        CHECK(point.peakStrain > 0.0);
+    }
+}
+
+double beyond(double value, double direction)
+{
+    return std::nextafter(value, direction);
+}
+
+}  // namespace
+
+TEST_CASE("continuum: the paper's case, a block of 20 E_1 travels through 148 dimensions")
+{
+    const Continuum curve = traceContinuum(paper, 20.0);
+    requirePoints(curve, 201, 1e-12);
+    CHECK(curve.dimension == 148);
+    CHECK(curve.connected == true);
+    CHECK(curve.components == 1);
+    CHECK(curve.engine == Engine::geometric);
+    CHECK(curve.parameter == Parameter::position);
+    CHECK(curve.points.front().lambda == Approx(15.0));
+    CHECK(curve.points.back().lambda == Approx(135.0));
+}
+
+TEST_CASE("continuum: the paper's case, a path between the ends of the bar at 20 E_1")
+{
+    ContinuumOptions options;
+    options.from = blockMotion(paper, 0, 30);
+    options.to = blockMotion(paper, 120, 30);
+    const Continuum curve = traceContinuum(paper, 20.0, options);
+    requirePoints(curve, 201, 1e-12);
+    CHECK(curve.connected == true);
+    CHECK(amplitude({curve.points.front().state.a - options.from->a,
+                     curve.points.front().state.b - options.from->b}) < 1e-12);
+    CHECK(amplitude({curve.points.back().state.a - options.to->a,
+                     curve.points.back().state.b - options.to->b}) < 1e-12);
+    const double step = curve.points.back().lambda / 200.0;
+    for (std::size_t k = 1; k < curve.points.size(); ++k) {
+        const State& last = curve.points[k - 1].state;
+        const State& next = curve.points[k].state;
+        CHECK(curve.points[k].lambda - curve.points[k - 1].lambda == Approx(step));
+        CHECK(std::sqrt(energyRatio({next.a - last.a, next.b - last.b})) <= 1.05 * step);
+    }
+}
+
+TEST_CASE("continuum: at 400 E_1 the motions of the paper's case fall into 150 components")
+{
+    ContinuumOptions options;
+    options.from = spikeMotion(3);
+    options.to = spikeMotion(70);
+    const Continuum apart = traceContinuum(paper, 400.0, options);
+    CHECK(apart.status == Status::none);
+    CHECK(apart.connected == false);
+    CHECK(apart.components == 150);
+    CHECK(apart.points.empty());
+    CHECK_THAT(apart.detail,
+               containsText("different components") && containsText("4.") && containsText("71."));
+
+    options.to = options.from;
+    CHECK(traceContinuum(paper, 400.0, options).connected == true);
+
+    const Continuum whole = traceContinuum(paper, 400.0);
+    requirePoints(whole, 201, 1e-12);
+    CHECK(whole.connected == false);
+}
+
+TEST_CASE("continuum: connectivity is decided exactly at rho = 1/2")
+{
+    const Reduction reduction = reduce(paper);
+    CHECK(componentsAt(reduction, 300.0) == 1);
+    CHECK(componentsAt(reduction, beyond(300.0, 1e9)) == 150);
+    CHECK(componentsAt(reduction, beyond(300.0, 0.0)) == 1);
+    CHECK(componentsAt(reduction, 3.9) == 0);
+    CHECK(componentsAt(reduction, 601.0) == 0);
+    const Reduction pair = reduce(onePhase(4, 2, 12));
+    REQUIRE(pair.set.count == 2);
+    const EnergyRange range = energyRange(pair);
+    CHECK(componentsAt(pair, range.least) == 1);
+    CHECK(componentsAt(pair, beyond(range.least, 1e9)) == 2);
+    CHECK(componentsAt(pair, range.most) == 2);
+    ContinuumOptions options;
+    options.seed = 1;
+    for (const double energy : {300.0, beyond(300.0, 0.0)}) {
+        requirePoints(traceContinuum(paper, energy, options), 201, 1e-11);
+    }
+}
+
+TEST_CASE("continuum: both ends of the range, and one unit in the last place beyond")
+{
+    for (const Schedule& schedule :
+         {paper, onePhase(8, 5, 23), onePhase(9, 3, 20), onePhase(7, 3, 23), onePhase(12, 6, 36)}) {
+        const EnergyRange range = energyRange(reduce(schedule));
+        INFO(describe(schedule) << " " << range.least << " " << range.most);
+        const auto statusAt = [&schedule](double energy) {
+            const Status found = traceContinuum(schedule, energy).status;
+            FindOptions options;
+            options.energyRatio = energy;
+            CHECK(findPeriodic(schedule, options).status == found);
+            return found;
+        };
+        CHECK(statusAt(range.least) == Status::found);
+        CHECK(statusAt(range.most) == Status::found);
+        CHECK(statusAt(beyond(range.least, 0.0)) == Status::none);
+        CHECK(statusAt(beyond(range.most, 1e9)) == Status::none);
+        if (range.least < range.most) {
+            CHECK(statusAt(beyond(range.least, 1e9)) == Status::found);
+            CHECK(statusAt(beyond(range.most, 0.0)) == Status::found);
+        }
+    }
+    const Continuum least = traceContinuum(paper, 4.0);
+    CHECK(least.points.size() == 1);
+    CHECK(least.dimension == 0);
+    CHECK_THAT(traceContinuum(paper, beyond(4.0, 0.0)).detail, containsText("[4, 600]"));
+}
+
+TEST_CASE("continuum: random members are joined, the same way for the same seed")
+{
+    ContinuumOptions options;
+    options.points = 50;
+    options.seed = 11;
+    const Continuum first = traceContinuum(paper, 20.0, options);
+    requirePoints(first, 50, 1e-12);
+    CHECK(traceContinuum(paper, 20.0, options).points.back().state == first.points.back().state);
+    options.seed = 12;
+    CHECK_FALSE(traceContinuum(paper, 20.0, options).points.back().state ==
+                first.points.back().state);
+}
+
+TEST_CASE("continuum: samples are motions of the energy and repeat with the seed")
+{
+    const std::vector<State> motions = sampleMotions(paper, 20.0, 25, 9);
+    REQUIRE(motions.size() == 25);
+    for (const State& motion : motions) {
+        CHECK(energyRatio(motion) == Approx(20.0).epsilon(1e-12));
+        CHECK(verify(motion, paper).residuals.worst() < 1e-12);
+    }
+    CHECK(sampleMotions(paper, 20.0, 25, 9) == motions);
+    CHECK(sampleMotions(paper, 20.0, 25, 10) != motions);
+    CHECK(sampleMotions(paper, 3.0, 5).empty());
+    CHECK(sampleMotions(onePhase(2, 2, 4), 3.0, 5).empty());
+    CHECK_THROWS_AS(sampleMotions(paper, -1.0, 5), std::invalid_argument);
+}
+
+TEST_CASE("continuum: grazing motions of one sign travel as a block")
+{
+    const Schedule grazing = onePhase(9, 3, 33);
+    const Reduction reduction = reduce(grazing);
+    REQUIRE(reduction.set.kind == SetKind::box);
+    const EnergyRange range = energyRange(reduction);
+    const Continuum curve = traceContinuum(grazing, 2.0 * range.least);
+    requirePoints(curve, 201, 1e-12);
+    CHECK(curve.engine == Engine::geometric);
+    CHECK_FALSE(curve.connected.has_value());
+}
+
+TEST_CASE("continuum: a cancelled trace keeps its points")
+{
+    std::stop_source source;
+    ContinuumOptions options;
+    options.points = 1'000'000;
+    options.cancel = source.get_token();
+    std::jthread interrupter([&source] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        source.request_stop();
+    });
+    const Continuum curve = traceContinuum(paper, 20.0, options);
+    CHECK(curve.status == Status::undecided);
+    CHECK(!curve.points.empty());
+    CHECK(curve.points.size() < 1'000'000);
+    CHECK_THAT(curve.detail, containsText("interrupted after"));
+}
+
+TEST_CASE("continuum: schedules without motion and energies out of range are none, with a reason")
+{
+    const Continuum none = traceContinuum(onePhase(2, 2, 4), 5.0);
+    CHECK(none.status == Status::none);
+    CHECK(none.reason == Reason::gap);
+    const Continuum low = traceContinuum(paper, 3.0);
+    CHECK(low.status == Status::none);
+    CHECK(low.reason == Reason::constraints);
+    CHECK_THAT(low.detail, containsText("[4, 600]"));
+}
+
+TEST_CASE("continuum: wrong use is named")
+{
+    CHECK_THROWS_WITH(traceContinuum(paper, -1.0), containsText("energyRatio = -1"));
+    ContinuumOptions options;
+    options.points = 1;
+    CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("points = 1"));
+    options = {};
+    options.from = blockMotion(paper, 0, 30);
+    CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("both or none"));
+    options.to = blockMotion(paper, 0, 20);
+    CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("to = a motion with"));
+    options.to = test::randomState(300);
+    CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("to = a state with"));
+    options.to = test::randomState(3);
+    CHECK_THROWS_AS(traceContinuum(paper, 20.0, options), std::invalid_argument);
+    options = {};
+    options.engine = Engine::geometric;
+    CHECK_THROWS_WITH(traceContinuum({4, {{1, 12}, {3, 12}}}, 20.0, options),
+                      containsText("engine = geometric"));
+}
+
+TEST_CASE("continuum: programs trace what the geometry traces")
+{
+    for (const Engine engine : {Engine::ipopt, Engine::nlopt}) {
+        if (!findBackend(engine == Engine::ipopt ? "ipopt" : "nlopt-auglag").available()) {
+            continue;
+        }
+        INFO(name(engine));
+        const Schedule schedule = onePhase(12, 6, 36);
+        const double energy = 2.0 * energyRange(reduce(schedule)).least;
+        ContinuumOptions options;
+        options.points = 21;
+        options.engine = engine;
+        options.from = blockMotion(schedule, 0, 3);
+        options.to = blockMotion(schedule, 2, 3);
+        const Continuum curve = traceContinuum(schedule, energy, options);
+        requirePoints(curve, 21, 1e-6);
+        CHECK(curve.connected == true);
+        CHECK(curve.points.back().lambda > 0.0);
+    }
+}
+
+TEST_CASE("continuum: two phases and strain limits are traced by programs, each point verified")
+{
+    if (!findBackend("ipopt").available()) {
+        return;
+    }
+    ContinuumOptions options;
+    options.points = 41;
+    for (const Schedule& two :
+         {Schedule{12, {{2, 38}, {4, 40}}}, Schedule{6, {{1, 20}, {3, 20}}}}) {
+        FindOptions least;
+        least.objective = Objective::minEnergy;
+        const PeriodicResult gentle = findPeriodic(two, least);
+        REQUIRE(gentle.status == Status::found);
+        const Continuum phases = traceContinuum(two, 1.2 * gentle.energyRatio, options);
+        requirePoints(phases, 41, 1e-7);
+        CHECK(phases.engine == Engine::ipopt);
+        CHECK(phases.points.back().lambda > 0.0);
+    }
+
+    if (findBackend("nlopt-auglag").available()) {
+        options.engine = Engine::nlopt;
+        const Continuum other = traceContinuum({12, {{2, 38}, {4, 40}}}, 12.0, options);
+        options.engine = Engine::ipopt;
+        const Continuum first = traceContinuum({12, {{2, 38}, {4, 40}}}, 12.0, options);
+        requirePoints(other, 41, 1e-7);
+        CHECK(other.points.back().lambda == Approx(first.points.back().lambda).epsilon(1e-3));
+        options.engine = Engine::automatic;
+    }
+
+    options.strainLimit = 0.012;
+    const Continuum limited = traceContinuum(paper, 8.0, options);
+    requirePoints(limited, 41, 1e-7);
+    for (const ContinuumPoint& point : limited.points) {
+        CHECK(point.peakStrain <= 0.012 * (1.0 + 1e-6));
+    }
+    CHECK(limited.points.back().lambda > 0.0);
+}
