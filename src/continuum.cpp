@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "faults.hpp"
@@ -32,8 +33,18 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
     if (options.points < 2 || options.points > maxPoints) {
         faults.add("points", options.points, fmt::format("2..{}", maxPoints));
     }
-    if (options.from.has_value() != options.to.has_value()) {
-        faults.add("from and to", "one of them", "both or none");
+    const int ends = (options.to ? 1 : 0) + (options.direction ? 1 : 0);
+    if ((options.from ? 1 : 0) != ends) {
+        faults.add("from with to or direction", "incomplete",
+                   "from and one of the others, or none");
+    }
+    if (options.sample && options.from) {
+        faults.add("sample", "with from", "only without ends");
+    }
+    if (options.direction &&
+        (options.direction->cells() != schedule.cells || !options.direction->a.allFinite() ||
+         !options.direction->b.allFinite())) {
+        faults.add("direction", "a malformed state", "finite values on the schedule's cells");
     }
     if (options.from && options.seed) {
         faults.add("seed", *options.seed, "only without from and to");
@@ -233,8 +244,8 @@ private:
             return true;
         }
         // Of a box, the sphere section inside its simplex of one sign.
-        return sectionAt(reduction_, energy()).ratio <= 0.5 && isOneSigned(options_.from) &&
-               isOneSigned(options_.to);
+        return options_.sample || (sectionAt(reduction_, energy()).ratio <= 0.5 &&
+                                   isOneSigned(options_.from) && isOneSigned(options_.to));
     }
 
     [[nodiscard]] Engine chooseEngine() const
@@ -242,6 +253,13 @@ private:
         const auto available = [](Engine engine) {
             return findBackend(backendOf(engine)).available();
         };
+        const bool needsGeometry = options_.sample || options_.direction.has_value();
+        if (needsGeometry && (!isGeometric() || options_.engine == Engine::ipopt ||
+                              options_.engine == Engine::nlopt)) {
+            throw std::invalid_argument(
+                "sample or direction: allowed with engine auto|geometric, one contact phase, no "
+                "strain limit");
+        }
         if (options_.engine == Engine::geometric && !isGeometric()) {
             throw std::invalid_argument(
                 "engine = geometric is out of range: allowed ipopt|nlopt for several contact "
@@ -329,7 +347,11 @@ private:
     void traceGeometrically()
     {
         const SphereSection section = sectionAt(reduction_, energy());
-        if (options_.from) {
+        if (options_.sample) {
+            sampleMembers();
+        } else if (options_.direction) {
+            walk(section);
+        } else if (options_.from) {
             tracePath(section, amplitudesOf(reduction_, *options_.from),
                       amplitudesOf(reduction_, *options_.to), "path between two given motions");
         } else if (options_.seed) {
@@ -341,6 +363,48 @@ private:
         } else {
             traceBlock(section);
         }
+    }
+
+    void sampleMembers()
+    {
+        SectionSampler sampler(reduction_.set, squaresAt(reduction_, energy()),
+                               options_.seed.value_or(1));
+        result_.parameter = Parameter::number;
+        result_.family = "members drawn evenly";
+        const std::int64_t points = result_.dimension > 0 ? options_.points : 1;
+        for (std::int64_t k = 1; k <= points; ++k) {
+            if (isCancelled() ||
+                !keep(static_cast<double>(k), motionOf(reduction_, sampler.next()))) {
+                return;
+            }
+        }
+        finish();
+    }
+
+    /// From one end in a direction, for half a turn of the sphere about equal amplitudes.
+    void walk(const SphereSection& section)
+    {
+        const double sum = reduction_.set.sum;
+        SlidingWalk walker(section, scaled(amplitudesOf(reduction_, *options_.from), 1.0 / sum),
+                           scaled(amplitudesOf(reduction_, *options_.direction), 1.0 / sum));
+        const double unit = std::sqrt(energy() / section.ratio);
+        const double radius =
+            std::sqrt(std::max(0.0, section.ratio - 1.0 / static_cast<double>(section.count)));
+        const double step = std::numbers::pi * radius / static_cast<double>(options_.points - 1);
+        result_.family = "walk in a given direction";
+        for (std::int64_t k = 0; k < options_.points; ++k) {
+            const std::vector<double> z = walker.advance(k == 0 ? 0.0 : step);
+            if (isCancelled() || !keepAmplitudes(static_cast<double>(k) * step * unit, z)) {
+                return;
+            }
+            if (!walker.canMove()) {
+                result_.detail = "the direction ends in a corner of the set";
+                result_.status = Status::found;
+                return;
+            }
+        }
+        result_.status = Status::found;
+        result_.detail.clear();
     }
 
     bool keepAmplitudes(double lambda, std::vector<double> unit)
@@ -523,6 +587,8 @@ std::string_view name(Parameter parameter)
             return "arc length";
         case Parameter::position:
             return "position";
+        case Parameter::number:
+            return "number";
     }
     throw std::logic_error("unnamed Parameter");
 }

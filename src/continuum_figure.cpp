@@ -112,8 +112,15 @@ double printField(Buffer& script, const Motion& motion, std::size_t number)
 
 const char* unitOf(Parameter parameter)
 {
-    return parameter == Parameter::position ? "position λ of the block [cells]"
-                                            : "arc length λ [√E_1]";
+    switch (parameter) {
+        case Parameter::arcLength:
+            return "arc length λ [√E_1]";
+        case Parameter::position:
+            return "position λ of the block [cells]";
+        case Parameter::number:
+            return "number λ of the motion";
+    }
+    return "λ";
 }
 
 /// One waterfall: column 2 (strain) or 3 (velocity) of every member.

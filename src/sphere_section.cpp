@@ -268,6 +268,118 @@ std::vector<double> SectionPath::at(double s) const
     return lifted(std::move(y), leg.apex, section_.ratio, root);
 }
 
+/// Amplitudes [sum z] below this are on the face: two that reach it together differ by rounding.
+constexpr double negligible = 1e-15;
+
+SlidingWalk::SlidingWalk(const SphereSection& section, std::span<const double> from,
+                         std::span<const double> direction)
+    : section_(section), z_(from.begin(), from.end()), wish_(direction.begin(), direction.end())
+{
+    if (z_.size() != wish_.size() || static_cast<std::int64_t>(z_.size()) != section.count) {
+        throw std::invalid_argument(fmt::format(
+            "direction = {} amplitudes is out of range: allowed {}", wish_.size(), section.count));
+    }
+    for (double& value : z_) {
+        value = value > negligible ? value : 0.0;
+    }
+    findTangent();
+}
+
+/// The part of the wish that keeps sum and sum z^2, without the amplitudes that are zero and would
+/// become negative. Leaving one out changes the others, so this repeats until nothing is left out.
+void SlidingWalk::findTangent()
+{
+    const std::size_t count = z_.size();
+    std::vector<bool> active(count, false);
+    for (bool changed = true; changed;) {
+        changed = false;
+        double members = 0.0;
+        double sum = 0.0;
+        for (std::size_t j = 0; j < count; ++j) {
+            members += active[j] ? 0.0 : 1.0;
+            sum += active[j] ? 0.0 : wish_[j];
+        }
+        centre_ = 1.0 / std::max(members, 1.0);
+        double along = 0.0;
+        double squares = 0.0;
+        for (std::size_t j = 0; j < count; ++j) {
+            const double out = active[j] ? 0.0 : z_[j] - centre_;
+            along += out * wish_[j];
+            squares += out * out;
+        }
+        radius_ = std::sqrt(squares);
+        tangent_.assign(count, 0.0);
+        double length = 0.0;
+        for (std::size_t j = 0; j < count; ++j) {
+            if (!active[j]) {
+                const double out = z_[j] - centre_;
+                tangent_[j] =
+                    wish_[j] - sum * centre_ - (squares > 0.0 ? along / squares * out : 0.0);
+                length += tangent_[j] * tangent_[j];
+            }
+        }
+        length = std::sqrt(length);
+        canMove_ = length > 1e-12 && radius_ > 0.0;
+        for (std::size_t j = 0; canMove_ && j < count; ++j) {
+            tangent_[j] /= length;
+            if (!active[j] && z_[j] <= 0.0 && tangent_[j] < 0.0) {
+                active[j] = changed = true;
+            }
+        }
+    }
+}
+
+/// On the circle z_j = centre + out cos(t) + radius tangent sin(t), the first t > 0 at which an
+/// amplitude falls through zero.
+double SlidingWalk::angleToFace(std::size_t& meets) const
+{
+    constexpr double turn = 2.0 * std::numbers::pi;
+    double first = turn;
+    meets = z_.size();
+    for (std::size_t j = 0; j < z_.size(); ++j) {
+        const double cosine = z_[j] - centre_;
+        const double sine = radius_ * tangent_[j];
+        const double swing = std::hypot(cosine, sine);
+        if (swing <= centre_ || (z_[j] <= 0.0 && tangent_[j] == 0.0)) {
+            continue;
+        }
+        const double falls = std::atan2(sine, cosine) + std::acos(-centre_ / swing);
+        const double angle = falls <= 0.0 ? falls + turn : falls;
+        if (angle < first) {
+            first = angle;
+            meets = j;
+        }
+    }
+    return first;
+}
+
+const std::vector<double>& SlidingWalk::advance(double length)
+{
+    while (canMove_ && length > 0.0) {
+        std::size_t meets = 0;
+        const double face = angleToFace(meets);
+        const double angle = std::min(length / radius_, face);
+        const double c = std::cos(angle);
+        const double s = std::sin(angle);
+        for (std::size_t j = 0; j < z_.size(); ++j) {
+            if (z_[j] <= 0.0 && tangent_[j] == 0.0) {
+                continue;  // active
+            }
+            const double out = z_[j] - centre_;
+            const double next = centre_ + c * out + s * radius_ * tangent_[j];
+            z_[j] = next > negligible ? next : 0.0;
+            tangent_[j] = c * tangent_[j] - s * out / radius_;
+        }
+        length -= angle * radius_;
+        if (angle == face && meets < z_.size()) {
+            z_[meets] = 0.0;
+        }
+        wish_ = tangent_;
+        findTangent();
+    }
+    return z_;
+}
+
 Spacing equalSpacing(const SectionPath& path, std::int64_t n)
 {
     // Grids that are more and more even iron out the steep ends of a chart.

@@ -45,6 +45,12 @@ struct ContinuumOptions {
     std::int64_t points = 201;                 ///< [-], 2..1e6
     std::optional<State> from = std::nullopt;  ///< [g/L], a motion; both ends or none
     std::optional<State> to = std::nullopt;    ///< [g/L], a motion
+    /// [g/L], instead of `to`: walk from `from` this way for half a great circle of the set's
+    /// sphere, sliding along the faces it meets. Only the part along the set counts. Geometric
+    /// engine.
+    std::optional<State> direction = std::nullopt;
+    /// Members spread over the whole set (`sampleMotions`) instead of a curve; lambda numbers them.
+    bool sample = false;
     /// Without ends: a path between two members drawn at random; without a seed either: the
     /// travelling block, or where there is none two members of the engine's choice.
     std::optional<std::uint64_t> seed = std::nullopt;
@@ -67,9 +73,10 @@ struct ContinuumPoint {
 enum class Parameter {
     arcLength,  ///< length along the curve in the norm of the energy, E/E_1 = |state|^2
     position,   ///< [cells] of the block's centre among the d amplitudes
+    number,     ///< 1, 2, ... of members that are no curve
 };
 
-/// "arc length", "position".
+/// "arc length", "position", "number".
 [[nodiscard]] std::string_view name(Parameter parameter);
 
 /// The answer. Invariants: found <=> all points asked for, or one if the set is one motion, each

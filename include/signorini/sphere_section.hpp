@@ -60,6 +60,35 @@ private:
     std::vector<Leg> legs_;
 };
 
+/// Walks through M from a point in a direction: along great circles of the sphere, with the set of
+/// amplitudes that are zero as active set. Where an amplitude reaches zero it becomes active and
+/// the walk slides on along that face; an active one is freed when the direction turns inwards.
+/// O(d) per great circle, no matrix.
+class SlidingWalk {
+public:
+    /// `direction` needs d values; only its part along the sphere and into the set counts.
+    /// \throws std::invalid_argument on wrong lengths.
+    SlidingWalk(const SphereSection& section, std::span<const double> from,
+                std::span<const double> direction);
+
+    /// Moves on by an arc length [sum z] and returns the point reached. False in `canMove` means
+    /// that it stands where the direction leads nowhere.
+    [[nodiscard]] const std::vector<double>& advance(double length);
+    [[nodiscard]] bool canMove() const { return canMove_; }
+
+private:
+    void findTangent();
+    [[nodiscard]] double angleToFace(std::size_t& meets) const;
+
+    SphereSection section_;
+    std::vector<double> z_;
+    std::vector<double> wish_;     ///< the direction asked for, carried along
+    std::vector<double> tangent_;  ///< of length 1, or zero
+    double centre_ = 0.0;          ///< 1/f on the f amplitudes that are not active
+    double radius_ = 0.0;          ///< sqrt(rho - 1/f)
+    bool canMove_ = true;
+};
+
 /// n >= 1 parameters s of a path at equal distances along it, and its length up to each. Found on
 /// grids of min(4 n, 4000) points, so equal within a few percent. O(min(n, 1000) d).
 struct Spacing {

@@ -54,15 +54,23 @@ ContinuumOptions parseOptions(const ContinuumCommand& words)
     if (!words.tolerance.empty()) {
         options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
     }
-    if (words.fromFile.empty() != words.toFile.empty()) {
-        throw std::invalid_argument("--from and --to: allowed only both together");
+    options.sample = words.sample;
+    const int ends = (words.toFile.empty() ? 0 : 1) + (words.directionFile.empty() ? 0 : 1);
+    if ((words.fromFile.empty() ? 0 : 1) != ends) {
+        throw std::invalid_argument(
+            "--from: allowed only together with one of --to and --direction");
     }
     if (!words.fromFile.empty()) {
-        if (options.seed) {
-            throw std::invalid_argument("--seed clashes with --from and --to: allowed one of them");
+        if (options.seed || words.sample) {
+            throw std::invalid_argument(
+                "--seed and --sample clash with --from: allowed one of them");
         }
         options.from = readStateCsv(words.fromFile, options.bar);
-        options.to = readStateCsv(words.toFile, options.bar);
+        if (!words.toFile.empty()) {
+            options.to = readStateCsv(words.toFile, options.bar);
+        } else {
+            options.direction = readStateCsv(words.directionFile, options.bar);
+        }
     }
     return options;
 }
@@ -158,7 +166,13 @@ void ContinuumCommand::addTo(CLI::App& command)
     command.add_option("--from", fromFile, "state to start from, as find --state writes it")
         ->type_name("FILE.csv");
     command.add_option("--to", toFile, "state to end at")->type_name("FILE.csv");
-    command.add_option("--seed", seed, "join two members drawn at random")->type_name("K");
+    command
+        .add_option("--direction", directionFile, "or the way to go from there, as a state file")
+        ->type_name("FILE.csv");
+    command.add_flag("--sample", sample, "motions spread over the whole set instead of a curve");
+    command
+        .add_option("--seed", seed, "join two members drawn at random; with --sample, which ones")
+        ->type_name("K");
     command.add_option("--engine", engine, "who traces (auto)")
         ->type_name("auto|geometric|ipopt|nlopt");
     command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")

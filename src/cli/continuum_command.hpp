@@ -17,6 +17,8 @@ struct ContinuumCommand {
     std::string points;
     std::string fromFile;
     std::string toFile;
+    std::string directionFile;
+    bool sample = false;
     std::string seed;
     std::string engine;
     std::string strainLimit;

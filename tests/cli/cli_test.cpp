@@ -536,7 +536,10 @@ TEST_CASE("cli: a wrong call of continuum is exit status 2, one line, and no fil
           std::pair{"150 900 --energy-ratio 20 --points 1", "--points = 1"},
           std::pair{"150 900 --energy-ratio 20 --seed -1", "seed"},
           std::pair{"150 900 --energy-ratio 20 --engine magic", "--engine = magic"},
-          std::pair{"150 900 --energy-ratio 20 --from a.csv", "--from and --to"},
+          std::pair{"150 900 --energy-ratio 20 --from a.csv", "--from"},
+          std::pair{"150 900 --energy-ratio 20 --direction a.csv", "--direction"},
+          std::pair{"150 900 --energy-ratio 20 --sample --from a.csv --to a.csv", "--sample"},
+          std::pair{"150 900 --energy-ratio 20 --sample --engine ipopt", "engine"},
           std::pair{"150 900 --energy-ratio 20 --figure a.gif", "a.gif"},
           std::pair{"150 900 --energy-ratio 20 --csv a.png --figure ./a.png", "two different"}}) {
         const auto outcome = program.run(std::string("continuum ") + arguments);
@@ -579,4 +582,24 @@ TEST_CASE("cli: continuum draws its figure")
     for (const char* label : {"strain", "velocity", "position", "time", "displacement", "E/E"}) {
         CHECK_THAT(figure, containsText(label));
     }
+}
+
+TEST_CASE("cli: continuum: motions spread over the set, and a walk in a direction")
+{
+    const Program program;
+    const auto sampled = program.run(
+        "continuum 150 900 --energy-ratio 20 --sample --points 10 --csv members.csv --format json");
+    REQUIRE(sampled.status == 0);
+    const json members = json::parse(sampled.out);
+    CHECK(members["points"].size() == 10);
+    CHECK(members["parameter"] == "number");
+    CHECK(lines(contentOf(program.file("members.csv"))) == 11);
+
+    REQUIRE(program.run("find 6 36 --cells 12 --energy-ratio 8 --state from.csv").status == 0);
+    REQUIRE(program.run("find 6 36 --cells 12 --state towards.csv").status == 0);
+    const auto walked = program.run(
+        "continuum 6 36 --cells 12 --energy-ratio 8 --from from.csv --direction towards.csv "
+        "--format json");
+    REQUIRE(walked.status == 0);
+    CHECK(json::parse(walked.out)["points"].size() >= 1);
 }

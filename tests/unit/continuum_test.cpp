@@ -240,7 +240,7 @@ TEST_CASE("continuum: wrong use is named")
     CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("points = 1"));
     options = {};
     options.from = blockMotion(paper, 0, 30);
-    CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("both or none"));
+    CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("or none"));
     options.to = blockMotion(paper, 0, 20);
     CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("to = a motion with"));
     options.to = test::randomState(300);
@@ -310,4 +310,38 @@ TEST_CASE("continuum: two phases and strain limits are traced by programs, each 
         CHECK(point.peakStrain <= 0.012 * (1.0 + 1e-6));
     }
     CHECK(limited.points.back().lambda > 0.0);
+}
+
+TEST_CASE("continuum: from a motion in a direction, sliding along faces")
+{
+    const State from = blockMotion(paper, 0, 30);
+    const Continuum curve = traceContinuum(
+        paper, 20.0, {.from = from, .direction = sampleMotions(paper, 20.0, 1).front()});
+    INFO(curve.detail);
+    REQUIRE(curve.points.size() >= 2);
+    requirePoints(curve, curve.points.size(), 1e-11);
+    CHECK(curve.parameter == Parameter::arcLength);
+    CHECK((curve.points.front().state.a - from.a).lpNorm<Eigen::Infinity>() < 1e-12);
+    CHECK((curve.points.back().state.a - from.a).lpNorm<Eigen::Infinity>() > 0.5);
+}
+
+TEST_CASE("continuum: members spread over the set instead of a curve")
+{
+    const Continuum members = traceContinuum(paper, 20.0, {.points = 20, .sample = true});
+    requirePoints(members, 20, 1e-11);
+    CHECK(members.parameter == Parameter::number);
+    CHECK(members.points[3].lambda == 4.0);
+    const Continuum again = traceContinuum(paper, 20.0, {.points = 20, .sample = true});
+    CHECK(again.points[7].state == members.points[7].state);
+    const Continuum others = traceContinuum(paper, 20.0, {.points = 20, .sample = true, .seed = 5});
+    CHECK(!(others.points[7].state == members.points[7].state));
+    // Grazing motions of both signs are sampled too.
+    const Schedule grazing = onePhase(20, 1, 79);
+    requirePoints(traceContinuum(grazing, 5.0, {.points = 10, .sample = true}), 10, 1e-11);
+
+    CHECK_THROWS_AS(traceContinuum(paper, 20.0, {.sample = true, .engine = Engine::ipopt}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(
+        traceContinuum(paper, 20.0, {.from = blockMotion(paper, 0, 30), .sample = true}),
+        std::invalid_argument);
 }

@@ -265,3 +265,66 @@ TEST_CASE("sphere section: samples of a box keep to its partial sums")
         CHECK(squaresOf(z) == Approx(30.0).epsilon(1e-13));
     }
 }
+
+TEST_CASE("sphere section: a walk slides along the faces it meets, and never leaves the set")
+{
+    std::mt19937_64 generator(21);
+    std::normal_distribution<double> normal;
+    int faces = 0;
+    for (const std::int64_t count : {3, 5, 20, 150}) {
+        for (const double excess : {1.3, 4.0}) {
+            const SphereSection section{count, std::min(0.9, excess / static_cast<double>(count))};
+            SectionSampler sampler({SetKind::simplex, count, 1.0, 0.0, 0.0}, section.ratio, 3);
+            std::vector<double> z = sampler.next();
+            std::vector<double> direction(z.size());
+            for (double& value : direction) {
+                value = normal(generator);
+            }
+            SlidingWalk walk(section, z, direction);
+            constexpr double step = 0.02;
+            for (int k = 0; k < 200 && walk.canMove(); ++k) {
+                const std::vector<double> next = walk.advance(step);
+                INFO("d = " << count << ", rho = " << section.ratio << ", step " << k);
+                double sum = 0.0;
+                double squares = 0.0;
+                double moved = 0.0;
+                for (std::size_t j = 0; j < next.size(); ++j) {
+                    REQUIRE(next[j] >= 0.0);
+                    sum += next[j];
+                    squares += next[j] * next[j];
+                    moved += (next[j] - z[j]) * (next[j] - z[j]);
+                    faces += next[j] == 0.0 ? 1 : 0;
+                }
+                REQUIRE(sum == Approx(1.0).epsilon(1e-11));
+                REQUIRE(squares == Approx(section.ratio).epsilon(1e-11));
+                REQUIRE(std::sqrt(moved) <= step * (1.0 + 1e-9));
+                z = next;
+            }
+        }
+    }
+    CHECK(faces > 100);
+    CHECK_THROWS_AS(SlidingWalk({3, 0.5}, std::vector{0.5, 0.5, 0.0}, std::vector{1.0}),
+                    std::invalid_argument);
+}
+
+TEST_CASE("sphere section: away from faces a walk is the great circle itself")
+{
+    // d = 3: the sphere section is a circle about (1, 1, 1)/3 of radius sqrt(rho - 1/3).
+    const double rho = 0.4;
+    const double radius = std::sqrt(rho - 1.0 / 3.0);
+    const std::vector<double> u{2.0 / std::sqrt(6.0), -1.0 / std::sqrt(6.0), -1.0 / std::sqrt(6.0)};
+    const std::vector<double> v{0.0, 1.0 / std::sqrt(2.0), -1.0 / std::sqrt(2.0)};
+    std::vector<double> start(3);
+    for (std::size_t j = 0; j < 3; ++j) {
+        start[j] = 1.0 / 3.0 + radius * u[j];
+    }
+    SlidingWalk walk({3, rho}, start, std::vector{1.0, 3.0, -1.0});  // v plus what does not count
+    for (int k = 1; k <= 10; ++k) {
+        const std::vector<double>& z = walk.advance(0.1 * radius);
+        const double angle = 0.1 * k;
+        for (std::size_t j = 0; j < 3; ++j) {
+            CHECK(z[j] ==
+                  Approx(1.0 / 3.0 + radius * (std::cos(angle) * u[j] + std::sin(angle) * v[j])));
+        }
+    }
+}
