@@ -60,13 +60,7 @@ private:
         const int code = solveExactly(problem.get(), settings, watch);
         result.solveSeconds = watch.seconds();
 
-        const Verdict verdict = simplexVerdict(code, problem.get());
-        result.status = verdict.status;
-        result.detail = verdict.detail;
-        result.iterations = glp_get_it_cnt(problem.get());
-        if (result.status == SolverStatus::optimal) {
-            readPoint(problem.get(), program, glp_get_col_prim, glp_get_row_dual, result);
-        }
+        readSimplex(code, problem.get(), program, result);
         return result;
     }
 };

@@ -174,4 +174,15 @@ void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_pr
     result.inequalityDuals = read(dual, 1 + equalities, program.inequalities.rows());
 }
 
+void readSimplex(int code, glp_prob* problem, const Program& program, SolverResult& result)
+{
+    const Verdict verdict = simplexVerdict(code, problem);
+    result.status = verdict.status;
+    result.detail = verdict.detail;
+    result.iterations = glp_get_it_cnt(problem);
+    if (result.status == SolverStatus::optimal) {
+        readPoint(problem, program, glp_get_col_prim, glp_get_row_dual, result);
+    }
+}
+
 }  // namespace signorini::glpk

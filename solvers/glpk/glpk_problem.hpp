@@ -38,4 +38,7 @@ void setLimits(const SolverOptions& options, glp_smcp& settings);
 void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_prob*, int),
                double (*dual)(glp_prob*, int), SolverResult& result);
 
+/// Verdict, iterations and, if optimal, point and multipliers after either simplex method.
+void readSimplex(int code, glp_prob* problem, const Program& program, SolverResult& result);
+
 }  // namespace signorini::glpk

@@ -47,13 +47,7 @@ private:
         const int code = glp_simplex(problem.get(), &settings);
         result.solveSeconds = watch.seconds();
 
-        const Verdict verdict = simplexVerdict(code, problem.get());
-        result.status = verdict.status;
-        result.detail = verdict.detail;
-        result.iterations = glp_get_it_cnt(problem.get());
-        if (result.status == SolverStatus::optimal) {
-            readPoint(problem.get(), program, glp_get_col_prim, glp_get_row_dual, result);
-        }
+        readSimplex(code, problem.get(), program, result);
         return result;
     }
 };

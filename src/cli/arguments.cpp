@@ -53,6 +53,19 @@ bool readAll(std::string_view text, Number& value)
 
 }  // namespace
 
+ExitStatus exitStatusOf(Status status)
+{
+    switch (status) {
+        case Status::found:
+            return exitFound;
+        case Status::none:
+            return exitNone;
+        case Status::undecided:
+            return exitUndecided;
+    }
+    throw std::logic_error("unnamed Status");
+}
+
 void writeOut(std::string_view text)
 {
     const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);

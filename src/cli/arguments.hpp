@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "signorini/bar.hpp"
+#include "signorini/find_periodic.hpp"
 #include "signorini/schedule.hpp"
 
 namespace CLI {
@@ -24,6 +25,9 @@ enum ExitStatus : int {
     exitUndecided = 3,    ///< a limit or numerics stood in the way
     exitUnavailable = 4,  ///< a file, database or back end could not be used
 };
+
+/// The exit status that tells a verdict.
+[[nodiscard]] ExitStatus exitStatusOf(Status status);
 
 /// Writes to standard output, whole or with an error. \throws FileError.
 void writeOut(std::string_view text);

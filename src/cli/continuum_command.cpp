@@ -224,15 +224,7 @@ ExitStatus ContinuumCommand::run() const
         fmt::print(stderr, "signorini continuum: no motion to write, so no file was written\n");
     }
     writeOut(json ? asJson(curve) : asText(curve));
-    switch (curve.status) {
-        case Status::found:
-            return exitFound;
-        case Status::none:
-            return exitNone;
-        case Status::undecided:
-            return exitUndecided;
-    }
-    return exitUndecided;
+    return exitStatusOf(curve.status);
 }
 
 }  // namespace signorini::cli

@@ -171,15 +171,7 @@ ExitStatus FindCommand::run() const
         fmt::print(stderr, "signorini find: no motion to write, so no file was written\n");
     }
     writeOut(json ? asJson(result) : asText(result));
-    switch (result.status) {
-        case Status::found:
-            return exitFound;
-        case Status::none:
-            return exitNone;
-        case Status::undecided:
-            return exitUndecided;
-    }
-    return exitUndecided;
+    return exitStatusOf(result.status);
 }
 
 }  // namespace signorini::cli
