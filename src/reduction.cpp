@@ -16,104 +16,104 @@ namespace {
 constexpr double amplitudeTolerance = 1e-9;
 
 /// Splits the steps into classes and finds the live ones.
-void findLiveClasses(const Phase& phase, Reduction& r)
+void findLiveClasses(std::int64_t cells, const Phase& phase, Verdict& v)
 {
-    const std::int64_t window = 2 * r.schedule.cells;
     const std::int64_t n = phase.contact + phase.free;
-    r.classes = std::gcd(window, n);
-    r.members = n / r.classes;
-    r.window = window / r.classes;
+    v.cells = cells;
+    v.classes = std::gcd(2 * cells, n);
+    v.members = n / v.classes;
+    v.window = 2 * cells / v.classes;
 
     // Classes j < remainder hold quotient + 1 contact steps, the others quotient.
-    const std::int64_t quotient = phase.contact / r.classes;
-    const std::int64_t remainder = phase.contact % r.classes;
-    const auto isLive = [&r](std::int64_t contacts) { return (r.members - contacts) % 2 == 0; };
+    const std::int64_t quotient = phase.contact / v.classes;
+    const std::int64_t remainder = phase.contact % v.classes;
+    const auto isLive = [&v](std::int64_t contacts) { return (v.members - contacts) % 2 == 0; };
     if (remainder > 0 && isLive(quotient + 1)) {
-        r.firstLive = 0;
-        r.kernelDimension = remainder;
-        r.contactMembers = quotient + 1;
+        v.firstLive = 0;
+        v.kernelDimension = remainder;
+        v.contactMembers = quotient + 1;
     } else if (isLive(quotient)) {
-        r.firstLive = remainder;
-        r.kernelDimension = r.classes - remainder;
-        r.contactMembers = quotient;
+        v.firstLive = remainder;
+        v.kernelDimension = v.classes - remainder;
+        v.contactMembers = quotient;
     } else {
-        r.firstLive = 0;
-        r.kernelDimension = 0;
-        r.contactMembers = 0;
+        v.firstLive = 0;
+        v.kernelDimension = 0;
+        v.contactMembers = 0;
     }
+    v.contact = v.contactMembers > 0 ? Contact::pressing : Contact::grazing;
 }
 
-/// epsilon along the orbit alpha, alpha + w, alpha + 2w, ... (mod nu), from epsilon_0 = 1.
-void findSigns(Reduction& r)
+/// epsilon along the orbit alpha, alpha + w, alpha + 2w, ... (mod nu), from epsilon_0 = 1, into the
+/// first nu of `signs`. Returns whether every contact epsilon is +1; if `stops`, the walk ends at
+/// the first that is not.
+bool findSigns(const Verdict& v, bool stops, std::vector<std::int8_t>& signs)
 {
-    r.signs.resize(static_cast<std::size_t>(r.members));
-    const std::int64_t stride = r.window % r.members;
+    if (signs.size() < static_cast<std::size_t>(v.members)) {
+        signs.resize(static_cast<std::size_t>(v.members));
+    }
+    const std::int64_t stride = v.window % v.members;
     std::int64_t alpha = 0;
     std::int8_t sign = 1;
-    for (std::int64_t visited = 0; visited < r.members; ++visited) {
-        r.signs[static_cast<std::size_t>(alpha)] = sign;
-        if (alpha >= r.contactMembers) {
+    bool agree = true;
+    for (std::int64_t visited = 0; visited < v.members; ++visited) {
+        signs[static_cast<std::size_t>(alpha)] = sign;
+        if (alpha >= v.contactMembers) {
             sign = static_cast<std::int8_t>(-sign);
+        } else if (sign < 0) {
+            agree = false;
+            if (stops) {
+                return false;
+            }
         }
         alpha += stride;
-        alpha -= alpha >= r.members ? r.members : 0;
+        alpha -= alpha >= v.members ? v.members : 0;
     }
+    return agree;
 }
 
-/// Sum of epsilon over blocks 0..w-1, epsilon being nu-periodic, and the largest prefix sum over
-/// the free blocks.
-void findSums(Reduction& r)
+/// Sum of epsilon over blocks 0..w-1, epsilon being nu-periodic.
+std::int64_t windowSumOf(const Verdict& v, const std::vector<std::int8_t>& signs)
 {
-    const auto sum = [&r](std::int64_t begin, std::int64_t end) {
-        return std::accumulate(r.signs.begin() + begin, r.signs.begin() + end, std::int64_t{0});
+    const auto sum = [&signs](std::int64_t end) {
+        return std::accumulate(signs.begin(), signs.begin() + end, std::int64_t{0});
     };
-    const std::int64_t turns = r.window / r.members;
-    const std::int64_t rest = sum(0, r.window % r.members);
-    r.windowSum = turns == 0 ? rest : rest + turns * sum(0, r.members);
+    const std::int64_t turns = v.window / v.members;
+    const std::int64_t rest = sum(v.window % v.members);
+    return turns == 0 ? rest : rest + turns * sum(v.members);
+}
 
+/// The largest prefix sum of epsilon over the free blocks, if it is positive, and where.
+struct WorstPrefix {
+    std::int64_t block = -1;
+    std::int64_t sum = 0;
+};
+
+WorstPrefix findWorstPrefix(const Verdict& v, bool stops, const std::vector<std::int8_t>& signs)
+{
+    WorstPrefix worst;
     std::int64_t prefix = 0;
-    r.worstPrefix = 0;
-    r.worstBlock = -1;
-    for (std::int64_t alpha = r.contactMembers; alpha < r.members; ++alpha) {
-        prefix += r.signs[static_cast<std::size_t>(alpha)];
-        if (prefix > r.worstPrefix) {
-            r.worstPrefix = prefix;
-            r.worstBlock = alpha;
+    for (std::int64_t alpha = v.contactMembers; alpha < v.members; ++alpha) {
+        prefix += signs[static_cast<std::size_t>(alpha)];
+        if (prefix > worst.sum) {
+            worst = {alpha, prefix};
+            if (stops) {
+                break;
+            }
         }
     }
+    return worst;
 }
 
-/// The conditions in the order of Reason.
-std::optional<Reason> findReason(const Reduction& r)
+AmplitudeSet solutionSet(const Verdict& v)
 {
-    if (r.kernelDimension == 0) {
-        return Reason::noLiveClass;
-    }
-    if (r.contactMembers == 0) {
-        return std::nullopt;  // grazing motions always exist
-    }
-    const auto contactEnd = r.signs.begin() + r.contactMembers;
-    if (std::find(r.signs.begin(), contactEnd, std::int8_t{-1}) != contactEnd) {
-        return Reason::contactSign;
-    }
-    if (r.worstPrefix > 0) {
-        return Reason::penetration;
-    }
-    if (r.windowSum >= 0) {
-        return Reason::gap;
-    }
-    return std::nullopt;
-}
-
-AmplitudeSet solutionSet(const Reduction& r)
-{
-    if (r.reason) {
+    if (v.reason) {
         return {};
     }
     AmplitudeSet set;
-    set.count = r.kernelDimension;
-    set.sum = -static_cast<double>(r.schedule.cells) / static_cast<double>(r.windowSum);
-    set.kind = r.contact == Contact::pressing ? SetKind::simplex : SetKind::box;
+    set.count = v.kernelDimension;
+    set.sum = -static_cast<double>(v.cells) / static_cast<double>(v.windowSum);
+    set.kind = v.contact == Contact::pressing ? SetKind::simplex : SetKind::box;
     if (set.kind == SetKind::box) {
         set.lower = set.sum;
         set.upper = 0.0;
@@ -124,9 +124,9 @@ AmplitudeSet solutionSet(const Reduction& r)
     return set;
 }
 
-void requireMotion(const Reduction& reduction)
+void requireMotion(const Verdict& verdict)
 {
-    if (reduction.reason || reduction.set.kind == SetKind::empty) {
+    if (verdict.reason || verdict.set.kind == SetKind::empty) {
         throw std::invalid_argument("reduction: the schedule has no motion");
     }
 }
@@ -202,16 +202,23 @@ void reduce(const Schedule& schedule, Reduction& result)
     }
     result.schedule = schedule;
     fold(result.schedule);
-    findLiveClasses(result.schedule.phases.front(), result);
+    findLiveClasses(schedule.cells, result.schedule.phases.front(), result);
     result.signs.clear();
     result.windowSum = result.worstPrefix = 0;
     result.worstBlock = -1;
+    result.reason = Reason::noLiveClass;
     if (result.kernelDimension > 0) {
-        findSigns(result);
-        findSums(result);
+        const bool contactsAgree = findSigns(result, false, result.signs);
+        const WorstPrefix worst = findWorstPrefix(result, false, result.signs);
+        result.worstBlock = worst.block;
+        result.worstPrefix = worst.sum;
+        result.windowSum = windowSumOf(result, result.signs);
+        result.reason = result.contact == Contact::grazing ? std::optional<Reason>()
+                        : !contactsAgree                   ? Reason::contactSign
+                        : worst.sum > 0                    ? Reason::penetration
+                        : result.windowSum >= 0            ? Reason::gap
+                                                           : std::optional<Reason>();
     }
-    result.reason = findReason(result);
-    result.contact = result.contactMembers > 0 ? Contact::pressing : Contact::grazing;
     result.set = solutionSet(result);
 }
 
@@ -222,17 +229,48 @@ Reduction reduce(const Schedule& schedule)
     return result;
 }
 
-EnergyRange energyRange(const Reduction& reduction)
+bool Verdict::isCanonical() const
 {
-    requireMotion(reduction);
+    // Dead classes beside live ones with c contact steps hold c + 1 if they come first, else c - 1.
+    const bool allLive = kernelDimension == classes;
+    const bool deadTouch = firstLive > 0 || contactMembers > 1;
+    return !reason && contact == Contact::pressing && (allLive || !deadTouch);
+}
+
+Verdict decide(std::int64_t cells, Phase phase, std::vector<std::int8_t>& signs)
+{
+    fold(cells, phase);
+    Verdict v;
+    findLiveClasses(cells, phase, v);
+    if (v.kernelDimension == 0) {
+        v.reason = Reason::noLiveClass;
+    } else if (v.contact == Contact::grazing) {
+        v.windowSum = 1;  // epsilon alternates
+    } else if (!findSigns(v, true, signs)) {
+        v.reason = Reason::contactSign;
+    } else if (findWorstPrefix(v, true, signs).sum > 0) {
+        v.reason = Reason::penetration;
+    } else {
+        v.windowSum = windowSumOf(v, signs);
+        if (v.windowSum >= 0) {
+            v.reason = Reason::gap;
+        }
+    }
+    v.set = solutionSet(v);
+    return v;
+}
+
+EnergyRange energyRange(const Verdict& verdict)
+{
+    requireMotion(verdict);
     // With S = -N/win both ends are rational; integers below 2^53 make their quotient the double
     // nearest to it.
-    const auto sum = static_cast<double>(reduction.windowSum);
-    const auto count = static_cast<double>(reduction.set.count);
+    const auto sum = static_cast<double>(verdict.windowSum);
+    const auto count = static_cast<double>(verdict.set.count);
     const double whole =
-        2.0 * static_cast<double>(reduction.window) * static_cast<double>(reduction.schedule.cells);
-    const double squares = reduction.set.sum * reduction.set.sum;
-    const double most = std::round(mostSquares(reduction.set) / squares);  // 1 on a simplex
+        2.0 * static_cast<double>(verdict.window) * static_cast<double>(verdict.cells);
+    const double squares = verdict.set.sum * verdict.set.sum;
+    const double most = std::round(mostSquares(verdict.set) / squares);  // 1 on a simplex
     return {whole / (sum * sum * count), whole * most / (sum * sum)};
 }
 

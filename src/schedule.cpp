@@ -59,14 +59,19 @@ double frequencyRatio(const Schedule& schedule)
     return 4.0 * static_cast<double>(schedule.cells) / static_cast<double>(steps(schedule));
 }
 
-void fold(Schedule& schedule)
+void fold(std::int64_t cells, Phase& phase)
 {
     const auto shorten = [](std::int64_t& count, std::int64_t repeat) {
         count = count < repeat ? count : repeat + count % repeat;
     };
+    shorten(phase.contact, 2 * cells);
+    shorten(phase.free, 4 * cells);
+}
+
+void fold(Schedule& schedule)
+{
     for (Phase& phase : schedule.phases) {
-        shorten(phase.contact, 2 * schedule.cells);
-        shorten(phase.free, 4 * schedule.cells);
+        fold(schedule.cells, phase);
     }
 }
 

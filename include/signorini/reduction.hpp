@@ -61,22 +61,31 @@ struct EnergyRange {
     double most = 0.0;   ///< [E_1]
 };
 
-/// The verdict on a schedule and everything needed to write down each of its motions.
-struct Reduction {
-    Schedule schedule;                    ///< the folded schedule that all counts below refer to
+/// What can be said of a schedule in a few integers: does it have a motion, and how many.
+struct Verdict {
+    std::int64_t cells = 0;               ///< [-], N
     std::int64_t classes = 0;             ///< [-], G
     std::int64_t members = 0;             ///< [-], nu, steps in a class
     std::int64_t window = 0;              ///< [-], w = 2N/G, blocks in a window of 2N steps
     std::int64_t contactMembers = 0;      ///< [-], contact steps in a live class
     std::int64_t firstLive = 0;           ///< [-], j of the first live class
     std::int64_t kernelDimension = 0;     ///< [-], d = dim ker(W - 1)
-    std::vector<std::int8_t> signs;       ///< epsilon_alpha, alpha = 0..nu-1 (empty if d = 0)
     std::int64_t windowSum = 0;           ///< [-], sum of epsilon over w blocks
-    std::int64_t worstBlock = -1;         ///< alpha of the largest prefix sum, when it is > 0
-    std::int64_t worstPrefix = 0;         ///< [-], that sum
     std::optional<Reason> reason;         ///< set exactly when the set is empty
     Contact contact = Contact::pressing;  ///< meaningful when the set is not empty
     AmplitudeSet set;                     ///< in z_j, j = firstLive .. firstLive + d - 1
+
+    /// Does the motion of least energy press at every contact step of the schedule, because no
+    /// class that touches the wall is dead? Then the schedule is the canonical one of its motion.
+    [[nodiscard]] bool isCanonical() const;
+};
+
+/// The verdict and everything needed to write down each motion, or to prove that there is none.
+struct Reduction : Verdict {
+    Schedule schedule;               ///< the folded schedule that all counts refer to
+    std::vector<std::int8_t> signs;  ///< epsilon_alpha, alpha = 0..nu-1 (empty if d = 0)
+    std::int64_t worstBlock = -1;    ///< alpha of the largest prefix sum, when it is > 0
+    std::int64_t worstPrefix = 0;    ///< [-], that sum
 };
 
 /// Decides a schedule. O(min(n, 12N)/G) steps on integers, one array of that many bytes; no heap
@@ -87,10 +96,15 @@ void reduce(const Schedule& schedule, Reduction& result);
 /// The same, returning a fresh object.
 [[nodiscard]] Reduction reduce(const Schedule& schedule);
 
+/// The verdict alone, for those who ask about millions of schedules: the walk along a class ends
+/// at the first contradiction, which most schedules show within a few steps. `signs` is room to
+/// work in, to be passed again. \pre the schedule is valid: `validate` holds for cells and phase.
+[[nodiscard]] Verdict decide(std::int64_t cells, Phase phase, std::vector<std::int8_t>& signs);
+
 /// [E_min, E_max]/E_1 over the whole set: 2w/N times the extremes of sum z^2, rounded once (where
 /// N < 4e7), so that a double beyond an end is beyond it by as much. O(1).
 /// \throws std::invalid_argument if the set is empty.
-[[nodiscard]] EnergyRange energyRange(const Reduction& reduction);
+[[nodiscard]] EnergyRange energyRange(const Verdict& verdict);
 
 /// The state at t = 0 of the motion with the given amplitudes. O(N).
 /// \throws std::invalid_argument if the set is empty, z has the wrong length, or z lies outside

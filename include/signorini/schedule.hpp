@@ -57,6 +57,9 @@ void validate(const Schedule& schedule);
 /// that stay. Afterwards n < 12N per phase, so the cost of a verdict never grows with the period.
 void fold(Schedule& schedule);
 
+/// The same for one phase on N cells.
+void fold(std::int64_t cells, Phase& phase);
+
 /// "N = 300, (150, 900)", for people; more than eight phases are abridged.
 [[nodiscard]] std::string describe(const Schedule& schedule);
 

@@ -90,16 +90,36 @@ TEST_CASE("reduction: 7,900 schedules up to N = 10 give 451 motions, 154 pressin
     CHECK(count["none"] == 7900 - 451);
 }
 
+TEST_CASE("reduction: the verdict alone agrees with the full reduction on every schedule N <= 8")
+{
+    std::vector<std::int8_t> signs;
+    test::forAllSchedules(8, 3, [&signs](const Schedule& schedule) {
+        const Reduction full = reduce(schedule);
+        const Verdict verdict = decide(schedule.cells, schedule.phases.front(), signs);
+        INFO(describe(schedule));
+        REQUIRE(verdict.reason == full.reason);
+        REQUIRE(verdict.kernelDimension == full.kernelDimension);
+        REQUIRE(verdict.set.kind == full.set.kind);
+        REQUIRE(verdict.set.count == full.set.count);
+        REQUIRE(verdict.isCanonical() == full.isCanonical());
+        if (!full.reason) {
+            REQUIRE(verdict.contact == full.contact);
+            REQUIRE(verdict.windowSum == full.windowSum);
+            REQUIRE(energyRange(verdict).least == energyRange(full).least);
+            REQUIRE(energyRange(verdict).most == energyRange(full).most);
+            const Verification seen = verify(leastEnergyMotion(full), schedule);
+            REQUIRE(verdict.isCanonical() == (seen.canonical == schedule.phases));
+        }
+    });
+}
+
 TEST_CASE("reduction: at N = 12, T <= 8 exactly 36 schedules press at every contact step")
 {
     int pressing = 0;
+    std::vector<std::int8_t> signs;
     for (std::int64_t contact = 1; contact <= 24; ++contact) {
         for (std::int64_t free = 1; contact + free <= 96; ++free) {
-            const Schedule schedule = onePhase(12, contact, free);
-            const Reduction r = reduce(schedule);
-            if (!r.reason && verify(leastEnergyMotion(r), schedule).canonical == schedule.phases) {
-                ++pressing;
-            }
+            pressing += decide(12, {contact, free}, signs).isCanonical() ? 1 : 0;
         }
     }
     CHECK(pressing == 36);
