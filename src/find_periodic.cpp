@@ -304,21 +304,9 @@ private:
         if (isOnePhase()) {
             return reduction_.reason.value_or(Reason::constraints);
         }
-        const ClassTypes classes = classTypes(result_.schedule);
-        if (classes.kernelDimension == 0) {
-            return Reason::noLiveClass;
-        }
-        const auto any = [&classes](auto condition) {
-            return std::any_of(classes.types.begin(), classes.types.end(), condition);
-        };
-        if (!any([](const ClassType& type) { return type.isLive(); })) {
-            return Reason::contactSign;
-        }
-        if (!any([](const ClassType& type) {
-                return (type.kind == TypeKind::pressing && type.windowSum < 0) ||
-                       (type.kind == TypeKind::grazing && type.windowSum != 0);
-            })) {
-            return Reason::gap;
+        const Reason reason = absenceReason(classTypes(result_.schedule));
+        if (reason != Reason::penetration) {
+            return reason;
         }
         const bool isEmpty = lumped_ ? lumped_->absence.has_value()
                                      : proofFor(Demands{}, Formulation::lumped).has_value();

@@ -638,6 +638,26 @@ LumpedSet lumpedSetOf(ClassTypes classes)
     return set;
 }
 
+Reason absenceReason(const ClassTypes& classes)
+{
+    const auto any = [&classes](auto condition) {
+        return std::any_of(classes.types.begin(), classes.types.end(), condition);
+    };
+    if (classes.kernelDimension == 0) {
+        return Reason::noLiveClass;
+    }
+    if (!any([](const ClassType& type) { return type.isLive(); })) {
+        return Reason::contactSign;
+    }
+    if (!any([](const ClassType& type) {
+            return (type.kind == TypeKind::pressing && type.windowSum < 0) ||
+                   (type.kind == TypeKind::grazing && type.windowSum != 0);
+        })) {
+        return Reason::gap;
+    }
+    return Reason::penetration;
+}
+
 InfeasibilityProof proofOf(const LumpedSet& set, const Program& program)
 {
     if (!set.absence) {

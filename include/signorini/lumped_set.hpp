@@ -77,6 +77,10 @@ inline constexpr std::int64_t maxBlocks = 50'000'000;
 /// The same, for classes that are known already.
 [[nodiscard]] LumpedSet lumpedSetOf(ClassTypes classes);
 
+/// The simplest reason why a schedule that has no motion has none: no class is live, contact steps
+/// contradict each other, no amplitude brings the tip to the wall, or else the flights. O(K).
+[[nodiscard]] Reason absenceReason(const ClassTypes& classes);
+
 /// The proof of absence in terms of the program formulate(schedule, Formulation::lumped).
 /// O(rows of the program). \throws std::invalid_argument if there are motions.
 [[nodiscard]] InfeasibilityProof proofOf(const LumpedSet& set, const Program& program);

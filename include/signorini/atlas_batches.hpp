@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// Batches of an atlas in their order, whoever decides them: the threads of this process here, or
+/// other processes (src/cli/atlas_ranks.hpp). The consumer cannot tell the difference, so neither
+/// the number of workers nor their speed can change a result.
+
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include "signorini/atlas.hpp"
+
+namespace signorini {
+
+/// Decided batches, one by one, by ascending number.
+class BatchSource {
+public:
+    BatchSource() = default;
+    BatchSource(const BatchSource&) = delete;
+    BatchSource& operator=(const BatchSource&) = delete;
+    virtual ~BatchSource() = default;
+
+    /// The next batch; nothing after the last one, or once cancelled.
+    [[nodiscard]] virtual std::optional<AtlasBatch> next() = 0;
+};
+
+/// Batches first, first + stride, first + 2 stride, ... of a range, decided by threads of this
+/// process, which run ahead of the consumer by at most two batches each: memory stays flat.
+class LocalBatches : public BatchSource {
+public:
+    /// \throws std::invalid_argument on an invalid range, first < 0, stride < 1 or threads < 1.
+    LocalBatches(const AtlasRange& range, std::int64_t threads, std::stop_token cancel = {},
+                 std::int64_t first = 0, std::int64_t stride = 1);
+    ~LocalBatches() override;
+
+    /// Waits for the next batch. \throws what the thread that decided it has thrown.
+    [[nodiscard]] std::optional<AtlasBatch> next() override;
+
+private:
+    void work(const std::stop_token& stop);
+
+    AtlasRange range_;
+    std::int64_t stride_;
+    std::int64_t end_;     ///< numbers at and beyond it do not exist
+    std::int64_t window_;  ///< [-], batches that may be under way or waiting
+    std::mutex mutex_;
+    std::condition_variable_any changed_;
+    std::int64_t toStart_;    ///< next batch for a thread to take
+    std::int64_t toDeliver_;  ///< next batch for the consumer
+    std::map<std::int64_t, AtlasBatch> done_;
+    std::exception_ptr failure_;
+    std::stop_token cancel_;
+    std::vector<std::jthread> threads_;  ///< last: they use all of the above
+};
+
+}  // namespace signorini

@@ -1,0 +1,130 @@
+#pragma once
+/// \file
+/// An atlas kept in SQLite: written batch by batch, resumed after any interruption, asked later.
+///
+/// Table `schedules`, one row for each schedule kept: cells, phases as text "nc:nf[,nc:nf...]",
+/// steps (n), period (n/N, in L/c), frequency_ratio (4N/n), status, reason, kernel_dimension, kind,
+/// dimension, contact, canonical (0 or 1), energy_ratio_min, energy_ratio_max (NULL: unbounded or
+/// unknown); unique in (cells, phases). Rows are in the order of the range.
+///
+/// Table `runs`, one row for each range: version, options, its bounds, next_batch of batches, the
+/// tally so far, started, finished, seconds, workers. A batch and the progress it means are one
+/// transaction, so that a process killed at any moment loses the batches in flight, nothing else.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "signorini/atlas.hpp"
+#include "signorini/atlas_batches.hpp"
+
+namespace signorini {
+
+class Connection;
+class BatchWriter;
+
+/// A range in a database and how far it has come.
+struct AtlasRun {
+    std::int64_t id = 0;
+    AtlasRange range;
+    std::int64_t nextBatch = 0;  ///< the first not decided yet
+    std::int64_t batches = 0;    ///< all of them
+    AtlasTally tally;            ///< of the batches decided
+    double seconds = 0.0;        ///< [s], spent on it by all calls together
+
+    [[nodiscard]] bool isFinished() const { return nextBatch == batches; }
+};
+
+/// A row of table `schedules`.
+struct AtlasEntry {
+    Schedule schedule;
+    AtlasRow row;  ///< `number`: its rowid
+};
+
+/// A period as an exact fraction, in L/c.
+struct PeriodFraction {
+    std::int64_t numerator = 0;
+    std::int64_t denominator = 1;
+};
+
+/// Schedules of one period whose motions of least energy have the same energy and differ.
+using Twins = std::vector<AtlasEntry>;
+
+/// An atlas that exists, or is to be made.
+class AtlasDatabase {
+public:
+    /// Opens for writing, creating file and tables where they do not exist.
+    /// \throws FileError if the file cannot be used or is no atlas.
+    [[nodiscard]] static AtlasDatabase create(const std::string& path);
+    /// Opens for asking. \throws FileError if the file cannot be read or is no atlas.
+    [[nodiscard]] static AtlasDatabase open(const std::string& path);
+    AtlasDatabase(AtlasDatabase&&) noexcept;
+    AtlasDatabase& operator=(AtlasDatabase&&) noexcept;
+    ~AtlasDatabase();
+
+    /// The run of a range, if the database has one. \throws FileError.
+    [[nodiscard]] std::optional<AtlasRun> find(const AtlasRange& range) const;
+    /// Enters a new run. `options` is kept as it stands, for people.
+    /// \throws FileError, std::invalid_argument on an invalid range.
+    [[nodiscard]] AtlasRun start(const AtlasRange& range, std::string_view options);
+    /// Writes a batch and what it means for the run, in one transaction. `seconds` is added to the
+    /// time spent. \throws FileError, and then nothing of it was written; std::invalid_argument if
+    /// the batch is not the next one.
+    void write(AtlasRun& run, const AtlasBatch& batch, double seconds, std::string_view workers);
+
+    /// Every row with status found, in order; all cells, or those of N. \throws FileError.
+    void forEachFound(std::optional<std::int64_t> cells,
+                      const std::function<void(const AtlasEntry&)>& action) const;
+    /// Schedules with motions near a point of the frequency-energy plot, nearest first: the
+    /// distance is that of omega/omega_1, relative, and of the energy range, relative, as one
+    /// Euclidean norm; at most `distance`. \throws FileError.
+    [[nodiscard]] std::vector<AtlasEntry> near(double frequencyRatio, double energyRatio,
+                                               double distance,
+                                               std::optional<std::int64_t> cells = {}) const;
+    /// All rows of one period T c/L, found or not. \throws FileError.
+    [[nodiscard]] std::vector<AtlasEntry> ofPeriod(PeriodFraction period,
+                                                   std::optional<std::int64_t> cells = {}) const;
+    /// Different motions of equal T and E: among the canonical schedules of one N, those of equal n
+    /// whose least energies agree to 1e-12. By period, then energy. \throws FileError.
+    [[nodiscard]] std::vector<Twins> twins(std::optional<std::int64_t> cells = {}) const;
+
+private:
+    explicit AtlasDatabase(std::unique_ptr<Connection> connection);
+
+    std::unique_ptr<Connection> connection_;
+    std::unique_ptr<BatchWriter> writer_;
+};
+
+/// How to make an atlas.
+struct AtlasOptions {
+    std::int64_t threads = 1;     ///< [-], of this process
+    bool resume = false;          ///< go on with a run that is in the database
+    std::stop_token cancel = {};  ///< ends after the batch being written
+    std::string options = {};     ///< kept in `runs`, for people
+    std::function<void(const AtlasRun&)> progress = {};  ///< called after each batch
+};
+
+/// Decides a range into a database: on threads of this process, or from any source of batches. A
+/// finished run is left as it is. Returns how far it came; cancelled runs are not finished.
+/// \throws FileError; std::invalid_argument on an invalid range, or if the database has an
+/// unfinished run of this range and `resume` is not set.
+AtlasRun buildAtlas(AtlasDatabase& database, const AtlasRange& range,
+                    const AtlasOptions& options = {});
+
+/// The run to work on: the one in the database, or a new one. Errors as above.
+[[nodiscard]] AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range,
+                                  const AtlasOptions& options);
+
+/// Writes batches run.nextBatch, ... as they come. `workers` is kept in `runs`, for people.
+void fillAtlas(AtlasDatabase& database, AtlasRun& run, BatchSource& source,
+               std::string_view workers, const AtlasOptions& options);
+
+/// "nc:nf[,nc:nf...]".
+[[nodiscard]] std::string phasesText(const std::vector<Phase>& phases);
+
+}  // namespace signorini

@@ -1,0 +1,87 @@
+#include "signorini/atlas_batches.hpp"
+
+#include <utility>
+
+#include "faults.hpp"
+
+namespace signorini {
+
+LocalBatches::LocalBatches(const AtlasRange& range, std::int64_t threads, std::stop_token cancel,
+                           std::int64_t first, std::int64_t stride)
+    : range_(range),
+      stride_(stride),
+      end_(0),
+      window_(2 * threads * stride),
+      toStart_(first),
+      toDeliver_(first),
+      cancel_(std::move(cancel))
+{
+    validate(range);
+    Faults faults;
+    const auto check = [&faults](const char* field, std::int64_t value, std::int64_t least) {
+        if (value < least) {
+            faults.add(field, value, fmt::format("whole numbers >= {}", least));
+        }
+    };
+    check("threads", threads, 1);
+    check("first", first, 0);
+    check("stride", stride, 1);
+    faults.throwIfAny();
+    end_ = batchesOf(range);
+    for (std::int64_t k = 0; k < threads; ++k) {
+        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+    }
+}
+
+LocalBatches::~LocalBatches()
+{
+    for (std::jthread& thread : threads_) {
+        thread.request_stop();
+    }
+    threads_.clear();  // joins them while the members they use still live
+}
+
+void LocalBatches::work(const std::stop_token& stop)
+{
+    std::vector<std::int8_t> signs;
+    while (!stop.stop_requested() && !cancel_.stop_requested()) {
+        std::int64_t number = 0;
+        {
+            std::unique_lock lock(mutex_);
+            changed_.wait(lock, stop, [this] { return toStart_ - toDeliver_ < window_; });
+            if (stop.stop_requested() || toStart_ >= end_ || failure_) {
+                return;
+            }
+            number = toStart_;
+            toStart_ += stride_;
+        }
+        try {
+            AtlasBatch batch = decideBatch(range_, number, signs);
+            const std::lock_guard lock(mutex_);
+            done_.emplace(number, std::move(batch));
+        } catch (...) {
+            const std::lock_guard lock(mutex_);
+            failure_ = std::current_exception();
+        }
+        changed_.notify_all();
+    }
+}
+
+std::optional<AtlasBatch> LocalBatches::next()
+{
+    std::unique_lock lock(mutex_);
+    const auto isReady = [this] { return failure_ || done_.contains(toDeliver_); };
+    if (toDeliver_ >= end_ || cancel_.stop_requested() || !changed_.wait(lock, cancel_, isReady)) {
+        return std::nullopt;
+    }
+    if (failure_) {
+        std::rethrow_exception(failure_);
+    }
+    auto node = done_.extract(toDeliver_);
+    toDeliver_ += stride_;
+    lock.unlock();
+    changed_.notify_all();
+    return std::move(node.mapped());
+}
+
+}  // namespace signorini

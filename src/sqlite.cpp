@@ -1,0 +1,163 @@
+#include "sqlite.hpp"
+
+#include <sqlite3.h>
+
+#include <cmath>
+
+#include "signorini/output.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// How long to wait for another process that is writing.
+constexpr int busyMilliseconds = 5000;
+
+}  // namespace
+
+Connection::Connection(const std::string& path, DatabaseMode mode) : path_(path)
+{
+    const int flags = mode == DatabaseMode::read ? SQLITE_OPEN_READONLY
+                                                 : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    sqlite3* raw = nullptr;
+    const int code = sqlite3_open_v2(path.c_str(), &raw, flags, nullptr);
+    handle_ = std::shared_ptr<sqlite3>(raw, sqlite3_close_v2);
+    if (code != SQLITE_OK) {
+        fail("cannot open");
+    }
+    sqlite3_extended_result_codes(raw, 1);
+    sqlite3_busy_timeout(raw, busyMilliseconds);
+}
+
+void Connection::run(const char* sql)
+{
+    if (sqlite3_exec(handle(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) {
+        fail("cannot use");
+    }
+}
+
+std::int64_t Connection::number(const char* sql)
+{
+    Statement statement(*this, sql);
+    return statement.step() ? statement.whole(0) : 0;
+}
+
+std::int64_t Connection::changes() const
+{
+    return sqlite3_changes(handle());
+}
+
+std::int64_t Connection::lastId() const
+{
+    return sqlite3_last_insert_rowid(handle());
+}
+
+void Connection::fail(const char* action) const
+{
+    throw FileError(path_, std::string(action) + ": " + sqlite3_errmsg(handle()));
+}
+
+Statement::Statement(const Connection& connection, std::string_view sql) : connection_(connection)
+{
+    sqlite3_stmt* raw = nullptr;
+    check(sqlite3_prepare_v2(connection_.handle(), sql.data(), static_cast<int>(sql.size()), &raw,
+                             nullptr));
+    handle_ = std::shared_ptr<sqlite3_stmt>(raw, sqlite3_finalize);
+}
+
+Statement& Statement::bind(int index, std::int64_t value)
+{
+    check(sqlite3_bind_int64(handle_.get(), index + 1, value));
+    return *this;
+}
+
+Statement& Statement::bind(int index, double value)
+{
+    if (!std::isfinite(value)) {
+        return bindNull(index);
+    }
+    check(sqlite3_bind_double(handle_.get(), index + 1, value));
+    return *this;
+}
+
+Statement& Statement::bind(int index, std::string_view value)
+{
+    check(sqlite3_bind_text(handle_.get(), index + 1, value.data(), static_cast<int>(value.size()),
+                            SQLITE_TRANSIENT));
+    return *this;
+}
+
+Statement& Statement::bindNull(int index)
+{
+    check(sqlite3_bind_null(handle_.get(), index + 1));
+    return *this;
+}
+
+bool Statement::step()
+{
+    const int code = sqlite3_step(handle_.get());
+    if (code == SQLITE_ROW) {
+        return true;
+    }
+    if (code != SQLITE_DONE) {
+        sqlite3_reset(handle_.get());
+        connection_.fail("cannot use");
+    }
+    return false;
+}
+
+void Statement::execute()
+{
+    while (step()) {
+    }
+    check(sqlite3_reset(handle_.get()));
+}
+
+bool Statement::isNull(int column) const
+{
+    return sqlite3_column_type(handle_.get(), column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::whole(int column) const
+{
+    return sqlite3_column_int64(handle_.get(), column);
+}
+
+double Statement::real(int column) const
+{
+    return sqlite3_column_double(handle_.get(), column);
+}
+
+std::string Statement::text(int column) const
+{
+    const unsigned char* text = sqlite3_column_text(handle_.get(), column);
+    return text == nullptr ? std::string() : reinterpret_cast<const char*>(text);
+}
+
+void Statement::check(int code) const
+{
+    if (code != SQLITE_OK) {
+        connection_.fail("cannot use");
+    }
+}
+
+Transaction::Transaction(Connection& connection) : connection_(connection)
+{
+    connection_.run("BEGIN IMMEDIATE");
+}
+
+Transaction::~Transaction()
+{
+    if (isOpen_) {
+        // SQLite may have rolled back by itself already; then this fails, and rightly so.
+        sqlite3_exec(connection_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+    }
+}
+
+void Transaction::commit()
+{
+    connection_.run("COMMIT");
+    isOpen_ = false;
+}
+
+}  // namespace signorini
