@@ -241,7 +241,7 @@ AtlasDatabase AtlasDatabase::create(const std::string& path)
 {
     auto connection = std::make_unique<Connection>(path, DatabaseMode::write);
     // A rollback journal works on network file systems too. Nothing is lost if the process dies.
-    connection->run("PRAGMA journal_mode = TRUNCATE; PRAGMA synchronous = NORMAL;");
+    connection->run("PRAGMA journal_mode = DELETE; PRAGMA synchronous = NORMAL;");
     {
         Transaction transaction(*connection);
         if (connection->number("SELECT COUNT(*) FROM sqlite_master") == 0) {
@@ -420,10 +420,10 @@ AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const Atla
         return database.start(range, options.options);
     }
     if (!before->isFinished() && !options.resume) {
-        throw std::invalid_argument(
-            fmt::format("the database has decided {} of {} batches of this range: allowed only to "
-                        "resume it, or another file",
-                        before->nextBatch, before->batches));
+        throw std::invalid_argument(fmt::format(
+            "the database has decided {} of {} batches of this range: allowed only with "
+            "resume (--resume), or another file",
+            before->nextBatch, before->batches));
     }
     return *before;
 }

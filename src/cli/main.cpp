@@ -12,6 +12,7 @@
 #include <new>
 #include <sstream>
 
+#include "atlas_command.hpp"
 #include "continuum_command.hpp"
 #include "find_command.hpp"
 #include "signorini/config.hpp"
@@ -82,9 +83,13 @@ int run(int argc, char** argv)
     CLI::App& continuumApp =
         *app.add_subcommand("continuum", "a curve of motions of one schedule and energy");
     continuum.addTo(continuumApp);
+    AtlasCommand atlas;
+    CLI::App& atlasApp =
+        *app.add_subcommand("atlas", "every schedule of a range decided, into a database");
+    atlas.addTo(atlasApp);
     app.footer(
         "Exit status: 0 found, 1 proved that none exists, 2 wrong use, 3 undecided,\n"
-        "4 a file or back end could not be used.");
+        "4 a file, database or back end could not be used.");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForVersion&) {
@@ -101,13 +106,13 @@ int run(int argc, char** argv)
         const std::string given = argc > 1 ? fmt::format(" = {}", argv[1]) : " is missing";
         return complain(
             exitWrongUse,
-            fmt::format("command{}: allowed find|continuum; see signorini --help", given));
+            fmt::format("command{}: allowed find|continuum|atlas; see signorini --help", given));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         text = text.substr(0, text.find('\n'));
         return complain(exitWrongUse, text + "; see signorini --help");
     }
-    return continuumApp.parsed() ? continuum.run() : find.run();
+    return atlasApp.parsed() ? atlas.run() : continuumApp.parsed() ? continuum.run() : find.run();
 }
 
 }  // namespace

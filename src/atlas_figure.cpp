@@ -1,0 +1,110 @@
+#include "signorini/atlas_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <vector>
+
+#include "gnuplot.hpp"
+#include "signorini/frequency_energy_figure.hpp"
+#include "signorini/modes.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Buffer = fmt::memory_buffer;
+
+/// Top of the energies told apart by colour; what is above has the same colour.
+constexpr double mostColoured = 100.0;
+constexpr double plotWidth = 13.0;  ///< [cm]
+
+template <typename... Args>
+void print(Buffer& buffer, fmt::format_string<Args...> format, Args&&... args)
+{
+    fmt::format_to(std::back_inserter(buffer), format, std::forward<Args>(args)...);
+}
+
+}  // namespace
+
+void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
+                             FigureFormat format, const std::string& path)
+{
+    std::vector<EnergyBar> bars;
+    atlas.forEachFound(cells, [&bars](const AtlasEntry& entry) {
+        bars.push_back({.frequencyRatio = frequencyRatio(entry.schedule),
+                        .least = entry.row.energy.least,
+                        .most = entry.row.energy.most,
+                        .contact = entry.row.contact});
+    });
+    const std::vector<Mode> modes = findModes();
+    FrequencyEnergyOptions options;
+    options.format = format;
+    writeFrequencyEnergyFigure(path, modes, bars, options);
+}
+
+void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
+                      FigureFormat format, const std::string& path)
+{
+    Buffer pressing;
+    Buffer grazing;
+    double contactTime = 0.0;
+    double flightTime = 0.0;
+    atlas.forEachFound(cells, [&](const AtlasEntry& entry) {
+        if (entry.schedule.phases.size() != 1) {
+            return;
+        }
+        const auto size = static_cast<double>(entry.schedule.cells);
+        const Phase& phase = entry.schedule.phases.front();
+        const double contact = static_cast<double>(phase.contact) / size;
+        const double flight = static_cast<double>(phase.free) / size;
+        contactTime = std::max(contactTime, contact);
+        flightTime = std::max(flightTime, flight);
+        if (entry.row.contact == Contact::pressing) {
+            print(pressing, "{:.6g} {:.6g} {:.4g}\n", flight, contact,
+                  std::min(entry.row.energy.least, mostColoured));
+        } else {
+            print(grazing, "{:.6g} {:.6g}\n", flight, contact);
+        }
+    });
+    if (pressing.size() == 0 && grazing.size() == 0) {
+        throw std::invalid_argument("map: the database holds no schedule of one phase to draw");
+    }
+
+    Buffer script;
+    const auto table = [&script](const char* name, const Buffer& rows) {
+        print(script, "${} << EOD\n{}EOD\n", name, fmt::to_string(rows));
+    };
+    table("pressing", pressing);
+    table("grazing", grazing);
+    // Both times to one scale, so that lines of equal period run at 45 degrees.
+    const double height = std::clamp(plotWidth * contactTime / flightTime, 2.0, plotWidth);
+    print(script,
+          "set size ratio -1\nset border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 "
+          "lc '#dddddd'\n"
+          "set xrange [0:{}]\nset yrange [0:{}]\n"
+          "set xlabel 'flight time  t_f c/L'\nset ylabel 'contact time  t_c c/L'\n"
+          "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', "
+          "5 '#28ae80', 6 '#5ec962', 7 '#addc30', 8 '#fde725')\n"
+          "set logscale cb\nset cbrange [1:{}]\nset cbtics add (2, 5, 20, 50)\n"
+          "set cblabel 'least energy  E_{{min}}/E_1'\n"
+          "set key above left Left reverse samplen 1\n",
+          flightTime * 1.01, contactTime * 1.01, mostColoured);
+    print(script, "plot ");
+    if (grazing.size() > 0) {
+        print(script,
+              "$grazing using 1:2 with points pt 7 ps 0.15 lc '#bbbbbb' notitle, "
+              "NaN with points pt 7 ps 1 lc '#bbbbbb' title 'grazing: contact without force', ");
+    }
+    if (pressing.size() > 0) {
+        print(script,
+              "$pressing using 1:2:3 with points pt 7 ps 0.2 lc palette notitle, "
+              "NaN with points pt 7 ps 1 lc '#21918c' title 'pressing, coloured by energy'");
+    }
+    print(script, "\n");
+    runGnuplot(fmt::to_string(script), format, plotWidth + 5.0, height + 3.5, path);
+}
+
+}  // namespace signorini

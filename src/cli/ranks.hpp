@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// The processes of one `mpirun`: batches decided by all of them reach rank 0 in order.
+///
+/// Batch number first + k belongs to rank k mod P. Each worker decides its own on its threads and
+/// sends them; rank 0 decides its own, receives the others', and alone touches files. Without
+/// mpirun, MPI is not started at all.
+
+#include <cstdint>
+#include <memory>
+#include <stop_token>
+
+#include "signorini/atlas_batches.hpp"
+
+namespace signorini::cli {
+
+/// The membership of this process. MPI ends when it is destroyed.
+class Ranks {
+public:
+    /// Does a launcher say that there are several processes?
+    [[nodiscard]] static bool areLaunched();
+
+    /// \throws BackendUnavailable if this build has no MPI.
+    Ranks();
+    Ranks(const Ranks&) = delete;
+    Ranks& operator=(const Ranks&) = delete;
+    /// On rank 0: sends the workers home if they were not called.
+    ~Ranks();
+
+    [[nodiscard]] int rank() const { return rank_; }
+    [[nodiscard]] int count() const { return count_; }
+
+    /// Rank 0: calls the workers, and returns the batches of all. Destroying it ends their work.
+    [[nodiscard]] std::unique_ptr<BatchSource> share(const AtlasRange& range, std::int64_t threads,
+                                                     std::stop_token cancel, std::int64_t first);
+    /// The others: decide what rank 0 asks for, until it is done. Returns false if cancelled.
+    bool serve(const AtlasRange& range, std::int64_t threads, std::stop_token cancel);
+
+private:
+    int rank_ = 0;
+    int count_ = 1;
+    bool wasCalled_ = false;
+};
+
+}  // namespace signorini::cli

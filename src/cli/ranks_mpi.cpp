@@ -1,0 +1,210 @@
+#include <mpi.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <thread>
+#include <type_traits>
+#include <utility>
+
+#include "ranks.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+static_assert(std::is_trivially_copyable_v<AtlasRow> && std::is_trivially_copyable_v<AtlasTally>,
+              "batches travel as bytes between processes of one program");
+
+/// What a message means.
+enum Tag : int {
+    tagBatch = 1,  ///< worker to rank 0: a batch
+    tagEnd = 2,    ///< worker to rank 0: no more will come
+    tagStop = 3,   ///< rank 0 to worker: no more are needed
+};
+
+/// MPI waits by spinning, which would take the core from a thread that decides.
+void rest()
+{
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
+}
+
+template <typename Value>
+void append(std::vector<char>& bytes, const Value* values, std::size_t count)
+{
+    const auto* begin = reinterpret_cast<const char*>(values);
+    bytes.insert(bytes.end(), begin, begin + count * sizeof(Value));
+}
+
+std::vector<char> pack(const AtlasBatch& batch)
+{
+    std::vector<char> bytes;
+    bytes.reserve(sizeof batch.number + sizeof batch.tally + batch.rows.size() * sizeof(AtlasRow));
+    append(bytes, &batch.number, 1);
+    append(bytes, &batch.tally, 1);
+    append(bytes, batch.rows.data(), batch.rows.size());
+    return bytes;
+}
+
+AtlasBatch unpack(const std::vector<char>& bytes)
+{
+    AtlasBatch batch;
+    const char* at = bytes.data();
+    std::memcpy(&batch.number, at, sizeof batch.number);
+    at += sizeof batch.number;
+    std::memcpy(&batch.tally, at, sizeof batch.tally);
+    at += sizeof batch.tally;
+    batch.rows.resize((bytes.size() - sizeof batch.number - sizeof batch.tally) / sizeof(AtlasRow));
+    std::memcpy(batch.rows.data(), at, batch.rows.size() * sizeof(AtlasRow));
+    return batch;
+}
+
+/// Rank 0's view of the work of all.
+class SharedBatches : public BatchSource {
+public:
+    SharedBatches(int count, const AtlasRange& range, std::int64_t threads, std::stop_token cancel,
+                  std::int64_t first)
+        : count_(count),
+          first_(first),
+          toDeliver_(first),
+          end_(batchesOf(range)),
+          cancel_(cancel),
+          own_(range, threads, std::move(cancel), first, count),
+          hasEnded_(static_cast<std::size_t>(count), false)
+    {
+    }
+
+    /// Takes what is still on its way, so that no worker waits for ever.
+    ~SharedBatches() override
+    {
+        for (int rank = 1; rank < count_; ++rank) {
+            MPI_Send(nullptr, 0, MPI_BYTE, rank, tagStop, MPI_COMM_WORLD);
+        }
+        for (int rank = 1; rank < count_; ++rank) {
+            while (!hasEnded_[static_cast<std::size_t>(rank)]) {
+                (void)receive(rank);
+                rest();
+            }
+        }
+    }
+
+    std::optional<AtlasBatch> next() override
+    {
+        if (toDeliver_ >= end_) {
+            return std::nullopt;
+        }
+        const auto owner = static_cast<int>((toDeliver_ - first_) % count_);
+        if (owner == 0) {
+            ++toDeliver_;
+            return own_.next();
+        }
+        while (!cancel_.stop_requested() && !hasEnded_[static_cast<std::size_t>(owner)]) {
+            if (std::optional<AtlasBatch> batch = receive(owner)) {
+                ++toDeliver_;
+                return batch;
+            }
+            rest();
+        }
+        return std::nullopt;
+    }
+
+private:
+    /// A batch of that rank if one has arrived; notes its end.
+    std::optional<AtlasBatch> receive(int rank)
+    {
+        int hasArrived = 0;
+        MPI_Message message = MPI_MESSAGE_NULL;
+        MPI_Status status;
+        MPI_Improbe(rank, MPI_ANY_TAG, MPI_COMM_WORLD, &hasArrived, &message, &status);
+        if (hasArrived == 0) {
+            return std::nullopt;
+        }
+        int size = 0;
+        MPI_Get_count(&status, MPI_BYTE, &size);
+        std::vector<char> bytes(static_cast<std::size_t>(size));
+        MPI_Mrecv(bytes.data(), size, MPI_BYTE, &message, MPI_STATUS_IGNORE);
+        if (status.MPI_TAG == tagEnd) {
+            hasEnded_[static_cast<std::size_t>(rank)] = true;
+            return std::nullopt;
+        }
+        return unpack(bytes);
+    }
+
+    int count_;
+    std::int64_t first_;
+    std::int64_t toDeliver_;
+    std::int64_t end_;
+    std::stop_token cancel_;
+    LocalBatches own_;
+    std::vector<bool> hasEnded_;
+};
+
+bool isStopped()
+{
+    int hasArrived = 0;
+    MPI_Iprobe(0, tagStop, MPI_COMM_WORLD, &hasArrived, MPI_STATUS_IGNORE);
+    return hasArrived != 0;
+}
+
+}  // namespace
+
+Ranks::Ranks()
+{
+    int provided = 0;
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    MPI_Comm_size(MPI_COMM_WORLD, &count_);
+}
+
+Ranks::~Ranks()
+{
+    if (rank_ == 0 && !wasCalled_) {
+        std::int64_t none = -1;
+        MPI_Bcast(&none, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+    }
+    MPI_Finalize();
+}
+
+std::unique_ptr<BatchSource> Ranks::share(const AtlasRange& range, std::int64_t threads,
+                                          std::stop_token cancel, std::int64_t first)
+{
+    wasCalled_ = true;
+    MPI_Bcast(&first, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+    return std::make_unique<SharedBatches>(count_, range, threads, std::move(cancel), first);
+}
+
+bool Ranks::serve(const AtlasRange& range, std::int64_t threads, std::stop_token cancel)
+{
+    std::int64_t first = -1;
+    MPI_Bcast(&first, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+    wasCalled_ = true;
+    if (first < 0) {
+        return true;
+    }
+    bool isWanted = true;
+    {
+        LocalBatches own(range, threads, cancel, first + rank_, count_);
+        std::optional<AtlasBatch> batch;
+        while (isWanted && (batch = own.next())) {
+            const std::vector<char> bytes = pack(*batch);
+            MPI_Request request = MPI_REQUEST_NULL;
+            MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, 0, tagBatch,
+                      MPI_COMM_WORLD, &request);
+            int isSent = 0;
+            MPI_Test(&request, &isSent, MPI_STATUS_IGNORE);
+            while (isSent == 0) {
+                rest();
+                MPI_Test(&request, &isSent, MPI_STATUS_IGNORE);
+            }
+            isWanted = !isStopped();
+        }
+    }
+    MPI_Send(nullptr, 0, MPI_BYTE, 0, tagEnd, MPI_COMM_WORLD);
+    while (!isStopped()) {
+        rest();
+    }
+    MPI_Recv(nullptr, 0, MPI_BYTE, 0, tagStop, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    return !cancel.stop_requested();
+}
+
+}  // namespace signorini::cli

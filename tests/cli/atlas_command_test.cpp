@@ -1,0 +1,233 @@
+// signorini atlas: databases, queries, interruption, several processes.
+
+#include <random>
+
+#include "program.hpp"
+#include "sqlite.hpp"
+
+using namespace signorini;
+using namespace signorini::test;
+
+namespace {
+
+/// Every row of table schedules, with its rowid, after a check of the whole file.
+std::vector<std::string> dump(const fs::path& path)
+{
+    Connection connection(path.string(), DatabaseMode::read);
+    Statement check(connection, "PRAGMA integrity_check");
+    REQUIRE(check.step());
+    REQUIRE(check.text(0) == "ok");
+    Statement s(connection, "SELECT rowid, * FROM schedules ORDER BY rowid");
+    std::vector<std::string> rows;
+    while (s.step()) {
+        std::string row;
+        for (int column = 0; column < 15; ++column) {
+            row += s.text(column) + "|";
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+/// About half a second of work in eleven batches.
+const std::string pairs = "atlas --cells 5 --phases 2 --all --quiet";
+
+}  // namespace
+
+TEST_CASE("cli atlas: the default range of N = 12 in JSON and in the tables of the contract")
+{
+    const Program program;
+    const auto outcome = program.run("atlas --database a.sqlite --cells 12 --format json");
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    const json r = json::parse(outcome.out);
+    CHECK(r["status"] == "done");
+    CHECK(r["decided"] == 24 * 48);
+    CHECK(r["found"].get<int>() == r["pressing"].get<int>() + r["grazing"].get<int>());
+    CHECK(r["refuted"].get<int>() + r["found"].get<int>() == 24 * 48);
+    Connection plain(program.file("a.sqlite").string(), DatabaseMode::read);
+    CHECK(plain.number("SELECT COUNT(*) FROM schedules") == r["found"]);
+    CHECK(plain.number(
+              "SELECT COUNT(*) FROM schedules WHERE cells = 12 AND phases = '6:36' AND period = "
+              "3.5 AND frequency_ratio = 8.0/7.0 AND status = 'found' AND reason IS NULL AND "
+              "kernel_dimension = 6 AND kind = 'simplex' AND dimension = 5 AND contact = "
+              "'pressing' AND energy_ratio_min = 4 AND energy_ratio_max = 24") == 1);
+    CHECK(plain.number("SELECT COUNT(*) FROM runs WHERE version <> '' AND options <> '' AND "
+                       "started <> '' AND finished <> ''") == 1);
+    CHECK(program.files() == 1);
+
+    // The same again is done already; --all keeps the refuted ones, too.
+    CHECK(program.run("atlas --database a.sqlite --cells 12").status == 0);
+    REQUIRE(program.run("atlas --database b.sqlite --cells 12 --all").status == 0);
+    Connection all(program.file("b.sqlite").string(), DatabaseMode::read);
+    CHECK(all.number("SELECT COUNT(*) FROM schedules") == 24 * 48);
+    CHECK(all.number("SELECT COUNT(*) FROM schedules WHERE status = 'none' AND reason IN "
+                     "('no-live-class', 'contact-sign', 'penetration', 'gap')") == r["refuted"]);
+}
+
+TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same rows")
+{
+    const Program program;
+    REQUIRE(program.run(pairs + " --database whole.sqlite").status == 0);
+    const auto whole = dump(program.file("whole.sqlite"));
+    REQUIRE(whole.size() == 200 + 200 * 201 / 2);
+    std::mt19937 generator(7);
+    for (int k = 0; k < 10; ++k) {
+        const int milliseconds = std::uniform_int_distribution<int>(5, 120)(generator);
+        char limit[16];
+        std::snprintf(limit, sizeof limit, "0.%03d", milliseconds);
+        (void)program.run(pairs + " --database parts.sqlite --resume --threads 2",
+                          "timeout -s KILL " + std::string(limit));
+    }
+    REQUIRE(program.run(pairs + " --database parts.sqlite --resume").status == 0);
+    CHECK(dump(program.file("parts.sqlite")) == whole);
+    CHECK_FALSE(fs::exists(program.file("parts.sqlite-journal")));
+}
+
+TEST_CASE("cli atlas: Ctrl-C ends with status 3 and words, --resume goes on")
+{
+    const Program program;
+    const std::string call = "atlas --database a.sqlite --cells 6 --phases 2 --all";
+    const auto stopped = program.run(call, "timeout -s INT 0.15");
+    CHECK(stopped.status == 124);  // timeout's own
+    CHECK_THAT(stopped.err, containsText("--resume"));
+    CHECK_THAT(stopped.out, containsText("interrupted"));
+    const auto again = program.run(call);
+    CHECK(again.status == 2);
+    CHECK_THAT(again.err, containsText("--resume"));
+    CHECK(lines(again.err) == 1);
+    const auto direct =
+        program.run(call + " --resume --quiet", "timeout --preserve-status -s INT 0.1");
+    CHECK((direct.status == 3 || direct.status == 0));
+    REQUIRE(program.run(call + " --resume").status == 0);
+    REQUIRE(program.run("atlas --database b.sqlite --cells 6 --phases 2 --all").status == 0);
+    CHECK(dump(program.file("a.sqlite")) == dump(program.file("b.sqlite")));
+}
+
+TEST_CASE("cli atlas: threads and processes write the same rows")
+{
+    const Program program;
+    REQUIRE(program.run(pairs + " --database one.sqlite").status == 0);
+    REQUIRE(program.run(pairs + " --database two.sqlite --threads 2").status == 0);
+    const auto rows = dump(program.file("one.sqlite"));
+    CHECK(dump(program.file("two.sqlite")) == rows);
+    const std::string launch =
+        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+        "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun --oversubscribe -n 3";
+    if (SIGNORINI_HAS_MPI != 0) {
+        REQUIRE(program.run(pairs + " --database three.sqlite", launch).status == 0);
+        CHECK(dump(program.file("three.sqlite")) == rows);
+        // Trouble of one process ends all, with its status.
+        CHECK(program.run(pairs + " --database no/three.sqlite", launch).status == 4);
+    } else {
+        const auto refused = program.run(pairs + " --database x.sqlite", "PMI_SIZE=2");
+        CHECK(refused.status == 4);
+        CHECK_THAT(refused.err, containsText("MPI"));
+    }
+}
+
+TEST_CASE("cli atlas: a full disk or a file that is no atlas is status 4, nothing is corrupted")
+{
+    const Program program;
+    REQUIRE(program.run(pairs + " --database whole.sqlite").status == 0);
+    const auto full = program.run(pairs + " --database full.sqlite", "ulimit -f 500;");
+    CHECK(full.status == 4);
+    CHECK_THAT(full.err, containsText("full.sqlite"));
+    CHECK(lines(full.err) == 1);
+    const auto before = dump(program.file("full.sqlite"));
+    CHECK(before.size() < 20'300);
+    REQUIRE(program.run(pairs + " --database full.sqlite --resume").status == 0);
+    CHECK(dump(program.file("full.sqlite")) == dump(program.file("whole.sqlite")));
+
+    std::ofstream(program.file("text.sqlite")) << "words, and more words, that are no database";
+    CHECK(program.run(pairs + " --database text.sqlite").status == 4);
+    CHECK(contentOf(program.file("text.sqlite")) == "words, and more words, that are no database");
+    CHECK(program.run(pairs + " --database .").status == 4);
+    CHECK(program.run(pairs + " --database no/such.sqlite").status == 4);
+    CHECK(program.run("atlas --database missing.sqlite --twins").status == 4);
+    CHECK_FALSE(fs::exists(program.file("missing.sqlite")));
+    if (geteuid() != 0) {  // root may write everywhere
+        fs::permissions(program.file("whole.sqlite"), fs::perms::owner_read);
+        CHECK(program.run(pairs + " --database whole.sqlite --max-free 3").status == 4);
+    }
+}
+
+TEST_CASE("cli atlas: queries")
+{
+    const Program program;
+    REQUIRE(program.run("atlas --database a.sqlite --cells 12 --max-free 96").status == 0);
+    const auto ask = [&program](const std::string& question) {
+        const auto outcome = program.run("atlas --database a.sqlite --format json " + question);
+        REQUIRE(outcome.status == 0);
+        return json::parse(outcome.out);
+    };
+    const json near = ask("--near 1.142857 20");
+    REQUIRE(near["schedules"].size() > 0);
+    for (const json& entry : near["schedules"]) {
+        CHECK(entry["period"] == 3.5);
+        CHECK(entry["energy_ratio_range"][0].get<double>() <= 20.2);
+        CHECK(entry["energy_ratio_range"][1].get<double>() >= 19.8);
+    }
+    CHECK(ask("--near 1.142857 20 --within 1e-9")["schedules"].empty());
+    const json period = ask("--period 7/2");
+    CHECK(period == ask("--period 3.5"));
+    int canonical = 0;
+    for (const json& entry : period["schedules"]) {
+        canonical += entry["canonical"].get<bool>() ? 1 : 0;
+    }
+    CHECK(canonical == 6);
+    for (const json& twins : ask("--twins")["twins"]) {
+        CHECK(twins["schedules"].size() > 1);
+    }
+    const auto words = program.run("atlas --database a.sqlite --period 10/3");
+    CHECK_THAT(words.out, containsText("15 schedules"));
+}
+
+TEST_CASE("cli atlas: wrong use is status 2, one line, and no file")
+{
+    const Program program;
+    for (const char* arguments : {"",
+                                  "--database",
+                                  "--database a --max-contact 0",
+                                  "--database a --max-free x",
+                                  "--database a --phases 9",
+                                  "--database a --cells 0",
+                                  "--database a --threads 0",
+                                  "--database a --max-energy-ratio -1",
+                                  "--database a --phases 8",
+                                  "--database a --near 1",
+                                  "--database a --near 1 -5",
+                                  "--database a --near x 5",
+                                  "--database a --period 0",
+                                  "--database a --period 1/0",
+                                  "--database a --period x",
+                                  "--database a --period 1/2/3",
+                                  "--database a --period 12345678901",
+                                  "--database a --near 1 20 --twins",
+                                  "--database a --twins --all",
+                                  "--database a --twins --resume",
+                                  "--database a --within 0.1",
+                                  "--database a --figure f.txt",
+                                  "--database a --map m",
+                                  "--database a --figure a",
+                                  "--database f.svg --figure f.svg",
+                                  "--database a --format xml"}) {
+        const auto outcome = program.run(std::string("atlas ") + arguments);
+        INFO(arguments << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK(outcome.out.empty());
+        CHECK(program.files() == 0);
+    }
+}
+
+TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
+{
+    const Program program;
+    REQUIRE(program.run("atlas --database a.sqlite --cells 12 --figure plot.svg --map map.svg")
+                .status == 0);
+    CHECK_THAT(contentOf(program.file("plot.svg")), containsText("</svg>"));
+    CHECK_THAT(contentOf(program.file("map.svg")), containsText("</svg>"));
+    REQUIRE(program.run("atlas --database a.sqlite --twins --map again.svg").status == 0);
+    CHECK(program.files() == 4);
+}
