@@ -14,6 +14,7 @@
 
 #include "continuum_command.hpp"
 #include "find_command.hpp"
+#include "modes_command.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
 #include "signorini/solver.hpp"
@@ -82,6 +83,10 @@ int run(int argc, char** argv)
     CLI::App& continuumApp =
         *app.add_subcommand("continuum", "a curve of motions of one schedule and energy");
     continuum.addTo(continuumApp);
+    ModesCommand modes;
+    CLI::App& modesApp =
+        *app.add_subcommand("modes", "the continuous families of motions, exact, for any grid");
+    modes.addTo(modesApp);
     app.footer(
         "Exit status: 0 found, 1 proved that none exists, 2 wrong use, 3 undecided,\n"
         "4 a file or back end could not be used.");
@@ -101,11 +106,14 @@ int run(int argc, char** argv)
         const std::string given = argc > 1 ? fmt::format(" = {}", argv[1]) : " is missing";
         return complain(
             exitWrongUse,
-            fmt::format("command{}: allowed find|continuum; see signorini --help", given));
+            fmt::format("command{}: allowed find|continuum|modes; see signorini --help", given));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         text = text.substr(0, text.find('\n'));
         return complain(exitWrongUse, text + "; see signorini --help");
+    }
+    if (modesApp.parsed()) {
+        return modes.run();
     }
     return continuumApp.parsed() ? continuum.run() : find.run();
 }
