@@ -25,10 +25,20 @@ void print(Buffer& buffer, fmt::format_string<Args...> format, Args&&... args)
     fmt::format_to(std::back_inserter(buffer), format, std::forward<Args>(args)...);
 }
 
-/// What print can show: columns across the figure, and the relative height of a line of energy.
-constexpr double columns = 2000.0;
+/// What print can show: the width of a column in the detail, and the relative height of a line.
+constexpr double columnWidth = 5e-4;
 constexpr double lineHeight = 1.004;
-constexpr int pointsPerCurve = 60;
+constexpr std::size_t pointsPerCurve = 60;
+constexpr std::size_t pointsInAll = 60'000;
+constexpr int maxLabels = 8;
+constexpr std::size_t maxMarked = 200;  // modes; beyond, no labels and smaller marks
+
+/// Bottom of the ordinate: no motion that reaches the wall has less than E_1.
+constexpr double lowest = 0.8;
+
+/// The crowded part of the abscissa, drawn once more.
+constexpr double detailLeft = 0.98;
+constexpr double detailRight = 1.8;
 
 /// How a group of curves is drawn; colours after Okabe and Ito, told apart by dashes as well.
 struct Style {
@@ -41,8 +51,8 @@ constexpr std::array<Style, 5> styles{{
     {"main", "main mode  t_c = 4 − T", "lw 3 lc 'black'"},
     {"subharmonic", "subharmonic p  t_c = 4p − (2p−1)T", "lw 2 lc '#0072b2'"},
     {"higher", "higher m  t_c = 4 − (2m+1)T", "lw 2 dt (8,4) lc '#d55e00'"},
-    {"twin", "twins of the main mode", "lw 2 dt (3,6) lc '#f0e442'"},
-    {"", "other modes", "lw 2 dt (4,3) lc '#009e73'"},
+    {"twin", "twins of the main mode", "lw 2 dt (2,4) lc '#e69f00'"},
+    {"", "other modes", "lw 1.5 lc '#009e73'"},
 }};
 
 const Style& styleOf(const Mode& mode)
@@ -94,8 +104,10 @@ struct Frame {
             last = std::max(last, frequencyAt(mode.lowest));
         }
         for (const EnergyBar& bar : bars) {
-            last = std::max(last, bar.frequencyRatio);
-            left = std::min(left, bar.frequencyRatio - 0.1);
+            if (bar.least <= top) {
+                last = std::max(last, bar.frequencyRatio);
+                left = std::min(left, bar.frequencyRatio - 0.1);
+            }
         }
         left = std::max(left, 0.0);
         right = options.maxFrequencyRatio.value_or(last + 0.1);
@@ -103,7 +115,7 @@ struct Frame {
 };
 
 /// The curve in the frame, from its highest to its lowest period. Evenly in the logarithm of E.
-void printCurve(Buffer& script, const Mode& mode, const Frame& frame)
+void printCurve(Buffer& script, const Mode& mode, const Frame& frame, std::size_t points)
 {
     const auto root = [&mode](const ExactPeriod& end) {
         return static_cast<double>(mode.kappa * end.numerator - mode.mu * end.denominator) /
@@ -112,29 +124,45 @@ void printCurve(Buffer& script, const Mode& mode, const Frame& frame)
     const double atTop = 1.0 / std::sqrt(frame.top);
     const double first = std::max(root(mode.highest), atTop);
     const double last = std::max(root(mode.lowest), atTop);
-    for (int k = 0; k <= pointsPerCurve; ++k) {
-        const double w = first * std::pow(last / first, k / double{pointsPerCurve});
+    for (std::size_t k = 0; k <= points; ++k) {
+        const double w =
+            first * std::pow(last / first, static_cast<double>(k) / static_cast<double>(points));
         const double period = (w + static_cast<double>(mode.mu)) / static_cast<double>(mode.kappa);
         print(script, "{:.6g} {:.6g}\n", 4.0 / period, 1.0 / (w * w));
     }
     print(script, "\n");
 }
 
-/// The modes of each style, and the points where modes leave linear motions.
+/// The modes of each style, and the points where modes leave linear motions, with labels for the
+/// whole plot and for the detail, each where the other has none.
 void printModes(Buffer& script, std::span<const Mode> modes, const Frame& frame)
 {
+    // Where curves crowd, those without a name of their own get fewer points.
+    const std::size_t few =
+        std::clamp<std::size_t>(pointsInAll / (modes.size() + 1), 4, pointsPerCurve);
     for (std::size_t k = 0; k < styles.size(); ++k) {
         print(script, "$modes{} << EOD\n", k);
         for (const Mode& mode : modes) {
             if (&styleOf(mode) == &styles[k]) {
-                printCurve(script, mode, frame);
+                printCurve(script, mode, frame, k + 1 == styles.size() ? few : pointsPerCurve);
             }
         }
         print(script, "EOD\n");
     }
     print(script, "$starts << EOD\n");
+    std::array<int, 2> labels{};
     for (const Mode& mode : modes) {
-        print(script, "{:.6g} {}\n", frequencyAt(mode.highest), mode.b * mode.b);
+        const double frequency = frequencyAt(mode.highest);
+        const std::int64_t energy = mode.b * mode.b;
+        const std::size_t panel = frequency > detailRight ? 0 : 1;
+        std::string label;
+        if (modes.size() <= maxMarked && static_cast<double>(energy) < 0.8 * frame.top &&
+            labels[panel]++ < maxLabels) {
+            label = fmt::format("ω_{{{}}}", -mode.b);
+            label += mode.a == 1 ? "" : fmt::format("/{}", mode.a);
+        }
+        print(script, "{:.6g} {} \"{}\" \"{}\"\n", frequency, energy, panel == 0 ? label : "",
+              panel == 1 ? label : "");
     }
     print(script, "EOD\n");
 }
@@ -142,25 +170,28 @@ void printModes(Buffer& script, std::span<const Mode> modes, const Frame& frame)
 /// The bars of one kind, those of one column that overlap made one.
 void printBars(Buffer& script, std::span<const EnergyBar> bars, Contact contact, const Frame& frame)
 {
-    const double width = (frame.right - frame.left) / columns;
-    std::vector<EnergyBar> shown;
+    struct Stroke {
+        double column;
+        EnergyBar bar;
+    };
+    std::vector<Stroke> strokes;
     for (EnergyBar bar : bars) {
         if (bar.contact == contact && bar.least <= frame.top && bar.frequencyRatio <= frame.right) {
-            bar.frequencyRatio = std::round(bar.frequencyRatio / width) * width;
             bar.most = std::min(bar.most, frame.top) * lineHeight;
-            shown.push_back(bar);
+            strokes.push_back({std::round(bar.frequencyRatio / columnWidth), bar});
         }
     }
-    std::sort(shown.begin(), shown.end(), [](const EnergyBar& x, const EnergyBar& y) {
-        return std::tie(x.frequencyRatio, x.least) < std::tie(y.frequencyRatio, y.least);
+    std::sort(strokes.begin(), strokes.end(), [](const Stroke& x, const Stroke& y) {
+        return std::tie(x.column, x.bar.least) < std::tie(y.column, y.bar.least);
     });
     print(script, "${} << EOD\n", name(contact));
-    for (std::size_t k = 0; k < shown.size();) {
-        EnergyBar bar = shown[k];
-        for (++k; k < shown.size() && shown[k].frequencyRatio == bar.frequencyRatio &&
-                  shown[k].least <= bar.most;
+    for (std::size_t k = 0; k < strokes.size();) {
+        const double column = strokes[k].column;
+        EnergyBar bar = strokes[k].bar;
+        for (++k;
+             k < strokes.size() && strokes[k].column == column && strokes[k].bar.least <= bar.most;
              ++k) {
-            bar.most = std::max(bar.most, shown[k].most);
+            bar.most = std::max(bar.most, strokes[k].bar.most);
         }
         print(script, "{0:.6g} {1:.5g}\n{0:.6g} {2:.5g}\n\n", bar.frequencyRatio, bar.least,
               bar.most);
@@ -174,26 +205,19 @@ bool any(const Range& range, Condition condition)
     return std::any_of(range.begin(), range.end(), condition);
 }
 
-std::string scriptFor(std::span<const Mode> modes, std::span<const EnergyBar> bars,
-                      const FrequencyEnergyOptions& options)
+/// Draws one panel from the back to the front; labels are in column 3 (whole) or 4 (detail).
+void printPlot(Buffer& script, std::span<const Mode> modes, std::span<const EnergyBar> bars,
+               int labelColumn)
 {
-    const Frame frame(modes, bars, options);
-    Buffer script;
-    printModes(script, modes, frame);
-    printBars(script, bars, Contact::grazing, frame);
-    printBars(script, bars, Contact::pressing, frame);
-    print(script,
-          "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 lc '#cccccc'\n"
-          "set xlabel 'frequency  ω/ω_1 = 4L/(cT)'\nset ylabel 'energy  E/E_1'\n"
-          "set logscale y\nset xrange [{}:{}]\nset yrange [0.9:{}]\n"
-          "set key below Left reverse samplen 2.5 spacing 1.2 width 1\nplot ",
-          frame.left, frame.right, frame.top);
+    print(script, "plot ");
     if (any(bars, [](const EnergyBar& bar) { return bar.contact == Contact::grazing; })) {
-        print(script, "$grazing with lines lw 1.2 lc '#e69f00' title 'grazing: no force', ");
+        print(
+            script,
+            "$grazing with lines lw 1.2 lc '#56b4e9' title 'schedules that only graze the wall', ");
     }
     if (any(bars, [](const EnergyBar& bar) { return bar.contact == Contact::pressing; })) {
         print(script,
-              "$pressing with lines lw 1.2 lc '#999999' title 'all motions of a schedule', ");
+              "$pressing with lines lw 1.2 lc '#999999' title 'schedules, least to most energy', ");
     }
     for (std::size_t k = 0; k < styles.size(); ++k) {
         if (any(modes, [k](const Mode& mode) { return &styleOf(mode) == &styles[k]; })) {
@@ -203,12 +227,48 @@ std::string scriptFor(std::span<const Mode> modes, std::span<const EnergyBar> ba
     }
     if (!modes.empty()) {
         print(script,
-              "$starts with points pt 6 ps 0.8 lw 1.5 lc 'black' title 'a linear motion touches "
-              "the wall', ");
+              "$starts using 1:2 with points pt 6 ps {} lw 1.5 lc 'black' title 'contact begins: "
+              "linear motion of ω_{{|b|}}/a', "
+              "$starts using 1:2:{} with labels left offset 0.7,-0.4 notitle, ",
+              modes.size() <= maxMarked ? 1.0 : 0.3, labelColumn);
     }
     print(script,
-          "'+' using (8.0/7):(20) every ::::0 with points pt 3 ps 1.6 lw 2 lc '#cc79a7' title "
-          "'the paper’s example, (8/7, 20)'\n");
+          "$paper with points pt 13 ps 2.4 lc '#cc79a7' title 'the paper’s motion, (8/7, 20)'\n");
+}
+
+std::string scriptFor(std::span<const Mode> modes, std::span<const EnergyBar> bars,
+                      const FrequencyEnergyOptions& options)
+{
+    const Frame frame(modes, bars, options);
+    Buffer script;
+    print(script, "$paper << EOD\n{} 20\nEOD\n", 8.0 / 7.0);
+    printModes(script, modes, frame);
+    printBars(script, bars, Contact::grazing, frame);
+    printBars(script, bars, Contact::pressing, frame);
+    print(script,
+          "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
+          "set grid lw 0.4 lc '#cccccc'\nset logscale y\nset yrange [{}:{}]\n"
+          "set lmargin at screen 0.09\nset rmargin at screen 0.97\n"
+          "set ylabel 'energy  E/E_1'\n",
+          lowest, frame.top);
+    if (frame.top < 1000.0) {
+        print(script, "set ytics add (2, 5, 20, 50, 200, 500)\n");
+    } else {
+        print(script, "set format y '10^{{%L}}'\n");
+    }
+    print(script,
+          "set tmargin at screen 0.985\nset bmargin at screen 0.74\nset xlabel 'frequency  ω/ω_1 = "
+          "4L/(cT)' offset 0,0.4\nset xrange [{}:{}]\n"
+          "unset key\n",
+          frame.left, frame.right);
+    printPlot(script, modes, bars, 3);
+    print(script,
+          "set tmargin at screen 0.665\nset bmargin at screen 0.23\nset xrange [{}:{}]\n"
+          "set key at screen 0.55,0.155 center top maxrows 5 Left reverse samplen 2.5 "
+          "spacing 1.2 width 1\n",
+          detailLeft, detailRight);
+    printPlot(script, modes, bars, 4);
+    print(script, "unset multiplot\n");
     return fmt::to_string(script);
 }
 
@@ -220,7 +280,7 @@ void writeFrequencyEnergyFigure(const std::string& path, std::span<const Mode> m
 {
     validate(bars, options);
     const FigureFormat format = options.format ? *options.format : figureFormat(path);
-    runGnuplot(scriptFor(modes, bars, options), format, 18.0, 13.0, path);
+    runGnuplot(scriptFor(modes, bars, options), format, 18.0, 18.0, path);
 }
 
 }  // namespace signorini

@@ -236,11 +236,13 @@ double energyRatio(const Mode& mode, double period)
 
 EnergyRange energyRange(const Mode& mode)
 {
-    const auto limit = [&mode](const ExactPeriod& end) {
-        const auto root =
-            static_cast<double>(mode.kappa * end.numerator - mode.mu * end.denominator);
-        const double inverse = static_cast<double>(end.denominator) / root;
-        return root == 0.0 ? std::numeric_limits<double>::infinity() : inverse * inverse;
+    const auto square = [](std::int64_t value) {
+        return static_cast<double>(value) * static_cast<double>(value);
+    };
+    const auto limit = [&](const ExactPeriod& end) {
+        const std::int64_t root = mode.kappa * end.numerator - mode.mu * end.denominator;
+        return root == 0 ? std::numeric_limits<double>::infinity()
+                         : square(end.denominator) / square(root);
     };
     const auto [least, most] = std::minmax({limit(mode.lowest), limit(mode.highest)});
     return {least, most};

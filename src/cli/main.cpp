@@ -15,6 +15,7 @@
 #include "atlas_command.hpp"
 #include "continuum_command.hpp"
 #include "find_command.hpp"
+#include "modes_command.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
 #include "signorini/solver.hpp"
@@ -83,6 +84,10 @@ int run(int argc, char** argv)
     CLI::App& continuumApp =
         *app.add_subcommand("continuum", "a curve of motions of one schedule and energy");
     continuum.addTo(continuumApp);
+    ModesCommand modes;
+    CLI::App& modesApp =
+        *app.add_subcommand("modes", "the continuous families of motions, exact, for any grid");
+    modes.addTo(modesApp);
     AtlasCommand atlas;
     CLI::App& atlasApp =
         *app.add_subcommand("atlas", "every schedule of a range decided, into a database");
@@ -106,13 +111,20 @@ int run(int argc, char** argv)
         const std::string given = argc > 1 ? fmt::format(" = {}", argv[1]) : " is missing";
         return complain(
             exitWrongUse,
-            fmt::format("command{}: allowed find|continuum|atlas; see signorini --help", given));
+            fmt::format("command{}: allowed find|continuum|modes|atlas; see signorini --help",
+                        given));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         text = text.substr(0, text.find('\n'));
         return complain(exitWrongUse, text + "; see signorini --help");
     }
-    return atlasApp.parsed() ? atlas.run() : continuumApp.parsed() ? continuum.run() : find.run();
+    if (atlasApp.parsed()) {
+        return atlas.run();
+    }
+    if (modesApp.parsed()) {
+        return modes.run();
+    }
+    return continuumApp.parsed() ? continuum.run() : find.run();
 }
 
 }  // namespace

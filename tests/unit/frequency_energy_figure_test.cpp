@@ -36,7 +36,7 @@ TEST_CASE("frequency-energy figure: axes, families and the paper's case are labe
                                       {1.0, 1.0, 2.0, Contact::grazing}};
     const std::string figure = draw(modes, bars);
     for (const char* label : {"frequency", "energy", "main", "subharmonic", "higher", "twin",
-                              "other", "paper", "grazing", "all motions"}) {
+                              "other", "paper", "graze", "schedules"}) {
         CHECK_THAT(figure, containsText(label));
     }
 }
@@ -44,7 +44,7 @@ TEST_CASE("frequency-energy figure: axes, families and the paper's case are labe
 TEST_CASE("frequency-energy figure: what is not there is not in the key")
 {
     const std::string empty = draw({}, {});
-    CHECK_THAT(empty, containsText("paper") && !containsText("main") && !containsText("grazing"));
+    CHECK_THAT(empty, containsText("paper") && !containsText("main") && !containsText("schedules"));
     const std::vector<Mode> modes = findModes({1, 8.0, 50.0, {}});
     CHECK_THAT(draw(modes, {}), containsText("main") && !containsText("subharmonic"));
 }

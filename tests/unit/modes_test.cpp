@@ -158,6 +158,32 @@ TEST_CASE("modes: every mode leaves a linear motion at its highest period, with 
     }
 }
 
+TEST_CASE("modes: where jumps meet a mode branches off one other, of lower order")
+{
+    const std::vector<Mode> all = findModes(upTo(101));
+    int branches = 0;
+    for (const Mode& mode : all) {
+        if (mode.lowestEnd != ModeEnd::jumpsMeet) {
+            continue;
+        }
+        ++branches;
+        // Contact time and 1/sqrt(E/E_1) at the end p/q, times q: whole numbers.
+        const auto [p, q] = mode.lowest;
+        const auto contact = [p = p, q = q](const Mode& m) { return 4 * m.a * q + m.b * p; };
+        const auto root = [p = p, q = q](const Mode& m) { return m.kappa * p - m.mu * q; };
+        const auto holds = [p = p, q = q](const Mode& m) {
+            return m.lowest.numerator * q < p * m.lowest.denominator &&
+                   p * m.highest.denominator < m.highest.numerator * q;
+        };
+        INFO(mode.a << " " << mode.b);
+        REQUIRE(std::count_if(all.begin(), all.end(), [&](const Mode& other) {
+                    return holds(other) && contact(other) == contact(mode) &&
+                           root(other) == root(mode) && other.b > mode.b;
+                }) == 1);
+    }
+    CHECK(branches == 337);
+}
+
 TEST_CASE("modes: on grids each is the one motion of its schedules, with its energy")
 {
     const std::int64_t cells = GENERATE(1009, 10007);
