@@ -87,7 +87,7 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
           "set xrange [0:{}]\nset yrange [0:{}]\n"
           "set xlabel 'flight time  t_f c/L'\nset ylabel 'contact time  t_c c/L'\n"
           "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', "
-          "5 '#28ae80', 6 '#5ec962', 7 '#addc30', 8 '#fde725')\n"
+          "5 '#28ae80', 6 '#5ec962', 7 '#addc30')\n"
           "set logscale cb\nset cbrange [1:{}]\nset cbtics add (2, 5, 20, 50)\n"
           "set cblabel 'least energy  E_{{min}}/E_1'\n"
           "set key above left Left reverse samplen 1\n",
@@ -104,7 +104,7 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
               "NaN with points pt 7 ps 1 lc '#21918c' title 'pressing, coloured by energy'");
     }
     print(script, "\n");
-    runGnuplot(fmt::to_string(script), format, plotWidth + 5.0, height + 3.5, path);
+    runGnuplot(fmt::to_string(script), format, plotWidth + 5.0, height + 2.6, path);
 }
 
 }  // namespace signorini
