@@ -135,7 +135,9 @@ void ModesCommand::addTo(CLI::App& command)
         ->type_name("FILE.svg|.png|.pdf");
     common.addTo(command);
     command.footer(
-        "Everything is in units of L/c and E_1, so it holds for every bar and every grid.");
+        "Everything is in units of L/c and E_1: it holds for every bar and every grid, whatever "
+        "their "
+        "options.");
 }
 
 ExitStatus ModesCommand::run() const
