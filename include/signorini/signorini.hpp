@@ -3,6 +3,10 @@
 /// Everything a user of the library needs.
 
 #include "signorini/amplitude_set.hpp"
+#include "signorini/atlas.hpp"
+#include "signorini/atlas_batches.hpp"
+#include "signorini/atlas_database.hpp"
+#include "signorini/atlas_figure.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/certificate.hpp"
 #include "signorini/class_types.hpp"
