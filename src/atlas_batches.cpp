@@ -10,7 +10,6 @@ LocalBatches::LocalBatches(const AtlasRange& range, std::int64_t threads, std::s
                            std::int64_t first, std::int64_t stride)
     : range_(range),
       stride_(stride),
-      end_(0),
       window_(2 * threads * stride),
       toStart_(first),
       toDeliver_(first),

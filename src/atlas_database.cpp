@@ -196,7 +196,7 @@ public:
             insert_.bind(8, name(row.kind))
                 .bind(9, row.dimension)
                 .bind(10, name(row.contact))
-                .bind(11, std::int64_t{row.isCanonical})
+                .bind(11, std::int64_t{row.isCanonical ? 1 : 0})
                 .bind(12, row.energy.least)
                 .bind(13, row.energy.most);
         } else {
@@ -296,7 +296,7 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
         .bind(4, range.maxFree)
         .bind(5, range.maxPhases)
         .bind(6, range.maxEnergyRatio)
-        .bind(7, std::int64_t{range.keepsRefuted})
+        .bind(7, std::int64_t{range.keepsRefuted ? 1 : 0})
         .bind(8, run.batches)
         .bind(9, now())
         .execute();
@@ -366,6 +366,7 @@ std::vector<AtlasEntry> AtlasDatabase::near(double frequencyRatio, double energy
     std::stable_sort(found.begin(), found.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<AtlasEntry> entries;
+    entries.reserve(found.size());
     for (auto& [apart, entry] : found) {
         entries.push_back(std::move(entry));
     }

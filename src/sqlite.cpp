@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <cmath>
+#include <utility>
 
 #include "signorini/output.hpp"
 
@@ -29,14 +30,14 @@ Connection::Connection(const std::string& path, DatabaseMode mode) : path_(path)
     sqlite3_busy_timeout(raw, busyMilliseconds);
 }
 
-void Connection::run(const char* sql)
+void Connection::run(const char* sql) const
 {
     if (sqlite3_exec(handle(), sql, nullptr, nullptr, nullptr) != SQLITE_OK) {
         fail("cannot use");
     }
 }
 
-std::int64_t Connection::number(const char* sql)
+std::int64_t Connection::number(const char* sql) const
 {
     Statement statement(*this, sql);
     return statement.step() ? statement.whole(0) : 0;
@@ -57,7 +58,8 @@ void Connection::fail(const char* action) const
     throw FileError(path_, std::string(action) + ": " + sqlite3_errmsg(handle()));
 }
 
-Statement::Statement(const Connection& connection, std::string_view sql) : connection_(connection)
+Statement::Statement(Connection connection, std::string_view sql)
+    : connection_(std::move(connection))
 {
     sqlite3_stmt* raw = nullptr;
     check(sqlite3_prepare_v2(connection_.handle(), sql.data(), static_cast<int>(sql.size()), &raw,
@@ -141,7 +143,7 @@ void Statement::check(int code) const
     }
 }
 
-Transaction::Transaction(Connection& connection) : connection_(connection)
+Transaction::Transaction(Connection connection) : connection_(std::move(connection))
 {
     connection_.run("BEGIN IMMEDIATE");
 }

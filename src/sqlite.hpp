@@ -19,16 +19,16 @@ enum class DatabaseMode {
     write,  ///< it is created if it does not exist
 };
 
-/// An open database.
+/// An open database; copies share it, and the last one closes it.
 class Connection {
 public:
     /// \throws FileError if it cannot be opened.
     Connection(const std::string& path, DatabaseMode mode);
 
     /// Runs statements that return nothing. \throws FileError.
-    void run(const char* sql);
+    void run(const char* sql) const;
     /// The first column of the first row of a query. \throws FileError.
-    [[nodiscard]] std::int64_t number(const char* sql);
+    [[nodiscard]] std::int64_t number(const char* sql) const;
     /// Rows that the last statement changed.
     [[nodiscard]] std::int64_t changes() const;
     /// Id of the row that the last INSERT made.
@@ -46,7 +46,7 @@ private:
 class Statement {
 public:
     /// \throws FileError.
-    Statement(const Connection& connection, std::string_view sql);
+    Statement(Connection connection, std::string_view sql);
 
     Statement& bind(int index, std::int64_t value);
     Statement& bind(int index, double value);  ///< not finite: NULL
@@ -73,7 +73,7 @@ private:
 /// BEGIN … COMMIT; rolled back if it ends without `commit`.
 class Transaction {
 public:
-    explicit Transaction(Connection& connection);
+    explicit Transaction(Connection connection);
     Transaction(const Transaction&) = delete;
     Transaction& operator=(const Transaction&) = delete;
     ~Transaction();
@@ -81,7 +81,7 @@ public:
     void commit();
 
 private:
-    Connection& connection_;
+    Connection connection_;
     bool isOpen_ = true;
 };
 

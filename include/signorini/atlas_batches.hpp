@@ -47,8 +47,8 @@ private:
 
     AtlasRange range_;
     std::int64_t stride_;
-    std::int64_t end_;     ///< numbers at and beyond it do not exist
-    std::int64_t window_;  ///< [-], batches that may be under way or waiting
+    std::int64_t end_ = 0;  ///< numbers at and beyond it do not exist
+    std::int64_t window_;   ///< [-], batches that may be under way or waiting
     std::mutex mutex_;
     std::condition_variable_any changed_;
     std::int64_t toStart_;    ///< next batch for a thread to take

@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
@@ -296,9 +297,9 @@ ExitStatus AtlasCommand::answer() const
     forFile("--database", database, [&] {
         const AtlasDatabase atlas = AtlasDatabase::open(database);
         if (twins) {
-            const std::vector<Twins> all_ = atlas.twins(cells);
+            const std::vector<Twins> groups = atlas.twins(cells);
             Json list = Json::array();
-            for (const Twins& group : all_) {
+            for (const Twins& group : groups) {
                 Json entries = Json::array();
                 for (const AtlasEntry& entry : group) {
                     entries.push_back(asJson(entry));
@@ -307,7 +308,7 @@ ExitStatus AtlasCommand::answer() const
                                 {"energy_ratio", group.front().row.energy.least},
                                 {"schedules", entries}});
             }
-            writeOut(json ? Json{{"twins", list}}.dump() + "\n" : asText(all_));
+            writeOut(json ? Json{{"twins", list}}.dump() + "\n" : asText(groups));
         } else {
             const std::vector<AtlasEntry> entries =
                 fraction ? atlas.ofPeriod(*fraction, cells)

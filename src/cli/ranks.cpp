@@ -1,5 +1,7 @@
 #include "ranks.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 namespace signorini::cli {
@@ -7,12 +9,10 @@ namespace signorini::cli {
 bool Ranks::areLaunched()
 {
     // Open MPI; MPICH and its relatives; Slurm's and other launchers' PMIx.
-    for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"}) {
-        if (std::getenv(variable) != nullptr) {
-            return true;
-        }
-    }
-    return false;
+    constexpr std::array variables{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"};
+    return std::any_of(variables.begin(), variables.end(), [](const char* variable) {
+        return std::getenv(variable) != nullptr;  // NOLINT(concurrency-mt-unsafe): no setenv here
+    });
 }
 
 }  // namespace signorini::cli

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::unique_ptr<BatchSource> share(const AtlasRange& range, std::int64_t threads,
                                                      std::stop_token cancel, std::int64_t first);
     /// The others: decide what rank 0 asks for, until it is done. Returns false if cancelled.
-    bool serve(const AtlasRange& range, std::int64_t threads, std::stop_token cancel);
+    bool serve(const AtlasRange& range, std::int64_t threads, const std::stop_token& cancel);
 
 private:
     int rank_ = 0;

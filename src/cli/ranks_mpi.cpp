@@ -173,7 +173,7 @@ std::unique_ptr<BatchSource> Ranks::share(const AtlasRange& range, std::int64_t 
     return std::make_unique<SharedBatches>(count_, range, threads, std::move(cancel), first);
 }
 
-bool Ranks::serve(const AtlasRange& range, std::int64_t threads, std::stop_token cancel)
+bool Ranks::serve(const AtlasRange& range, std::int64_t threads, const std::stop_token& cancel)
 {
     std::int64_t first = -1;
     MPI_Bcast(&first, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
