@@ -55,9 +55,12 @@ void LocalBatches::work(const std::stop_token& stop)
             toStart_ += stride_;
         }
         try {
-            AtlasBatch batch = decideBatch(range_, number, signs);
+            std::optional<AtlasBatch> batch = decideBatch(range_, number, signs, stop);
+            if (!batch) {
+                return;
+            }
             const std::lock_guard lock(mutex_);
-            done_.emplace(number, std::move(batch));
+            done_.emplace(number, *std::move(batch));
         } catch (...) {
             const std::lock_guard lock(mutex_);
             failure_ = std::current_exception();

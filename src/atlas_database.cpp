@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <numeric>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "signorini/config.hpp"
@@ -37,6 +39,8 @@ CREATE TABLE runs(
   next_batch INTEGER NOT NULL, decided INTEGER NOT NULL, pressing INTEGER NOT NULL,
   grazing INTEGER NOT NULL, refuted INTEGER NOT NULL, undecided INTEGER NOT NULL,
   started TEXT NOT NULL, finished TEXT, seconds REAL NOT NULL, workers TEXT NOT NULL);
+CREATE UNIQUE INDEX one_run_per_range ON runs(
+  cells, max_contact, max_free, phases, ifnull(max_energy_ratio, -1), keeps_refuted);
 PRAGMA application_id = 1936158322;
 PRAGMA user_version = 1;
 )";
@@ -164,6 +168,29 @@ std::vector<AtlasEntry> readAll(Statement statement)
     return entries;
 }
 
+/// The phases of the same motion run backwards in time, the first of their rotations.
+std::vector<Phase> backwards(const std::vector<Phase>& phases)
+{
+    const std::size_t count = phases.size();
+    std::vector<Phase> mirror;
+    for (std::size_t j = count; j-- > 0;) {
+        // Each contact, then the flight that came before it.
+        mirror.push_back({phases[j].contact, phases[(j + count - 1) % count].free});
+    }
+    const auto isBefore = [](const Phase& a, const Phase& b) {
+        return std::tie(a.contact, a.free) < std::tie(b.contact, b.free);
+    };
+    std::vector<Phase> first = mirror;
+    for (std::size_t shift = 1; shift < count; ++shift) {
+        std::rotate(mirror.begin(), mirror.begin() + 1, mirror.end());
+        if (std::lexicographical_compare(mirror.begin(), mirror.end(), first.begin(), first.end(),
+                                         isBefore)) {
+            first = mirror;
+        }
+    }
+    return first;
+}
+
 /// " AND cells = N" or nothing, for queries whose condition ends there.
 std::string onCells(std::optional<std::int64_t> cells)
 {
@@ -240,16 +267,17 @@ AtlasDatabase::~AtlasDatabase() = default;
 AtlasDatabase AtlasDatabase::create(const std::string& path)
 {
     auto connection = std::make_unique<Connection>(path, DatabaseMode::write);
-    // A rollback journal works on network file systems too. Nothing is lost if the process dies.
-    connection->run("PRAGMA journal_mode = DELETE; PRAGMA synchronous = NORMAL;");
     {
         Transaction transaction(*connection);
-        if (connection->number("SELECT COUNT(*) FROM sqlite_master") == 0) {
+        if (connection->number("SELECT COUNT(*) FROM sqlite_master") == 0 &&
+            connection->number("PRAGMA application_id") == 0) {
             connection->run(schema);
         }
+        requireAtlas(path, *connection);
         transaction.commit();
     }
-    requireAtlas(path, *connection);
+    // A rollback journal works on network file systems too. Nothing is lost if the process dies.
+    connection->run("PRAGMA journal_mode = DELETE; PRAGMA synchronous = NORMAL;");
     AtlasDatabase database(std::move(connection));
     database.writer_ = std::make_unique<BatchWriter>(*database.connection_);
     return database;
@@ -262,20 +290,17 @@ AtlasDatabase AtlasDatabase::open(const std::string& path)
     return AtlasDatabase(std::move(connection));
 }
 
-std::optional<AtlasRun> AtlasDatabase::find(const AtlasRange& range) const
+std::vector<AtlasRun> AtlasDatabase::runs() const
 {
     Statement s(*connection_,
                 "SELECT id, cells, max_contact, max_free, phases, max_energy_ratio, keeps_refuted, "
                 "batches, next_batch, decided, pressing, grazing, refuted, undecided, seconds "
-                "FROM runs WHERE cells = ? ORDER BY id");
-    s.bind(0, range.cells);
+                "FROM runs ORDER BY id");
+    std::vector<AtlasRun> all;
     while (s.step()) {
-        const AtlasRun run = readRun(s);
-        if (run.range == range) {
-            return run;
-        }
+        all.push_back(readRun(s));
     }
-    return std::nullopt;
+    return all;
 }
 
 AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
@@ -376,9 +401,13 @@ std::vector<AtlasEntry> AtlasDatabase::near(double frequencyRatio, double energy
 std::vector<AtlasEntry> AtlasDatabase::ofPeriod(PeriodFraction period,
                                                 std::optional<std::int64_t> cells) const
 {
-    Statement s(*connection_, std::string(entryColumns) + "WHERE steps * ? = cells * ?" +
-                                  onCells(cells) + " ORDER BY cells, rowid");
-    s.bind(0, period.denominator).bind(1, period.numerator);
+    const std::int64_t divisor = std::gcd(period.numerator, period.denominator);
+    Statement s(*connection_, std::string(entryColumns) +
+                                  "WHERE cells % ? = 0 AND steps = cells / ? * ?" + onCells(cells) +
+                                  " ORDER BY cells, rowid");
+    s.bind(0, period.denominator / divisor)
+        .bind(1, period.denominator / divisor)
+        .bind(2, period.numerator / divisor);
     return readAll(std::move(s));
 }
 
@@ -407,7 +436,13 @@ std::vector<Twins> AtlasDatabase::twins(std::optional<std::int64_t> cells) const
                 close();
             }
         }
-        group.push_back(std::move(entry));
+        const std::vector<Phase> mirror = backwards(entry.schedule.phases);
+        const bool isKnown = std::any_of(
+            group.begin(), group.end(),
+            [&mirror](const AtlasEntry& other) { return other.schedule.phases == mirror; });
+        if (!isKnown) {
+            group.push_back(std::move(entry));
+        }
     }
     close();
     return all;
@@ -416,9 +451,22 @@ std::vector<Twins> AtlasDatabase::twins(std::optional<std::int64_t> cells) const
 AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const AtlasOptions& options)
 {
     validate(range);
-    const std::optional<AtlasRun> before = database.find(range);
-    if (!before) {
+    const std::vector<AtlasRun> runs = database.runs();
+    const auto before = std::find_if(runs.begin(), runs.end(),
+                                     [&range](const AtlasRun& run) { return run.range == range; });
+    if (before == runs.end()) {
+        const bool othersWait = std::any_of(runs.begin(), runs.end(),
+                                            [](const AtlasRun& run) { return !run.isFinished(); });
+        if (options.resume && othersWait) {
+            throw std::invalid_argument(
+                "resume (--resume): the unfinished run in the database is of another range: "
+                "allowed the same bounds and choice of what to keep");
+        }
         return database.start(range, options.options);
+    }
+    if (before->batches != batchesOf(range)) {
+        throw FileError("run " + std::to_string(before->id),
+                        "cannot use: another version divided the range differently");
     }
     if (!before->isFinished() && !options.resume) {
         throw std::invalid_argument(fmt::format(

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <stdexcept>
 #include <vector>
 
 #include "gnuplot.hpp"
@@ -70,7 +69,8 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
         }
     });
     if (pressing.size() == 0 && grazing.size() == 0) {
-        throw std::invalid_argument("map: the database holds no schedule of one phase to draw");
+        contactTime = 2.0;  // the usual range
+        flightTime = 4.0;
     }
 
     Buffer script;
@@ -92,7 +92,7 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
           "set cblabel 'least energy  E_{{min}}/E_1'\n"
           "set key above left Left reverse samplen 1\n",
           flightTime * 1.01, contactTime * 1.01, mostColoured);
-    print(script, "plot ");
+    print(script, "plot NaN notitle, ");
     if (grazing.size() > 0) {
         print(script,
               "$grazing using 1:2 with points pt 7 ps 0.15 lc '#bbbbbb' notitle, "

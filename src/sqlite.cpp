@@ -11,23 +11,31 @@ namespace signorini {
 
 namespace {
 
-/// How long to wait for another process that is writing.
-constexpr int busyMilliseconds = 5000;
+/// How long to wait for other processes: a reader for one that writes a batch, a writer for people
+/// who look at the database with their own tools.
+constexpr int patienceOfReader = 5'000;   // [ms]
+constexpr int patienceOfWriter = 60'000;  // [ms]
 
 }  // namespace
 
 Connection::Connection(const std::string& path, DatabaseMode mode) : path_(path)
 {
-    const int flags = mode == DatabaseMode::read ? SQLITE_OPEN_READONLY
-                                                 : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    // A killed writer leaves a journal that only a connection that may write can roll back. Where
+    // the file is read-only SQLite falls back to reading by itself.
+    const bool reads = mode == DatabaseMode::read;
+    const int flags = reads ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    const std::string file = path.starts_with(':') ? "./" + path : path;  // ":memory:" is a name
     sqlite3* raw = nullptr;
-    const int code = sqlite3_open_v2(path.c_str(), &raw, flags, nullptr);
+    const int code = sqlite3_open_v2(file.c_str(), &raw, flags, nullptr);
     handle_ = std::shared_ptr<sqlite3>(raw, sqlite3_close_v2);
     if (code != SQLITE_OK) {
         fail("cannot open");
     }
     sqlite3_extended_result_codes(raw, 1);
-    sqlite3_busy_timeout(raw, busyMilliseconds);
+    sqlite3_busy_timeout(raw, reads ? patienceOfReader : patienceOfWriter);
+    if (reads) {
+        run("PRAGMA query_only = 1");
+    }
 }
 
 void Connection::run(const char* sql) const

@@ -15,7 +15,7 @@ namespace signorini {
 
 /// What may be done with a database.
 enum class DatabaseMode {
-    read,   ///< it must exist
+    read,   ///< it must exist; only what an interrupted writer left behind is put right
     write,  ///< it is created if it does not exist
 };
 

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "signorini/find_periodic.hpp"
@@ -90,9 +91,10 @@ struct AtlasBatch {
 /// The phases with a number in the range. O(K).
 [[nodiscard]] std::vector<Phase> phasesAt(const AtlasRange& range, std::int64_t number);
 
-/// Decides one batch. `signs` is room to work in, to be passed again.
-/// \pre `validate(range)` holds and 0 <= batch < batchesOf(range).
-[[nodiscard]] AtlasBatch decideBatch(const AtlasRange& range, std::int64_t batch,
-                                     std::vector<std::int8_t>& signs);
+/// Decides one batch; nothing if it was stopped on the way. `signs` is room to work in, to be
+/// passed again. \pre `validate(range)` holds and 0 <= batch < batchesOf(range).
+[[nodiscard]] std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batch,
+                                                    std::vector<std::int8_t>& signs,
+                                                    const std::stop_token& stop = {});
 
 }  // namespace signorini

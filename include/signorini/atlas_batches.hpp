@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// Batches of an atlas in their order, whoever decides them: the threads of this process here, or
-/// other processes (src/cli/atlas_ranks.hpp). The consumer cannot tell the difference, so neither
+/// other processes (src/cli/ranks.hpp). The consumer cannot tell the difference, so neither
 /// the number of workers nor their speed can change a result.
 
 #include <condition_variable>

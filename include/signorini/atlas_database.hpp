@@ -5,7 +5,7 @@
 /// Table `schedules`, one row for each schedule kept: cells, phases as text "nc:nf[,nc:nf...]",
 /// steps (n), period (n/N, in L/c), frequency_ratio (4N/n), status, reason, kernel_dimension, kind,
 /// dimension, contact, canonical (0 or 1), energy_ratio_min, energy_ratio_max (NULL: unbounded or
-/// unknown); unique in (cells, phases). Rows are in the order of the range.
+/// unknown); unique in (cells, phases), and within a run in the order of the range.
 ///
 /// Table `runs`, one row for each range: version, options, its bounds, next_batch of batches, the
 /// tally so far, started, finished, seconds, workers. A batch and the progress it means are one
@@ -43,7 +43,7 @@ struct AtlasRun {
 /// A row of table `schedules`.
 struct AtlasEntry {
     Schedule schedule;
-    AtlasRow row;  ///< `number`: its rowid
+    AtlasRow row;  ///< `number`: its rowid; energies that are not known read as infinite
 };
 
 /// A period as an exact fraction, in L/c.
@@ -67,8 +67,8 @@ public:
     AtlasDatabase& operator=(AtlasDatabase&&) noexcept;
     ~AtlasDatabase();
 
-    /// The run of a range, if the database has one. \throws FileError.
-    [[nodiscard]] std::optional<AtlasRun> find(const AtlasRange& range) const;
+    /// What was decided, or begun: answers to the questions below cover no more. \throws FileError.
+    [[nodiscard]] std::vector<AtlasRun> runs() const;
     /// Enters a new run. `options` is kept as it stands, for people.
     /// \throws FileError, std::invalid_argument on an invalid range.
     [[nodiscard]] AtlasRun start(const AtlasRange& range, std::string_view options);
@@ -90,7 +90,8 @@ public:
     [[nodiscard]] std::vector<AtlasEntry> ofPeriod(PeriodFraction period,
                                                    std::optional<std::int64_t> cells = {}) const;
     /// Different motions of equal T and E: among the canonical schedules of one N, those of equal n
-    /// whose least energies agree to 1e-12. By period, then energy. \throws FileError.
+    /// whose least energies agree to 1e-12; one of two that are each other backwards in time. By
+    /// period, then energy. \throws FileError.
     [[nodiscard]] std::vector<Twins> twins(std::optional<std::int64_t> cells = {}) const;
 
 private:
@@ -112,7 +113,7 @@ struct AtlasOptions {
 /// Decides a range into a database: on threads of this process, or from any source of batches. A
 /// finished run is left as it is. Returns how far it came; cancelled runs are not finished.
 /// \throws FileError; std::invalid_argument on an invalid range, or if the database has an
-/// unfinished run of this range and `resume` is not set.
+/// unfinished run of this range and `resume` is not set, or of another range only and it is.
 AtlasRun buildAtlas(AtlasDatabase& database, const AtlasRange& range,
                     const AtlasOptions& options = {});
 

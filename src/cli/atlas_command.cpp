@@ -5,12 +5,11 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 
+#include "atlas_report.hpp"
 #include "faults.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
@@ -23,10 +22,7 @@ namespace signorini::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double usualDistance = 0.01;
-constexpr std::size_t shownRows = 20;
 
 /// "7/2", "3.5" or "4" as an exact fraction. \throws std::invalid_argument.
 PeriodFraction parsePeriod(const std::string& text)
@@ -35,7 +31,7 @@ PeriodFraction parsePeriod(const std::string& text)
     const auto refuse = [&text]() {
         Faults faults;
         faults.add("--period", text, "a fraction like 7/2 or a decimal number > 0 [L/c]",
-                   "at most 9 digits a side");
+                   "at most 9 digits, in a fraction 9 on each side");
         faults.throwIfAny();
     };
     const auto isWhole = [](std::string_view word) {
@@ -64,117 +60,6 @@ PeriodFraction parsePeriod(const std::string& text)
         refuse();
     }
     return period;
-}
-
-Json asJson(const AtlasEntry& entry)
-{
-    const AtlasRow& row = entry.row;
-    Json phases = Json::array();
-    for (const Phase& phase : entry.schedule.phases) {
-        phases.push_back({phase.contact, phase.free});
-    }
-    Json json{
-        {"cells", entry.schedule.cells},    {"schedule", phases},
-        {"period", period(entry.schedule)}, {"frequency_ratio", frequencyRatio(entry.schedule)},
-        {"status", name(row.status)},       {"reason", nullptr}};
-    if (row.reason) {
-        json["reason"] = name(*row.reason);
-    }
-    json["kernel_dimension"] = row.kernelDimension >= 0 ? Json(row.kernelDimension) : Json();
-    if (row.status == Status::found) {
-        json["kind"] = name(row.kind);
-        json["dimension"] = row.dimension;
-        json["contact"] = name(row.contact);
-        json["canonical"] = row.isCanonical;
-        json["energy_ratio_range"] = {
-            row.energy.least, std::isfinite(row.energy.most) ? Json(row.energy.most) : Json()};
-    }
-    return json;
-}
-
-std::string asText(const AtlasEntry& entry)
-{
-    const AtlasRow& row = entry.row;
-    std::string text =
-        fmt::format("{:<34} T = {:<10.6g} ω/ω₁ = {:<9.6g} ", describe(entry.schedule),
-                    period(entry.schedule), frequencyRatio(entry.schedule));
-    if (row.status != Status::found) {
-        return text + fmt::format("{}{}\n", name(row.status),
-                                  row.reason ? fmt::format(", {}", name(*row.reason)) : "");
-    }
-    text += row.kind == SetKind::point ? fmt::format("E/E₁ = {:.8g}", row.energy.least)
-                                       : fmt::format("E/E₁ = {:.8g} … {}", row.energy.least,
-                                                     std::isfinite(row.energy.most)
-                                                         ? fmt::format("{:.8g}", row.energy.most)
-                                                         : std::string("unbounded or unknown"));
-    return text + fmt::format(", {}, {} of dimension {}{}\n", name(row.contact), name(row.kind),
-                              row.dimension, row.isCanonical ? ", canonical" : "");
-}
-
-std::string asText(const std::vector<AtlasEntry>& entries)
-{
-    std::string text =
-        fmt::format("{} schedule{}\n", entries.size(), entries.size() == 1 ? "" : "s");
-    for (std::size_t k = 0; k < entries.size() && k < shownRows; ++k) {
-        text += asText(entries[k]);
-    }
-    if (entries.size() > shownRows) {
-        text += fmt::format("… {} more; --format json lists all\n", entries.size() - shownRows);
-    }
-    return text;
-}
-
-std::string asText(const std::vector<Twins>& all)
-{
-    std::string text = fmt::format("{} group{} of different motions of equal T and E\n", all.size(),
-                                   all.size() == 1 ? "" : "s");
-    for (std::size_t k = 0; k < all.size() && k < shownRows; ++k) {
-        const AtlasEntry& first = all[k].front();
-        text += fmt::format("T = {:.6g}, E/E₁ = {:.8g}:", period(first.schedule),
-                            first.row.energy.least);
-        for (const AtlasEntry& entry : all[k]) {
-            text += fmt::format("  {}", describe(entry.schedule));
-        }
-        text += "\n";
-    }
-    if (all.size() > shownRows) {
-        text += fmt::format("… {} more; --format json lists all\n", all.size() - shownRows);
-    }
-    return text;
-}
-
-Json asJson(const AtlasRun& run, const std::string& database, double seconds)
-{
-    const AtlasTally& tally = run.tally;
-    return {{"status", run.isFinished() ? "done" : "interrupted"},
-            {"database", database},
-            {"cells", run.range.cells},
-            {"max_contact", run.range.maxContact},
-            {"max_free", run.range.maxFree},
-            {"phases", run.range.maxPhases},
-            {"decided", tally.decided},
-            {"found", tally.pressing + tally.grazing},
-            {"pressing", tally.pressing},
-            {"grazing", tally.grazing},
-            {"refuted", tally.refuted},
-            {"undecided", tally.undecided},
-            {"batches", {run.nextBatch, run.batches}},
-            {"seconds", seconds}};
-}
-
-std::string asText(const AtlasRun& run, const std::string& database, double seconds)
-{
-    const AtlasTally& tally = run.tally;
-    return fmt::format(
-        "{:<12}{}: N = {}, contact 1..{}, free 1..{}{}\n"
-        "decided     {} schedules in {:.3g} s\n"
-        "found       {}: {} pressing, {} grazing\n"
-        "none        {}{}\n",
-        run.isFinished() ? "done" : "interrupted", database, run.range.cells, run.range.maxContact,
-        run.range.maxFree,
-        run.range.maxPhases > 1 ? fmt::format(", 1..{} phases", run.range.maxPhases) : "",
-        tally.decided, seconds, tally.pressing + tally.grazing, tally.pressing, tally.grazing,
-        tally.refuted, tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
 }
 
 }  // namespace
@@ -229,46 +114,54 @@ AtlasRange AtlasCommand::parseRange() const
     return range;
 }
 
+bool AtlasCommand::namesRange() const
+{
+    return !common.cells.empty() || !maxContact.empty() || !maxFree.empty() || !phases.empty() ||
+           !maxEnergyRatio.empty() || all || resume;
+}
+
 ExitStatus AtlasCommand::run() const
 {
-    if (database.empty()) {
-        throw std::invalid_argument("--database is missing: allowed the name of an SQLite file");
+    // Under mpirun the other processes neither read, write nor complain. MPI starts threads, which
+    // must leave signals to us.
+    std::optional<Interrupt> interrupt;
+    std::unique_ptr<Ranks> ranks;
+    if (Ranks::areLaunched()) {
+        interrupt.emplace();
+        ranks = std::make_unique<Ranks>();
     }
-    (void)common.parseBar();
-    for (const std::string& figure : {figureFile, mapFile}) {
-        if (!figure.empty()) {
-            (void)figureFormat(figure);
+    try {
+        if (database.empty()) {
+            throw std::invalid_argument(
+                "--database is missing: allowed the name of an SQLite file");
         }
+        (void)common.parseBar();
+        (void)common.wantsJson();
+        (void)common.parseThreads();
+        for (const std::string& figure : {figureFile, mapFile}) {
+            if (!figure.empty()) {
+                (void)figureFormat(figure);
+            }
+        }
+        validateOutputs({{"--database", database}, {"--figure", figureFile}, {"--map", mapFile}});
+        // A picture of an atlas that exists needs no range.
+        const bool draws = (!figureFile.empty() || !mapFile.empty()) && !namesRange() &&
+                           std::filesystem::exists(database);
+        if (isQuery() || draws) {
+            const Query query = parseQuery();
+            return !ranks || ranks->rank() == 0 ? answer(query) : exitFound;
+        }
+        return build(parseRange(), ranks.get(), interrupt);
+    } catch (const std::invalid_argument&) {
+        if (ranks && ranks->rank() != 0) {
+            return exitWrongUse;
+        }
+        throw;
     }
-    validateOutputs({{"--database", database}, {"--figure", figureFile}, {"--map", mapFile}});
-    return isQuery() ? answer() : build();
 }
 
-void AtlasCommand::draw(const AtlasDatabase& atlas) const
+AtlasCommand::Query AtlasCommand::parseQuery() const
 {
-    const std::optional<std::int64_t> cells =
-        common.cells.empty() && isQuery() ? std::nullopt
-                                          : std::optional<std::int64_t>(common.parseCells());
-    const OutputOption figureOption{"--figure", figureFile};
-    const OutputOption mapOption{"--map", mapFile};
-    OutputFiles files;
-    const std::string figure = stage(files, figureOption);
-    const std::string map = stage(files, mapOption);
-    if (!figure.empty()) {
-        forFile("--figure", figureFile,
-                [&] { drawFrequencyEnergyPlot(atlas, cells, figureFormat(figureFile), figure); });
-    }
-    if (!map.empty()) {
-        forFile("--map", mapFile,
-                [&] { drawExistenceMap(atlas, cells, figureFormat(mapFile), map); });
-    }
-    files.commit();
-}
-
-ExitStatus AtlasCommand::answer() const
-{
-    const bool json = common.wantsJson();
-    (void)common.parseThreads();
     const int queries = (near.empty() ? 0 : 1) + (period.empty() ? 0 : 1) + (twins ? 1 : 0);
     if (queries > 1) {
         throw std::invalid_argument("--near, --period, --twins: allowed one of them");
@@ -282,107 +175,139 @@ ExitStatus AtlasCommand::answer() const
     if (!within.empty() && near.empty()) {
         throw std::invalid_argument("--within: allowed only together with --near");
     }
-    const std::optional<std::int64_t> cells =
-        common.cells.empty() ? std::nullopt : std::optional<std::int64_t>(common.parseCells());
-    const double distance = within.empty() ? usualDistance : parsePositive("--within", within, "-");
-    std::optional<PeriodFraction> fraction;
-    std::array<double, 2> point{};
-    if (!period.empty()) {
-        fraction = parsePeriod(period);
-    } else if (!near.empty()) {
-        point = {parsePositive("--near W", near[0], "omega_1"),
-                 parsePositive("--near E", near[1], "E_1")};
+    Query query;
+    if (!common.cells.empty()) {
+        query.cells = common.parseCells();
     }
+    if (!period.empty()) {
+        query.period = parsePeriod(period);
+    } else if (!near.empty()) {
+        query.distance = within.empty() ? usualDistance : parsePositive("--within", within, "-");
+        query.point = {parsePositive("--near W", near[0], "omega_1"),
+                       parsePositive("--near E", near[1], "E_1")};
+    }
+    return query;
+}
 
-    forFile("--database", database, [&] {
-        const AtlasDatabase atlas = AtlasDatabase::open(database);
-        if (twins) {
-            const std::vector<Twins> groups = atlas.twins(cells);
-            Json list = Json::array();
-            for (const Twins& group : groups) {
-                Json entries = Json::array();
-                for (const AtlasEntry& entry : group) {
-                    entries.push_back(asJson(entry));
-                }
-                list.push_back({{"period", signorini::period(group.front().schedule)},
-                                {"energy_ratio", group.front().row.energy.least},
-                                {"schedules", entries}});
+void AtlasCommand::stagePictures(Pictures& pictures) const
+{
+    pictures.figure = stage(pictures.files, {"--figure", figureFile});
+    pictures.map = stage(pictures.files, {"--map", mapFile});
+}
+
+void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
+                        Pictures& pictures) const
+{
+    if (!pictures.figure.empty()) {
+        forFile("--figure", figureFile, [&] {
+            drawFrequencyEnergyPlot(atlas, cells, figureFormat(figureFile), pictures.figure);
+        });
+    }
+    if (!pictures.map.empty()) {
+        forFile("--map", mapFile,
+                [&] { drawExistenceMap(atlas, cells, figureFormat(mapFile), pictures.map); });
+    }
+    pictures.files.commit();
+}
+
+ExitStatus AtlasCommand::answer(const Query& query) const
+{
+    Pictures pictures;
+    stagePictures(pictures);
+    AtlasAnswer answer;
+    answer.isTwins = twins;
+    const AtlasDatabase atlas = forFile("--database", database, [&] {
+        AtlasDatabase opened = AtlasDatabase::open(database);
+        for (const AtlasRun& run : opened.runs()) {
+            if (!query.cells || run.range.cells == *query.cells) {
+                answer.coverage.push_back(run);
             }
-            writeOut(json ? Json{{"twins", list}}.dump() + "\n" : asText(groups));
-        } else {
-            const std::vector<AtlasEntry> entries =
-                fraction ? atlas.ofPeriod(*fraction, cells)
-                         : atlas.near(point[0], point[1], distance, cells);
-            Json list = Json::array();
-            for (const AtlasEntry& entry : entries) {
-                list.push_back(asJson(entry));
-            }
-            writeOut(json ? Json{{"schedules", list}}.dump() + "\n" : asText(entries));
         }
-        draw(atlas);
+        if (twins) {
+            answer.groups = opened.twins(query.cells);
+        } else if (query.period) {
+            answer.entries = opened.ofPeriod(*query.period, query.cells);
+        } else if (query.point) {
+            answer.entries =
+                opened.near((*query.point)[0], (*query.point)[1], query.distance, query.cells);
+        }
+        return opened;
     });
+    draw(atlas, query.cells, pictures);
+    const std::string gaps =
+        gapsOf(answer, query.point ? std::optional((*query.point)[1] * (1.0 + query.distance))
+                                   : std::nullopt);
+    if (!gaps.empty() && !common.quiet) {
+        fmt::print(stderr, "signorini atlas: {}\n", gaps);
+    }
+    if (isQuery()) {
+        writeOut(common.wantsJson() ? asJson(answer, gaps.empty()) : asText(answer));
+    }
     return exitFound;
 }
 
-ExitStatus AtlasCommand::build() const
+ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
+                               std::optional<Interrupt>& interrupt) const
 {
-    const bool json = common.wantsJson();
-    const AtlasRange range = parseRange();
-    AtlasOptions options;
-    options.threads = common.parseThreads();
-    options.resume = resume;
     if (!within.empty()) {
         throw std::invalid_argument("--within: allowed only together with --near");
     }
+    AtlasOptions options;
+    options.threads = common.parseThreads();
+    options.resume = resume;
     options.options = fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}",
                                   range.cells, range.maxContact, range.maxFree, range.maxPhases,
                                   std::isfinite(range.maxEnergyRatio)
                                       ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
                                       : "",
                                   range.keepsRefuted ? " --all" : "");
-
-    std::optional<Interrupt> interrupt(std::in_place);
-    options.cancel = interrupt->token();
-    std::unique_ptr<Ranks> ranks;
-    if (Ranks::areLaunched()) {
-        ranks = std::make_unique<Ranks>();
-        if (ranks->rank() != 0) {
-            return ranks->serve(range, options.threads, options.cancel) ? exitFound : exitUndecided;
-        }
+    if (!interrupt) {
+        interrupt.emplace();
     }
-    Progress progress(!common.quiet);
+    options.cancel = interrupt->token();
+    if (ranks != nullptr && ranks->rank() != 0) {
+        return ranks->serve(options.threads, options.cancel) ? exitFound : exitUndecided;
+    }
+    Pictures pictures;
+    stagePictures(pictures);
+    std::optional<Progress> progress(std::in_place, !common.quiet);
     options.progress = [&progress](const AtlasRun& run) {
-        progress.show("schedules", static_cast<double>(run.tally.decided),
-                      static_cast<double>(numbersOf(run.range)));
+        progress->show(fmt::format("{} schedules", run.tally.decided),
+                       static_cast<double>(firstNumberOf(run.range, run.nextBatch)),
+                       static_cast<double>(numbersOf(run.range)));
     };
-    return forFile("--database", database, [&] {
-        AtlasDatabase atlas = AtlasDatabase::create(database);
-        AtlasRun run = beginAtlas(atlas, range, options);
-        const double before = run.seconds;
+    AtlasRun run;
+    const AtlasDatabase atlas = forFile("--database", database, [&] {
+        AtlasDatabase created = AtlasDatabase::create(database);
+        run = beginAtlas(created, range, options);
         if (!run.isFinished()) {
             const std::unique_ptr<BatchSource> source =
-                ranks ? ranks->share(range, options.threads, options.cancel, run.nextBatch)
-                      : std::make_unique<LocalBatches>(range, options.threads, options.cancel,
-                                                       run.nextBatch);
-            const int count = ranks ? ranks->count() : 1;
-            fillAtlas(atlas, run, *source,
+                ranks != nullptr
+                    ? ranks->share(range, options.threads, options.cancel, run.nextBatch)
+                    : std::make_unique<LocalBatches>(range, options.threads, options.cancel,
+                                                     run.nextBatch);
+            const int count = ranks != nullptr ? ranks->count() : 1;
+            fillAtlas(created, run, *source,
                       fmt::format("{} processes of {} threads", count, options.threads), options);
         }
-        const double seconds = run.seconds - before;
-        writeOut(json ? asJson(run, database, seconds).dump() + "\n"
-                      : asText(run, database, seconds));
-        if (!run.isFinished()) {
-            if (!common.quiet) {
-                fmt::print(stderr,
-                           "signorini atlas: interrupted after {} of {} batches; the same call "
-                           "with --resume goes on\n",
-                           run.nextBatch, run.batches);
-            }
-            return exitUndecided;
-        }
-        draw(atlas);
-        return exitFound;
+        return created;
     });
+    progress.reset();
+    interrupt.reset();
+    if (run.isFinished()) {
+        draw(atlas, range.cells, pictures);
+    }
+    writeOut(common.wantsJson() ? asJson(run, database) : asText(run, database));
+    if (!run.isFinished()) {
+        if (!common.quiet) {
+            fmt::print(stderr,
+                       "signorini atlas: interrupted after {} of {} batches; the same call with "
+                       "--resume goes on\n",
+                       run.nextBatch, run.batches);
+        }
+        return exitUndecided;
+    }
+    return exitFound;
 }
 
 }  // namespace signorini::cli

@@ -2,11 +2,16 @@
 /// \file
 /// signorini atlas --database FILE.sqlite
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
+#include "interrupt.hpp"
+#include "ranks.hpp"
 #include "signorini/atlas_database.hpp"
+#include "signorini/output.hpp"
 
 namespace signorini::cli {
 
@@ -34,11 +39,30 @@ struct AtlasCommand {
     [[nodiscard]] ExitStatus run() const;
 
 private:
+    /// A question to a database.
+    struct Query {
+        std::optional<std::int64_t> cells;           ///< only these; otherwise all
+        std::optional<PeriodFraction> period;        ///< --period
+        std::optional<std::array<double, 2>> point;  ///< --near
+        double distance = 0.0;                       ///< --within
+    };
+    /// Pictures to be drawn, under their temporary names; empty: not asked for.
+    struct Pictures {
+        OutputFiles files;
+        std::string figure;
+        std::string map;
+    };
+
     [[nodiscard]] bool isQuery() const;
+    [[nodiscard]] bool namesRange() const;
     [[nodiscard]] AtlasRange parseRange() const;
-    [[nodiscard]] ExitStatus answer() const;
-    [[nodiscard]] ExitStatus build() const;
-    void draw(const AtlasDatabase& atlas) const;
+    [[nodiscard]] Query parseQuery() const;
+    void stagePictures(Pictures& pictures) const;
+    [[nodiscard]] ExitStatus answer(const Query& query) const;
+    [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,
+                                   std::optional<Interrupt>& interrupt) const;
+    void draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
+              Pictures& pictures) const;
 };
 
 }  // namespace signorini::cli

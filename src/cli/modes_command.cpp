@@ -164,7 +164,11 @@ ExitStatus ModesCommand::run() const
         listing.modes = findModes(listing.bounds);
         listing.isComplete = !interrupt.token().stop_requested();
     }
-    if (!figure.empty()) {
+    if (!listing.isComplete && !common.quiet) {
+        fmt::print(stderr, "signorini modes: interrupted; the list is not complete{}\n",
+                   figure.empty() ? "" : ", so no figure was drawn");
+    }
+    if (!figure.empty() && listing.isComplete) {
         forFile("--figure", figureFile,
                 [&] { writeFrequencyEnergyFigure(figure, listing.modes, {}, drawing); });
         files.commit();

@@ -15,14 +15,15 @@ public:
     Progress& operator=(const Progress&) = delete;
     ~Progress();
 
-    /// `done` of `total` items of work, at most a few times a second: share, rate, time left.
-    void show(std::string_view what, double done, double total);
+    /// `done` of `total` parts of the work, in words, at most a few times a second: share and time
+    /// left, from the second call on.
+    void show(std::string_view words, double done, double total);
 
 private:
     using Clock = std::chrono::steady_clock;
     bool shown_;
     bool isDirty_ = false;
-    double before_ = -1.0;  ///< items done when the first call came: an earlier run did them
+    double before_ = -1.0;  ///< done when the first call came, perhaps by an earlier run
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
 };

@@ -24,17 +24,18 @@ public:
     Ranks();
     Ranks(const Ranks&) = delete;
     Ranks& operator=(const Ranks&) = delete;
-    /// On rank 0: sends the workers home if they were not called.
+    /// Without a call: rank 0 sends the workers home.
     ~Ranks();
 
     [[nodiscard]] int rank() const { return rank_; }
     [[nodiscard]] int count() const { return count_; }
 
-    /// Rank 0: calls the workers, and returns the batches of all. Destroying it ends their work.
+    /// Rank 0: calls the workers to a range, and returns the batches of all. Destroying it ends
+    /// their work.
     [[nodiscard]] std::unique_ptr<BatchSource> share(const AtlasRange& range, std::int64_t threads,
                                                      std::stop_token cancel, std::int64_t first);
     /// The others: decide what rank 0 asks for, until it is done. Returns false if cancelled.
-    bool serve(const AtlasRange& range, std::int64_t threads, const std::stop_token& cancel);
+    bool serve(std::int64_t threads, const std::stop_token& cancel);
 
 private:
     int rank_ = 0;

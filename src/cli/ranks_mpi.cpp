@@ -13,7 +13,14 @@ namespace signorini::cli {
 
 namespace {
 
-static_assert(std::is_trivially_copyable_v<AtlasRow> && std::is_trivially_copyable_v<AtlasTally>,
+/// What rank 0 calls the workers to: batches first, first + 1, ... of a range; none if first < 0.
+struct Call {
+    AtlasRange range;
+    std::int64_t first = -1;
+};
+
+static_assert(std::is_trivially_copyable_v<AtlasRow> && std::is_trivially_copyable_v<AtlasTally> &&
+                  std::is_trivially_copyable_v<Call>,
               "batches travel as bytes between processes of one program");
 
 /// What a message means.
@@ -158,9 +165,11 @@ Ranks::Ranks()
 
 Ranks::~Ranks()
 {
-    if (rank_ == 0 && !wasCalled_) {
-        std::int64_t none = -1;
-        MPI_Bcast(&none, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+    if (!wasCalled_) {
+        // Wrong use, or a question to the database: rank 0 says that nothing is to be done, and
+        // the others, who wait for its word in any case, hear it.
+        Call none;
+        MPI_Bcast(&none, sizeof none, MPI_BYTE, 0, MPI_COMM_WORLD);
     }
     MPI_Finalize();
 }
@@ -168,22 +177,26 @@ Ranks::~Ranks()
 std::unique_ptr<BatchSource> Ranks::share(const AtlasRange& range, std::int64_t threads,
                                           std::stop_token cancel, std::int64_t first)
 {
+    // The call comes last: workers wait for it, and nothing can fail after it.
+    auto batches =
+        std::make_unique<SharedBatches>(count_, range, threads, std::move(cancel), first);
     wasCalled_ = true;
-    MPI_Bcast(&first, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
-    return std::make_unique<SharedBatches>(count_, range, threads, std::move(cancel), first);
+    Call call{range, first};
+    MPI_Bcast(&call, sizeof call, MPI_BYTE, 0, MPI_COMM_WORLD);
+    return batches;
 }
 
-bool Ranks::serve(const AtlasRange& range, std::int64_t threads, const std::stop_token& cancel)
+bool Ranks::serve(std::int64_t threads, const std::stop_token& cancel)
 {
-    std::int64_t first = -1;
-    MPI_Bcast(&first, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+    Call call;
     wasCalled_ = true;
-    if (first < 0) {
+    MPI_Bcast(&call, sizeof call, MPI_BYTE, 0, MPI_COMM_WORLD);
+    if (call.first < 0) {
         return true;
     }
     bool isWanted = true;
     {
-        LocalBatches own(range, threads, cancel, first + rank_, count_);
+        LocalBatches own(call.range, threads, cancel, call.first + rank_, count_);
         std::optional<AtlasBatch> batch;
         while (isWanted && (batch = own.next())) {
             const std::vector<char> bytes = pack(*batch);

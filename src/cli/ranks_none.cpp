@@ -20,7 +20,7 @@ std::unique_ptr<BatchSource> Ranks::share(const AtlasRange&, std::int64_t, std::
     return nullptr;
 }
 
-bool Ranks::serve(const AtlasRange&, std::int64_t, const std::stop_token&)
+bool Ranks::serve(std::int64_t, const std::stop_token&)
 {
     return false;
 }

@@ -79,6 +79,10 @@ TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same r
         (void)program.run(pairs + " --database parts.sqlite --resume --threads 2",
                           "timeout -s KILL " + std::string(limit));
     }
+    // A question in between finds what is there, whatever the killed process left behind.
+    const auto asked = program.run("atlas --database parts.sqlite --period 3 --format json");
+    CHECK(asked.status == 0);
+    CHECK(json::parse(asked.out)["complete"].is_boolean());
     REQUIRE(program.run(pairs + " --database parts.sqlite --resume").status == 0);
     CHECK(dump(program.file("parts.sqlite")) == whole);
     CHECK_FALSE(fs::exists(program.file("parts.sqlite-journal")));
@@ -92,6 +96,9 @@ TEST_CASE("cli atlas: Ctrl-C ends with status 3 and words, --resume goes on")
     CHECK(stopped.status == 124);  // timeout's own
     CHECK_THAT(stopped.err, containsText("--resume"));
     CHECK_THAT(stopped.out, containsText("interrupted"));
+    const auto other = program.run("atlas --database a.sqlite --cells 7 --resume");
+    CHECK(other.status == 2);
+    CHECK_THAT(other.err, containsText("another range"));
     const auto again = program.run(call);
     CHECK(again.status == 2);
     CHECK_THAT(again.err, containsText("--resume"));
@@ -134,6 +141,10 @@ TEST_CASE("cli atlas: a full disk or a file that is no atlas is status 4, nothin
     CHECK(full.status == 4);
     CHECK_THAT(full.err, containsText("full.sqlite"));
     CHECK(lines(full.err) == 1);
+    const auto asked = program.run("atlas --database full.sqlite --twins --format json");
+    CHECK(asked.status == 0);
+    CHECK(json::parse(asked.out)["complete"] == false);
+    CHECK_THAT(asked.err, containsText("batches"));
     const auto before = dump(program.file("full.sqlite"));
     CHECK(before.size() < 20'300);
     REQUIRE(program.run(pairs + " --database full.sqlite --resume").status == 0);
@@ -144,6 +155,13 @@ TEST_CASE("cli atlas: a full disk or a file that is no atlas is status 4, nothin
     CHECK(contentOf(program.file("text.sqlite")) == "words, and more words, that are no database");
     CHECK(program.run(pairs + " --database .").status == 4);
     CHECK(program.run(pairs + " --database no/such.sqlite").status == 4);
+    {
+        Connection other(program.file("other.sqlite").string(), DatabaseMode::write);
+        other.run("PRAGMA journal_mode = WAL; CREATE TABLE mine(x)");
+    }
+    const std::string mine = contentOf(program.file("other.sqlite"));
+    CHECK(program.run(pairs + " --database other.sqlite").status == 4);
+    CHECK(contentOf(program.file("other.sqlite")) == mine);
     CHECK(program.run("atlas --database missing.sqlite --twins").status == 4);
     CHECK_FALSE(fs::exists(program.file("missing.sqlite")));
     if (geteuid() != 0) {  // root may write everywhere
@@ -179,6 +197,18 @@ TEST_CASE("cli atlas: queries")
     for (const json& twins : ask("--twins")["twins"]) {
         CHECK(twins["schedules"].size() > 1);
     }
+    // An answer says what it covers: a null result is no proof where nothing was decided.
+    CHECK(near["complete"] == true);
+    CHECK(near["ranges"][0]["max_free"] == 96);
+    const auto never = program.run("atlas --database a.sqlite --cells 77 --period 3 --format json");
+    CHECK(json::parse(never.out)["complete"] == false);
+    CHECK_THAT(never.err, containsText("decided nothing"));
+    REQUIRE(program.run("atlas --database low.sqlite --cells 30 --max-energy-ratio 5").status == 0);
+    const auto low = program.run("atlas --database low.sqlite --near 1.142857 20 --format json");
+    CHECK(json::parse(low.out)["complete"] == false);
+    CHECK_THAT(low.err, containsText("energy"));
+    CHECK(json::parse(program.run("atlas --database low.sqlite --near 1.142857 4 --format json")
+                          .out)["complete"] == true);
     const auto words = program.run("atlas --database a.sqlite --period 10/3");
     CHECK_THAT(words.out, containsText("15 schedules"));
 }
@@ -230,4 +260,14 @@ TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
     CHECK_THAT(contentOf(program.file("map.svg")), containsText("</svg>"));
     REQUIRE(program.run("atlas --database a.sqlite --twins --map again.svg").status == 0);
     CHECK(program.files() == 4);
+    // Of an atlas that exists pictures need no range, and nothing is decided for them.
+    const auto drawn = program.run("atlas --database a.sqlite --map again.svg");
+    REQUIRE(drawn.status == 0);
+    CHECK(drawn.out.empty());
+    CHECK(program.run("atlas --database a.sqlite --cells 13 --resume").status == 0);
+    // Trouble with a picture is found before the work, and not blamed on the database.
+    const auto nowhere = program.run("atlas --database b.sqlite --cells 12 --figure no/x.svg");
+    CHECK(nowhere.status == 4);
+    CHECK_THAT(nowhere.err, containsText("--figure no/x.svg"));
+    CHECK_FALSE(fs::exists(program.file("b.sqlite")));
 }

@@ -243,19 +243,19 @@ TEST_CASE("atlas database: what cannot be used is refused and left as it is")
     // Two processes on one range: the second sees that it is not alone.
     std::vector<std::int8_t> signs;
     AtlasRun second = run;
-    database.write(run, decideBatch(range, 0, signs), 0.0, "");
+    database.write(run, decideBatch(range, 0, signs).value(), 0.0, "");
     const auto rows = dump(folder.file("a.sqlite"));
-    CHECK_THROWS_WITH(database.write(second, decideBatch(range, 0, signs), 0.0, ""),
+    CHECK_THROWS_WITH(database.write(second, decideBatch(range, 0, signs).value(), 0.0, ""),
                       containsText("another process"));
     CHECK(dump(folder.file("a.sqlite")) == rows);
 }
 
-TEST_CASE("atlas database: both pictures are drawn, an empty one is refused")
+TEST_CASE("atlas database: both pictures are drawn, of an empty atlas, too")
 {
     const Folder folder;
     AtlasDatabase database = AtlasDatabase::create(folder.file("a.sqlite"));
-    CHECK_THROWS_AS(drawExistenceMap(database, {}, FigureFormat::svg, folder.file("none.svg")),
-                    std::invalid_argument);
+    drawExistenceMap(database, {}, FigureFormat::svg, folder.file("none.svg"));
+    CHECK(fs::file_size(folder.file("none.svg")) > 1000);
     (void)buildAtlas(database, usualRange(12));
     drawExistenceMap(database, 12, FigureFormat::svg, folder.file("map.svg"));
     drawFrequencyEnergyPlot(database, 12, FigureFormat::svg, folder.file("plot.svg"));

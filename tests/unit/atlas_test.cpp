@@ -1,8 +1,10 @@
 #include "signorini/atlas.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <set>
+#include <thread>
 
 #include "catch.hpp"
 #include "signorini/atlas_batches.hpp"
@@ -164,7 +166,7 @@ TEST_CASE("atlas: neither the number of threads nor who takes which batch change
     LocalBatches second(range, 2, {}, 2, 3);
     LocalBatches third(range, 1, {}, 3, 3);
     std::vector<std::int8_t> signs;
-    shared.rows = decideBatch(range, 0, signs).rows;
+    shared.rows = decideBatch(range, 0, signs).value().rows;
     for (std::int64_t number = 1; number < 7; ++number) {
         LocalBatches* owner = number % 3 == 1 ? &first : number % 3 == 2 ? &second : &third;
         const auto batch = owner->next();
@@ -184,6 +186,19 @@ TEST_CASE("atlas: a cancelled source ends, however many threads wait")
     REQUIRE(source.next());
     stop.request_stop();
     CHECK_FALSE(source.next());
+
+    // In the middle of a batch, too: this one would take minutes.
+    const auto start = std::chrono::steady_clock::now();
+    {
+        std::stop_source soon;
+        LocalBatches large(smallRange(99'999'989, 6, 30'000), 2, soon.get_token());
+        const std::jthread stopper([&soon] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            soon.request_stop();
+        });
+        CHECK_FALSE(large.next());
+    }
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
 }
 
 TEST_CASE("atlas: several phases beyond exact arithmetic are kept as undecided")
@@ -191,7 +206,7 @@ TEST_CASE("atlas: several phases beyond exact arithmetic are kept as undecided")
     AtlasRange range = smallRange(maxCells, 1, 2'000'000'000, 2);
     range.keepsRefuted = false;
     std::vector<std::int8_t> signs;
-    const AtlasBatch last = decideBatch(range, batchesOf(range) - 1, signs);
+    const AtlasBatch last = decideBatch(range, batchesOf(range) - 1, signs).value();
     CHECK(last.tally.undecided > 0);
     CHECK(last.tally.undecided == last.tally.decided);
     CHECK(static_cast<std::int64_t>(last.rows.size()) == last.tally.undecided);
