@@ -158,6 +158,17 @@ void enter(const AtlasRange& range, const AtlasRow& row, AtlasBatch& batch)
     }
 }
 
+/// The same for one phase; most schedules are refuted and leave no row.
+void enter(const AtlasRange& range, const Verdict& verdict, std::int64_t number, AtlasBatch& batch)
+{
+    if (verdict.reason && !range.keepsRefuted) {
+        ++batch.tally.decided;
+        ++batch.tally.refuted;
+    } else {
+        enter(range, rowOf(verdict, number), batch);
+    }
+}
+
 }  // namespace
 
 AtlasRange usualRange(std::int64_t cells)
@@ -248,20 +259,18 @@ std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batc
 {
     AtlasBatch result;
     result.number = batch;
+    const std::int64_t begin = firstNumberOf(range, batch);
     const std::int64_t end = firstNumberOf(range, batch + 1);
-    for (std::int64_t number = firstNumberOf(range, batch); number < end; ++number) {
+    const bool isOnePhase = begin < pairsOf(range);  // of batches, too: none holds both sorts
+    Phase phase = phasesAt(range, begin).front();
+    for (std::int64_t number = begin; number < end; ++number) {
         if (stop.stop_requested()) {
             return std::nullopt;
         }
-        if (number < pairsOf(range)) {
-            const Phase phase{number / range.maxFree + 1, number % range.maxFree + 1};
-            const Verdict verdict = decide(range.cells, phase, signs);
-            if (verdict.reason && !range.keepsRefuted) {
-                ++result.tally.decided;
-                ++result.tally.refuted;
-            } else {
-                enter(range, rowOf(verdict, number), result);
-            }
+        if (isOnePhase) {
+            enter(range, decide(range.cells, phase, signs), number, result);
+            phase = phase.free < range.maxFree ? Phase{phase.contact, phase.free + 1}
+                                               : Phase{phase.contact + 1, 1};
             continue;
         }
         const Schedule schedule{range.cells, phasesAt(range, number)};
