@@ -27,6 +27,7 @@ public:
     std::vector<Case> build()
     {
         addMainBranch();
+        addNearlyHeld();
         addSizes();
         addNeighbours();
         addGrazing();
@@ -77,6 +78,22 @@ private:
             } else {
                 addRivals(any, "any", {"glpk-simplex", "clp-simplex"}, {"lumped"});
             }
+        }
+    }
+
+    /// The same with room to search: G = N/30 amplitudes, E_min/E_1 = 900 whatever N.
+    void addNearlyHeld()
+    {
+        for (const std::int64_t cells :
+             isFull_ ? std::vector<std::int64_t>{300, 3000} : std::vector<std::int64_t>{60}) {
+            const std::int64_t contact = 29 * cells / 30;
+            const Problem any{.name = fmt::format("n_c = 29 N/30: E_min = 900 E_1 N={}", cells),
+                              .schedule = {cells, {{contact, 4 * cells - 2 * contact}}},
+                              .exists = true};
+            const Problem least = leastEnergyOf(any, 900.0);
+            addOurs(least, "least energy");
+            addRivals(any, "any", linearBackEnds(), {"sy", "ky", "reduced"});
+            addRivals(least, "least energy", quadraticBackEnds(), {"sy", "ky", "reduced"});
         }
     }
 
@@ -185,10 +202,10 @@ private:
     {
         const auto add = [this](std::string_view library, bool isBare, const char* form) {
             const Ask ask{std::string(library), form, isBare};
-            Record record =
-                identified(suite, "every schedule of a steel bar with g = 1e-6 m", ask.library,
-                           form, isBare ? "library alone" : "through signorini");
-            cases_.push_back({record, "", [ask, cells = isFull_ ? 8 : 3](Record& row) {
+            Record record = identified(suite, "every schedule of a steel bar with g = 1e-6 m",
+                                       (isBare ? "bare " : "") + ask.library, form,
+                                       isBare ? "library alone" : "through signorini");
+            cases_.push_back({record, "", [ask, cells = isFull_ ? 6 : 3](Record& row) {
                                   sweepSchedules(ask, cells, row);
                               }});
             record.problem = "c from 1e-6 to 1e9 m/s and g from 1e-12 to 1e3 m: A and C N=12";

@@ -41,7 +41,7 @@ struct Arguments {
 /// The same for every case.
 constexpr Limits limitsOf(Extent extent)
 {
-    return {.seconds = extent == Extent::quick ? 3.0 : 10.0, .megabytes = 4000.0};
+    return {.seconds = extent == Extent::quick ? 3.0 : 6.0, .megabytes = 4000.0};
 }
 
 std::vector<Case> allCases(Extent extent)
@@ -79,7 +79,7 @@ int measure(const Arguments& arguments)
     TextFile file(arguments.output + "/provenance-" + id + ".txt");
     file.write(provenance);
     file.close();
-    timingBudget = arguments.isQuick ? 0.01 : 0.1;
+    timingBudget = arguments.isQuick ? 0.005 : 0.05;
     catchInterrupts();
     const RunSummary summary = run(cases, limits, id, tableIn(arguments.output));
     fmt::print("{} cases measured, {} taken from {}\n", summary.done, summary.kept,

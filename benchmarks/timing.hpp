@@ -25,9 +25,9 @@ struct Timing {
 };
 
 /// [s], how long the samples of one action may take together; less in a quick run.
-inline double timingBudget = 0.1;
+inline double timingBudget = 0.05;
 
-/// Runs `action` once to warm up; if that took less than half a second, again: 3 to 9 samples, as
+/// Runs `action` once to warm up; if that took less than five budgets, again: 3 to 9 samples, as
 /// many as fit into the budget, each of as many runs as fill a thousandth of it.
 template <typename Action>
 [[nodiscard]] Timing timeOf(Action&& action)
@@ -41,7 +41,7 @@ template <typename Action>
         return std::chrono::duration<double>(Clock::now() - start).count() / runs;
     };
     const double first = sample(1);
-    if (first > 0.5) {
+    if (first > 5.0 * timingBudget) {
         return {first, first, 0};
     }
     const double guess = std::max(std::min(first, sample(1)), 1e-9);
