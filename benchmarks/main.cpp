@@ -11,6 +11,7 @@
 #include <exception>
 #include <filesystem>
 #include <regex>
+#include <system_error>
 
 #include "provenance.hpp"
 #include "report.hpp"
@@ -137,7 +138,8 @@ int main(int argc, char** argv)
     if (std::getenv("OMP_NUM_THREADS") == nullptr) {
         setenv("OMP_NUM_THREADS", "1", 1);
         setenv("OPENBLAS_NUM_THREADS", "1", 1);
-        execv("/proc/self/exe", argv);
+        std::error_code none;  // without /proc it goes on as it is
+        execv(std::filesystem::read_symlink("/proc/self/exe", none).c_str(), argv);
     }
     try {
         return runProgram(argc, argv);

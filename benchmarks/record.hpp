@@ -18,7 +18,7 @@ inline constexpr std::array figureColumns{
     "variables",       ///< of the program
     "rows",            ///< of the program, without bounds
     "entries",         ///< of its matrices
-    "pose_seconds",    ///< writing the program down
+    "pose_seconds",    ///< writing the program down, median
     "setup_seconds",   ///< handing it to the library and recomputing its claim, median
     "solve_seconds",   ///< inside the library, median
     "seconds_median",  ///< all of it

@@ -88,7 +88,7 @@ void writeOverview(Buffer& text, const Table& table)
     }());
     for (const std::string& backEnd : distinct(table, &Record::backEnd)) {
         const Table rows = where(table, [&backEnd](const Record& record) {
-            return record.backEnd == backEnd && wasTried(record) && record.outcome != "approximate";
+            return record.backEnd == backEnd && wasTried(record) && record.suite != "rivals";
         });
         if (rows.empty()) {
             continue;

@@ -60,12 +60,15 @@ void solveProgram(const Problem& problem, std::string_view backEnd, std::string_
                   double tolerance, const Kept& kept, Record& record)
 {
     const auto solver = makeRival(backEnd);
-    Stopwatch watch;
-    const Formulated formulated = poseForm(problem.schedule, problem.demands, form, kept);
-    record.figures["pose_seconds"] = watch.seconds();
+    Formulated formulated;
+    record.figures["pose_seconds"] =
+        timeOf([&] {
+            formulated = poseForm(problem.schedule, problem.demands, form, kept);
+        }).median;
     recordSize(formulated.program, record);
-    SolverOptions options{.tolerance = tolerance};
+    const SolverOptions options{.tolerance = tolerance};
     SolverResult result;
+    Stopwatch watch;
     std::vector<double> inside;
     std::vector<double> outside;
     const Timing timing = timeOf([&] {
