@@ -52,11 +52,6 @@ std::string count(double value)
     return std::isnan(value) ? "–" : fmt::format("{:.0f}", value);
 }
 
-bool isOurs(const Record& record)
-{
-    return record.backEnd == "signorini" || record.backEnd == "closed-form";
-}
-
 /// The request of a row, whoever answered it: problem, and the words of the setting that belong to
 /// it and not to the back end.
 std::string requestOf(const Record& record)

@@ -31,6 +31,11 @@ bool wasTried(const Record& record)
            record.outcome != "reference";
 }
 
+bool isOurs(const Record& record)
+{
+    return record.backEnd == "signorini" || record.backEnd == "closed-form";
+}
+
 bool isClaim(const Record& record)
 {
     return record.claim == "found" || record.claim == "none";

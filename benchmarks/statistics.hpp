@@ -21,6 +21,9 @@ using Table = std::vector<Record>;
 /// Was it tried at all? Not if the back end is absent or refuses such programs.
 [[nodiscard]] bool wasTried(const Record& record);
 
+/// Does the row measure the library, and not a back end?
+[[nodiscard]] bool isOurs(const Record& record);
+
 /// Did it claim something?
 [[nodiscard]] bool isClaim(const Record& record);
 

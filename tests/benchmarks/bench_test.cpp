@@ -57,11 +57,6 @@ private:
     fs::path folder_;
 };
 
-bool isOurs(const Record& record)
-{
-    return record.backEnd == "signorini" || record.backEnd == "closed-form";
-}
-
 }  // namespace
 
 TEST_CASE("bench: a quick run fills the table, every row of ours is right, and a report is made")
