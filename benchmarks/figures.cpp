@@ -179,9 +179,10 @@ Panel scaling(const Table& all, bool ours)
     Panel panel{.title = ours ? "the library" : "programs, family A",
                 .xLabel = "cells N",
                 .yLabel = "time [s]",
-                .settings =
-                    "set yrange [5e-8:*]\nset key outside right top Left reverse samplen 3.5 "
-                    "spacing 1.3 font ',16'"};
+                .settings = fmt::format(
+                    "set yrange [5e-8:*]\nset xtics 1,{}\nset key outside right top Left "
+                    "reverse samplen 2.5 spacing 1.1 font ',15'",
+                    ours ? 100 : 10)};
     std::vector<std::string> labels;
     const auto labelOf = [ours](const Record& r) {
         return ours ? r.setting : r.backEnd + ", " + r.formulation;
@@ -310,7 +311,7 @@ std::vector<Figure> drawFigures(const Table& table, const std::string& folder)
     }
     if (has(table, "scaling")) {
         add("scaling.png", "Time against the number of cells, with fitted exponents",
-            {scaling(table, true), scaling(table, false)}, 15.5, 9.5);
+            {scaling(table, true), scaling(table, false)}, 12.5, 7.5);
     }
     if (std::any_of(table.begin(), table.end(), [](const Record& r) {
             return r.suite == "leaving-out" && r.problem.starts_with("A ") &&
