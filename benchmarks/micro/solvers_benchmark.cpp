@@ -113,7 +113,7 @@ void bareGlpk(benchmark::State& bench, const Program& program)
 }
 #endif
 
-/// One row of the tables in docs/benchmarks.md.
+/// One solver, formulation and schedule.
 void add(const std::string& what, const std::string& solver, Formulation formulation,
          Objective objective, const Schedule& schedule, SolverStatus expected)
 {
