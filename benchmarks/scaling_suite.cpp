@@ -158,7 +158,7 @@ private:
         });
     }
 
-    /// Every schedule n_c <= 2N, n_f <= 6N, one `reduce` each.
+    /// Every schedule n_c <= 2N, n_f <= 6N, one `decide` each.
     void addAtlas(std::int64_t cells)
     {
         add("a schedule of an atlas", cells, [](std::int64_t n, Record& row) {
@@ -177,13 +177,10 @@ private:
     static std::vector<bool> decideAll(std::int64_t cells)
     {
         std::vector<bool> exists;
-        Reduction workspace;
-        Schedule schedule{cells, {{1, 1}}};
+        std::vector<std::int8_t> signs;
         for (std::int64_t contact = 1; contact <= 2 * cells; ++contact) {
             for (std::int64_t free = 1; free <= 6 * cells; ++free) {
-                schedule.phases.front() = {contact, free};
-                reduce(schedule, workspace);
-                exists.push_back(!workspace.reason);
+                exists.push_back(!decide(cells, {contact, free}, signs).reason);
             }
         }
         return exists;

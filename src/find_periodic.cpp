@@ -489,6 +489,7 @@ private:
         result_.leftOut = formulated.leftOut;
         if (answer.status == SolverStatus::optimal) {
             acceptMotion(stateOf(formulated, answer.x));
+            withdrawUnlessLeast(posed);
             return;
         }
         if (answer.status == SolverStatus::infeasible || answer.status == SolverStatus::failed) {
@@ -507,6 +508,25 @@ private:
         }
         setUndecided(fmt::format("{}: {}; no exact proof of absence was found either",
                                  result_.solver.name, answer.detail));
+    }
+
+    /// Local methods stop at motions that are not of least energy and call them so; where the least
+    /// is known exactly, and nothing but limits narrows the set, such a claim is withdrawn. Energy
+    /// is quadratic near its least: rows at the tolerance allow its root.
+    void withdrawUnlessLeast(const Demands& posed)
+    {
+        if (result_.status != Status::found || posed.objective != Objective::minEnergy ||
+            !result_.energyRange || demands_.energyRatio || !demands_.fixed.empty()) {
+            return;
+        }
+        const double least = result_.energyRange->least;
+        const double excess = result_.energyRatio / least - 1.0;
+        if (excess > std::sqrt(options_.tolerance)) {
+            setUndecided(
+                fmt::format("{} returned a motion of {:.6g} E_1 as the one of least energy, which "
+                            "is {:.6g} E_1",
+                            result_.route, least * (1.0 + excess), least));
+        }
     }
 
     [[nodiscard]] SolverOptions solverOptions() const

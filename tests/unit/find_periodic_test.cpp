@@ -189,3 +189,29 @@ TEST_CASE("findPeriodic: fractional steps do not compile")
     STATIC_REQUIRE(CanFind<std::int64_t>);
     STATIC_REQUIRE_FALSE(CanFind<double>);
 }
+
+TEST_CASE("findPeriodic: a solver's least energy that is not the least is not believed")
+{
+    // A local method stops early on a box; whatever it says, found means the least energy.
+    for (const char* solver : {"nlopt-auglag", "nlopt-slsqp", "ipopt"}) {
+        const auto table = backends();
+        const bool has = std::any_of(table.begin(), table.end(), [solver](const Backend& backend) {
+            return backend.name == solver && backend.available();
+        });
+        if (!has) {
+            continue;
+        }
+        const PeriodicResult r = findPeriodic(15, 105, 30,
+                                              {.solver = solver,
+                                               .formulation = Formulation::reduced,
+                                               .objective = Objective::minEnergy});
+        INFO(solver << ": " << r.detail);
+        if (r.status == Status::found) {
+            CHECK(r.energyRatio == Approx(4.0 / 3.0).epsilon(4e-4));
+        } else {
+            CHECK(r.status == Status::undecided);
+            CHECK_THAT(r.detail, containsText("least energy"));
+            CHECK(r.state.cells() == 0);
+        }
+    }
+}
