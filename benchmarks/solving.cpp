@@ -122,8 +122,8 @@ void judgeResult(const Problem& problem, const PeriodicResult& result, double to
 
 std::vector<std::string_view> linearBackEnds()
 {
-    return {"glpk-simplex", "glpk-interior", "glpk-exact", "clp-simplex",
-            "clp-barrier",  "ipopt",         "nlopt-slsqp"};
+    return {"glpk-simplex", "glpk-interior", "glpk-exact",  "clp-simplex",
+            "clp-barrier",  "ipopt",         "nlopt-slsqp", "nlopt-cobyla"};
 }
 
 std::vector<std::string_view> quadraticBackEnds()
