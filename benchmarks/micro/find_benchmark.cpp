@@ -42,6 +42,26 @@ void verdictLongestWalk(benchmark::State& bench)
 }
 BENCHMARK(verdictLongestWalk)->RangeMultiplier(10)->Range(300, 3'000'000)->Complexity();
 
+/// Every schedule n_c <= 2N, n_f <= 8N, as the atlas decides them: items are schedules.
+void atlasVerdicts(benchmark::State& bench)
+{
+    const std::int64_t cells = bench.range(0);
+    std::vector<std::int8_t> signs;
+    std::int64_t found = 0;
+    for (auto _ : bench) {
+        found = 0;
+        for (std::int64_t contact = 1; contact <= 2 * cells; ++contact) {
+            for (std::int64_t free = 1; free <= 8 * cells; ++free) {
+                found += decide(cells, {contact, free}, signs).reason ? 0 : 1;
+            }
+        }
+        benchmark::DoNotOptimize(found);
+    }
+    bench.SetItemsProcessed(bench.iterations() * 16 * cells * cells);
+    bench.counters["found"] = static_cast<double>(found);
+}
+BENCHMARK(atlasVerdicts)->Arg(300)->Unit(benchmark::kMillisecond);
+
 void verdictAndLeastEnergyState(benchmark::State& bench)
 {
     const Schedule schedule = paperCase(bench.range(0));
