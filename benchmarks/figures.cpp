@@ -5,21 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 #include "gnuplot.hpp"
+#include "text.hpp"
 
 namespace signorini::bench {
 
 namespace {
-
-using Buffer = fmt::memory_buffer;
-
-template <typename... Args>
-void print(Buffer& buffer, fmt::format_string<Args...> format, Args&&... args)
-{
-    fmt::format_to(std::back_inserter(buffer), format, std::forward<Args>(args)...);
-}
 
 /// Colours of Okabe and Ito, which colour-blind readers can tell apart; the marks differ too.
 constexpr std::array colours{"#000000", "#0072b2", "#d55e00", "#009e73",
@@ -50,7 +42,7 @@ std::string quoted(std::string text)
     return "'" + text + "'";
 }
 
-void printPanel(Buffer& script, const Panel& panel)
+void printPanel(Text& script, const Panel& panel)
 {
     for (std::size_t k = 0; k < panel.curves.size(); ++k) {
         print(script, "$curve{} << EOD\n", k);
@@ -78,7 +70,7 @@ void printPanel(Buffer& script, const Panel& panel)
 /// Panels side by side.
 void draw(const std::vector<Panel>& panels, double width, double height, const std::string& path)
 {
-    Buffer script;
+    Text script;
     print(script,
           "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 lc '#cccccc'\n"
           "set multiplot layout 1,{}\n",
@@ -215,7 +207,7 @@ void drawLeavingOut(const Table& all, const std::string& path)
     });
     const std::vector<std::string> problems = distinct(table, &Record::problem);
     const std::vector<std::string> forms = distinct(table, &Record::formulation);
-    Buffer script;
+    Text script;
     print(script,
           "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid y lw 0.4 lc '#cccccc'\n"
           "set multiplot layout 1,2\nset logscale y\nset format y '10^{{%T}}'\n"

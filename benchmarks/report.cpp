@@ -7,25 +7,17 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 
 #include "figures.hpp"
 #include "signorini/output.hpp"
 #include "signorini/solver.hpp"
 #include "statistics.hpp"
+#include "text.hpp"
 
 namespace signorini::bench {
 
 namespace {
-
-using Buffer = fmt::memory_buffer;
-
-template <typename... Args>
-void print(Buffer& buffer, fmt::format_string<Args...> format, Args&&... args)
-{
-    fmt::format_to(std::back_inserter(buffer), format, std::forward<Args>(args)...);
-}
 
 /// "1.2 ms": three digits are more than a shared machine repeats.
 std::string seconds(double value)
@@ -59,7 +51,7 @@ std::string requestOf(const Record& record)
     return record.problem + " | " + record.setting;
 }
 
-void writeOverview(Buffer& text, const Table& table)
+void writeOverview(Text& text, const Table& table)
 {
     constexpr std::array outcomes{"right",   "inaccurate", "wrong",   "withdrawn", "undecided",
                                   "timeout", "memory",     "crashed", "skipped"};
@@ -115,7 +107,7 @@ void writeOverview(Buffer& text, const Table& table)
     print(text, "\n");
 }
 
-void writeAccuracy(Buffer& text, const Table& all)
+void writeAccuracy(Text& text, const Table& all)
 {
     const Table table = where(all, [](const Record& r) { return r.suite == "accuracy"; });
     if (table.empty()) {
@@ -191,7 +183,7 @@ void writeAccuracy(Buffer& text, const Table& all)
     }
 }
 
-void writeExtremes(Buffer& text, const Table& all)
+void writeExtremes(Text& text, const Table& all)
 {
     const Table table = where(all, [](const Record& r) { return r.suite == "extremes"; });
     if (table.empty()) {
@@ -209,7 +201,7 @@ void writeExtremes(Buffer& text, const Table& all)
     print(text, "\n");
 }
 
-void writeLeavingOut(Buffer& text, const Table& all)
+void writeLeavingOut(Text& text, const Table& all)
 {
     const Table table = where(all, [](const Record& r) { return r.suite == "leaving-out"; });
     if (table.empty()) {
@@ -244,7 +236,7 @@ void writeLeavingOut(Buffer& text, const Table& all)
     print(text, "\n");
 }
 
-void writeScaling(Buffer& text, const Table& all)
+void writeScaling(Text& text, const Table& all)
 {
     const Table table = where(all, [](const Record& r) { return r.suite == "scaling"; });
     if (table.empty()) {
@@ -297,7 +289,7 @@ void writeScaling(Buffer& text, const Table& all)
     print(text, "\n");
 }
 
-void writeRivals(Buffer& text, const Table& all)
+void writeRivals(Text& text, const Table& all)
 {
     const Table table = where(all, [](const Record& r) { return r.suite == "rivals"; });
     if (table.empty()) {
@@ -317,7 +309,7 @@ void writeRivals(Buffer& text, const Table& all)
 }
 
 /// Every wrong claim, and what the library answered to the same request.
-void writeLies(Buffer& text, const Table& table)
+void writeLies(Text& text, const Table& table)
 {
     const Table wrong = where(
         table, [](const Record& r) { return r.outcome == "wrong" || r.outcome == "withdrawn"; });
@@ -348,7 +340,7 @@ void writeLies(Buffer& text, const Table& table)
     print(text, "\n");
 }
 
-void writeOurFailures(Buffer& text, const Table& table)
+void writeOurFailures(Text& text, const Table& table)
 {
     const Table failed = where(table, [](const Record& r) {
         return isOurs(r) && r.outcome != "right" && r.outcome != "reference";
@@ -386,7 +378,7 @@ std::string makeReport(const std::string& folder)
     const std::string id = table.back().provenance;
     std::erase_if(table, [&id](const Record& record) { return record.provenance != id; });
 
-    Buffer text;
+    Text text;
     print(text,
           "# signorini-bench: report\n\nMade from `results.csv`, {} rows of provenance "
           "{}.\n\n```\n{}```\n\nTimes are medians of wall time on a machine that may be "

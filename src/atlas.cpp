@@ -47,12 +47,6 @@ std::optional<std::int64_t> countNumbers(std::int64_t contact, std::int64_t free
     return sum;
 }
 
-std::strong_ordering compare(const Phase& a, const Phase& b)
-{
-    const auto contact = a.contact <=> b.contact;
-    return contact != std::strong_ordering::equal ? contact : a.free <=> b.free;
-}
-
 /// Of the rotations of a list of phases: is it the first, and is it a shorter list repeated?
 struct Rotation {
     bool isFirst = true;
@@ -67,7 +61,7 @@ Rotation rotationOf(const std::vector<Phase>& phases)
         std::size_t k = 0;
         auto order = std::strong_ordering::equal;
         while (k < count && order == std::strong_ordering::equal) {
-            order = compare(phases[(k + shift) % count], phases[k]);
+            order = phases[(k + shift) % count] <=> phases[k];
             ++k;
         }
         result.isFirst = result.isFirst && order != std::strong_ordering::less;

@@ -7,9 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <numeric>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "signorini/config.hpp"
@@ -177,16 +175,10 @@ std::vector<Phase> backwards(const std::vector<Phase>& phases)
         // Each contact, then the flight that came before it.
         mirror.push_back({phases[j].contact, phases[(j + count - 1) % count].free});
     }
-    const auto isBefore = [](const Phase& a, const Phase& b) {
-        return std::tie(a.contact, a.free) < std::tie(b.contact, b.free);
-    };
     std::vector<Phase> first = mirror;
     for (std::size_t shift = 1; shift < count; ++shift) {
         std::rotate(mirror.begin(), mirror.begin() + 1, mirror.end());
-        if (std::lexicographical_compare(mirror.begin(), mirror.end(), first.begin(), first.end(),
-                                         isBefore)) {
-            first = mirror;
-        }
+        first = std::min(first, mirror);
     }
     return first;
 }
@@ -398,16 +390,13 @@ std::vector<AtlasEntry> AtlasDatabase::near(double frequencyRatio, double energy
     return entries;
 }
 
-std::vector<AtlasEntry> AtlasDatabase::ofPeriod(PeriodFraction period,
+std::vector<AtlasEntry> AtlasDatabase::ofPeriod(ExactPeriod period,
                                                 std::optional<std::int64_t> cells) const
 {
-    const std::int64_t divisor = std::gcd(period.numerator, period.denominator);
     Statement s(*connection_, std::string(entryColumns) +
                                   "WHERE cells % ? = 0 AND steps = cells / ? * ?" + onCells(cells) +
                                   " ORDER BY cells, rowid");
-    s.bind(0, period.denominator / divisor)
-        .bind(1, period.denominator / divisor)
-        .bind(2, period.numerator / divisor);
+    s.bind(0, period.denominator).bind(1, period.denominator).bind(2, period.numerator);
     return readAll(std::move(s));
 }
 

@@ -3,28 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <vector>
 
 #include "gnuplot.hpp"
 #include "signorini/frequency_energy_figure.hpp"
 #include "signorini/modes.hpp"
+#include "text.hpp"
 
 namespace signorini {
 
 namespace {
 
-using Buffer = fmt::memory_buffer;
-
 /// Top of the energies told apart by colour; what is above has the same colour.
 constexpr double mostColoured = 100.0;
 constexpr double plotWidth = 13.0;  ///< [cm]
-
-template <typename... Args>
-void print(Buffer& buffer, fmt::format_string<Args...> format, Args&&... args)
-{
-    fmt::format_to(std::back_inserter(buffer), format, std::forward<Args>(args)...);
-}
 
 }  // namespace
 
@@ -47,8 +39,8 @@ void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int6
 void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                       FigureFormat format, const std::string& path)
 {
-    Buffer pressing;
-    Buffer grazing;
+    Text pressing;
+    Text grazing;
     double contactTime = 0.0;
     double flightTime = 0.0;
     atlas.forEachFound(cells, [&](const AtlasEntry& entry) {
@@ -73,8 +65,8 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
         flightTime = 4.0;
     }
 
-    Buffer script;
-    const auto table = [&script](const char* name, const Buffer& rows) {
+    Text script;
+    const auto table = [&script](const char* name, const Text& rows) {
         print(script, "${} << EOD\n{}EOD\n", name, fmt::to_string(rows));
     };
     table("pressing", pressing);
@@ -86,12 +78,10 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
           "lc '#dddddd'\n"
           "set xrange [0:{}]\nset yrange [0:{}]\n"
           "set xlabel 'flight time  t_f c/L'\nset ylabel 'contact time  t_c c/L'\n"
-          "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', "
-          "5 '#28ae80', 6 '#5ec962', 7 '#addc30')\n"
-          "set logscale cb\nset cbrange [1:{}]\nset cbtics add (2, 5, 20, 50)\n"
+          "{}set logscale cb\nset cbrange [1:{}]\nset cbtics add (2, 5, 20, 50)\n"
           "set cblabel 'least energy  E_{{min}}/E_1'\n"
           "set key above left Left reverse samplen 1\n",
-          flightTime * 1.01, contactTime * 1.01, mostColoured);
+          flightTime * 1.01, contactTime * 1.01, viridis(8), mostColoured);
     print(script, "plot NaN notitle, ");
     if (grazing.size() > 0) {
         print(script,

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 #include "gnuplot.hpp"
 #include "signorini/motion.hpp"
+#include "text.hpp"
 
 namespace signorini {
 
@@ -17,14 +17,6 @@ namespace {
 constexpr std::size_t maxMembers = 31;
 constexpr std::int64_t maxNodes = 301;
 constexpr std::int64_t maxInstants = 401;
-
-using Buffer = fmt::memory_buffer;
-
-template <typename... Args>
-void print(Buffer& buffer, fmt::format_string<Args...> format, Args&&... args)
-{
-    fmt::format_to(std::back_inserter(buffer), format, std::forward<Args>(args)...);
-}
 
 /// Points to stack, evenly, and the places among them of the two members drawn in full.
 struct Choice {
@@ -47,7 +39,7 @@ Choice choose(const Continuum& curve)
 
 /// Strain and velocity of one member, raised to its lambda: the height of the steps is chosen so
 /// that the largest spans about a sixth of the panel.
-void printMember(Buffer& script, const ContinuumPoint& point, double base, double raise,
+void printMember(Text& script, const ContinuumPoint& point, double base, double raise,
                  const char* name, std::size_t number)
 {
     const Eigen::VectorXd s = strain(point.state);
@@ -81,15 +73,8 @@ double largest(const Continuum& curve, const Choice& choice)
 }
 
 /// u(x, t) on an even grid, and its lowest value.
-double printField(Buffer& script, const Motion& motion, std::size_t number)
+double printField(Text& script, const Motion& motion, std::size_t number)
 {
-    const auto evenly = [](std::int64_t count, std::int64_t most) {
-        std::vector<std::int64_t> values = thinned(count, most);
-        if (values.size() > 2 && values.back() - values[values.size() - 2] != values[1]) {
-            values.pop_back();
-        }
-        return values;
-    };
     const auto cells = static_cast<double>(motion.cells());
     double lowest = 0.0;
     print(script, "$field{} << EOD\n", number);
@@ -124,7 +109,7 @@ const char* unitOf(Parameter parameter)
 }
 
 /// One waterfall: column 2 (strain) or 3 (velocity) of every member.
-void plotWaterfall(Buffer& script, const Choice& choice, int column, const char* colour)
+void plotWaterfall(Text& script, const Choice& choice, int column, const char* colour)
 {
     const std::size_t count = choice.members.size();
     print(script, "plot ");
@@ -142,7 +127,7 @@ void plotWaterfall(Buffer& script, const Choice& choice, int column, const char*
           choice.black[0], column, choice.black[1], column);
 }
 
-void printWaterfalls(Buffer& script, const Continuum& curve, const Choice& choice)
+void printWaterfalls(Text& script, const Continuum& curve, const Choice& choice)
 {
     const double low = curve.points.front().lambda;
     const double high = curve.points.back().lambda;
@@ -174,7 +159,7 @@ void printWaterfalls(Buffer& script, const Continuum& curve, const Choice& choic
     print(script, "set format y '%g'\nunset label 3\n");
 }
 
-void printMotions(Buffer& script, const Continuum& curve, const Choice& choice)
+void printMotions(Text& script, const Continuum& curve, const Choice& choice)
 {
     double lowest = 0.0;
     double time = 0.0;
@@ -185,11 +170,9 @@ void printMotions(Buffer& script, const Continuum& curve, const Choice& choice)
         time = static_cast<double>(motion.steps()) / static_cast<double>(motion.cells());
     }
     print(script,
-          "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', "
-          "5 '#28ae80', 6 '#5ec962', 7 '#addc30', 8 '#fde725')\n"
-          "set cbrange [{}:1]\nset cblabel 'displacement  u/g'\nset yrange [0:{}]\n"
+          "{}set cbrange [{}:1]\nset cblabel 'displacement  u/g'\nset yrange [0:{}]\n"
           "set tmargin at screen 0.41\nset bmargin at screen 0.08\n",
-          lowest, time);
+          viridis(), lowest, time);
     for (std::size_t k = 0; k < 2; ++k) {
         const ContinuumPoint& point = curve.points[choice.members[choice.black[k]]];
         const double left = k == 0 ? 0.11 : 0.51;
@@ -213,7 +196,7 @@ void drawContinuum(const Continuum& curve, FigureFormat format, const std::strin
         throw std::invalid_argument("figure: the curve holds no motion to draw");
     }
     const Choice choice = choose(curve);
-    Buffer script;
+    Text script;
     print(script,
           "set multiplot\nset label 1 \"{}   ω/ω_1 = {:.5g}   E/E_1 = {:.5g}   {}, {} motions\" at "
           "screen 0.5,0.97 center\n",

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 #include "faults.hpp"
 #include "gnuplot.hpp"
 #include "signorini/motion.hpp"
+#include "text.hpp"
 
 namespace signorini {
 
@@ -18,31 +18,13 @@ constexpr std::int64_t maxNodes = 301;
 constexpr std::int64_t maxInstants = 701;
 constexpr std::int64_t maxTipInstants = 4001;
 
-using Buffer = fmt::memory_buffer;
-
-template <typename... Args>
-void print(Buffer& buffer, fmt::format_string<Args...> format, Args&&... args)
-{
-    fmt::format_to(std::back_inserter(buffer), format, std::forward<Args>(args)...);
-}
-
-/// 0, k, 2k, ... <= last: an even grid, as an image needs it.
-std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most)
-{
-    std::vector<std::int64_t> values = thinned(last, most);
-    if (values.size() > 2 && values.back() - values[values.size() - 2] != values[1]) {
-        values.pop_back();
-    }
-    return values;
-}
-
 /// Steps and cells as x/L and t c/L: both are 1/N.
 double scaled(std::int64_t count, const Motion& motion)
 {
     return static_cast<double>(count) / static_cast<double>(motion.cells());
 }
 
-void printInitialState(Buffer& script, const Motion& motion)
+void printInitialState(Text& script, const Motion& motion)
 {
     print(script, "$initial << EOD\n");
     for (const std::int64_t i : thinned(motion.cells(), maxTipInstants)) {
@@ -53,7 +35,7 @@ void printInitialState(Buffer& script, const Motion& motion)
     print(script, "EOD\n");
 }
 
-void printField(Buffer& script, const Motion& motion)
+void printField(Text& script, const Motion& motion)
 {
     print(script, "$field << EOD\n");
     for (const std::int64_t m : evenly(motion.steps(), maxInstants)) {
@@ -65,7 +47,7 @@ void printField(Buffer& script, const Motion& motion)
     print(script, "EOD\n");
 }
 
-void printTip(Buffer& script, const Motion& motion)
+void printTip(Text& script, const Motion& motion)
 {
     print(script, "$tip << EOD\n");
     for (const std::int64_t m : thinned(motion.steps(), maxTipInstants)) {
@@ -109,7 +91,7 @@ double niceStep(double least)
 }
 
 /// The stretches of time in which the schedule holds the tip at the wall.
-void printContact(Buffer& script, const Schedule& schedule, const Motion& motion)
+void printContact(Text& script, const Schedule& schedule, const Motion& motion)
 {
     print(script, "$contact << EOD\n");
     std::int64_t step = 0;
@@ -136,11 +118,6 @@ std::string withPrefix(double value, const char* unit)
     return fmt::format("{:.4g} {}", value, unit);
 }
 
-/// The sequential map "viridis" in nine stops: even in lightness, safe for colour-blind readers.
-constexpr const char* palette =
-    "set palette defined (0 '#440154', 1 '#472d7b', 2 '#3b528b', 3 '#2c728e', 4 '#21918c', "
-    "5 '#28ae80', 6 '#5ec962', 7 '#addc30', 8 '#fde725')\n";
-
 /// The motion on a grid fine enough to look like the continuous field it is.
 struct Drawing {
     Schedule schedule;
@@ -164,7 +141,7 @@ Drawing finelyDrawn(const PeriodicResult& result)
 std::string scriptFor(const PeriodicResult& result)
 {
     const auto [schedule, motion] = finelyDrawn(result);
-    Buffer script;
+    Text script;
     printInitialState(script, motion);
     printField(script, motion);
     printTip(script, motion);
@@ -200,7 +177,7 @@ std::string scriptFor(const PeriodicResult& result)
           "set ytics auto\nset colorbox user origin screen 0.905,0.12 size screen 0.018,0.52\n"
           "set cblabel 'displacement  u/g'\nunset grid\n"
           "plot $field using 1:2:3 with image\n",
-          palette, scaled(motion.steps(), motion));
+          viridis(), scaled(motion.steps(), motion));
     print(script,
           "set lmargin at screen 0.65\nset rmargin at screen 0.86\n"
           "set ylabel ''\nset format y ''\nset xlabel 'tip  u(L,t)/g'\n"

@@ -488,8 +488,10 @@ private:
         result_.solver.iterations = answer.iterations;
         result_.leftOut = formulated.leftOut;
         if (answer.status == SolverStatus::optimal) {
-            acceptMotion(stateOf(formulated, answer.x));
-            withdrawUnlessLeast(posed);
+            State state = stateOf(formulated, answer.x);
+            if (isLeastIfKnown(state, posed)) {
+                acceptMotion(std::move(state));
+            }
             return;
         }
         if (answer.status == SolverStatus::infeasible || answer.status == SolverStatus::failed) {
@@ -510,23 +512,24 @@ private:
                                  result_.solver.name, answer.detail));
     }
 
-    /// Local methods stop at motions that are not of least energy and call them so; where the least
-    /// is known exactly, and nothing but limits narrows the set, such a claim is withdrawn. Energy
-    /// is quadratic near its least: rows at the tolerance allow its root.
-    void withdrawUnlessLeast(const Demands& posed)
+    /// Local methods stop at motions that are not of least energy and call them so. Where the least
+    /// is known exactly, and nothing but limits narrows the set, such a claim is not accepted.
+    /// Energy is quadratic near its least: rows at the tolerance allow its root.
+    bool isLeastIfKnown(const State& state, const Demands& posed)
     {
-        if (result_.status != Status::found || posed.objective != Objective::minEnergy ||
-            !result_.energyRange || demands_.energyRatio || !demands_.fixed.empty()) {
-            return;
+        if (posed.objective != Objective::minEnergy || !result_.energyRange ||
+            demands_.energyRatio || !demands_.fixed.empty()) {
+            return true;
         }
+        const double claimed = energyRatio(state);
         const double least = result_.energyRange->least;
-        const double excess = result_.energyRatio / least - 1.0;
-        if (excess > std::sqrt(options_.tolerance)) {
-            setUndecided(
-                fmt::format("{} returned a motion of {:.6g} E_1 as the one of least energy, which "
-                            "is {:.6g} E_1",
-                            result_.route, least * (1.0 + excess), least));
+        if (claimed <= least * (1.0 + std::sqrt(options_.tolerance))) {
+            return true;
         }
+        setUndecided(fmt::format(
+            "{} returned a motion of {:.6g} E_1 as the one of least energy, which is {:.6g} E_1",
+            result_.route, claimed, least));
+        return false;
     }
 
     [[nodiscard]] SolverOptions solverOptions() const

@@ -5,25 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <string_view>
 #include <tuple>
 #include <vector>
 
 #include "faults.hpp"
 #include "gnuplot.hpp"
+#include "text.hpp"
 
 namespace signorini {
 
 namespace {
-
-using Buffer = fmt::memory_buffer;
-
-template <typename... Args>
-void print(Buffer& buffer, fmt::format_string<Args...> format, Args&&... args)
-{
-    fmt::format_to(std::back_inserter(buffer), format, std::forward<Args>(args)...);
-}
 
 /// What print can show: the width of a column in the detail, and the relative height of a line.
 constexpr double columnWidth = 5e-4;
@@ -115,7 +107,7 @@ struct Frame {
 };
 
 /// The curve in the frame, from its highest to its lowest period. Evenly in the logarithm of E.
-void printCurve(Buffer& script, const Mode& mode, const Frame& frame, std::size_t points)
+void printCurve(Text& script, const Mode& mode, const Frame& frame, std::size_t points)
 {
     const auto root = [&mode](const ExactPeriod& end) {
         return static_cast<double>(mode.kappa * end.numerator - mode.mu * end.denominator) /
@@ -135,7 +127,7 @@ void printCurve(Buffer& script, const Mode& mode, const Frame& frame, std::size_
 
 /// The modes of each style, and the points where modes leave linear motions, with labels for the
 /// whole plot and for the detail, each where the other has none.
-void printModes(Buffer& script, std::span<const Mode> modes, const Frame& frame)
+void printModes(Text& script, std::span<const Mode> modes, const Frame& frame)
 {
     // Where curves crowd, those without a name of their own get fewer points.
     const std::size_t few =
@@ -168,7 +160,7 @@ void printModes(Buffer& script, std::span<const Mode> modes, const Frame& frame)
 }
 
 /// The bars of one kind, those of one column that overlap made one.
-void printBars(Buffer& script, std::span<const EnergyBar> bars, Contact contact, const Frame& frame)
+void printBars(Text& script, std::span<const EnergyBar> bars, Contact contact, const Frame& frame)
 {
     struct Stroke {
         double column;
@@ -206,7 +198,7 @@ bool any(const Range& range, Condition condition)
 }
 
 /// Draws one panel from the back to the front; labels are in column 3 (whole) or 4 (detail).
-void printPlot(Buffer& script, std::span<const Mode> modes, std::span<const EnergyBar> bars,
+void printPlot(Text& script, std::span<const Mode> modes, std::span<const EnergyBar> bars,
                int labelColumn)
 {
     print(script, "plot ");
@@ -240,7 +232,7 @@ std::string scriptFor(std::span<const Mode> modes, std::span<const EnergyBar> ba
                       const FrequencyEnergyOptions& options)
 {
     const Frame frame(modes, bars, options);
-    Buffer script;
+    Text script;
     print(script, "$paper << EOD\n{} 20\nEOD\n", 8.0 / 7.0);
     printModes(script, modes, frame);
     printBars(script, bars, Contact::grazing, frame);

@@ -16,6 +16,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "signorini/motion.hpp"
 #include "signorini/output.hpp"
 #include "signorini/solver.hpp"
 
@@ -150,6 +151,26 @@ void runGnuplot(const std::string& script, FigureFormat format, double width, do
     TextFile target(path);
     target.write(content);
     target.close();
+}
+
+std::string viridis(std::size_t stops)
+{
+    constexpr std::array colours{"#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c",
+                                 "#28ae80", "#5ec962", "#addc30", "#fde725"};
+    std::string text = "set palette defined (";
+    for (std::size_t k = 0; k < std::min(stops, colours.size()); ++k) {
+        text += fmt::format("{}{} '{}'", k == 0 ? "" : ", ", k, colours.at(k));
+    }
+    return text + ")\n";
+}
+
+std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most)
+{
+    std::vector<std::int64_t> values = thinned(last, most);
+    if (values.size() > 2 && values.back() - values[values.size() - 2] != values[1]) {
+        values.pop_back();
+    }
+    return values;
 }
 
 }  // namespace signorini

@@ -2,7 +2,9 @@
 /// \file
 /// Runs gnuplot on a script.
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "signorini/figure.hpp"
 
@@ -12,5 +14,12 @@ namespace signorini {
 /// Width and height in centimetres. \throws BackendUnavailable, FileError.
 void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
                 const std::string& path);
+
+/// Sets the sequential map "viridis", even in lightness and safe for colour-blind readers, to its
+/// first `stops` of nine; the last ones are too light for dots on paper.
+[[nodiscard]] std::string viridis(std::size_t stops = 9);
+
+/// 0, k, 2k, ... <= last, at most about `most`: an even grid, as an image needs it.
+[[nodiscard]] std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most);
 
 }  // namespace signorini

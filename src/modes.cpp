@@ -17,12 +17,6 @@ namespace signorini {
 
 namespace {
 
-ExactPeriod inLowestTerms(std::int64_t numerator, std::int64_t denominator)
-{
-    const std::int64_t common = std::gcd(numerator, denominator);
-    return {numerator / common, denominator / common};
-}
-
 /// x in 1..modulus-1 with x * value = -1 (mod modulus). \pre coprime, modulus >= 2.
 std::int64_t negativeInverse(std::int64_t value, std::int64_t modulus)
 {
@@ -95,7 +89,7 @@ std::optional<Mode> modeOf(std::int64_t a, std::int64_t order)
     mode.b = -order;
     mode.kappa = (p + c * order) / 2;
     mode.mu = q + c * count;
-    mode.lowest = c > 0 ? inLowestTerms(mode.mu, mode.kappa) : inLowestTerms(2 * q, p);
+    mode.lowest = c > 0 ? exactPeriod(mode.mu, mode.kappa) : exactPeriod(2 * q, p);
     mode.lowestEnd = c < 0 ? ModeEnd::jumpsMeet : ModeEnd::energyInfinite;
     mode.highest = {2 * count, order};  // coprime already
     return mode;

@@ -3,10 +3,17 @@
 #include <fmt/format.h>
 
 #include <cstddef>
+#include <numeric>
 
 #include "faults.hpp"
 
 namespace signorini {
+
+ExactPeriod exactPeriod(std::int64_t numerator, std::int64_t denominator)
+{
+    const std::int64_t common = std::gcd(numerator, denominator);
+    return {numerator / common, denominator / common};
+}
 
 void validate(const Schedule& schedule)
 {

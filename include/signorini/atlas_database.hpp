@@ -46,12 +46,6 @@ struct AtlasEntry {
     AtlasRow row;  ///< `number`: its rowid; energies that are not known read as infinite
 };
 
-/// A period as an exact fraction, in L/c.
-struct PeriodFraction {
-    std::int64_t numerator = 0;
-    std::int64_t denominator = 1;
-};
-
 /// Schedules of one period whose motions of least energy have the same energy and differ.
 using Twins = std::vector<AtlasEntry>;
 
@@ -87,7 +81,7 @@ public:
                                                double distance,
                                                std::optional<std::int64_t> cells = {}) const;
     /// All rows of one period T c/L, found or not. \throws FileError.
-    [[nodiscard]] std::vector<AtlasEntry> ofPeriod(PeriodFraction period,
+    [[nodiscard]] std::vector<AtlasEntry> ofPeriod(ExactPeriod period,
                                                    std::optional<std::int64_t> cells = {}) const;
     /// Different motions of equal T and E: among the canonical schedules of one N, those of equal n
     /// whose least energies agree to 1e-12; one of two that are each other backwards in time. By

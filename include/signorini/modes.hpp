@@ -30,20 +30,6 @@
 
 namespace signorini {
 
-/// A rational period in lowest terms, denominator > 0.
-struct ExactPeriod {
-    std::int64_t numerator = 0;    ///< [L/c]
-    std::int64_t denominator = 1;  ///< [-]
-
-    /// Rounded once.
-    [[nodiscard]] double value() const
-    {
-        return static_cast<double>(numerator) / static_cast<double>(denominator);
-    }
-
-    friend bool operator==(const ExactPeriod&, const ExactPeriod&) = default;
-};
-
 /// Why a mode goes no further.
 enum class ModeEnd {
     contactVanishes,  ///< t_c -> 0: a linear motion that touches the wall (always the highest T)

@@ -6,6 +6,7 @@
 /// what follows it. One period is a list of phases, each n_c contact steps followed by n_f free
 /// steps; the paper has one phase. Period T = n dt with n the sum of all steps.
 
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -17,8 +18,25 @@ struct Phase {
     std::int64_t contact = 0;  ///< [steps], n_c >= 1
     std::int64_t free = 0;     ///< [steps], n_f >= 1
 
-    friend bool operator==(const Phase&, const Phase&) = default;
+    friend auto operator<=>(const Phase&, const Phase&) = default;  ///< by contact, then free
 };
+
+/// A rational period in lowest terms, denominator > 0.
+struct ExactPeriod {
+    std::int64_t numerator = 0;    ///< [L/c]
+    std::int64_t denominator = 1;  ///< [-]
+
+    /// Rounded once.
+    [[nodiscard]] double value() const
+    {
+        return static_cast<double>(numerator) / static_cast<double>(denominator);
+    }
+
+    friend bool operator==(const ExactPeriod&, const ExactPeriod&) = default;
+};
+
+/// numerator/denominator in lowest terms. \pre both > 0.
+[[nodiscard]] ExactPeriod exactPeriod(std::int64_t numerator, std::int64_t denominator);
 
 /// The grid and the phases of one period.
 struct Schedule {

@@ -25,7 +25,7 @@ namespace {
 constexpr double usualDistance = 0.01;
 
 /// "7/2", "3.5" or "4" as an exact fraction. \throws std::invalid_argument.
-PeriodFraction parsePeriod(const std::string& text)
+ExactPeriod parsePeriod(const std::string& text)
 {
     constexpr std::size_t mostDigits = 9;
     const auto refuse = [&text]() {
@@ -38,7 +38,7 @@ PeriodFraction parsePeriod(const std::string& text)
         return !word.empty() && word.size() <= mostDigits &&
                std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
     };
-    PeriodFraction period;
+    ExactPeriod period;
     if (const std::size_t slash = text.find('/'); slash != std::string::npos) {
         if (!isWhole(text.substr(0, slash)) || !isWhole(text.substr(slash + 1))) {
             refuse();
@@ -59,7 +59,7 @@ PeriodFraction parsePeriod(const std::string& text)
     if (period.numerator == 0 || period.denominator == 0) {
         refuse();
     }
-    return period;
+    return exactPeriod(period.numerator, period.denominator);
 }
 
 }  // namespace

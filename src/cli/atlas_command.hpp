@@ -42,7 +42,7 @@ private:
     /// A question to a database.
     struct Query {
         std::optional<std::int64_t> cells;           ///< only these; otherwise all
-        std::optional<PeriodFraction> period;        ///< --period
+        std::optional<ExactPeriod> period;           ///< --period
         std::optional<std::array<double, 2>> point;  ///< --near
         double distance = 0.0;                       ///< --within
     };

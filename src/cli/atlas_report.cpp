@@ -4,25 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "json.hpp"
 
 namespace signorini::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t shownRows = 20;
 
 Json asJson(const AtlasEntry& entry)
 {
     const AtlasRow& row = entry.row;
-    Json phases = Json::array();
-    for (const Phase& phase : entry.schedule.phases) {
-        phases.push_back({phase.contact, phase.free});
-    }
     Json json{
-        {"cells", entry.schedule.cells},    {"schedule", phases},
+        {"cells", entry.schedule.cells},    {"schedule", phasesAsJson(entry.schedule.phases)},
         {"period", period(entry.schedule)}, {"frequency_ratio", frequencyRatio(entry.schedule)},
         {"status", name(row.status)},       {"reason", nullptr}};
     if (row.reason) {

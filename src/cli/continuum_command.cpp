@@ -4,12 +4,12 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "faults.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
+#include "json.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/continuum_figure.hpp"
 #include "signorini/output.hpp"
@@ -115,7 +115,6 @@ std::string asText(const Continuum& curve)
 
 std::string asJson(const Continuum& curve)
 {
-    using Json = nlohmann::ordered_json;
     Json json{{"status", name(curve.status)},
               {"energy_ratio", curve.energyRatio},
               {"connected", nullptr},

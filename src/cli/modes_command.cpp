@@ -7,11 +7,11 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "files.hpp"
 #include "interrupt.hpp"
+#include "json.hpp"
 #include "signorini/frequency_energy_figure.hpp"
 #include "signorini/modes.hpp"
 
@@ -84,13 +84,13 @@ std::string asText(const Listing& listing)
     return text;
 }
 
-nlohmann::ordered_json asJson(const Mode& mode)
+Json asJson(const Mode& mode)
 {
     const auto fraction = [](const ExactPeriod& period) {
-        return nlohmann::ordered_json{period.numerator, period.denominator};
+        return Json{period.numerator, period.denominator};
     };
     const EnergyRange energy = energyRange(mode);
-    nlohmann::ordered_json json{{"contact", {4 * mode.a, mode.b}},
+    Json json{{"contact", {4 * mode.a, mode.b}},
                                 {"period_range", {fraction(mode.lowest), fraction(mode.highest)}},
                                 {"inverse_sqrt_energy", {mode.kappa, mode.mu}},
                                 {"ends", {name(mode.lowestEnd), name(mode.highestEnd)}},
@@ -107,11 +107,11 @@ nlohmann::ordered_json asJson(const Mode& mode)
 
 std::string asJson(const Listing& listing)
 {
-    nlohmann::ordered_json json{{"complete", listing.isComplete},
+    Json json{{"complete", listing.isComplete},
                                 {"max_order", listing.bounds.maxOrder},
                                 {"max_period", listing.bounds.maxPeriod},
                                 {"max_energy_ratio", listing.bounds.maxEnergyRatio},
-                                {"modes", nlohmann::ordered_json::array()}};
+                                {"modes", Json::array()}};
     for (const Mode& mode : listing.modes) {
         json["modes"].push_back(asJson(mode));
     }

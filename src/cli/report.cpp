@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "json.hpp"
 
 namespace signorini::cli {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Certificates with more multipliers than this are summarised.
 constexpr std::size_t maxPrintedMultipliers = 100'000;
@@ -138,15 +137,6 @@ std::string absenceAsText(const PeriodicResult& result)
         text += fmt::format("proof       {}\n", result.detail);
     }
     return text;
-}
-
-Json phasesAsJson(const std::vector<Phase>& phases)
-{
-    Json list = Json::array();
-    for (const Phase& phase : phases) {
-        list.push_back({phase.contact, phase.free});
-    }
-    return list;
 }
 
 /// Rows and multipliers as pairs; null when there are too many to print.
