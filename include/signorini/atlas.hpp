@@ -15,9 +15,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "signorini/find_periodic.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
+#include "signorini/verdict.hpp"
 
 namespace signorini {
 

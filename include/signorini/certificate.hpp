@@ -17,9 +17,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "signorini/reduction.hpp"
-#include "signorini/schedule.hpp"
-
 namespace signorini {
 
 /// The multiplier of one row; rows that are not listed have multiplier 0.
@@ -38,11 +35,10 @@ struct FarkasCertificate {
     std::vector<Multiplier> penetration;  ///< mu of (12)
 };
 
-/// The certificate that the closed form gives for a schedule without motion, in least integers. Its
-/// rows exist in the original schedule as well as in the folded one. O(N + n/G).
-/// `reason` names the first condition that fails; where several do, the certificate uses the rows
-/// that prove absence most directly.
-/// \throws std::invalid_argument if the reduction found motions.
-[[nodiscard]] FarkasCertificate proveAbsence(const Reduction& reduction);
+/// Integer multipliers of the rows of a program (infeasibility.hpp), ascending; others are 0.
+struct InfeasibilityProof {
+    std::vector<Multiplier> equalities;    ///< y
+    std::vector<Multiplier> inequalities;  ///< mu >= 0
+};
 
 }  // namespace signorini

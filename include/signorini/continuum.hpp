@@ -115,9 +115,6 @@ struct Continuum {
 [[nodiscard]] std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio,
                                                std::int64_t count, std::uint64_t seed = 1);
 
-/// One row per point: lambda, a_1..a_N, b_1..b_N, the waves as strains [-]. \throws FileError.
-void writeContinuumCsv(const std::string& path, const Continuum& curve);
-
 /// The number of components of the motions with E/E_1 = energyRatio, of a simplex or a point,
 /// decided in rational numbers: 0 outside the range, 1 or d. Without an answer for a box.
 [[nodiscard]] std::optional<std::int64_t> componentsAt(const Reduction& reduction,

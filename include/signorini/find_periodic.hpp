@@ -23,19 +23,10 @@
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/state.hpp"
+#include "signorini/verdict.hpp"
 #include "signorini/verification.hpp"
 
 namespace signorini {
-
-/// What the mathematics answers.
-enum class Status {
-    found,      ///< a motion, verified
-    none,       ///< no motion, proved
-    undecided,  ///< neither; `PeriodicResult::detail` says why
-};
-
-/// "found", "none", "undecided".
-[[nodiscard]] std::string_view name(Status status);
 
 /// A request names only what it wants.
 struct FindOptions {

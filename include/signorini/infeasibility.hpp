@@ -18,12 +18,6 @@
 
 namespace signorini {
 
-/// Integer multipliers of the rows of a program, ascending; others are 0.
-struct InfeasibilityProof {
-    std::vector<Multiplier> equalities;    ///< y
-    std::vector<Multiplier> inequalities;  ///< mu >= 0
-};
-
 /// Checks a proof in exact rational arithmetic. O(entries of the rows used + n).
 [[nodiscard]] bool isProof(const InfeasibilityProof& proof, const Program& program);
 

@@ -26,9 +26,8 @@
 #include <vector>
 
 #include "signorini/amplitude_set.hpp"
+#include "signorini/certificate.hpp"
 #include "signorini/class_types.hpp"
-#include "signorini/formulation.hpp"
-#include "signorini/infeasibility.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/state.hpp"
 
@@ -80,10 +79,6 @@ inline constexpr std::int64_t maxBlocks = 50'000'000;
 /// The simplest reason why a schedule that has no motion has none: no class is live, contact steps
 /// contradict each other, no amplitude brings the tip to the wall, or else the flights. O(K).
 [[nodiscard]] Reason absenceReason(const ClassTypes& classes);
-
-/// The proof of absence in terms of the program formulate(schedule, Formulation::lumped).
-/// O(rows of the program). \throws std::invalid_argument if there are motions.
-[[nodiscard]] InfeasibilityProof proofOf(const LumpedSet& set, const Program& program);
 
 /// What the set of all motions looks like.
 struct LumpedShape {

@@ -6,29 +6,17 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "signorini/bar.hpp"
+#include "signorini/continuum.hpp"
+#include "signorini/control.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/state.hpp"
 
 namespace signorini {
-
-/// A file could not be read or written; the message names it and the system's reason.
-class FileError : public std::runtime_error {
-public:
-    /// The message is "path: reason".
-    FileError(const std::string& path, std::string reason);
-
-    /// Why, without the path: "cannot write: No space left on device".
-    [[nodiscard]] const std::string& reason() const { return reason_; }
-
-private:
-    std::string reason_;
-};
 
 /// Where temporary files go. \throws FileError if the system names no usable folder.
 [[nodiscard]] std::filesystem::path temporaryDirectory();
@@ -105,5 +93,8 @@ void writeMotionCsv(const std::string& path, const Motion& motion, const Bar& ba
 
 /// The same as a legacy VTK rectilinear grid (x, t), for ParaView. \throws FileError.
 void writeMotionVtk(const std::string& path, const Motion& motion, const Bar& bar);
+
+/// One row per point: lambda, a_1..a_N, b_1..b_N, the waves as strains [-]. \throws FileError.
+void writeContinuumCsv(const std::string& path, const Continuum& curve);
 
 }  // namespace signorini

@@ -25,41 +25,15 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "signorini/amplitude_set.hpp"
+#include "signorini/certificate.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/state.hpp"
+#include "signorini/verdict.hpp"
 
 namespace signorini {
-
-/// Why no motion exists; the first that applies, in this order.
-enum class Reason {
-    noLiveClass,  ///< ker(W - 1) = 0: only the bar at rest repeats
-    contactSign,  ///< the same amplitude would have to push and to pull on the wall
-    penetration,  ///< a prefix sum of (12) is positive whatever the amplitudes
-    gap,          ///< the tip cannot be at the wall at t = 0: row (31) reads 0 or < 0 = g
-    constraints,  ///< motions exist, but none meets the further demands
-};
-
-/// "no-live-class", "contact-sign", "penetration", "gap", "constraints".
-[[nodiscard]] std::string_view name(Reason reason);
-
-/// Does the wall feel the motion?
-enum class Contact {
-    pressing,  ///< positive force at some contact step
-    grazing,   ///< the tip touches, the force is zero throughout: a linear motion
-};
-
-/// "pressing" or "grazing".
-[[nodiscard]] std::string_view name(Contact contact);
-
-/// Both ends of the energies E/E_1 that the motions of a set have.
-struct EnergyRange {
-    double least = 0.0;  ///< [E_1]
-    double most = 0.0;   ///< [E_1]
-};
 
 /// What can be said of a schedule in a few integers: does it have a motion, and how many.
 struct Verdict {
@@ -119,5 +93,12 @@ void reduce(const Schedule& schedule, Reduction& result);
 /// The state at t = 0 of the motion of least energy, z = S/d throughout. O(N), the time needed to
 /// write 2N numbers. \throws std::invalid_argument if the set is empty.
 [[nodiscard]] State leastEnergyMotion(const Reduction& reduction);
+
+/// The certificate that the closed form gives for a schedule without motion, in least integers. Its
+/// rows exist in the original schedule as well as in the folded one. O(N + n/G).
+/// `reason` names the first condition that fails; where several do, the certificate uses the rows
+/// that prove absence most directly.
+/// \throws std::invalid_argument if the reduction found motions.
+[[nodiscard]] FarkasCertificate proveAbsence(const Reduction& reduction);
 
 }  // namespace signorini

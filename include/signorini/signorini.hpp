@@ -14,6 +14,7 @@
 #include "signorini/config.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/continuum_figure.hpp"
+#include "signorini/control.hpp"
 #include "signorini/demands.hpp"
 #include "signorini/equations.hpp"
 #include "signorini/figure.hpp"
@@ -32,4 +33,5 @@
 #include "signorini/solver.hpp"
 #include "signorini/sphere_section.hpp"
 #include "signorini/state.hpp"
+#include "signorini/verdict.hpp"
 #include "signorini/verification.hpp"

@@ -13,11 +13,11 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <string_view>
 
+#include "signorini/control.hpp"
 #include "signorini/program.hpp"
 
 namespace signorini {
@@ -105,12 +105,6 @@ private:
     /// copy: texts may quote relative numbers only.
     [[nodiscard]] virtual SolverResult run(const Program& program,
                                            const SolverOptions& options) const = 0;
-};
-
-/// A back end that this build does not contain was asked for, or an outside program is missing.
-class BackendUnavailable : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
 };
 
 /// One row of the table in solvers/backends.cpp.

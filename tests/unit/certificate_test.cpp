@@ -7,7 +7,7 @@
 
 #include "catch.hpp"
 #include "signorini/equations.hpp"
-#include "signorini/integers.hpp"
+#include "integers.hpp"
 #include "signorini/verification.hpp"
 #include "support.hpp"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "lumped_proof.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/solver.hpp"
 #include "signorini/verification.hpp"

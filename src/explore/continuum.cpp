@@ -10,7 +10,6 @@
 #include "faults.hpp"
 #include "signorini/closed_form.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/output.hpp"
 #include "signorini/solver.hpp"
 #include "signorini/sphere_section.hpp"
 
@@ -623,29 +622,6 @@ std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, s
         motions.push_back(motionOf(reduction, sampler.next()));
     }
     return motions;
-}
-
-void writeContinuumCsv(const std::string& path, const Continuum& curve)
-{
-    const double unit = scales(curve.bar).strain;
-    TextFile file(path);
-    file.write("lambda");
-    for (const char wave : {'a', 'b'}) {
-        for (std::int64_t i = 1; i <= curve.schedule.cells; ++i) {
-            file.write(fmt::format(",{}_{}", wave, i));
-        }
-    }
-    file.write("\n");
-    for (const ContinuumPoint& point : curve.points) {
-        file.write(fmt::format("{}", point.lambda));
-        for (const Eigen::VectorXd* wave : {&point.state.a, &point.state.b}) {
-            for (const double value : *wave) {
-                file.write(fmt::format(",{}", value * unit + 0.0));  // -0 is shown as 0
-            }
-        }
-        file.write("\n");
-    }
-    file.close();
 }
 
 std::optional<std::int64_t> componentsAt(const Reduction& reduction, double energyRatio)

@@ -6,7 +6,7 @@
 
 #include "compensated_sum.hpp"
 #include "faults.hpp"
-#include "signorini/integers.hpp"
+#include "integers.hpp"
 #include "signorini/propagation.hpp"
 
 namespace signorini {

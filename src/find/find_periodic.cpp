@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "faults.hpp"
+#include "lumped_proof.hpp"
 #include "signorini/class_types.hpp"
 #include "signorini/closed_form.hpp"
 #include "signorini/solver.hpp"
@@ -631,19 +632,6 @@ private:
 };
 
 }  // namespace
-
-std::string_view name(Status status)
-{
-    switch (status) {
-        case Status::found:
-            return "found";
-        case Status::none:
-            return "none";
-        case Status::undecided:
-            return "undecided";
-    }
-    throw std::logic_error("unnamed Status");
-}
 
 PeriodicResult findPeriodic(const Schedule& schedule, const FindOptions& options)
 {

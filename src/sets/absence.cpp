@@ -1,10 +1,10 @@
-#include "signorini/certificate.hpp"
+#include "signorini/reduction.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
-#include "signorini/integers.hpp"
+#include "integers.hpp"
 
 namespace signorini {
 

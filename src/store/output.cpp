@@ -132,11 +132,6 @@ void copyContent(const std::string& from, const std::string& to)
 
 }  // namespace
 
-FileError::FileError(const std::string& path, std::string reason)
-    : std::runtime_error(path + ": " + reason), reason_(std::move(reason))
-{
-}
-
 fs::path temporaryDirectory()
 {
     std::error_code error;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "signorini/integers.hpp"
+#include "integers.hpp"
 
 namespace signorini {
 

@@ -164,34 +164,6 @@ State writeState(const Reduction& r, Fill fill)
 
 }  // namespace
 
-std::string_view name(Reason reason)
-{
-    switch (reason) {
-        case Reason::noLiveClass:
-            return "no-live-class";
-        case Reason::contactSign:
-            return "contact-sign";
-        case Reason::penetration:
-            return "penetration";
-        case Reason::gap:
-            return "gap";
-        case Reason::constraints:
-            return "constraints";
-    }
-    throw std::logic_error("unnamed Reason");
-}
-
-std::string_view name(Contact contact)
-{
-    switch (contact) {
-        case Contact::pressing:
-            return "pressing";
-        case Contact::grazing:
-            return "grazing";
-    }
-    throw std::logic_error("unnamed Contact");
-}
-
 void reduce(const Schedule& schedule, Reduction& result)
 {
     validate(schedule);

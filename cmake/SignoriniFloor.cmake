@@ -1,0 +1,23 @@
+# signorini_floor(name HEADERS h... SOURCES s... FLOORS f... LIBRARIES l...): one floor of the house.
+#
+# HEADERS are its public headers, include/signorini/<h>.hpp; SOURCES its files in the folder of the
+# call; FLOORS the floors below that it stands on. A floor sees its own folder, its public headers
+# and those of the floors below, through include roots of their own: a header of a floor above is
+# "file not found".
+function(signorini_floor name)
+  cmake_parse_arguments(floor "" "" "HEADERS;SOURCES;FLOORS;LIBRARIES" ${ARGN})
+  set(target signorini_${name})
+  set(root ${PROJECT_BINARY_DIR}/floors/${name})
+  foreach(header IN LISTS floor_HEADERS)
+    # Relative, so that compiler caches serve every checkout.
+    file(RELATIVE_PATH path ${root}/signorini ${PROJECT_SOURCE_DIR}/include/signorini/${header}.hpp)
+    file(CONFIGURE OUTPUT ${root}/signorini/${header}.hpp CONTENT "#include \"${path}\"\n")
+  endforeach()
+  add_library(${target} STATIC ${floor_SOURCES})
+  target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${root})
+  list(TRANSFORM floor_FLOORS PREPEND signorini_)
+  target_link_libraries(${target}
+    PUBLIC ${floor_FLOORS} ${floor_LIBRARIES}
+    PRIVATE signorini_warnings)
+  set_property(GLOBAL APPEND PROPERTY SIGNORINI_FLOORS ${target})
+endfunction()
