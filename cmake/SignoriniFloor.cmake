@@ -21,3 +21,10 @@ function(signorini_floor name)
     PRIVATE signorini_warnings)
   set_property(GLOBAL APPEND PROPERTY SIGNORINI_FLOORS ${target})
 endfunction()
+
+# signorini_floors(name...): the folders of src in the order given, each below the next.
+function(signorini_floors)
+  foreach(floor IN LISTS ARGN)
+    add_subdirectory(${PROJECT_SOURCE_DIR}/src/${floor} ${PROJECT_BINARY_DIR}/src/${floor})
+  endforeach()
+endfunction()

@@ -12,9 +12,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
+#include "signorini/control.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/verdict.hpp"
@@ -95,6 +95,6 @@ struct AtlasBatch {
 /// passed again. \pre `validate(range)` holds and 0 <= batch < batchesOf(range).
 [[nodiscard]] std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batch,
                                                     std::vector<std::int8_t>& signs,
-                                                    const std::stop_token& stop = {});
+                                                    const Cancel& cancel = {});
 
 }  // namespace signorini

@@ -4,17 +4,18 @@
 /// other processes (src/cli/ranks.hpp). The consumer cannot tell the difference, so neither
 /// the number of workers nor their speed can change a result.
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
 #include <map>
 #include <mutex>
 #include <optional>
-#include <stop_token>
 #include <thread>
 #include <vector>
 
 #include "signorini/atlas.hpp"
+#include "signorini/control.hpp"
 
 namespace signorini {
 
@@ -35,7 +36,7 @@ public:
 class LocalBatches : public BatchSource {
 public:
     /// \throws std::invalid_argument on an invalid range, first < 0, stride < 1 or threads < 1.
-    LocalBatches(const AtlasRange& range, std::int64_t threads, std::stop_token cancel = {},
+    LocalBatches(const AtlasRange& range, std::int64_t threads, Cancel cancel = {},
                  std::int64_t first = 0, std::int64_t stride = 1);
     ~LocalBatches() override;
 
@@ -43,20 +44,21 @@ public:
     [[nodiscard]] std::optional<AtlasBatch> next() override;
 
 private:
-    void work(const std::stop_token& stop);
+    void work();
 
     AtlasRange range_;
     std::int64_t stride_;
     std::int64_t end_ = 0;  ///< numbers at and beyond it do not exist
     std::int64_t window_;   ///< [-], batches that may be under way or waiting
     std::mutex mutex_;
-    std::condition_variable_any changed_;
+    std::condition_variable changed_;
+    std::atomic<bool> isEnding_ = false;
     std::int64_t toStart_;    ///< next batch for a thread to take
     std::int64_t toDeliver_;  ///< next batch for the consumer
     std::map<std::int64_t, AtlasBatch> done_;
     std::exception_ptr failure_;
-    std::stop_token cancel_;
-    std::vector<std::jthread> threads_;  ///< last: they use all of the above
+    Cancel cancel_;
+    std::vector<std::thread> threads_;
 };
 
 }  // namespace signorini

@@ -15,13 +15,13 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "signorini/atlas.hpp"
 #include "signorini/atlas_batches.hpp"
+#include "signorini/control.hpp"
 
 namespace signorini {
 
@@ -97,10 +97,10 @@ private:
 
 /// How to make an atlas.
 struct AtlasOptions {
-    std::int64_t threads = 1;     ///< [-], of this process
-    bool resume = false;          ///< go on with a run that is in the database
-    std::stop_token cancel = {};  ///< ends after the batch being written
-    std::string options = {};     ///< kept in `runs`, for people
+    std::int64_t threads = 1;  ///< [-], of this process
+    bool resume = false;       ///< go on with a run that is in the database
+    Cancel cancel = {};        ///< ends after the batch being written
+    std::string options = {};  ///< kept in `runs`, for people
     std::function<void(const AtlasRun&)> progress = {};  ///< called after each batch
 };
 

@@ -15,12 +15,12 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "signorini/bar.hpp"
+#include "signorini/control.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
@@ -57,7 +57,7 @@ struct ContinuumOptions {
     Engine engine = Engine::automatic;
     double strainLimit = std::numeric_limits<double>::infinity();  ///< [-], > 0: s >= -S
     double tolerance = 1e-7;                                       ///< largest residual of a point
-    std::stop_token cancel = {};  ///< keeps the points found so far
+    Cancel cancel = {};  ///< keeps the points found so far
 };
 
 /// One motion of the curve.

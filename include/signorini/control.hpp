@@ -1,12 +1,23 @@
 #pragma once
 /// \file
-/// What every call may throw beside std::invalid_argument (wrong use) and std::bad_alloc. What the
-/// mathematics answers is no error: see verdict.hpp.
+/// How a long call is stopped, and what every call may throw beside std::invalid_argument (wrong
+/// use) and std::bad_alloc. What the mathematics answers is no error: see verdict.hpp.
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 
 namespace signorini {
+
+/// Asked now and then by a long call, from any thread that works for it: true ends the call. It
+/// must not throw. Empty: the call is not to be stopped.
+using Cancel = std::function<bool()>;
+
+/// Is the call to end?
+[[nodiscard]] inline bool isRequested(const Cancel& cancel)
+{
+    return cancel && cancel();
+}
 
 /// A back end that this build does not contain was asked for, or an outside program is missing.
 class BackendUnavailable : public std::runtime_error {

@@ -9,13 +9,13 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "signorini/bar.hpp"
 #include "signorini/certificate.hpp"
+#include "signorini/control.hpp"
 #include "signorini/demands.hpp"
 #include "signorini/formulation.hpp"
 #include "signorini/infeasibility.hpp"
@@ -46,7 +46,7 @@ struct FindOptions {
     double tolerance = 1e-7;
     double timeLimit = std::numeric_limits<double>::infinity();  ///< [s], for the solver
     std::int64_t iterationLimit = 0;                             ///< [-], for the solver; 0: none
-    std::stop_token cancel = {};  ///< stops a solver that can be stopped
+    Cancel cancel = {};  ///< stops a solver that can be stopped
 };
 
 /// Who did the work, and how long it took.

@@ -20,11 +20,11 @@
 /// All numbers are integers, nothing is fitted.
 
 #include <cstdint>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "signorini/control.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
 
@@ -64,7 +64,7 @@ struct ModeBounds {
     std::int64_t maxOrder = 25;    ///< [-], 1..maxModeOrder
     double maxPeriod = 8.0;        ///< [L/c], > 0; from 4 on it selects nothing
     double maxEnergyRatio = 50.0;  ///< [E_1], > 0
-    std::stop_token cancel = {};   ///< ends the search: what was found so far is returned
+    Cancel cancel = {};            ///< ends the search: what was found so far is returned
 };
 
 /// All modes within the bounds, by ascending |b|, then a. Integer work O(a) for each coprime pair

@@ -13,7 +13,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <string_view>
 
@@ -47,7 +46,7 @@ struct SolverOptions {
     /// Where to start; empty: the back end's own choice.
     std::optional<Eigen::VectorXd> start = std::nullopt;
     /// Ask it to stop from another thread.
-    std::stop_token cancel = {};
+    Cancel cancel = {};
 };
 
 /// Outcome of one call. Invariant: `x` has n values when the status is optimal.

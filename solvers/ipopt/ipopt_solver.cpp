@@ -183,7 +183,7 @@ private:
 
         Verdict stop{SolverStatus::failed, "User_Requested_Stop"};
         const auto goOn = [&] {
-            if (options.cancel.stop_requested()) {
+            if (isRequested(options.cancel)) {
                 stop = {SolverStatus::cancelled, "cancelled"};
                 return false;
             }

@@ -141,7 +141,7 @@ private:
     double guarded(Evaluate evaluate)
     {
         try {
-            if (options_.cancel.stop_requested()) {
+            if (isRequested(options_.cancel)) {
                 nlopt_force_stop(optimizer_);
             }
             return evaluate(*this);

@@ -264,7 +264,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (!interrupt) {
         interrupt.emplace();
     }
-    options.cancel = interrupt->token();
+    options.cancel = interrupt->cancel();
     if (ranks != nullptr && ranks->rank() != 0) {
         return ranks->serve(options.threads, options.cancel) ? exitFound : exitUndecided;
     }

@@ -207,7 +207,7 @@ ExitStatus ContinuumCommand::run() const
     const std::string figure = stage(files, figureOption);
 
     std::optional<Interrupt> interrupt(std::in_place);
-    options.cancel = interrupt->token();
+    options.cancel = interrupt->cancel();
     const Continuum curve = traceContinuum(schedule, energy, options);
     interrupt.reset();
     if (!curve.points.empty()) {

@@ -10,11 +10,11 @@ Interrupt::Interrupt()
     sigaddset(&signals_, SIGINT);
     sigaddset(&signals_, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &signals_, &before_);
-    waiter_ = std::jthread([this](const std::stop_token& done) {
+    waiter_ = std::thread([this] {
         constexpr timespec pause{0, 20'000'000};  // how long the end of a run may have to wait
-        while (!done.stop_requested()) {
+        while (!isOver_) {
             if (sigtimedwait(&signals_, nullptr, &pause) > 0) {
-                source_.request_stop();
+                hasCome_ = true;
             }
         }
     });
@@ -22,7 +22,7 @@ Interrupt::Interrupt()
 
 Interrupt::~Interrupt()
 {
-    waiter_.request_stop();
+    isOver_ = true;
     waiter_.join();
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }

@@ -2,9 +2,11 @@
 /// \file
 /// Turns SIGINT and SIGTERM into a request to stop, as long as one of these lives.
 
+#include <atomic>
 #include <csignal>
-#include <stop_token>
 #include <thread>
+
+#include "signorini/control.hpp"
 
 namespace signorini::cli {
 
@@ -17,14 +19,18 @@ public:
     Interrupt& operator=(const Interrupt&) = delete;
     ~Interrupt();
 
-    /// Stopped when a signal has come.
-    [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+    /// True once a signal has come. \pre this object outlives the call.
+    [[nodiscard]] Cancel cancel() const
+    {
+        return [this] { return hasCome_.load(); };
+    }
 
 private:
     sigset_t signals_ = {};
     sigset_t before_ = {};
-    std::stop_source source_;
-    std::jthread waiter_;
+    std::atomic<bool> hasCome_ = false;
+    std::atomic<bool> isOver_ = false;
+    std::thread waiter_;
 };
 
 }  // namespace signorini::cli

@@ -16,6 +16,7 @@
 #include "continuum_command.hpp"
 #include "find_command.hpp"
 #include "modes_command.hpp"
+#include "ranks.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
 #include "signorini/solver.hpp"
@@ -134,6 +135,7 @@ int main(int argc, char** argv)
     // A closed pipe and a file size limit are writes that fail, not the end of the program.
     (void)std::signal(SIGPIPE, SIG_IGN);
     (void)std::signal(SIGXFSZ, SIG_IGN);
+    handOverToMpi(argv);
     int status = exitUndecided;
     try {
         status = run(argc, argv);

@@ -91,11 +91,11 @@ Json asJson(const Mode& mode)
     };
     const EnergyRange energy = energyRange(mode);
     Json json{{"contact", {4 * mode.a, mode.b}},
-                                {"period_range", {fraction(mode.lowest), fraction(mode.highest)}},
-                                {"inverse_sqrt_energy", {mode.kappa, mode.mu}},
-                                {"ends", {name(mode.lowestEnd), name(mode.highestEnd)}},
-                                {"energy_ratio_range", {energy.least, nullptr}},
-                                {"family", nullptr}};
+              {"period_range", {fraction(mode.lowest), fraction(mode.highest)}},
+              {"inverse_sqrt_energy", {mode.kappa, mode.mu}},
+              {"ends", {name(mode.lowestEnd), name(mode.highestEnd)}},
+              {"energy_ratio_range", {energy.least, nullptr}},
+              {"family", nullptr}};
     if (std::isfinite(energy.most)) {
         json["energy_ratio_range"][1] = energy.most;
     }
@@ -108,10 +108,10 @@ Json asJson(const Mode& mode)
 std::string asJson(const Listing& listing)
 {
     Json json{{"complete", listing.isComplete},
-                                {"max_order", listing.bounds.maxOrder},
-                                {"max_period", listing.bounds.maxPeriod},
-                                {"max_energy_ratio", listing.bounds.maxEnergyRatio},
-                                {"modes", Json::array()}};
+              {"max_order", listing.bounds.maxOrder},
+              {"max_period", listing.bounds.maxPeriod},
+              {"max_energy_ratio", listing.bounds.maxEnergyRatio},
+              {"modes", Json::array()}};
     for (const Mode& mode : listing.modes) {
         json["modes"].push_back(asJson(mode));
     }
@@ -160,9 +160,9 @@ ExitStatus ModesCommand::run() const
 
     {
         const Interrupt interrupt;
-        listing.bounds.cancel = interrupt.token();
+        listing.bounds.cancel = interrupt.cancel();
         listing.modes = findModes(listing.bounds);
-        listing.isComplete = !interrupt.token().stop_requested();
+        listing.isComplete = !isRequested(interrupt.cancel());
     }
     if (!listing.isComplete && !common.quiet) {
         fmt::print(stderr, "signorini modes: interrupted; the list is not complete{}\n",

@@ -3,16 +3,22 @@
 /// The processes of one `mpirun`: batches decided by all of them reach rank 0 in order.
 ///
 /// Batch number first + k belongs to rank k mod P. Each worker decides its own on its threads and
-/// sends them; rank 0 decides its own, receives the others', and alone touches files. Without
-/// mpirun, MPI is not started at all.
+/// sends them; rank 0 decides its own, receives the others', and alone touches files.
+///
+/// The program `signorini` contains no MPI and starts without its many libraries. Under a launcher
+/// it hands over to `signorini-mpi` beside it, the same program with MPI.
 
 #include <cstdint>
 #include <memory>
-#include <stop_token>
 
 #include "signorini/atlas_batches.hpp"
+#include "signorini/control.hpp"
 
 namespace signorini::cli {
+
+/// Under a launcher, `signorini-mpi` takes over this process with the same arguments, if it is
+/// installed beside this program; otherwise, and in `signorini-mpi` itself, nothing happens.
+void handOverToMpi(char** arguments);
 
 /// The membership of this process. MPI ends when it is destroyed.
 class Ranks {
@@ -33,9 +39,9 @@ public:
     /// Rank 0: calls the workers to a range, and returns the batches of all. Destroying it ends
     /// their work.
     [[nodiscard]] std::unique_ptr<BatchSource> share(const AtlasRange& range, std::int64_t threads,
-                                                     std::stop_token cancel, std::int64_t first);
+                                                     Cancel cancel, std::int64_t first);
     /// The others: decide what rank 0 asks for, until it is done. Returns false if cancelled.
-    bool serve(std::int64_t threads, const std::stop_token& cancel);
+    bool serve(std::int64_t threads, const Cancel& cancel);
 
 private:
     int rank_ = 0;

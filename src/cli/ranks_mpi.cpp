@@ -69,7 +69,7 @@ AtlasBatch unpack(const std::vector<char>& bytes)
 /// Rank 0's view of the work of all.
 class SharedBatches : public BatchSource {
 public:
-    SharedBatches(int count, const AtlasRange& range, std::int64_t threads, std::stop_token cancel,
+    SharedBatches(int count, const AtlasRange& range, std::int64_t threads, Cancel cancel,
                   std::int64_t first)
         : count_(count),
           first_(first),
@@ -105,7 +105,7 @@ public:
             ++toDeliver_;
             return own_.next();
         }
-        while (!cancel_.stop_requested() && !hasEnded_[static_cast<std::size_t>(owner)]) {
+        while (!isRequested(cancel_) && !hasEnded_[static_cast<std::size_t>(owner)]) {
             if (std::optional<AtlasBatch> batch = receive(owner)) {
                 ++toDeliver_;
                 return batch;
@@ -141,7 +141,7 @@ private:
     std::int64_t first_;
     std::int64_t toDeliver_;
     std::int64_t end_;
-    std::stop_token cancel_;
+    Cancel cancel_;
     LocalBatches own_;
     std::vector<bool> hasEnded_;
 };
@@ -154,6 +154,8 @@ bool isStopped()
 }
 
 }  // namespace
+
+void handOverToMpi(char**) {}
 
 Ranks::Ranks()
 {
@@ -175,7 +177,7 @@ Ranks::~Ranks()
 }
 
 std::unique_ptr<BatchSource> Ranks::share(const AtlasRange& range, std::int64_t threads,
-                                          std::stop_token cancel, std::int64_t first)
+                                          Cancel cancel, std::int64_t first)
 {
     // The call comes last: workers wait for it, and nothing can fail after it.
     auto batches =
@@ -186,7 +188,7 @@ std::unique_ptr<BatchSource> Ranks::share(const AtlasRange& range, std::int64_t 
     return batches;
 }
 
-bool Ranks::serve(std::int64_t threads, const std::stop_token& cancel)
+bool Ranks::serve(std::int64_t threads, const Cancel& cancel)
 {
     Call call;
     wasCalled_ = true;
@@ -217,7 +219,7 @@ bool Ranks::serve(std::int64_t threads, const std::stop_token& cancel)
         rest();
     }
     MPI_Recv(nullptr, 0, MPI_BYTE, 0, tagStop, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    return !cancel.stop_requested();
+    return !isRequested(cancel);
 }
 
 }  // namespace signorini::cli

@@ -249,7 +249,7 @@ std::vector<Phase> phasesAt(const AtlasRange& range, std::int64_t number)
 }
 
 std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batch,
-                                      std::vector<std::int8_t>& signs, const std::stop_token& stop)
+                                      std::vector<std::int8_t>& signs, const Cancel& cancel)
 {
     AtlasBatch result;
     result.number = batch;
@@ -258,7 +258,7 @@ std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batc
     const bool isOnePhase = begin < pairsOf(range);  // of batches, too: none holds both sorts
     Phase phase = phasesAt(range, begin).front();
     for (std::int64_t number = begin; number < end; ++number) {
-        if (stop.stop_requested()) {
+        if (isRequested(cancel)) {
             return std::nullopt;
         }
         if (isOnePhase) {

@@ -95,7 +95,7 @@ class Corrector {
 public:
     /// `demands`: nearest to a target, without an energy.
     Corrector(const Schedule& schedule, const Demands& demands, double energyRatio, Engine engine,
-              double tolerance, std::stop_token cancel)
+              double tolerance, Cancel cancel)
         : formulated_(pose(schedule, demands, Formulation::reduced)),
           solver_(makeSolver(backendOf(engine)))
     {
@@ -326,7 +326,7 @@ private:
 
     bool isCancelled()
     {
-        if (!options_.cancel.stop_requested()) {
+        if (!isRequested(options_.cancel)) {
             return false;
         }
         stop(fmt::format("interrupted after {} of {} points", result_.points.size(),
@@ -478,7 +478,7 @@ private:
         std::mt19937_64 generator(options_.seed.value_or(1));
         Eigen::VectorXd x = start;
         SolverResult landed;
-        for (int k = 0; k < attempts && !options_.cancel.stop_requested(); ++k) {
+        for (int k = 0; k < attempts && !isRequested(options_.cancel); ++k) {
             std::shuffle(x.begin(), x.end(), generator);
             landed = corrector.land(x);
             if (landed.status == SolverStatus::optimal &&

@@ -44,7 +44,7 @@ void refuseUnsupported(const Solver& solver, const Program& program, const Solve
     need(options.iterationLimit > 0, can.iterationLimit, "iterationLimit");
     need(std::isfinite(options.timeLimit), can.timeLimit, "timeLimit");
     need(options.start.has_value(), can.start, "start");
-    need(options.cancel.stop_possible(), can.cancel, "cancel");
+    need(static_cast<bool>(options.cancel), can.cancel, "cancel");
     faults.throwIfAny();
 }
 
@@ -76,7 +76,7 @@ SolverResult Solver::solve(const Program& program, const SolverOptions& options)
     signorini::validate(program);
     validate(options, program);
     refuseUnsupported(*this, program, options);
-    if (options.cancel.stop_requested()) {
+    if (isRequested(options.cancel)) {
         SolverResult result;
         result.status = SolverStatus::cancelled;
         result.detail = "cancelled before the start";

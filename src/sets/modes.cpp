@@ -171,7 +171,7 @@ std::vector<Mode> findModes(const ModeBounds& bounds)
     validate(bounds);
     std::vector<Mode> modes;
     for (std::int64_t order = 1; order <= bounds.maxOrder; order += 2) {
-        if (bounds.cancel.stop_requested()) {
+        if (isRequested(bounds.cancel)) {
             break;
         }
         for (std::int64_t a = 1; a <= order; ++a) {

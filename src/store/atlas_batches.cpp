@@ -1,12 +1,20 @@
 #include "signorini/atlas_batches.hpp"
 
+#include <chrono>
 #include <utility>
 
 #include "faults.hpp"
 
 namespace signorini {
 
-LocalBatches::LocalBatches(const AtlasRange& range, std::int64_t threads, std::stop_token cancel,
+namespace {
+
+/// How often a waiting consumer asks whether it is cancelled.
+constexpr std::chrono::milliseconds pause{20};
+
+}  // namespace
+
+LocalBatches::LocalBatches(const AtlasRange& range, std::int64_t threads, Cancel cancel,
                            std::int64_t first, std::int64_t stride)
     : range_(range),
       stride_(stride),
@@ -28,34 +36,39 @@ LocalBatches::LocalBatches(const AtlasRange& range, std::int64_t threads, std::s
     faults.throwIfAny();
     end_ = batchesOf(range);
     for (std::int64_t k = 0; k < threads; ++k) {
-        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+        threads_.emplace_back([this] { work(); });
     }
 }
 
 LocalBatches::~LocalBatches()
 {
-    for (std::jthread& thread : threads_) {
-        thread.request_stop();
+    isEnding_ = true;
+    {
+        const std::lock_guard lock(mutex_);  // none is between looking at isEnding_ and its sleep
     }
-    threads_.clear();  // joins them while the members they use still live
+    changed_.notify_all();
+    for (std::thread& thread : threads_) {
+        thread.join();
+    }
 }
 
-void LocalBatches::work(const std::stop_token& stop)
+void LocalBatches::work()
 {
+    const Cancel ends = [this] { return isEnding_ || isRequested(cancel_); };
     std::vector<std::int8_t> signs;
-    while (!stop.stop_requested() && !cancel_.stop_requested()) {
+    while (!ends()) {
         std::int64_t number = 0;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, stop, [this] { return toStart_ - toDeliver_ < window_; });
-            if (stop.stop_requested() || toStart_ >= end_ || failure_) {
+            changed_.wait(lock, [this] { return isEnding_ || toStart_ - toDeliver_ < window_; });
+            if (isEnding_ || toStart_ >= end_ || failure_) {
                 return;
             }
             number = toStart_;
             toStart_ += stride_;
         }
         try {
-            std::optional<AtlasBatch> batch = decideBatch(range_, number, signs, stop);
+            std::optional<AtlasBatch> batch = decideBatch(range_, number, signs, ends);
             if (!batch) {
                 return;
             }
@@ -73,8 +86,14 @@ std::optional<AtlasBatch> LocalBatches::next()
 {
     std::unique_lock lock(mutex_);
     const auto isReady = [this] { return failure_ || done_.contains(toDeliver_); };
-    if (toDeliver_ >= end_ || cancel_.stop_requested() || !changed_.wait(lock, cancel_, isReady)) {
+    if (toDeliver_ >= end_) {
         return std::nullopt;
+    }
+    while (!isReady()) {
+        if (isRequested(cancel_)) {
+            return std::nullopt;
+        }
+        changed_.wait_for(lock, pause);
     }
     if (failure_) {
         std::rethrow_exception(failure_);

@@ -1,6 +1,7 @@
 #include "signorini/atlas_database.hpp"
 
 #include <unistd.h>
+#include <atomic>
 
 #include <cmath>
 #include <filesystem>
@@ -113,12 +114,12 @@ TEST_CASE("atlas database: interrupted at every batch and resumed, the rows are 
     AtlasRun run;
     do {
         AtlasDatabase database = AtlasDatabase::create(folder.file("parts.sqlite"));
-        std::stop_source stop;
+        std::atomic<bool> stop = false;
         AtlasOptions options;
         options.threads = 1 + calls % 3;
         options.resume = calls > 0;
-        options.cancel = stop.get_token();
-        options.progress = [&stop](const AtlasRun&) { stop.request_stop(); };
+        options.cancel = [&stop] { return stop.load(); };
+        options.progress = [&stop](const AtlasRun&) { stop = true; };
         run = buildAtlas(database, range, options);
         ++calls;
     } while (!run.isFinished() && calls < 100);

@@ -1,6 +1,7 @@
 #include "signorini/atlas.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <map>
 #include <set>
@@ -181,22 +182,23 @@ TEST_CASE("atlas: neither the number of threads nor who takes which batch change
 
 TEST_CASE("atlas: a cancelled source ends, however many threads wait")
 {
-    std::stop_source stop;
-    LocalBatches source(smallRange(100, 200, 4000), 3, stop.get_token());
+    std::atomic<bool> stop = false;
+    LocalBatches source(smallRange(100, 200, 4000), 3, [&stop] { return stop.load(); });
     REQUIRE(source.next());
-    stop.request_stop();
+    stop = true;
     CHECK_FALSE(source.next());
 
     // In the middle of a batch, too: this one would take minutes.
     const auto start = std::chrono::steady_clock::now();
     {
-        std::stop_source soon;
-        LocalBatches large(smallRange(99'999'989, 6, 30'000), 2, soon.get_token());
-        const std::jthread stopper([&soon] {
+        std::atomic<bool> soon = false;
+        LocalBatches large(smallRange(99'999'989, 6, 30'000), 2, [&soon] { return soon.load(); });
+        std::thread stopper([&soon] {
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
-            soon.request_stop();
+            soon = true;
         });
         CHECK_FALSE(large.next());
+        stopper.join();
     }
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(60));
 }

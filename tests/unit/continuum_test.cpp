@@ -1,5 +1,6 @@
 #include "signorini/continuum.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <thread>
@@ -206,15 +207,16 @@ TEST_CASE("continuum: grazing motions of one sign travel as a block")
 
 TEST_CASE("continuum: a cancelled trace keeps its points")
 {
-    std::stop_source source;
+    std::atomic<bool> stop = false;
     ContinuumOptions options;
     options.points = 1'000'000;
-    options.cancel = source.get_token();
-    std::jthread interrupter([&source] {
+    options.cancel = [&stop] { return stop.load(); };
+    std::thread interrupter([&stop] {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
-        source.request_stop();
+        stop = true;
     });
     const Continuum curve = traceContinuum(paper, 20.0, options);
+    interrupter.join();
     CHECK(curve.status == Status::undecided);
     CHECK(!curve.points.empty());
     CHECK(curve.points.size() < 1'000'000);

@@ -321,11 +321,7 @@ TEST_CASE("modes: the bounds select modes and leave their intervals alone")
     CHECK(listed(bounds, 6, -7));
     bounds.maxPeriod = std::nextafter(bounds.maxPeriod, 0.0);
     CHECK_FALSE(listed(bounds, 6, -7));
-    bounds.cancel = [] {
-        std::stop_source source;
-        source.request_stop();
-        return source.get_token();
-    }();
+    bounds.cancel = [] { return true; };
     CHECK(findModes(bounds).empty());
 }
 
