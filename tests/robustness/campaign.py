@@ -74,8 +74,9 @@ class Case:
 
     def _judge_words(self, words, outcome):
         lines = outcome.err.split(b"\n")
-        if any(byte < 32 for line in lines for byte in line):
-            self.fault(words, f"control characters on stderr: {outcome.err!r}")
+        for line in [*lines, *outcome.out.split(b"\n")]:
+            if any(byte < 32 or byte == 127 for byte in line):
+                self.fault(words, f"control characters in the output: {line!r}")
         if outcome.status in (WRONG_USE, UNAVAILABLE):
             if outcome.out:
                 self.fault(words, f"status {outcome.status}, but stdout: {outcome.out[:200]!r}")
@@ -131,22 +132,22 @@ def campaign(given, what, judge, least=None):
             return word, case.faults
 
     start = time.monotonic()
-    counts, faults = {}, []
+    counts, faults = {}, 0
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
         numbers = range(given.first, given.first + given.count)
         for word, found in pool.map(one, numbers):
             counts[word] = counts.get(word, 0) + 1
-            faults += found
-    for text in faults[:MOST_FAULTS_SHOWN]:
-        print(text)
-    if len(faults) > MOST_FAULTS_SHOWN:
-        print(f"... {len(faults) - MOST_FAULTS_SHOWN} more")
+            for text in found[:max(0, MOST_FAULTS_SHOWN - faults)]:
+                print(text, flush=True)
+            faults += len(found)
+    if faults > MOST_FAULTS_SHOWN:
+        print(f"... {faults - MOST_FAULTS_SHOWN} more")
     missing = [word for word in least or [] if word not in counts] if given.count >= 1000 else []
     if missing:
-        faults.append("missing")
+        faults += 1
         print(f"the campaign never saw: {', '.join(missing)}")
     tally = ", ".join(f"{word} {counts[word]}" for word in sorted(counts))
     print(f"({tally}; {time.monotonic() - start:.0f} s)")
-    print(f"{given.count} {what}: " + (f"{len(faults)} faults" if faults else
+    print(f"{given.count} {what}: " + (f"{faults} faults" if faults else
                                        "no crash, no hang, no wrong status"))
     sys.exit(1 if faults else 0)

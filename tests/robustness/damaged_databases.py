@@ -121,7 +121,7 @@ def as_told(table_row):
     (cells, phases, _, _, _, status, reason, kernel, kind, dimension, contact, canonical, least,
      most) = table_row[:14]
     try:
-        told = {"cells": cells, "status": status, "reason": reason, "kernel_dimension": kernel,
+        told = {"cells": cells, "status": status, "kernel_dimension": kernel,
                 "schedule": [[int(steps) for steps in phase.split(":")]
                              for phase in phases.split(",")]}
     except (AttributeError, ValueError):
@@ -130,6 +130,8 @@ def as_told(table_row):
         told |= {"kind": kind, "dimension": dimension, "contact": contact,
                  "canonical": bool(canonical) if isinstance(canonical, int) else None,
                  "energy_ratio_range": [least, None if most == float("inf") else most]}
+    else:
+        told["reason"] = reason
     return told
 
 
@@ -145,9 +147,10 @@ def untrue(answer, tables):
     rows = {row[1]: as_told(row) for row in tables[0] if row[1] is not None}
     for entry in entries_of(answer):
         phases = ",".join(f"{contact}:{free}" for contact, free in entry["schedule"])
-        said = {name: entry[name] for name in entry if name not in ("period", "frequency_ratio")}
-        if rows.get(phases) != said:
-            return f"{said}, the table: {rows.get(phases)}"
+        told = rows.get(phases)
+        said = {name: entry.get(name) for name in told or entry}
+        if said != told:
+            return f"{said}, the table: {told}"
     ranges = [list(run[:5]) for run in tables[1]]
     for run in answer["ranges"]:
         said = [run[name] for name in ("cells", "max_contact", "max_free", "phases",

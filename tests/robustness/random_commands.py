@@ -11,7 +11,8 @@ import shutil
 import subprocess
 import tempfile
 
-from campaign import (FOUND, NONE, UNDECIDED, WRONG_USE, arguments, campaign, snapshot, strict_json)
+from campaign import (FOUND, NONE, UNAVAILABLE, UNDECIDED, WRONG_USE, arguments, campaign, snapshot,
+                      strict_json)
 
 NASTY = ["", " ", "0", "-1", "-0", "nan", "-nan", "inf", "-inf", "1e400", "1e-400", "-1e300",
          "9223372036854775808", "99999999999999999999999", "-9223372036854775809", "0x10", "1e3",
@@ -62,12 +63,14 @@ MATERIAL = {"--young", "--density", "--area"}
 # Options that make sense together; what they clash with.
 TOGETHER = [(MATERIAL, MATERIAL, {"--wave-speed", "--axial-stiffness"}),
             ({"--target"}, {"--objective"}, set()),
+            ({"--time-limit"}, {"--solver"}, set()),
             ({"--from"}, {"--to"}, {"--direction", "--sample"}),
             ({"--within"}, {"--near"}, {"--period", "--twins"}),
             ({"--near", "--period", "--twins"}, set(),
              {"--max-contact", "--max-free", "--phases", "--max-energy-ratio", "--all", "--resume"})]
 OUTPUTS = {"--state", "--motion", "--figure", "--csv", "--map", "--database"}
-STATUS_OF = {"found": FOUND, "done": FOUND, "none": NONE, "undecided": UNDECIDED}
+STATUS_OF = {"found": FOUND, "done": FOUND, "none": NONE, "undecided": UNDECIDED,
+             "interrupted": UNDECIDED}
 
 
 def value_for(case, pool, nasty):
@@ -86,6 +89,10 @@ def options_of(case, command, nasty):
         chosen = ["--database", *(name for name in chosen if name != "--database")]
     if command == "continuum" and case.random.random() < 0.9:
         chosen = ["--energy-ratio", *(name for name in chosen if name != "--energy-ratio")]
+    if command == "find" and case.random.random() < 0.05:
+        return [["--cells", "12"], ["--time-limit", "1e-9"], ["--format", "json"],
+                ["--solver", case.random.choice(["ipopt", "nlopt-slsqp", "glpk-interior"])],
+                ["--formulation", case.random.choice(["state", "reduced"])]]
     if case.random.random() > nasty:
         for some, needed, clashing in TOGETHER:
             if some & set(chosen):
@@ -148,10 +155,15 @@ def too_much(words):
     return "atlas" in texts and not any(text.startswith("--cells") for text in texts)
 
 
+def only_explains(outcome):
+    """Did --help or --version answer?"""
+    return b"Usage:" in outcome.out or outcome.out.startswith(b"signorini ")
+
+
 def judge_json(case, words, outcome):
     asked = [os.fsdecode(word) for word in words]
     isJson = ("json" in asked and "--format" in asked) or "--format=json" in asked
-    if b"Usage:" in outcome.out or outcome.out.startswith(b"signorini ") or not isJson:
+    if only_explains(outcome) or not isJson:
         return
     if not outcome.out and outcome.status == UNDECIDED:
         return  # ended before there was an answer; stderr says why
@@ -183,7 +195,9 @@ def judge(case, template):
     outcome = case.run(words)
     if outcome.status in (FOUND, NONE, UNDECIDED):
         judge_json(case, words, outcome)
-    if outcome.status == FOUND and b"Usage:" not in outcome.out:
+    if outcome.status in (FOUND, NONE) and b"--quiet" in words and outcome.err:
+        case.fault(words, f"not quiet: {outcome.err!r}")
+    if outcome.status == FOUND and not only_explains(outcome):
         judge_files(case, words)
     if outcome.status == UNDECIDED and not outcome.out and not outcome.err:
         case.fault(words, "undecided, and not a word why")
@@ -210,7 +224,7 @@ def main():
         template = pathlib.Path(name)
         make_template(given.program, template)
         campaign(given, "command lines", lambda case: judge(case, template),
-                 [f"status {status}" for status in range(5)])
+                 [f"status {status}" for status in (FOUND, NONE, WRONG_USE, UNAVAILABLE)])
 
 
 if __name__ == "__main__":
