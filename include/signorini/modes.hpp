@@ -4,7 +4,7 @@
 ///
 /// Lengths in L, displacements in g, times in L/c. Between the grid points of a schedule lie
 /// motions of any period T. For irrational T the delay sequence has one size, p(t) = h epsilon(t)
-/// with epsilon = +-1, and with finitely many jumps of epsilon it exists only for contact times
+/// with epsilon = +-1, and it exists only for contact times
 ///
 ///     t_c = 4a + b T,   a >= 1 whole, b < 0 odd,   lowest < T < highest,
 ///
@@ -12,9 +12,10 @@
 /// stand at 2i mod T, i = 1..2a, that each coprime pair (2a, |b|) has at most one interval, and
 /// that
 ///
-/// - at highest = 4a/|b| contact vanishes: the mode leaves the linear motion of frequency
-///   |b| omega_1/a that touches the wall, where E = b^2 E_1;
-/// - lowest is where the energy becomes infinite, or where neighbouring jumps meet;
+/// - at highest = 4a/|b| contact vanishes: the mode leaves the linear motion of the frequency
+///   |b| omega_1 that touches the wall, a of whose periods are T; there E = b^2 E_1;
+/// - lowest is where the energy becomes infinite, or where neighbouring jumps meet and the mode
+///   branches off one of smaller |b|;
 /// - a <= |b|, so every mode has omega > omega_1, T < 4.
 ///
 /// All numbers are integers, nothing is fitted.

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "json.hpp"
+#include "text.hpp"
 
 namespace signorini::cli {
 
@@ -174,9 +175,9 @@ std::string asText(const AtlasRun& run, const std::string& database)
         "decided     {} schedules in {:.3g} s\n"
         "found       {}: {} pressing, {} grazing\n"
         "none        {}{}\n",
-        run.isFinished() ? "done" : "interrupted", database, describe(run.range), tally.decided,
-        run.seconds, tally.pressing + tally.grazing, tally.pressing, tally.grazing, tally.refuted,
-        tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
+        run.isFinished() ? "done" : "interrupted", onOneLine(database), describe(run.range),
+        tally.decided, run.seconds, tally.pressing + tally.grazing, tally.pressing, tally.grazing,
+        tally.refuted, tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
 }
 
 std::string asJson(const AtlasRun& run, const std::string& database)

@@ -5,7 +5,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <algorithm>
 #include <cctype>
 #include <csignal>
 #include <cstdio>
@@ -20,6 +19,7 @@
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
 #include "signorini/solver.hpp"
+#include "text.hpp"
 
 namespace {
 
@@ -49,11 +49,7 @@ bool looksLikeNumber(const std::string& word)
 
 int complain(ExitStatus status, std::string_view text)
 {
-    std::string line(text);
-    std::replace_if(
-        line.begin(), line.end(),
-        [](char c) { return std::iscntrl(static_cast<unsigned char>(c)) != 0; }, ' ');
-    fmt::print(stderr, "signorini: {}\n", line);
+    fmt::print(stderr, "signorini: {}\n", onOneLine(std::string(text)));
     return status;
 }
 

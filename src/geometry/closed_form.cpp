@@ -97,7 +97,14 @@ std::vector<double> nearestAmplitudes(const AmplitudeSet& set, std::span<const d
     if (set.count == 1) {
         return {set.sum};
     }
-    std::vector<double> descending(target.begin(), target.end());
+    // Adding a number to all targets changes nothing: measured from the largest, no target is too
+    // far away for the sum to be seen beside it.
+    const double largest = *std::max_element(target.begin(), target.end());
+    std::vector<double> z(target.begin(), target.end());
+    for (double& value : z) {
+        value -= largest;
+    }
+    std::vector<double> descending = z;
     std::sort(descending.begin(), descending.end(), std::greater<>());
     // The k largest stay positive for the largest k at which they all exceed their shift.
     double sum = 0.0;
@@ -110,7 +117,6 @@ std::vector<double> nearestAmplitudes(const AmplitudeSet& set, std::span<const d
         }
         shift = next;
     }
-    std::vector<double> z(target.begin(), target.end());
     for (double& value : z) {
         value = std::max(0.0, value - shift);
     }

@@ -253,6 +253,18 @@ TEST_CASE("cli atlas: wrong use is status 2, one line, and no file")
     }
 }
 
+TEST_CASE("cli atlas: the report stays on its lines, whatever the file is called")
+{
+    const Program program;
+    const auto usual = program.run("atlas --cells 2 --database a.sqlite");
+    const auto odd = program.run("atlas --cells 2 --database \"$(printf 'a\\nb\\033[31m')\"");
+    INFO(odd.out);
+    REQUIRE(odd.status == 0);
+    CHECK(lines(odd.out) == lines(usual.out));
+    CHECK(odd.out.find('\033') == std::string::npos);
+    CHECK(fs::exists(program.file("a\nb\033[31m")));
+}
+
 TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
 {
     const Program program;

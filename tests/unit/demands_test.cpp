@@ -197,6 +197,33 @@ TEST_CASE("demands: the nearest motion to a motion is that motion, to another st
     }
 }
 
+TEST_CASE("demands: the nearest motion to a state far beyond all motions is on the boundary")
+{
+    // Of z >= 0 with sum S, (S, 0, ...) is nearest to (x, 0, ...), and to (-x, 0, ...) the motion
+    // with equal amplitudes in the other classes: whatever x >= S is.
+    const Schedule schedule = onePhase(8, 5, 23);
+    const Reduction r = reduce(schedule);
+    const auto count = static_cast<std::size_t>(r.set.count);
+    REQUIRE(count >= 3);
+    std::vector<double> vertex(count, 0.0);
+    vertex[1] = r.set.sum;
+    std::vector<double> opposite(count, r.set.sum / static_cast<double>(count - 1));
+    opposite[1] = 0.0;
+    const State corner = motionOf(r, vertex);
+    for (const double size : {1.0, 1e3, 1e9, 1e15, 1e18, 1e100, 1e300}) {
+        for (const double sign : {1.0, -1.0}) {
+            INFO(sign * size);
+            const State expected = motionOf(r, sign > 0.0 ? vertex : opposite);
+            const State target{sign * size * corner.a, sign * size * corner.b};
+            const PeriodicResult near =
+                findPeriodic(schedule, {.objective = Objective::nearest, .target = target});
+            REQUIRE(near.status == Status::found);
+            REQUIRE((near.state.a - expected.a).lpNorm<Eigen::Infinity>() < 1e-14 * r.set.sum);
+            REQUIRE((near.state.b - expected.b).lpNorm<Eigen::Infinity>() < 1e-14 * r.set.sum);
+        }
+    }
+}
+
 TEST_CASE("demands: least peak strain and most impulse by linear programs")
 {
     if (!has("glpk-simplex")) {

@@ -52,6 +52,22 @@ std::vector<std::int64_t> coprimeSteps(const Mode& mode, std::int64_t cells)
     return result;
 }
 
+/// Q/P, if jumps meet at the lowest period, which is 2Q/P; Q is odd.
+ExactPeriod meeting(const Mode& mode)
+{
+    const auto [p, q] = mode.lowest;
+    return p % 2 == 0 ? ExactPeriod{p / 2, q} : ExactPeriod{p, 2 * q};
+}
+
+/// The mode from which this one branches off where jumps meet: a' = a - lQ, |b'| = |b| - 2lP,
+/// l = floor(a/Q).
+const Mode& stemOf(const std::vector<Mode>& modes, const Mode& mode)
+{
+    const ExactPeriod end = meeting(mode);
+    const std::int64_t l = mode.a / end.numerator;
+    return find(modes, mode.a - l * end.numerator, mode.b + 2 * l * end.denominator);
+}
+
 /// E/E_1 = 1/(kappa n/N - mu)^2 from integers.
 double gridEnergy(const Mode& mode, std::int64_t cells, std::int64_t n)
 {
@@ -158,7 +174,7 @@ TEST_CASE("modes: every mode leaves a linear motion at its highest period, with 
     }
 }
 
-TEST_CASE("modes: where jumps meet a mode branches off one other, of lower order")
+TEST_CASE("modes: where jumps meet a mode branches off just one other, given by a formula")
 {
     const std::vector<Mode> all = findModes(upTo(101));
     int branches = 0;
@@ -176,12 +192,36 @@ TEST_CASE("modes: where jumps meet a mode branches off one other, of lower order
                    p * m.highest.denominator < m.highest.numerator * q;
         };
         INFO(mode.a << " " << mode.b);
-        REQUIRE(std::count_if(all.begin(), all.end(), [&](const Mode& other) {
-                    return holds(other) && contact(other) == contact(mode) &&
-                           root(other) == root(mode) && other.b > mode.b;
-                }) == 1);
+        const auto isMet = [&](const Mode& other) {
+            return holds(other) && contact(other) == contact(mode);
+        };
+        const Mode& stem = stemOf(all, mode);
+        REQUIRE(stem.b > mode.b);
+        REQUIRE(isMet(stem));
+        REQUIRE(root(stem) == root(mode));
+        REQUIRE(std::count_if(all.begin(), all.end(), isMet) == 1);
     }
     CHECK(branches == 337);
+}
+
+TEST_CASE("modes: at a branch both modes have one sequence of signs")
+{
+    const std::vector<Mode> all = findModes(upTo(101));
+    for (const Mode& mode : all) {
+        if (mode.lowestEnd != ModeEnd::jumpsMeet) {
+            continue;
+        }
+        const ModeMotion at(stemOf(all, mode), mode.lowest.value());
+        const ModeMotion beside(mode, periodAt(mode, 1e-9));
+        INFO(mode.a << " " << mode.b);
+        // Signs are constant on the Q units of 2/P; the middles are far from all jumps.
+        const std::int64_t units = meeting(mode).numerator;
+        const double unit = mode.lowest.value() / static_cast<double>(units);
+        for (std::int64_t k = 0; k < units; ++k) {
+            const double t = unit * (static_cast<double>(k) + 0.5);
+            REQUIRE(beside.incoming(t) == Approx(at.incoming(t)).epsilon(1e-4));
+        }
+    }
 }
 
 TEST_CASE("modes: on grids each is the one motion of its schedules, with its energy")
@@ -254,9 +294,10 @@ TEST_CASE("modes: just outside the interval the same contact time has no motion"
     CHECK(above == 5 * 73);
 }
 
-TEST_CASE("modes: complete: on a prime grid the pressing schedules are those of the modes")
+TEST_CASE("modes: complete: the pressing schedules with gcd(2N, n) = 1 are those of the modes")
 {
-    const std::int64_t cells = GENERATE(31, 101, 211);
+    // Prime and composite: powers, products of small primes.
+    const std::int64_t cells = GENERATE(31, 101, 211, 12, 30, 64, 81, 105);
     std::set<std::pair<std::int64_t, std::int64_t>> found;
     Reduction r;
     for (std::int64_t n = 2; n <= 8 * cells; ++n) {
