@@ -1,5 +1,7 @@
 #include "signorini/atlas_batches.hpp"
 
+#include <new>
+#include <system_error>
 #include <utility>
 
 #include "faults.hpp"
@@ -27,8 +29,19 @@ LocalBatches::LocalBatches(const AtlasRange& range, std::int64_t threads, std::s
     check("stride", stride, 1);
     faults.throwIfAny();
     end_ = batchesOf(range);
-    for (std::int64_t k = 0; k < threads; ++k) {
-        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+    start(threads);
+}
+
+void LocalBatches::start(std::int64_t threads)
+{
+    try {
+        for (; started_ < threads; ++started_) {
+            threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+        }
+    } catch (const std::system_error&) {
+        return;  // the limit of processes or of memory: those that run do the work
+    } catch (const std::bad_alloc&) {
+        return;
     }
 }
 
@@ -69,8 +82,21 @@ void LocalBatches::work(const std::stop_token& stop)
     }
 }
 
+std::optional<AtlasBatch> LocalBatches::decideHere()
+{
+    if (toDeliver_ >= end_ || cancel_.stop_requested()) {
+        return std::nullopt;
+    }
+    std::optional<AtlasBatch> batch = decideBatch(range_, toDeliver_, signs_, cancel_);
+    toDeliver_ += stride_;
+    return batch;
+}
+
 std::optional<AtlasBatch> LocalBatches::next()
 {
+    if (started_ == 0) {
+        return decideHere();
+    }
     std::unique_lock lock(mutex_);
     const auto isReady = [this] { return failure_ || done_.contains(toDeliver_); };
     if (toDeliver_ >= end_ || cancel_.stop_requested() || !changed_.wait(lock, cancel_, isReady)) {
