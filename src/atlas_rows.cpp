@@ -21,12 +21,14 @@ template <typename Enum>
 Enum readName(const Statement& s, int column, std::initializer_list<Enum> all)
 {
     const std::string text = s.text(column);
+    std::string allowed;
     for (const Enum value : all) {
         if (text == name(value)) {
             return value;
         }
+        allowed += fmt::format("{}{}", allowed.empty() ? "" : "|", name(value));
     }
-    s.refuse(column, "another word");
+    s.refuse(column, allowed);
 }
 
 std::int64_t readWhole(const Statement& s, int column, std::int64_t low, std::int64_t high)

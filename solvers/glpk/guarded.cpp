@@ -14,14 +14,14 @@
 /// GMP under GLPK's exact method ends the process as well. Its documented functions, under the
 /// names that gmp.h gives them; weak, because a GLPK without GMP brings none.
 extern "C" {
-// NOLINTBEGIN(bugprone-reserved-identifier)
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
 using GmpAllocate = void* (*)(std::size_t);
 using GmpReallocate = void* (*)(void*, std::size_t, std::size_t);
 using GmpFree = void (*)(void*, std::size_t);
 [[gnu::weak]] void* __gmp_default_allocate(std::size_t size);
 [[gnu::weak]] void __gmp_get_memory_functions(GmpAllocate*, GmpReallocate*, GmpFree*);
 [[gnu::weak]] void __gmp_set_memory_functions(GmpAllocate, GmpReallocate, GmpFree);
-// NOLINTEND(bugprone-reserved-identifier)
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 }
 
 namespace signorini::glpk {
@@ -155,7 +155,9 @@ void Problem::giveUp(const char* words)
         glp_term_out(GLP_OFF);  // the error has switched it on
     }
     const std::string_view text = words;
-    const auto says = [text](std::string_view part) { return text.find(part) != text.npos; };
+    const auto says = [text](std::string_view part) {
+        return text.find(part) != std::string_view::npos;
+    };
     if (says("memory") || says("block too large")) {
         throw std::bad_alloc();
     }
