@@ -27,7 +27,8 @@ namespace {
 #if SIGNORINI_HAS_GLPK
 BareAnswer solveByGlpk(const Program& program)
 {
-    const glpk::Problem problem = glpk::build(program);
+    glpk::Problem problem;
+    glpk::fill(problem, program);
     glp_smcp settings;
     glp_init_smcp(&settings);
     settings.msg_lev = GLP_MSG_OFF;

@@ -4,6 +4,7 @@
 /// other processes (src/cli/ranks.hpp). The consumer cannot tell the difference, so neither
 /// the number of workers nor their speed can change a result.
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -32,7 +33,8 @@ public:
 };
 
 /// Batches first, first + stride, first + 2 stride, ... of a range, decided by threads of this
-/// process, which run ahead of the consumer by at most two batches each: memory stays flat.
+/// process, which run ahead of the consumer by at most two batches each: memory stays flat. Where
+/// the system starts fewer threads, those share the work; where none, the consumer does it.
 class LocalBatches : public BatchSource {
 public:
     /// \throws std::invalid_argument on an invalid range, first < 0, stride < 1 or threads < 1.
@@ -40,16 +42,23 @@ public:
                  std::int64_t first = 0, std::int64_t stride = 1);
     ~LocalBatches() override;
 
+    /// Threads that decide: those asked for, or as many as there could be.
+    [[nodiscard]] std::int64_t threads() const { return std::max<std::int64_t>(1, started_); }
+
     /// Waits for the next batch. \throws what the thread that decided it has thrown.
     [[nodiscard]] std::optional<AtlasBatch> next() override;
 
 private:
+    void start(std::int64_t threads);
     void work();
+    [[nodiscard]] std::optional<AtlasBatch> decideHere();
 
     AtlasRange range_;
     std::int64_t stride_;
-    std::int64_t end_ = 0;  ///< numbers at and beyond it do not exist
-    std::int64_t window_;   ///< [-], batches that may be under way or waiting
+    std::int64_t end_ = 0;            ///< numbers at and beyond it do not exist
+    std::int64_t window_;             ///< [-], batches that may be under way or waiting
+    std::int64_t started_ = 0;        ///< threads
+    std::vector<std::int8_t> signs_;  ///< room to work in where there are none
     std::mutex mutex_;
     std::condition_variable changed_;
     std::atomic<bool> isEnding_ = false;

@@ -3,9 +3,10 @@
 /// An atlas kept in SQLite: written batch by batch, resumed after any interruption, asked later.
 ///
 /// Table `schedules`, one row for each schedule kept: cells, phases as text "nc:nf[,nc:nf...]",
-/// steps (n), period (n/N, in L/c), frequency_ratio (4N/n), status, reason, kernel_dimension, kind,
-/// dimension, contact, canonical (0 or 1), energy_ratio_min, energy_ratio_max (NULL: unbounded or
-/// unknown); unique in (cells, phases), and within a run in the order of the range.
+/// steps (n), period (n/N: dimensionless, in L/c, no seconds), frequency_ratio (4N/n), status,
+/// reason, kernel_dimension, kind, dimension, contact, canonical (0 or 1), energy_ratio_min,
+/// energy_ratio_max (NULL: unbounded or unknown); unique in (cells, phases), and within a run in
+/// the order of the range.
 ///
 /// Table `runs`, one row for each range: version, options, its bounds, next_batch of batches, the
 /// tally so far, started, finished, seconds, workers. A batch and the progress it means are one
@@ -53,8 +54,9 @@ using Twins = std::vector<AtlasEntry>;
 class AtlasDatabase {
 public:
     /// Opens for writing, creating file and tables where they do not exist.
+    /// Waits up to a minute for others who use it, here and in `write`, unless told to stop.
     /// \throws FileError if the file cannot be used or is no atlas.
-    [[nodiscard]] static AtlasDatabase create(const std::string& path);
+    [[nodiscard]] static AtlasDatabase create(const std::string& path, Cancel cancel = {});
     /// Opens for asking. \throws FileError if the file cannot be read or is no atlas.
     [[nodiscard]] static AtlasDatabase open(const std::string& path);
     AtlasDatabase(AtlasDatabase&&) noexcept;

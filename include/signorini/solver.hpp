@@ -95,7 +95,7 @@ public:
     /// Validates, refuses what the back end cannot do, rescales if needed, solves, recomputes what
     /// was claimed.
     /// \throws std::invalid_argument on a malformed program, an option out of range or one that
-    /// this back end does not support.
+    /// this back end does not support; std::bad_alloc where memory is short, in the library, too.
     [[nodiscard]] SolverResult solve(const Program& program,
                                      const SolverOptions& options = {}) const;
 

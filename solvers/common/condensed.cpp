@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <new>
 
 #include "common/independent_rows.hpp"
 
@@ -165,6 +167,19 @@ void decide(const Program& program, double tolerance, const Program& independent
     }
 }
 
+/// Eigen's SparseLU frees a block twice when memory runs out on the way, so there must be enough:
+/// it begins with 20 entries for each of the matrix, of 20 bytes in all, and may grow to twice
+/// that. \throws std::bad_alloc.
+void requireMemoryForLu(const Eigen::SparseMatrix<double>& matrix)
+{
+    const auto entries = static_cast<std::size_t>(matrix.nonZeros() + matrix.cols());
+    void* volatile room = std::malloc(2 * 20 * 20 * entries);  // volatile: not optimised away
+    if (room == nullptr) {
+        throw std::bad_alloc();
+    }
+    std::free(room);
+}
+
 }  // namespace
 
 bool hasObjective(const Program& program)
@@ -179,6 +194,7 @@ Basis::Basis(const Rows& rows, std::vector<Index> columns)
       factors_(std::make_unique<Eigen::SparseLU<Eigen::SparseMatrix<double>>>())
 {
     if (!columns_.empty()) {
+        requireMemoryForLu(matrix_);
         factors_->compute(matrix_);
     }
 }

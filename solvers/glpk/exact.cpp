@@ -50,14 +50,16 @@ private:
     {
         SolverResult result;
         Stopwatch watch;
-        const Problem problem = build(program);
+        Problem problem;
+        fill(problem, program);
         glp_smcp settings;
         glp_init_smcp(&settings);
         settings.msg_lev = GLP_MSG_OFF;
         setLimits(options, settings);
         result.setupSeconds = watch.restart();
 
-        const int code = solveExactly(problem.get(), settings, watch);
+        int code = 0;
+        problem.run([&](glp_prob* p) { code = solveExactly(p, settings, watch); });
         result.solveSeconds = watch.seconds();
 
         readSimplex(code, problem.get(), program, result);

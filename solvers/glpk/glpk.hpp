@@ -2,8 +2,9 @@
 /// \file
 /// GLPK behind the Solver interface. GLPK is GPL: a build with it is under the GPL as a whole.
 ///
-/// GLPK keeps one environment per thread, so solvers may run in several threads at once. It stops
-/// the process when memory runs out; that cannot be caught.
+/// GLPK keeps one environment per thread, so solvers may run in several threads at once. Where it
+/// would stop the process for want of memory, std::bad_alloc is thrown (see guarded.hpp); the hooks
+/// of the thread's environment are taken for that.
 
 #include <memory>
 #include <string>

@@ -15,7 +15,7 @@ namespace {
 
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
-/// Limits built into GLPK; beyond them it aborts.
+/// Limits built into GLPK, said in our words.
 constexpr Eigen::Index maxRowsOrColumns = 100'000'000;
 constexpr Eigen::Index maxEntries = 500'000'000;
 
@@ -41,15 +41,17 @@ void setBounds(glp_prob* problem, int column, double lower, double upper)
 }
 
 /// GLPK's sparse rows count from 1; entry 0 of the arrays is unused.
-void addRows(glp_prob* problem, const Rows& rows, const Eigen::VectorXd& rhs, int type)
+void addRows(Problem& problem, const Rows& rows, const Eigen::VectorXd& rhs, int type)
 {
-    if (rows.rows() == 0) {
+    const int count = static_cast<int>(rows.rows());
+    if (count == 0) {
         return;
     }
-    const int first = glp_add_rows(problem, static_cast<int>(rows.rows()));
+    int first = 0;
+    problem.run([&first, count](glp_prob* p) { first = glp_add_rows(p, count); });
     std::vector<int> columns;
     std::vector<double> values;
-    for (int row = 0; row < static_cast<int>(rows.rows()); ++row) {
+    for (int row = 0; row < count; ++row) {
         columns.resize(1);
         values.resize(1);
         for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
@@ -58,19 +60,22 @@ void addRows(glp_prob* problem, const Rows& rows, const Eigen::VectorXd& rhs, in
                 values.push_back(entry.value());
             }
         }
-        glp_set_mat_row(problem, first + row, static_cast<int>(columns.size()) - 1, columns.data(),
-                        values.data());
-        glp_set_row_bnds(problem, first + row, type, rhs[row], rhs[row]);
+        const auto entries = static_cast<int>(columns.size()) - 1;
+        problem.run([place = first + row, entries, c = columns.data(),
+                     v = values.data()](glp_prob* p) { glp_set_mat_row(p, place, entries, c, v); });
+        glp_set_row_bnds(problem.get(), first + row, type, rhs[row], rhs[row]);
     }
 }
 
-void addUnboundedRow(glp_prob* problem)
+void addUnboundedRow(Problem& problem)
 {
-    const int row = glp_add_rows(problem, 1);
-    const std::array<int, 2> columns{0, 1};
-    const std::array<double, 2> values{0.0, 1.0};
-    glp_set_mat_row(problem, row, 1, columns.data(), values.data());
-    glp_set_row_bnds(problem, row, GLP_FR, 0.0, 0.0);
+    problem.run([](glp_prob* p) {
+        const int row = glp_add_rows(p, 1);
+        const std::array<int, 2> columns{0, 1};
+        const std::array<double, 2> values{0.0, 1.0};
+        glp_set_mat_row(p, row, 1, columns.data(), values.data());
+        glp_set_row_bnds(p, row, GLP_FR, 0.0, 0.0);
+    });
 }
 
 int clampToInt(double value)
@@ -85,22 +90,19 @@ std::string version()
     return glp_version();
 }
 
-Problem build(const Program& program)
+void fill(Problem& problem, const Program& program)
 {
     refuseOversized(program);
-    glp_term_out(GLP_OFF);
-    Problem problem(glp_create_prob());
     glp_set_obj_dir(problem.get(), GLP_MIN);
     const int variables = static_cast<int>(program.variables());
-    glp_add_cols(problem.get(), variables);
+    problem.run([variables](glp_prob* p) { glp_add_cols(p, variables); });
     for (int i = 0; i < variables; ++i) {
         setBounds(problem.get(), i + 1, program.lower[i], program.upper[i]);
         glp_set_obj_coef(problem.get(), i + 1, program.linear[i]);
     }
-    addRows(problem.get(), program.equalities, program.equalityRhs, GLP_FX);
-    addRows(problem.get(), program.inequalities, program.inequalityRhs, GLP_UP);
-    addUnboundedRow(problem.get());
-    return problem;
+    addRows(problem, program.equalities, program.equalityRhs, GLP_FX);
+    addRows(problem, program.inequalities, program.inequalityRhs, GLP_UP);
+    addUnboundedRow(problem);
 }
 
 Verdict simplexVerdict(int code, glp_prob* problem)

@@ -2,24 +2,15 @@
 /// \file
 /// What the three GLPK back ends share: handing a program over, reading verdict and point back.
 
-#include <glpk.h>
-
-#include <memory>
-
+#include "glpk/guarded.hpp"
 #include "signorini/solver.hpp"
 
 namespace signorini::glpk {
 
-struct DeleteProblem {
-    void operator()(glp_prob* problem) const { glp_delete_prob(problem); }
-};
-using Problem = std::unique_ptr<glp_prob, DeleteProblem>;
-
 /// The linear part of a program: rows 1..p are the equalities, p+1..p+q the inequalities, and a
-/// last one without bounds, because GLPK refuses to solve a problem without rows. Also silences
-/// GLPK in this thread. \throws std::invalid_argument if it exceeds what GLPK accepts; going there
-/// would end the process.
-[[nodiscard]] Problem build(const Program& program);
+/// last one without bounds, because GLPK refuses to solve a problem without rows. `problem` must be
+/// new. \throws std::invalid_argument if it exceeds what GLPK accepts, std::bad_alloc.
+void fill(Problem& problem, const Program& program);
 
 struct Verdict {
     SolverStatus status;

@@ -99,13 +99,15 @@ private:
         if (condensed.decided) {
             return *condensed.decided;
         }
-        const Problem problem = build(condensed.program);
+        Problem problem;
+        fill(problem, condensed.program);
         glp_iptcp settings;
         glp_init_iptcp(&settings);
         settings.msg_lev = GLP_MSG_OFF;
         result.setupSeconds = watch.restart();
 
-        const int code = glp_interior(problem.get(), &settings);
+        int code = 0;
+        problem.run([&code, &settings](glp_prob* p) { code = glp_interior(p, &settings); });
         result.solveSeconds = watch.seconds();
 
         Verdict verdict = interiorVerdict(code, problem.get());

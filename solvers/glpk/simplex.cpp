@@ -34,7 +34,8 @@ private:
     {
         SolverResult result;
         Stopwatch watch;
-        const Problem problem = build(program);
+        Problem problem;
+        fill(problem, program);
         glp_smcp settings;
         glp_init_smcp(&settings);
         settings.msg_lev = GLP_MSG_OFF;
@@ -44,7 +45,8 @@ private:
         setLimits(options, settings);
         result.setupSeconds = watch.restart();
 
-        const int code = glp_simplex(problem.get(), &settings);
+        int code = 0;
+        problem.run([&code, &settings](glp_prob* p) { code = glp_simplex(p, &settings); });
         result.solveSeconds = watch.seconds();
 
         readSimplex(code, problem.get(), program, result);

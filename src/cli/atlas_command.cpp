@@ -79,7 +79,7 @@ void AtlasCommand::addTo(CLI::App& command)
     command.add_flag("--resume", resume, "go on with an interrupted run");
     command.add_option("--near", near, "ask: all schedules with motions near omega/omega_1, E/E_1")
         ->type_name("W E")
-        ->expected(2);
+        ->expected(1, 2);
     command.add_option("--within", within, "how near, relative (0.01)")->type_name("X");
     command.add_option("--period", period, "ask: all schedules of this period, as 7/2 or 3.5")
         ->type_name("T");
@@ -176,12 +176,18 @@ AtlasCommand::Query AtlasCommand::parseQuery() const
         throw std::invalid_argument("--within: allowed only together with --near");
     }
     Query query;
+    query.bar = common.parseBar();
     if (!common.cells.empty()) {
         query.cells = common.parseCells();
     }
     if (!period.empty()) {
         query.period = parsePeriod(period);
     } else if (!near.empty()) {
+        if (near.size() != 2) {
+            Faults faults;
+            faults.add("--near", near[0], "two numbers, omega/omega_1 > 0 and E/E_1 > 0");
+            faults.throwIfAny();
+        }
         query.distance = within.empty() ? usualDistance : parsePositive("--within", within, "-");
         query.point = {parsePositive("--near W", near[0], "omega_1"),
                        parsePositive("--near E", near[1], "E_1")};
@@ -216,6 +222,14 @@ ExitStatus AtlasCommand::answer(const Query& query) const
     stagePictures(pictures);
     AtlasAnswer answer;
     answer.isTwins = twins;
+    answer.bar = query.bar;
+    if (query.period) {
+        answer.shortestPeriod = query.period->value();
+    } else if (query.point) {
+        const auto [frequencyRatio, energyRatio] = *query.point;
+        answer.shortestPeriod = 4.0 / (frequencyRatio * (1.0 + query.distance));
+        answer.energyRatio = energyRatio * (1.0 + query.distance);
+    }
     const AtlasDatabase atlas = forFile("--database", database, [&] {
         AtlasDatabase opened = AtlasDatabase::open(database);
         for (const AtlasRun& run : opened.runs()) {
@@ -234,16 +248,34 @@ ExitStatus AtlasCommand::answer(const Query& query) const
         return opened;
     });
     draw(atlas, query.cells, pictures);
-    const std::string gaps =
-        gapsOf(answer, query.point ? std::optional((*query.point)[1] * (1.0 + query.distance))
-                                   : std::nullopt);
+    const std::string gaps = gapsOf(answer);
     if (!gaps.empty() && !common.quiet) {
         fmt::print(stderr, "signorini atlas: {}\n", gaps);
     }
     if (isQuery()) {
         writeOut(common.wantsJson() ? asJson(answer, gaps.empty()) : asText(answer));
+        return answer.isUndecided() ? exitUndecided : exitFound;
     }
     return exitFound;
+}
+
+void AtlasCommand::fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks,
+                        const AtlasOptions& options) const
+{
+    if (ranks != nullptr) {
+        const std::unique_ptr<BatchSource> source =
+            ranks->share(run.range, options.threads, options.cancel, run.nextBatch);
+        fillAtlas(atlas, run, *source,
+                  fmt::format("{} processes of {} threads", ranks->count(), options.threads),
+                  options);
+        return;
+    }
+    LocalBatches source(run.range, options.threads, options.cancel, run.nextBatch);
+    if (source.threads() < options.threads && !common.quiet) {
+        fmt::print(stderr, "signorini atlas: {} of {} threads could start; they do the work\n",
+                   source.threads(), options.threads);
+    }
+    fillAtlas(atlas, run, source, fmt::format("{} threads", source.threads()), options);
 }
 
 ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
@@ -252,6 +284,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (!within.empty()) {
         throw std::invalid_argument("--within: allowed only together with --near");
     }
+    const Bar bar = common.parseBar();
     AtlasOptions options;
     options.threads = common.parseThreads();
     options.resume = resume;
@@ -277,27 +310,29 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
                        static_cast<double>(numbersOf(run.range)));
     };
     AtlasRun run;
-    const AtlasDatabase atlas = forFile("--database", database, [&] {
-        AtlasDatabase created = AtlasDatabase::create(database);
-        run = beginAtlas(created, range, options);
-        if (!run.isFinished()) {
-            const std::unique_ptr<BatchSource> source =
-                ranks != nullptr
-                    ? ranks->share(range, options.threads, options.cancel, run.nextBatch)
-                    : std::make_unique<LocalBatches>(range, options.threads, options.cancel,
-                                                     run.nextBatch);
-            const int count = ranks != nullptr ? ranks->count() : 1;
-            fillAtlas(created, run, *source,
-                      fmt::format("{} processes of {} threads", count, options.threads), options);
+    std::optional<AtlasDatabase> atlas;
+    try {
+        forFile("--database", database, [&] {
+            atlas = AtlasDatabase::create(database, options.cancel);
+            run = beginAtlas(*atlas, range, options);
+            if (!run.isFinished()) {
+                fill(*atlas, run, ranks, options);
+            }
+        });
+    } catch (const FileError& error) {
+        // Ctrl-C ends a wait for a database that others have locked.
+        if (!isRequested(options.cancel)) {
+            throw;
         }
-        return created;
-    });
+        fmt::print(stderr, "signorini atlas: interrupted: {}\n", error.what());
+        return exitUndecided;
+    }
     progress.reset();
     interrupt.reset();
     if (run.isFinished()) {
-        draw(atlas, range.cells, pictures);
+        draw(*atlas, range.cells, pictures);
     }
-    writeOut(common.wantsJson() ? asJson(run, database) : asText(run, database));
+    writeOut(common.wantsJson() ? asJson(run, database, bar) : asText(run, database));
     if (!run.isFinished()) {
         if (!common.quiet) {
             fmt::print(stderr,

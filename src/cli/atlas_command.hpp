@@ -45,6 +45,7 @@ private:
         std::optional<ExactPeriod> period;           ///< --period
         std::optional<std::array<double, 2>> point;  ///< --near
         double distance = 0.0;                       ///< --within
+        Bar bar;                                     ///< for seconds and joules
     };
     /// Pictures to be drawn, under their temporary names; empty: not asked for.
     struct Pictures {
@@ -61,6 +62,7 @@ private:
     [[nodiscard]] ExitStatus answer(const Query& query) const;
     [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,
                                    std::optional<Interrupt>& interrupt) const;
+    void fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks, const AtlasOptions& options) const;
     void draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
               Pictures& pictures) const;
 };

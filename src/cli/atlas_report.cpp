@@ -14,13 +14,22 @@ namespace {
 
 constexpr std::size_t shownRows = 20;
 
-Json asJson(const AtlasEntry& entry)
+/// null where there is no bound.
+Json bound(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json();
+}
+
+Json asJson(const AtlasEntry& entry, const Scales& unit)
 {
     const AtlasRow& row = entry.row;
-    Json json{
-        {"cells", entry.schedule.cells},    {"schedule", phasesAsJson(entry.schedule.phases)},
-        {"period", period(entry.schedule)}, {"frequency_ratio", frequencyRatio(entry.schedule)},
-        {"status", name(row.status)},       {"reason", nullptr}};
+    Json json{{"cells", entry.schedule.cells},
+              {"schedule", phasesAsJson(entry.schedule.phases)},
+              {"period", period(entry.schedule) * unit.time},
+              {"period_ratio", period(entry.schedule)},
+              {"frequency_ratio", frequencyRatio(entry.schedule)},
+              {"status", name(row.status)},
+              {"reason", nullptr}};
     if (row.reason) {
         json["reason"] = name(*row.reason);
     }
@@ -30,8 +39,9 @@ Json asJson(const AtlasEntry& entry)
         json["dimension"] = row.dimension;
         json["contact"] = name(row.contact);
         json["canonical"] = row.isCanonical;
-        json["energy_ratio_range"] = {
-            row.energy.least, std::isfinite(row.energy.most) ? Json(row.energy.most) : Json()};
+        json["energy_range"] = {row.energy.least * unit.energy,
+                                bound(row.energy.most * unit.energy)};
+        json["energy_ratio_range"] = {row.energy.least, bound(row.energy.most)};
     }
     return json;
 }
@@ -87,19 +97,30 @@ std::string asText(const std::vector<Twins>& all)
     return text;
 }
 
-Json asJson(const std::vector<AtlasEntry>& entries)
+Json asJson(const std::vector<AtlasEntry>& entries, const Scales& unit)
 {
     Json list = Json::array();
     for (const AtlasEntry& entry : entries) {
-        list.push_back(asJson(entry));
+        list.push_back(asJson(entry, unit));
     }
     return list;
 }
 
-/// null where there is no bound.
-Json bound(double value)
+Json groupAsJson(const Twins& group, const Scales& unit)
 {
-    return std::isfinite(value) ? Json(value) : Json();
+    const AtlasEntry& first = group.front();
+    return {{"period", period(first.schedule) * unit.time},
+            {"period_ratio", period(first.schedule)},
+            {"energy", first.row.energy.least * unit.energy},
+            {"energy_ratio", first.row.energy.least},
+            {"schedules", asJson(group, unit)}};
+}
+
+/// Of the schedules of a range [L/c].
+double longestPeriod(const AtlasRange& range)
+{
+    return static_cast<double>(range.maxPhases * (range.maxContact + range.maxFree)) /
+           static_cast<double>(range.cells);
 }
 
 std::string describe(const AtlasRange& range)
@@ -113,7 +134,17 @@ std::string describe(const AtlasRange& range)
 
 }  // namespace
 
-std::string gapsOf(const AtlasAnswer& answer, std::optional<double> energyRatio)
+bool AtlasAnswer::isUndecided() const
+{
+    const auto covers = [this](const AtlasRun& run) {
+        return run.isFinished() && run.range.maxEnergyRatio >= energyRatio &&
+               longestPeriod(run.range) >= shortestPeriod;
+    };
+    return (isTwins ? groups.empty() : entries.empty()) &&
+           std::none_of(coverage.begin(), coverage.end(), covers);
+}
+
+std::string gapsOf(const AtlasAnswer& answer)
 {
     if (answer.coverage.empty()) {
         return "the database has decided nothing of this: no answer";
@@ -123,10 +154,17 @@ std::string gapsOf(const AtlasAnswer& answer, std::optional<double> energyRatio)
             return fmt::format("{} of {} batches of {} are decided: the answer may lack schedules",
                                run.nextBatch, run.batches, describe(run.range));
         }
-        if (run.range.maxEnergyRatio < energyRatio.value_or(INFINITY)) {
+        if (run.range.maxEnergyRatio < answer.energyRatio) {
             return fmt::format("of {} only schedules with motions up to that energy were kept",
                                describe(run.range));
         }
+    }
+    const auto isTooShort = [&answer](const AtlasRun& run) {
+        return longestPeriod(run.range) < answer.shortestPeriod;
+    };
+    if (std::all_of(answer.coverage.begin(), answer.coverage.end(), isTooShort)) {
+        return fmt::format("no schedule of a period of {:.6g} L/c is decided: only up to {:.6g}",
+                           answer.shortestPeriod, longestPeriod(answer.coverage.front().range));
     }
     return {};
 }
@@ -143,16 +181,16 @@ std::string asText(const AtlasAnswer& answer)
 
 std::string asJson(const AtlasAnswer& answer, bool isComplete)
 {
-    Json json;
+    const Scales unit = scales(answer.bar);
+    Json json = newAnswer();
+    json["bar"] = barAsJson(answer.bar);
     if (answer.isTwins) {
         json["twins"] = Json::array();
         for (const Twins& group : answer.groups) {
-            json["twins"].push_back({{"period", period(group.front().schedule)},
-                                     {"energy_ratio", group.front().row.energy.least},
-                                     {"schedules", asJson(group)}});
+            json["twins"].push_back(groupAsJson(group, unit));
         }
     } else {
-        json["schedules"] = asJson(answer.entries);
+        json["schedules"] = asJson(answer.entries, unit);
     }
     json["complete"] = isComplete;
     json["ranges"] = Json::array();
@@ -164,7 +202,7 @@ std::string asJson(const AtlasAnswer& answer, bool isComplete)
                                   {"max_energy_ratio", bound(run.range.maxEnergyRatio)},
                                   {"finished", run.isFinished()}});
     }
-    return json.dump() + "\n";
+    return asLine(json);
 }
 
 std::string asText(const AtlasRun& run, const std::string& database)
@@ -180,25 +218,27 @@ std::string asText(const AtlasRun& run, const std::string& database)
         tally.refuted, tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
 }
 
-std::string asJson(const AtlasRun& run, const std::string& database)
+std::string asJson(const AtlasRun& run, const std::string& database, const Bar& bar)
 {
     const AtlasTally& tally = run.tally;
-    const Json json{{"status", run.isFinished() ? "done" : "interrupted"},
-                    {"database", database},
-                    {"cells", run.range.cells},
-                    {"max_contact", run.range.maxContact},
-                    {"max_free", run.range.maxFree},
-                    {"phases", run.range.maxPhases},
-                    {"max_energy_ratio", bound(run.range.maxEnergyRatio)},
-                    {"decided", tally.decided},
-                    {"found", tally.pressing + tally.grazing},
-                    {"pressing", tally.pressing},
-                    {"grazing", tally.grazing},
-                    {"refuted", tally.refuted},
-                    {"undecided", tally.undecided},
-                    {"batches", {run.nextBatch, run.batches}},
-                    {"seconds", run.seconds}};
-    return json.dump() + "\n";
+    Json json = newAnswer();
+    json.update(Json{{"status", run.isFinished() ? "done" : "interrupted"},
+                     {"database", database},
+                     {"bar", barAsJson(bar)},
+                     {"cells", run.range.cells},
+                     {"max_contact", run.range.maxContact},
+                     {"max_free", run.range.maxFree},
+                     {"phases", run.range.maxPhases},
+                     {"max_energy_ratio", bound(run.range.maxEnergyRatio)},
+                     {"decided", tally.decided},
+                     {"found", tally.pressing + tally.grazing},
+                     {"pressing", tally.pressing},
+                     {"grazing", tally.grazing},
+                     {"refuted", tally.refuted},
+                     {"undecided", tally.undecided},
+                     {"batches", {run.nextBatch, run.batches}},
+                     {"seconds", run.seconds}});
+    return asLine(json);
 }
 
 }  // namespace signorini::cli

@@ -3,8 +3,11 @@
 /// JSON pieces that several commands print. Numbers that are not finite print as null.
 
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
+#include "signorini/bar.hpp"
+#include "signorini/config.hpp"
 #include "signorini/schedule.hpp"
 
 namespace signorini::cli {
@@ -19,6 +22,27 @@ inline Json phasesAsJson(const std::vector<Phase>& phases)
         list.push_back({phase.contact, phase.free});
     }
     return list;
+}
+
+/// The beginning of every answer: which form it has, and who gave it.
+inline Json newAnswer()
+{
+    return {{"schema", 2}, {"version", SIGNORINI_VERSION}};
+}
+
+/// The bar asked about, in SI.
+inline Json barAsJson(const Bar& bar)
+{
+    return {{"length", bar.length},
+            {"wave_speed", bar.waveSpeed},
+            {"axial_stiffness", bar.axialStiffness},
+            {"gap", bar.gap}};
+}
+
+/// One line. Bytes of a file name that are not UTF-8 become U+FFFD: JSON has no other way.
+inline std::string asLine(const Json& json)
+{
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace signorini::cli

@@ -53,10 +53,18 @@ int complain(ExitStatus status, std::string_view text)
     return status;
 }
 
-/// The first number CLI11 did not know where to put, as the step count it was meant to be.
+/// The first number CLI11 did not know where to put, as the step count it was meant to be where a
+/// command takes some.
 std::string explainExtras(const CLI::App& app, const std::string& message)
 {
     for (const std::string& word : app.remaining(true)) {
+        if (looksLikeNumber(word) && !app.got_subcommand("find") &&
+            !app.got_subcommand("continuum")) {
+            return fmt::format(
+                "number = {} is out of range: allowed numbers > 0, each after an "
+                "option that takes it",
+                word);
+        }
         if (looksLikeNumber(word)) {
             return fmt::format("step count = {} is out of range: allowed whole numbers 1..{}", word,
                                maxSteps);

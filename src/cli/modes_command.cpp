@@ -22,6 +22,7 @@ namespace {
 /// The outcome of one call.
 struct Listing {
     ModeBounds bounds;
+    Bar bar;
     std::vector<Mode> modes;
     bool isComplete = true;
 };
@@ -84,7 +85,7 @@ std::string asText(const Listing& listing)
     return text;
 }
 
-Json asJson(const Mode& mode)
+Json asJson(const Mode& mode, const Scales& unit)
 {
     const auto fraction = [](const ExactPeriod& period) {
         return Json{period.numerator, period.denominator};
@@ -99,6 +100,11 @@ Json asJson(const Mode& mode)
     if (std::isfinite(energy.most)) {
         json["energy_ratio_range"][1] = energy.most;
     }
+    const auto hertz = [&unit](const ExactPeriod& period) {
+        return 1.0 / (period.value() * unit.time);
+    };
+    json["frequency_range"] = {hertz(mode.highest), hertz(mode.lowest)};
+    json["energy_range"] = {energy.least * unit.energy, energy.most * unit.energy};
     if (const std::string family = familyName(mode); !family.empty()) {
         json["family"] = family;
     }
@@ -107,15 +113,18 @@ Json asJson(const Mode& mode)
 
 std::string asJson(const Listing& listing)
 {
-    Json json{{"complete", listing.isComplete},
-              {"max_order", listing.bounds.maxOrder},
-              {"max_period", listing.bounds.maxPeriod},
-              {"max_energy_ratio", listing.bounds.maxEnergyRatio},
-              {"modes", Json::array()}};
+    const Scales unit = scales(listing.bar);
+    Json json = newAnswer();
+    json.update(Json{{"bar", barAsJson(listing.bar)},
+                     {"complete", listing.isComplete},
+                     {"max_order", listing.bounds.maxOrder},
+                     {"max_period_ratio", listing.bounds.maxPeriod},
+                     {"max_energy_ratio", listing.bounds.maxEnergyRatio},
+                     {"modes", Json::array()}});
     for (const Mode& mode : listing.modes) {
-        json["modes"].push_back(asJson(mode));
+        json["modes"].push_back(asJson(mode, unit));
     }
-    return json.dump() + "\n";
+    return asLine(json);
 }
 
 }  // namespace
@@ -135,18 +144,16 @@ void ModesCommand::addTo(CLI::App& command)
         ->type_name("FILE.svg|.png|.pdf");
     common.addTo(command);
     command.footer(
-        "Everything is in units of L/c and E_1: it holds for every bar and every grid, whatever "
-        "their "
-        "options.");
+        "Times are in units of L/c and energies in E_1: the list holds for every bar and every "
+        "grid. JSON adds frequencies in Hz and energies in J of the bar that the options name.");
 }
 
 ExitStatus ModesCommand::run() const
 {
     (void)common.parseCells();
-    (void)common.parseBar();
     (void)common.parseThreads();
     const bool json = common.wantsJson();
-    Listing listing{parseBounds(*this), {}};
+    Listing listing{parseBounds(*this), common.parseBar(), {}};
     FrequencyEnergyOptions drawing;
     if (!figureFile.empty()) {
         drawing.format = figureFormat(figureFile);

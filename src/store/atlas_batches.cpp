@@ -1,6 +1,8 @@
 #include "signorini/atlas_batches.hpp"
 
 #include <chrono>
+#include <new>
+#include <system_error>
 #include <utility>
 
 #include "faults.hpp"
@@ -35,8 +37,19 @@ LocalBatches::LocalBatches(const AtlasRange& range, std::int64_t threads, Cancel
     check("stride", stride, 1);
     faults.throwIfAny();
     end_ = batchesOf(range);
-    for (std::int64_t k = 0; k < threads; ++k) {
-        threads_.emplace_back([this] { work(); });
+    start(threads);
+}
+
+void LocalBatches::start(std::int64_t threads)
+{
+    try {
+        for (; started_ < threads; ++started_) {
+            threads_.emplace_back([this] { work(); });
+        }
+    } catch (const std::system_error&) {
+        return;  // the limit of processes or of memory: those that run do the work
+    } catch (const std::bad_alloc&) {
+        return;
     }
 }
 
@@ -82,8 +95,21 @@ void LocalBatches::work()
     }
 }
 
+std::optional<AtlasBatch> LocalBatches::decideHere()
+{
+    if (toDeliver_ >= end_ || isRequested(cancel_)) {
+        return std::nullopt;
+    }
+    std::optional<AtlasBatch> batch = decideBatch(range_, toDeliver_, signs_, cancel_);
+    toDeliver_ += stride_;
+    return batch;
+}
+
 std::optional<AtlasBatch> LocalBatches::next()
 {
+    if (started_ == 0) {
+        return decideHere();
+    }
     std::unique_lock lock(mutex_);
     const auto isReady = [this] { return failure_ || done_.contains(toDeliver_); };
     if (toDeliver_ >= end_) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "atlas_rows.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
 #include "sqlite.hpp"
@@ -54,93 +55,9 @@ constexpr std::string_view updateRun =
     "undecided = ?, finished = ?, seconds = ?, workers = ?, version = ? "
     "WHERE id = ? AND next_batch = ?";
 
-/// Columns of AtlasEntry, in the order `readEntry` expects.
-constexpr std::string_view entryColumns =
-    "SELECT rowid, cells, phases, status, reason, kernel_dimension, kind, dimension, contact, "
-    "canonical, energy_ratio_min, energy_ratio_max FROM schedules ";
-
 std::string now()
 {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-}
-
-/// The value of an enumeration that has this name; NULL and unknown words leave `value` alone.
-template <typename Enum>
-void readName(const std::string& text, std::initializer_list<Enum> all, Enum& value)
-{
-    for (const Enum candidate : all) {
-        if (text == name(candidate)) {
-            value = candidate;
-        }
-    }
-}
-
-std::vector<Phase> readPhases(const std::string& text)
-{
-    std::vector<Phase> phases;
-    std::size_t at = 0;
-    while (at < text.size()) {
-        std::size_t used = 0;
-        Phase phase;
-        phase.contact = std::stoll(text.substr(at), &used);
-        at += used + 1;
-        phase.free = std::stoll(text.substr(std::min(at, text.size())), &used);
-        at += used + 1;
-        phases.push_back(phase);
-    }
-    return phases;
-}
-
-AtlasEntry readEntry(const Statement& s)
-{
-    AtlasEntry entry;
-    AtlasRow& row = entry.row;
-    row.number = s.whole(0);
-    try {
-        entry.schedule = {s.whole(1), readPhases(s.text(2))};
-    } catch (const std::logic_error&) {
-        throw FileError(
-            "table schedules",
-            fmt::format("row {}: phases '{}' are not \"nc:nf[,nc:nf...]\"", row.number, s.text(2)));
-    }
-    readName(s.text(3), {Status::found, Status::none, Status::undecided}, row.status);
-    if (!s.isNull(4)) {
-        row.reason = Reason::constraints;
-        readName(s.text(4),
-                 {Reason::noLiveClass, Reason::contactSign, Reason::penetration, Reason::gap},
-                 *row.reason);
-    }
-    row.kernelDimension = s.isNull(5) ? -1 : s.whole(5);
-    readName(s.text(6), {SetKind::point, SetKind::simplex, SetKind::box, SetKind::polytope},
-             row.kind);
-    row.dimension = s.isNull(7) ? -1 : s.whole(7);
-    readName(s.text(8), {Contact::pressing, Contact::grazing}, row.contact);
-    row.isCanonical = s.whole(9) != 0;
-    row.energy.least = s.real(10);
-    row.energy.most = s.isNull(11) ? std::numeric_limits<double>::infinity() : s.real(11);
-    return entry;
-}
-
-AtlasRun readRun(const Statement& s)
-{
-    AtlasRun run;
-    run.id = s.whole(0);
-    run.range = {
-        .cells = s.whole(1),
-        .maxContact = s.whole(2),
-        .maxFree = s.whole(3),
-        .maxPhases = s.whole(4),
-        .maxEnergyRatio = s.isNull(5) ? std::numeric_limits<double>::infinity() : s.real(5),
-        .keepsRefuted = s.whole(6) != 0};
-    run.batches = s.whole(7);
-    run.nextBatch = s.whole(8);
-    run.tally = {.decided = s.whole(9),
-                 .pressing = s.whole(10),
-                 .grazing = s.whole(11),
-                 .refuted = s.whole(12),
-                 .undecided = s.whole(13)};
-    run.seconds = s.real(14);
-    return run;
 }
 
 /// Makes sure that an open file is an atlas of this version.
@@ -256,9 +173,9 @@ AtlasDatabase::AtlasDatabase(AtlasDatabase&&) noexcept = default;
 AtlasDatabase& AtlasDatabase::operator=(AtlasDatabase&&) noexcept = default;
 AtlasDatabase::~AtlasDatabase() = default;
 
-AtlasDatabase AtlasDatabase::create(const std::string& path)
+AtlasDatabase AtlasDatabase::create(const std::string& path, Cancel cancel)
 {
-    auto connection = std::make_unique<Connection>(path, DatabaseMode::write);
+    auto connection = std::make_unique<Connection>(path, DatabaseMode::write, std::move(cancel));
     {
         Transaction transaction(*connection);
         if (connection->number("SELECT COUNT(*) FROM sqlite_master") == 0 &&
@@ -284,10 +201,7 @@ AtlasDatabase AtlasDatabase::open(const std::string& path)
 
 std::vector<AtlasRun> AtlasDatabase::runs() const
 {
-    Statement s(*connection_,
-                "SELECT id, cells, max_contact, max_free, phases, max_energy_ratio, keeps_refuted, "
-                "batches, next_batch, decided, pressing, grazing, refuted, undecided, seconds "
-                "FROM runs ORDER BY id");
+    Statement s(*connection_, std::string(runColumns) + "ORDER BY id");
     std::vector<AtlasRun> all;
     while (s.step()) {
         all.push_back(readRun(s));
@@ -348,8 +262,9 @@ void AtlasDatabase::write(AtlasRun& run, const AtlasBatch& batch, double seconds
 void AtlasDatabase::forEachFound(std::optional<std::int64_t> cells,
                                  const std::function<void(const AtlasEntry&)>& action) const
 {
-    Statement s(*connection_, std::string(entryColumns) + "WHERE status = 'found'" +
-                                  onCells(cells) + " ORDER BY rowid");
+    Statement s(*connection_, std::string(entryColumns) +
+                                  "WHERE status NOT IN ('none', 'undecided')" + onCells(cells) +
+                                  " ORDER BY rowid");
     while (s.step()) {
         action(readEntry(s));
     }
@@ -361,7 +276,7 @@ std::vector<AtlasEntry> AtlasDatabase::near(double frequencyRatio, double energy
 {
     Statement s(*connection_,
                 std::string(entryColumns) +
-                    "WHERE status = 'found' AND frequency_ratio BETWEEN ? AND ?"
+                    "WHERE status NOT IN ('none', 'undecided') AND frequency_ratio BETWEEN ? AND ?"
                     " AND energy_ratio_min <= ? AND ifnull(energy_ratio_max, ?) >= ?" +
                     onCells(cells));
     const double most = energyRatio * (1.0 + distance);
@@ -403,7 +318,8 @@ std::vector<AtlasEntry> AtlasDatabase::ofPeriod(ExactPeriod period,
 std::vector<Twins> AtlasDatabase::twins(std::optional<std::int64_t> cells) const
 {
     Statement s(*connection_, std::string(entryColumns) +
-                                  "WHERE status = 'found' AND canonical = 1" + onCells(cells) +
+                                  "WHERE status NOT IN ('none', 'undecided') AND canonical = 1" +
+                                  onCells(cells) +
                                   " ORDER BY cells, steps, energy_ratio_min, rowid");
     std::vector<Twins> all;
     Twins group;
@@ -485,7 +401,7 @@ AtlasRun buildAtlas(AtlasDatabase& database, const AtlasRange& range, const Atla
 {
     AtlasRun run = beginAtlas(database, range, options);
     LocalBatches source(range, options.threads, options.cancel, run.nextBatch);
-    fillAtlas(database, run, source, fmt::format("{} threads", options.threads), options);
+    fillAtlas(database, run, source, fmt::format("{} threads", source.threads()), options);
     return run;
 }
 

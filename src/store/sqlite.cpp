@@ -2,7 +2,11 @@
 
 #include <sqlite3.h>
 
+#include <fmt/format.h>
+
+#include <chrono>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 #include "signorini/output.hpp"
@@ -13,12 +17,38 @@ namespace {
 
 /// How long to wait for other processes: a reader for one that writes a batch, a writer for people
 /// who look at the database with their own tools.
-constexpr int patienceOfReader = 5'000;   // [ms]
-constexpr int patienceOfWriter = 60'000;  // [ms]
+constexpr std::chrono::seconds patienceOfReader{5};
+constexpr std::chrono::seconds patienceOfWriter{60};
+/// Between two looks at a locked database, and at whether to stop.
+constexpr std::chrono::milliseconds pause{10};
 
 }  // namespace
 
-Connection::Connection(const std::string& path, DatabaseMode mode) : path_(path)
+/// How long to wait, and what ends it.
+struct Connection::Patience {
+    using Clock = std::chrono::steady_clock;
+
+    std::chrono::seconds most;
+    Cancel cancel;
+    Clock::time_point start = {};
+
+    /// SQLite's question before it looks again, for the `looks`-th time: 0 gives up.
+    static int goOn(void* data, int looks)
+    {
+        Patience& patience = *static_cast<Patience*>(data);
+        if (looks == 0) {
+            patience.start = Clock::now();
+        }
+        if (isRequested(patience.cancel) || Clock::now() - patience.start > patience.most) {
+            return 0;
+        }
+        std::this_thread::sleep_for(pause);
+        return 1;
+    }
+};
+
+Connection::Connection(const std::string& path, DatabaseMode mode, Cancel cancel)
+    : path_(path)
 {
     // A killed writer leaves a journal that only a connection that may write can roll back. Where
     // the file is read-only SQLite falls back to reading by itself.
@@ -32,7 +62,9 @@ Connection::Connection(const std::string& path, DatabaseMode mode) : path_(path)
         fail("cannot open");
     }
     sqlite3_extended_result_codes(raw, 1);
-    sqlite3_busy_timeout(raw, reads ? patienceOfReader : patienceOfWriter);
+    patience_ = std::make_shared<Patience>(
+        Patience{reads ? patienceOfReader : patienceOfWriter, std::move(cancel)});
+    sqlite3_busy_handler(raw, Patience::goOn, patience_.get());
     if (reads) {
         run("PRAGMA query_only = 1");
     }
@@ -130,18 +162,35 @@ bool Statement::isNull(int column) const
 
 std::int64_t Statement::whole(int column) const
 {
+    if (sqlite3_column_type(handle_.get(), column) != SQLITE_INTEGER) {
+        refuse(column, "whole numbers");
+    }
     return sqlite3_column_int64(handle_.get(), column);
 }
 
 double Statement::real(int column) const
 {
-    return sqlite3_column_double(handle_.get(), column);
+    const int type = sqlite3_column_type(handle_.get(), column);
+    const double value = sqlite3_column_double(handle_.get(), column);
+    if ((type != SQLITE_FLOAT && type != SQLITE_INTEGER) || !std::isfinite(value)) {
+        refuse(column, "finite numbers");
+    }
+    return value;
 }
 
 std::string Statement::text(int column) const
 {
     const unsigned char* text = sqlite3_column_text(handle_.get(), column);
     return text == nullptr ? std::string() : reinterpret_cast<const char*>(text);
+}
+
+void Statement::refuse(int column, std::string_view allowed) const
+{
+    constexpr std::size_t shown = 60;
+    throw FileError(connection_.path(),
+                    fmt::format("cannot use: a row has {} = {}: allowed {}",
+                                sqlite3_column_name(handle_.get(), column),
+                                isNull(column) ? "NULL" : text(column).substr(0, shown), allowed));
 }
 
 void Statement::check(int code) const

@@ -22,8 +22,9 @@ enum class DatabaseMode {
 /// An open database; copies share it, and the last one closes it.
 class Connection {
 public:
+    /// `cancel` ends any wait for another process, which then counts as too long.
     /// \throws FileError if it cannot be opened.
-    Connection(const std::string& path, DatabaseMode mode);
+    Connection(const std::string& path, DatabaseMode mode, Cancel cancel = {});
 
     /// Runs statements that return nothing. \throws FileError.
     void run(const char* sql) const;
@@ -35,10 +36,14 @@ public:
     [[nodiscard]] std::int64_t lastId() const;
 
     [[nodiscard]] sqlite3* handle() const { return handle_.get(); }
+    [[nodiscard]] const std::string& path() const { return path_; }
     [[noreturn]] void fail(const char* action) const;
 
 private:
+    struct Patience;
+
     std::string path_;
+    std::shared_ptr<Patience> patience_;  ///< before the handle, which uses it to the end
     std::shared_ptr<sqlite3> handle_;
 };
 
@@ -59,9 +64,14 @@ public:
     void execute();
 
     [[nodiscard]] bool isNull(int column) const;
+    /// A whole number. \throws FileError if the column holds anything else.
     [[nodiscard]] std::int64_t whole(int column) const;
+    /// A finite number. \throws FileError if the column holds anything else.
     [[nodiscard]] double real(int column) const;
+    /// Any value as text; NULL is empty.
     [[nodiscard]] std::string text(int column) const;
+    /// Says that the value of a column cannot be. \throws FileError.
+    [[noreturn]] void refuse(int column, std::string_view allowed) const;
 
 private:
     void check(int code) const;

@@ -81,8 +81,9 @@ TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same r
     }
     // A question in between finds what is there, whatever the killed process left behind.
     const auto asked = program.run("atlas --database parts.sqlite --period 3 --format json");
-    CHECK(asked.status == 0);
-    CHECK(json::parse(asked.out)["complete"].is_boolean());
+    const json found = json::parse(asked.out);
+    CHECK(asked.status == (found["schedules"].empty() ? 3 : 0));
+    CHECK(found["complete"].is_boolean());
     REQUIRE(program.run(pairs + " --database parts.sqlite --resume").status == 0);
     CHECK(dump(program.file("parts.sqlite")) == whole);
     CHECK_FALSE(fs::exists(program.file("parts.sqlite-journal")));
@@ -142,7 +143,7 @@ TEST_CASE("cli atlas: a full disk or a file that is no atlas is status 4, nothin
     CHECK_THAT(full.err, containsText("full.sqlite"));
     CHECK(lines(full.err) == 1);
     const auto asked = program.run("atlas --database full.sqlite --twins --format json");
-    CHECK(asked.status == 0);
+    CHECK(asked.status == (json::parse(asked.out)["twins"].empty() ? 3 : 0));
     CHECK(json::parse(asked.out)["complete"] == false);
     CHECK_THAT(asked.err, containsText("batches"));
     const auto before = dump(program.file("full.sqlite"));

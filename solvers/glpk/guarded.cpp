@@ -1,0 +1,167 @@
+#include "glpk/guarded.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstdlib>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+/// GMP under GLPK's exact method ends the process as well. Its documented functions, under the
+/// names that gmp.h gives them; weak, because a GLPK without GMP brings none.
+extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
+using GmpAllocate = void* (*)(std::size_t);
+using GmpReallocate = void* (*)(void*, std::size_t, std::size_t);
+using GmpFree = void (*)(void*, std::size_t);
+[[gnu::weak]] void* __gmp_default_allocate(std::size_t size);
+[[gnu::weak]] void __gmp_get_memory_functions(GmpAllocate*, GmpReallocate*, GmpFree*);
+[[gnu::weak]] void __gmp_set_memory_functions(GmpAllocate, GmpReallocate, GmpFree);
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
+}
+
+namespace signorini::glpk {
+
+namespace {
+
+/// Where to go on when GLPK gives up, and its words. Plain data: it lives across the jump.
+struct Rescue {
+    std::jmp_buf place;
+    std::array<char, 400> words;
+    std::size_t size;
+};
+
+extern "C" int keepWords(void* data, const char* text)
+{
+    Rescue& rescue = *static_cast<Rescue*>(data);
+    for (; *text != '\0' && rescue.size + 1 < rescue.words.size(); ++text) {
+        rescue.words[rescue.size++] = *text == '\n' ? ' ' : *text;
+    }
+    rescue.words[rescue.size] = '\0';
+    return 1;  // nothing goes to the terminal
+}
+
+extern "C" void leave(void* data)
+{
+    std::longjmp(static_cast<Rescue*>(data)->place, 1);  // NOLINT(cert-err52-cpp): see the header
+}
+
+/// Of the call of this thread that is under way.
+thread_local Rescue* current = nullptr;
+
+/// GMP's own way, but for a call of ours.
+[[noreturn]] void endGmp()
+{
+    if (current != nullptr) {
+        keepWords(current, "GMP: no memory");
+        leave(current);
+    }
+    std::abort();
+}
+
+extern "C" void* allocateForGmp(std::size_t size)
+{
+    void* block = std::malloc(size);
+    return block != nullptr ? block : (endGmp(), nullptr);
+}
+
+extern "C" void* reallocateForGmp(void* old, std::size_t, std::size_t size)
+{
+    void* block = std::realloc(old, size);
+    return block != nullptr ? block : (endGmp(), nullptr);
+}
+
+/// Blocks still come from malloc and go to free, so it does not matter when this happens. A program
+/// that has given GMP functions of its own keeps them.
+void watchGmp()
+{
+    if (__gmp_default_allocate == nullptr || __gmp_get_memory_functions == nullptr ||
+        __gmp_set_memory_functions == nullptr) {
+        return;
+    }
+    GmpAllocate allocate = nullptr;
+    GmpFree release = nullptr;
+    __gmp_get_memory_functions(&allocate, nullptr, &release);
+    if (allocate == __gmp_default_allocate) {
+        __gmp_set_memory_functions(allocateForGmp, reallocateForGmp, release);
+    }
+}
+
+void setHooks(Rescue* rescue)
+{
+    static std::once_flag once;
+    std::call_once(once, watchGmp);
+    current = rescue;
+    glp_term_hook(rescue == nullptr ? nullptr : keepWords, rescue);
+    glp_error_hook(rescue == nullptr ? nullptr : leave, rescue);
+}
+
+/// False if GLPK gave up. Nothing in this frame changes between the two returns of setjmp.
+bool comesBack(void (*call)(void*, glp_prob*), void* data, glp_prob* problem, Rescue& rescue)
+{
+    if (setjmp(rescue.place) != 0) {  // NOLINT(cert-err52-cpp): see the header
+        return false;
+    }
+    call(data, problem);
+    return true;
+}
+
+}  // namespace
+
+Problem::Problem()
+{
+    constexpr int outOfMemory = 2;
+    if (const int code = glp_init_env(); code >= outOfMemory) {
+        throw std::bad_alloc();
+    }
+    glp_term_out(GLP_OFF);
+    int blocks = 0;
+    glp_mem_usage(&blocks, nullptr, nullptr, nullptr);
+    isAlone_ = blocks == 0;
+    attempt([](void* data, glp_prob*) { *static_cast<glp_prob**>(data) = glp_create_prob(); },
+            static_cast<void*>(&handle_));
+}
+
+Problem::~Problem()
+{
+    if (handle_ != nullptr) {
+        glp_delete_prob(handle_);
+    }
+}
+
+void Problem::attempt(void (*call)(void*, glp_prob*), void* data)
+{
+    Rescue rescue;
+    rescue.size = 0;
+    rescue.words[0] = '\0';
+    setHooks(&rescue);
+    const bool isDone = comesBack(call, data, handle_, rescue);
+    setHooks(nullptr);
+    if (!isDone) {
+        giveUp(rescue.words.data());
+    }
+}
+
+void Problem::giveUp(const char* words)
+{
+    handle_ = nullptr;  // GLPK's manual: after an error nothing of the environment may be used
+    if (isAlone_) {
+        glp_free_env();
+    } else {
+        glp_term_out(GLP_OFF);  // the error has switched it on
+    }
+    const std::string_view text = words;
+    const auto says = [text](std::string_view part) {
+        return text.find(part) != std::string_view::npos;
+    };
+    if (says("memory") || says("block too large")) {
+        throw std::bad_alloc();
+    }
+    throw std::runtime_error(fmt::format("GLPK gave up: {}", text));
+}
+
+}  // namespace signorini::glpk

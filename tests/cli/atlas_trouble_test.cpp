@@ -1,0 +1,190 @@
+// signorini atlas where something is wrong: locks, names, limits, and databases edited by hand.
+
+#include <chrono>
+
+#include "program.hpp"
+#include "sqlite.hpp"
+
+using namespace signorini;
+using namespace signorini::test;
+
+namespace {
+
+constexpr const char* build = "atlas --database a.sqlite --cells 6";
+
+/// Changes a copy of the database, named e.sqlite.
+void edit(const Program& program, const std::string& sql)
+{
+    fs::copy_file(program.file("a.sqlite"), program.file("e.sqlite"),
+                  fs::copy_options::overwrite_existing);
+    Connection(program.file("e.sqlite").string(), DatabaseMode::write).run(sql.c_str());
+}
+
+/// Status 4 and one line that names the file.
+void checkRefusal(const Program::Outcome& outcome)
+{
+    CHECK(outcome.status == 4);
+    CHECK(outcome.out.empty());
+    CHECK(lines(outcome.err) == 1);
+    CHECK_THAT(outcome.err, containsText("e.sqlite"));
+}
+
+}  // namespace
+
+TEST_CASE("cli atlas: Ctrl-C ends the wait for a locked database within a second")
+{
+    const Program program;
+    REQUIRE(program.run(build).status == 0);
+    const Connection lock(program.file("a.sqlite").string(), DatabaseMode::write);
+    lock.run("BEGIN EXCLUSIVE");
+    const auto start = std::chrono::steady_clock::now();
+    const auto stopped =
+        program.run("atlas --database a.sqlite --cells 7", "timeout --preserve-status -s INT 1");
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    lock.run("ROLLBACK");
+    INFO(stopped.err);
+    CHECK(stopped.status == 3);
+    CHECK_THAT(stopped.err, containsText("interrupted") && containsText("a.sqlite"));
+    CHECK(lines(stopped.err) == 1);
+    CHECK(spent.count() < 20.0);  // it waited for a minute
+    CHECK(lock.number("SELECT COUNT(*) FROM runs") == 1);
+}
+
+TEST_CASE("cli atlas: a database whose name is not UTF-8 is reported in valid JSON")
+{
+    const Program program;
+    const auto outcome = program.run("atlas --database 'caf\xe9.sqlite' --cells 6 --format json");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    REQUIRE(json::accept(outcome.out));
+    CHECK(json::parse(outcome.out)["database"] == "caf\xef\xbf\xbd.sqlite");
+    CHECK(fs::exists(program.file("caf\xe9.sqlite")));
+}
+
+TEST_CASE("cli atlas: threads that cannot start leave the work to the others")
+{
+    const Program program;
+    if (program.run("find 1 3 --cells 1", "ulimit -v 400000;").status != 0) {
+        return;  // a sanitizer needs more than can be limited
+    }
+    const auto outcome = program.run(std::string(build) + " --threads 1024", "ulimit -v 400000;");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    CHECK_THAT(outcome.err, containsText("of 1024 threads"));
+    REQUIRE(program.run("atlas --database b.sqlite --cells 6").status == 0);
+    const Connection few(program.file("a.sqlite").string(), DatabaseMode::read);
+    const Connection one(program.file("b.sqlite").string(), DatabaseMode::read);
+    constexpr const char* count = "SELECT COUNT(*) FROM schedules";
+    CHECK(few.number(count) == one.number(count));
+    CHECK(few.number("SELECT COUNT(*) FROM runs WHERE finished IS NOT NULL") == 1);
+}
+
+TEST_CASE("cli atlas: an edited database is status 4 with the column, never a wrong answer")
+{
+    const Program program;
+    REQUIRE(program.run(build).status == 0);
+    for (const char* sql : {"UPDATE runs SET next_batch = -5", "UPDATE runs SET next_batch = 'x'",
+                            "UPDATE runs SET next_batch = 99", "UPDATE runs SET batches = 0",
+                            "UPDATE runs SET cells = -1", "UPDATE runs SET phases = 'many'",
+                            "UPDATE runs SET keeps_refuted = 7", "UPDATE runs SET seconds = 'x'",
+                            "UPDATE runs SET decided = -1", "PRAGMA application_id = 5",
+                            "PRAGMA user_version = 77", "ALTER TABLE runs DROP COLUMN seconds",
+                            "ALTER TABLE schedules DROP COLUMN kind", "DROP TABLE runs"}) {
+        INFO(sql);
+        edit(program, sql);
+        checkRefusal(program.run("atlas --database e.sqlite --period 7/2"));
+        checkRefusal(program.run("atlas --database e.sqlite --cells 6 --resume"));
+    }
+    for (const std::string column : {"phases = '3:x'",
+                                     "phases = '3'",
+                                     "phases = ''",
+                                     "phases = '3:18,'",
+                                     "phases = '7:77'",
+                                     "phases = '3:99999999999999999999'",
+                                     "phases = '-3:24'",
+                                     "status = 'lost'",
+                                     "kind = 'heap'",
+                                     "contact = NULL",
+                                     "canonical = 2",
+                                     "dimension = 'x'",
+                                     "kernel_dimension = -1",
+                                     "period = 'x'",
+                                     "period = 3",
+                                     "frequency_ratio = 1",
+                                     "energy_ratio_min = NULL",
+                                     "energy_ratio_min = 'x'",
+                                     "energy_ratio_min = -1",
+                                     "energy_ratio_max = 0.5"}) {
+        INFO(column);
+        edit(program, "UPDATE schedules SET " + column + " WHERE phases = '3:18'");
+        const auto outcome = program.run("atlas --database e.sqlite --period 7/2");
+        checkRefusal(outcome);
+        CHECK_THAT(outcome.err, containsText("allowed"));
+    }
+}
+
+TEST_CASE("cli atlas: an answer that is empty because nothing was decided there is status 3")
+{
+    const Program program;
+    REQUIRE(program.run(build).status == 0);
+    for (const char* query : {"--near 1.142857 20 --cells 7", "--period 7/2 --cells 7",
+                              "--twins --cells 7", "--period 100", "--near 0.01 20"}) {
+        const auto outcome =
+            program.run(std::string("atlas --database a.sqlite --format json ") + query);
+        INFO(query << "\n" << outcome.err);
+        CHECK(outcome.status == 3);
+        CHECK(lines(outcome.err) == 1);
+        CHECK(json::parse(outcome.out)["complete"] == false);
+    }
+    // Decided, and there is none: an answer.
+    for (const char* query : {"--near 1.142857 0.5", "--period 1/7"}) {
+        const auto outcome =
+            program.run(std::string("atlas --database a.sqlite --format json ") + query);
+        INFO(query << "\n" << outcome.err);
+        CHECK(outcome.status == 0);
+        CHECK(json::parse(outcome.out)["complete"] == true);
+        CHECK(json::parse(outcome.out)["schedules"].empty());
+    }
+    // Energies that were not kept are not decided either.
+    REQUIRE(program.run("atlas --database low.sqlite --cells 30 --max-energy-ratio 2").status == 0);
+    CHECK(program.run("atlas --database low.sqlite --near 1.142857 20").status == 3);
+}
+
+TEST_CASE("cli atlas: seconds and joules are those of the bar")
+{
+    const Program program;
+    REQUIRE(program.run(build).status == 0);
+    // L/c = 4e-4 s, E_1 = 2e7 * 1e-12 / 4 J.
+    const std::string steel = " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6";
+    const json answer = json::parse(
+        program.run("atlas --database a.sqlite --period 7/2 --format json" + steel).out);
+    CHECK(answer["schema"] == 2);
+    CHECK(answer["bar"]["wave_speed"] == 5000.0);
+    int found = 0;
+    for (const json& entry : answer["schedules"]) {
+        CHECK(entry["period"].get<double>() == Approx(3.5 * 4e-4));
+        CHECK(entry["period_ratio"] == 3.5);
+        if (entry["status"] != "found") {
+            continue;
+        }
+        ++found;
+        CHECK(entry["energy_range"][0].get<double>() ==
+              Approx(entry["energy_ratio_range"][0].get<double>() * 5e-6));
+    }
+    CHECK(found > 0);
+    const json twins =
+        json::parse(program.run("atlas --database a.sqlite --twins --format json" + steel).out);
+    for (const json& group : twins["twins"]) {
+        CHECK(group["period"].get<double>() == Approx(group["period_ratio"].get<double>() * 4e-4));
+        CHECK(group["energy"].get<double>() == Approx(group["energy_ratio"].get<double>() * 5e-6));
+    }
+}
+
+TEST_CASE("cli atlas: --near without an energy says what it takes")
+{
+    const Program program;
+    const auto outcome = program.run("atlas --database a.sqlite --near 1");
+    CHECK(outcome.status == 2);
+    CHECK_THAT(outcome.err, containsText("--near = 1") && containsText("allowed two numbers") &&
+                                containsText("> 0"));
+}
