@@ -1,0 +1,26 @@
+#include "minimum_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini {
+
+std::optional<double> minimumError(const Program& program, const Eigen::VectorXd& x,
+                                   const Solver& linear, const SolverOptions& options)
+{
+    Program tangent = program;
+    tangent.linear = program.linear + program.quadratic.cwiseProduct(x);
+    tangent.quadratic.resize(0);
+    const SolverResult lowest = linear.solve(tangent, options);
+    if (lowest.status == SolverStatus::unbounded) {
+        return std::numeric_limits<double>::infinity();
+    }
+    if (lowest.status != SolverStatus::optimal) {
+        return std::nullopt;
+    }
+    const double gap = std::max(0.0, tangent.linear.dot(x - lowest.x));
+    return std::sqrt(gap / program.quadratic.dot(x.cwiseAbs2()));
+}
+
+}  // namespace signorini
