@@ -528,11 +528,12 @@ private:
             fmt::format("{} on the {} formulation", result_.solver.name, name(formulation));
         result_.routeReason = reasonForProgram(formulated.program);
         SolverResult answer = solve(formulated, posed);
-        if (answer.status == SolverStatus::infeasible &&
+        if ((answer.status == SolverStatus::infeasible || answer.status == SolverStatus::failed) &&
             (std::isfinite(posed.strainLimit) || std::isfinite(posed.tipFloor))) {
-            // A limit that a motion misses by no more than the tolerance is met (tolerated.hpp).
+            // A limit that a motion misses by no more than the tolerance is met (tolerated.hpp);
+            // a tenth of it is left to the solver.
             formulated =
-                pose(result_.schedule, relaxed(posed, 0.5 * options_.tolerance), formulation);
+                pose(result_.schedule, relaxed(posed, 0.9 * options_.tolerance), formulation);
             answer = solve(formulated, posed);
         }
         result_.solver.seconds = secondsSince(start);

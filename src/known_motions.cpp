@@ -35,6 +35,13 @@ std::optional<Measure> measure(const Demands& demands, const Schedule& schedule,
     }
 }
 
+/// The largest difference of a wave.
+double distance(const State& left, const State& right)
+{
+    return std::max((left.a - right.a).lpNorm<Eigen::Infinity>(),
+                    (left.b - right.b).lpNorm<Eigen::Infinity>());
+}
+
 /// |claimed - target|^2 - |known - target|^2, without the digits that a far target costs.
 double distanceGain(const State& known, const State& claimed, const State& target)
 {
@@ -48,10 +55,8 @@ bool isBetter(const Demands& demands, const State& known, const State& claimed,
               const Measure& knownMeasure, const Measure& claimedMeasure, double tolerance)
 {
     if (demands.objective == Objective::nearest) {
-        const double apart = std::max((claimed.a - known.a).lpNorm<Eigen::Infinity>(),
-                                      (claimed.b - known.b).lpNorm<Eigen::Infinity>());
         return distanceGain(known, claimed, *demands.target) > 0.0 &&
-               apart > std::sqrt(tolerance) * amplitude(known);
+               distance(claimed, known) > std::sqrt(tolerance) * amplitude(known);
     }
     const double gain = claimedMeasure.value - knownMeasure.value;
     const double allowed =
@@ -73,9 +78,12 @@ std::optional<std::string> refutation(const Demands& claim, const Schedule& sche
         const Measure theirs = *measure(claim, schedule, other);
         if (violation(claim, other, schedule) <= tolerance &&
             isBetter(claim, other, claimed, theirs, *ours, tolerance)) {
-            return fmt::format("of {} {:.9g} for {}, though one of {:.9g} is known", ours->name,
-                               std::abs(ours->value), name(claim.objective),
-                               std::abs(theirs.value));
+            return claim.objective == Objective::nearest
+                       ? fmt::format("as the nearest that is {:.3g} g/L from one that is nearer",
+                                     distance(claimed, other))
+                       : fmt::format("of {} {:.9g} for {}, though one of {:.9g} is known",
+                                     ours->name, std::abs(ours->value), name(claim.objective),
+                                     std::abs(theirs.value));
         }
     }
     return std::nullopt;

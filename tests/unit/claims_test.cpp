@@ -49,7 +49,7 @@ TEST_CASE("claims: a held energy at an end of the range is found with several ph
 {
     const Schedule schedule{2, {{1, 7}, {1, 7}}};
     const EnergyRange range = *findPeriodic(schedule).energyRange;
-    CHECK(range.most == 12.0);  // four cells' worth of two classes, as N = 2, (1, 7)
+    CHECK(range.most == 12.0);  // as of one phase, which the schedule repeats
     for (const double share : {0.0, 1e-9, 0.3, 0.7, 1.0}) {
         const double wanted = range.least + share * (range.most - range.least);
         const PeriodicResult result = findPeriodic(schedule, {.energyRatio = wanted});
@@ -98,6 +98,7 @@ TEST_CASE("claims: a strain limit within the tolerance is met on every route, be
             INFO(solver << " " << name(form));
             CHECK(statusAt(0.0) == Status::found);
             CHECK(statusAt(5e-8) == Status::found);
+            CHECK(statusAt(1.5e-7) != Status::found);
             CHECK(statusAt(1e-5) == Status::none);
         }
     }
