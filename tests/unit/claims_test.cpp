@@ -1,6 +1,8 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "known_motions.hpp"
+#include "signorini/closed_form.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/solver.hpp"
 #include "support.hpp"
@@ -16,6 +18,38 @@ bool has(std::string_view solver)
 }
 
 }  // namespace
+
+TEST_CASE("claims: every extreme is refuted by a better known motion, and by no other")
+{
+    const Schedule schedule = onePhase(8, 5, 23);
+    const Reduction r = reduce(schedule);
+    const State least = leastEnergyMotion(r);
+    const State most = motionOf(r, mostAmplitudes(r.set));
+    const auto isRefuted = [&](Objective objective, const State& claimed, const State& known,
+                               double strainLimit = 1e9) {
+        Demands demands{.objective = objective, .strainLimit = strainLimit};
+        if (objective == Objective::nearest) {
+            demands.target = least;
+        }
+        const std::vector<State> motions{known};
+        return refutation(demands, schedule, claimed, motions, 1e-7).has_value();
+    };
+    for (const Objective objective :
+         {Objective::minEnergy, Objective::minPeakStrain, Objective::nearest}) {
+        INFO(name(objective));
+        CHECK(isRefuted(objective, most, least));
+        CHECK_FALSE(isRefuted(objective, least, most));
+        CHECK_FALSE(isRefuted(objective, least, least));
+    }
+    CHECK(isRefuted(Objective::maxEnergy, least, most));
+    CHECK_FALSE(isRefuted(Objective::maxEnergy, most, least));
+    CHECK_FALSE(isRefuted(Objective::any, most, least));
+    // Equal for all amplitudes of one phase.
+    CHECK_FALSE(isRefuted(Objective::maxImpulse, least, most));
+    // A better motion that breaks a limit says nothing.
+    const double limit = 1.01 * extremesOf(least, schedule).peakStrain;
+    CHECK_FALSE(isRefuted(Objective::maxEnergy, least, most, limit));
+}
 
 TEST_CASE("claims: a climb that ends below the known most energy is withdrawn")
 {
