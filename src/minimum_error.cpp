@@ -1,6 +1,5 @@
 #include "minimum_error.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,7 +18,9 @@ std::optional<double> minimumError(const Program& program, const Eigen::VectorXd
     if (lowest.status != SolverStatus::optimal) {
         return std::nullopt;
     }
-    const double gap = std::max(0.0, tangent.linear.dot(x - lowest.x));
+    // Rows met within a tolerance only can turn the sign: its size is the error all the same.
+    const double rounding = 1e-15 * tangent.linear.cwiseAbs().dot(x.cwiseAbs());
+    const double gap = std::abs(tangent.linear.dot(x - lowest.x)) + rounding;
     return std::sqrt(gap / program.quadratic.dot(x.cwiseAbs2()));
 }
 

@@ -119,7 +119,7 @@ TEST_CASE("claims: a strain limit within the tolerance is met on every route, be
     if (!has("glpk-simplex")) {
         return;
     }
-    const Schedule schedule = onePhase(30, 15, 90);  // peak strain 2e-3
+    const Schedule schedule = onePhase(10, 5, 30);  // peak strain 2e-3
     for (const std::string solver : {"auto", "glpk-simplex"}) {
         for (const Formulation form :
              {Formulation::automatic, Formulation::state, Formulation::reduced}) {

@@ -82,8 +82,11 @@ std::optional<Eigen::VectorXd> minimumByEnumeration(const Program& program)
         if (std::isfinite(program.lower[i])) {
             rows.emplace_back(-Eigen::RowVectorXd::Unit(n, i), -program.lower[i]);
         }
+        if (std::isfinite(program.upper[i])) {
+            rows.emplace_back(Eigen::RowVectorXd::Unit(n, i), program.upper[i]);
+        }
     }
-    if (rows.size() > 9 || n > 16) {
+    if (rows.size() > 12 || n > 16) {
         return std::nullopt;
     }
     std::optional<Eigen::VectorXd> best;
@@ -229,4 +232,44 @@ TEST_CASE("nearest: several phases, the minimum of the quadratic program found b
     }
     CAPTURE(compared, byTheSums);
     CHECK(compared >= 12);
+}
+
+TEST_CASE("nearest: within a strain limit a solver's motion is off by no more than it says")
+{
+    if (!findBackend("ipopt").available() || !findBackend("glpk-simplex").available()) {
+        return;
+    }
+    int compared = 0;
+    for (const Schedule& schedule : {onePhase(2, 1, 7), onePhase(4, 1, 14), onePhase(8, 5, 23)}) {
+        const double least = findPeriodic(schedule).peakStrain;
+        for (const unsigned seed : {1u, 2u, 3u}) {
+            const State target = test::randomState(schedule.cells, seed);
+            const Demands demands{.objective = Objective::nearest,
+                                  .target = target,
+                                  .strainLimit = 1.2 * least / 1e-3};
+            const Formulated reduced = pose(schedule, demands, Formulation::reduced);
+            const auto x = minimumByEnumeration(reduced.program);
+            if (!x) {
+                continue;
+            }
+            for (const std::string solver : {"auto", "ipopt"}) {
+                const PeriodicResult result =
+                    findPeriodic(schedule, {.solver = solver,
+                                            .objective = Objective::nearest,
+                                            .target = target,
+                                            .strainLimit = 1.2 * least});
+                INFO(describe(schedule) << " " << seed << " " << solver << " " << result.detail);
+                CHECK(result.status != Status::none);
+                if (result.status == Status::found) {
+                    ++compared;
+                    const State truth = stateOf(reduced, *x);
+                    // Found: off by at most sqrt(tolerance) of the root mean square of 2N waves.
+                    const double allowed =
+                        std::sqrt(1e-7 * (truth.a.squaredNorm() + truth.b.squaredNorm()));
+                    CHECK(apart(result.state, truth) <= 1.1 * allowed);
+                }
+            }
+        }
+    }
+    CHECK(compared > 0);
 }
