@@ -19,17 +19,17 @@ std::optional<Measure> measure(const Demands& demands, const Schedule& schedule,
 {
     switch (demands.objective) {
         case Objective::minEnergy:
-            return Measure{energyRatio(state), "E/E_1"};
+            return Measure{energyRatio(state), "least energy"};
         case Objective::maxEnergy:
-            return Measure{-energyRatio(state), "E/E_1"};
+            return Measure{-energyRatio(state), "most energy"};
         case Objective::minPeakStrain:
-            return Measure{extremesOf(state, schedule).peakStrain, "peak strain"};
+            return Measure{extremesOf(state, schedule).peakStrain, "least peak strain"};
         case Objective::maxImpulse:
-            return Measure{-extremesOf(state, schedule).impulse, "impulse"};
+            return Measure{-extremesOf(state, schedule).impulse, "most impulse"};
         case Objective::nearest:
             return Measure{(state.a - demands.target->a).squaredNorm() +
                                (state.b - demands.target->b).squaredNorm(),
-                           "squared distance"};
+                           "least distance"};
         default:
             return std::nullopt;
     }
@@ -81,9 +81,8 @@ std::optional<std::string> refutation(const Demands& claim, const Schedule& sche
             return claim.objective == Objective::nearest
                        ? fmt::format("as the nearest that is {:.3g} g/L from one that is nearer",
                                      distance(claimed, other))
-                       : fmt::format("of {} {:.9g} for {}, though one of {:.9g} is known",
-                                     ours->name, std::abs(ours->value), name(claim.objective),
-                                     std::abs(theirs.value));
+                       : fmt::format("as the one of {}, {:.9g}, though one of {:.9g} is known",
+                                     ours->name, std::abs(ours->value), std::abs(theirs.value));
         }
     }
     return std::nullopt;
