@@ -112,7 +112,14 @@ public:
                 "that there is none: try solver auto");
             return std::move(result_);
         }
-        solveAsProgram();
+        const bool mayHoldEnergy = lumped_ && mayUseLumpedSet() && demands_.energyRatio &&
+                                   std::isfinite(shape_.energy.most);
+        if (!mayHoldEnergy || hasAny({"ipopt", "nlopt-auglag"})) {
+            solveAsProgram();
+        }
+        if (mayHoldEnergy && result_.status == Status::undecided) {
+            holdEnergyInSums();
+        }
         return std::move(result_);
     }
 
@@ -199,6 +206,17 @@ private:
         return true;
     }
 
+    /// Where no solver finds a motion of a held energy: one between the least and the most.
+    void holdEnergyInSums()
+    {
+        State state = motionOfEnergy(equalMotion(*lumped_, lumped_->leastSums),
+                                     mostEnergyMotion(*lumped_, shape_), *demands_.energyRatio);
+        if (violation(demands_, state, result_.schedule) <= options_.tolerance) {
+            nameLumpedRoute();
+            acceptMotion(std::move(state));
+        }
+    }
+
     /// The motion that the objective asks for, if the sums know it.
     [[nodiscard]] std::optional<State> extremeOfSums() const
     {
@@ -207,11 +225,10 @@ private:
             case Objective::any:
             case Objective::minEnergy: {
                 State least = equalMotion(*lumped_, lumped_->leastSums);
-                if (!demands_.energyRatio || !std::isfinite(shape_.energy.most)) {
-                    return least;
-                }
-                return motionOfEnergy(least, mostEnergyMotion(*lumped_, shape_),
-                                      *demands_.energyRatio);
+                const bool isHeldAtMost =
+                    demands_.energyRatio && std::isfinite(shape_.energy.most) &&
+                    *demands_.energyRatio >= shape_.energy.most * (1.0 - options_.tolerance);
+                return isHeldAtMost ? mostEnergyMotion(*lumped_, shape_) : least;
             }
             case Objective::maxEnergy:
                 if (std::isfinite(shape_.energy.most)) {
