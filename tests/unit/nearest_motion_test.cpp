@@ -201,7 +201,6 @@ TEST_CASE("nearest: the closed form answers grazing sets and targets of any size
 TEST_CASE("nearest: several phases, the minimum of the quadratic program found by enumeration")
 {
     int compared = 0;
-    int byTheSums = 0;
     for (const Schedule& schedule :
          {Schedule{5, {{1, 1}, {2, 56}}}, Schedule{2, {{1, 7}, {1, 7}}},
           Schedule{4, {{1, 12}, {3, 12}}}, Schedule{3, {{1, 5}, {1, 11}}},
@@ -222,15 +221,13 @@ TEST_CASE("nearest: several phases, the minimum of the quadratic program found b
                     findPeriodic(schedule, {.objective = Objective::nearest, .target = target});
                 INFO(describe(schedule) << " " << seed << " " << size << " " << result.detail);
                 if (result.route != "lumped" || result.status != Status::found) {
-                    continue;
+                    continue;  // a solver's, or withdrawn: judged by other tests
                 }
                 ++compared;
-                byTheSums += result.route == "lumped" ? 1 : 0;
                 CHECK(apart(result.state, stateOf(reduced, *x)) < 1e-7 * size);
             }
         }
     }
-    CAPTURE(compared, byTheSums);
     CHECK(compared >= 12);
 }
 
