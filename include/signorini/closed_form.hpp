@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The closed-form solver: extremes of sum z^2 over a simplex or a box, no iteration, no library.
+/// The closed-form solver: extremes of sum z^2 over a simplex or a box, and the nearest
+/// member, without a library.
 ///
 /// The energy of a motion is diagonal in its class amplitudes, so the motions of least and of most
 /// energy of a whole solution set are the nearest and the farthest point of an AmplitudeSet from
@@ -27,9 +28,11 @@ namespace signorini {
 /// Amplitudes of largest sum z^2 (one of several equal choices). O(d).
 [[nodiscard]] std::vector<double> mostAmplitudes(const AmplitudeSet& set);
 
-/// The member of a simplex or point nearest to given amplitudes: max(0, t_j - shift) with the shift
-/// that makes the sum right. O(d log d).
-/// \throws std::invalid_argument for a box of more than one amplitude, or a wrong number of them.
+/// The member nearest to given amplitudes t. Simplex: max(0, t_j - shift) with the shift that makes
+/// the sum right, O(d log d). Box: the partial sums less those of t are a string pulled taut
+/// through the bounds, O(d) knots, each found by looking as far as the string is straight: O(d) as
+/// a rule, O(d^2) at worst. Only differences of targets matter, and their size costs no digits.
+/// \throws std::invalid_argument for a wrong number of amplitudes, or an empty set.
 [[nodiscard]] std::vector<double> nearestAmplitudes(const AmplitudeSet& set,
                                                     std::span<const double> target);
 

@@ -88,8 +88,10 @@ struct Extremes {
 /// Walks one period. O(N + min(n, 12N)).
 [[nodiscard]] Extremes extremesOf(const State& state, const Schedule& schedule);
 
-/// The largest relative violation of the limits by a state: strain, tip floor, fixed values, held
-/// energy. 0 if all are met. Independent of how the state was found. O(N + min(n, 12N)).
+/// The largest relative violation of the limits by a state: of the strain limit and the held energy
+/// relative to them, of the tip floor relative to the gap, of a fixed value relative to it or to
+/// g/L, whichever is larger. 0 if all are met. Independent of how the state was found. O(N + min(n,
+/// 12N)).
 [[nodiscard]] double violation(const Demands& demands, const State& state,
                                const Schedule& schedule);
 

@@ -4,6 +4,13 @@
 ///
 /// The cheapest route that is exact for the request is taken, its answer is checked by code that
 /// did not produce it, and a claim that does not hold is downgraded to undecided.
+///
+/// **Tolerance.** One rule on all routes: a demand that a motion breaks by at most the tolerance,
+/// relative (`violation` of demands.hpp), is met; absence is claimed only if the demands, relaxed
+/// by the tolerance, are proved impossible.
+///
+/// **Extremes.** What a solver calls the least, the most or the nearest is withdrawn if a motion is
+/// known that meets the same demands and is better.
 
 #include <concepts>
 #include <cstdint>
@@ -96,6 +103,9 @@ struct PeriodicResult {
     /// rationals (further demands, several phases).
     std::optional<InfeasibilityProof> programProof;
     Formulation proofRows = Formulation::automatic;  ///< rows that programProof refers to
+    /// None because every energy of `energyRange` misses the one to hold: has code that did not
+    /// find the range proved it, in rationals? (Not where several phases limit it from above.)
+    bool isRangeVerified = false;
 
     std::string route;                 ///< e.g. "closed-form"
     std::string routeReason;           ///< why that route

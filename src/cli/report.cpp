@@ -11,9 +11,8 @@ namespace signorini::cli {
 
 namespace {
 
-/// Certificates with more multipliers than this are summarised.
-constexpr std::size_t maxPrintedMultipliers = 100'000;
 constexpr std::size_t maxPrintedPhases = 8;
+constexpr const char* rangeNote = "this end of the range is computed, not checked by other code";
 
 const char* explain(Reason reason)
 {
@@ -134,17 +133,15 @@ std::string absenceAsText(const PeriodicResult& result)
             result.programProof->equalities.size(), result.programProof->inequalities.size(),
             name(result.proofRows));
     } else {
-        text += fmt::format("proof       {}\n", result.detail);
+        text += fmt::format("proof       {} ({})\n", result.detail,
+                            result.isRangeVerified ? "checked in rationals" : rangeNote);
     }
     return text;
 }
 
-/// Rows and multipliers as pairs; null when there are too many to print.
+/// Rows and multipliers as pairs, all of them: what says "verified" can be verified by the reader.
 Json multipliersAsJson(const std::vector<Multiplier>& rows)
 {
-    if (rows.size() > maxPrintedMultipliers) {
-        return {};  // the library call returns them all
-    }
     Json pairs = Json::array();
     for (const Multiplier& m : rows) {
         pairs.push_back({m.row, m.value});
@@ -171,7 +168,11 @@ Json certificateAsJson(const PeriodicResult& result)
                 {"equalities", multipliersAsJson(result.programProof->equalities)},
                 {"inequalities", multipliersAsJson(result.programProof->inequalities)}};
     }
-    return {{"kind", "energy-range"}, {"verified", true}};
+    Json json{{"kind", "energy-range"}, {"verified", result.isRangeVerified}};
+    if (!result.isRangeVerified) {
+        json["note"] = rangeNote;
+    }
+    return json;
 }
 
 }  // namespace

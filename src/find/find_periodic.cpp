@@ -5,11 +5,16 @@
 #include <chrono>
 #include <cmath>
 
+#include "energy_bound.hpp"
 #include "faults.hpp"
+#include "known_motions.hpp"
 #include "lumped_proof.hpp"
+#include "minimum_error.hpp"
+#include "nearest_motion.hpp"
 #include "signorini/class_types.hpp"
 #include "signorini/closed_form.hpp"
 #include "signorini/solver.hpp"
+#include "tolerated.hpp"
 
 namespace signorini {
 
@@ -108,7 +113,14 @@ public:
                 "that there is none: try solver auto");
             return std::move(result_);
         }
-        solveAsProgram();
+        const bool mayHoldEnergy = lumped_ && mayUseLumpedSet() && demands_.energyRatio &&
+                                   std::isfinite(shape_.energy.most);
+        if (!mayHoldEnergy || hasAny({"ipopt", "nlopt-auglag"})) {
+            solveAsProgram();
+        }
+        if (mayHoldEnergy && result_.status == Status::undecided) {
+            holdEnergyInSums();
+        }
         return std::move(result_);
     }
 
@@ -195,22 +207,66 @@ private:
         return true;
     }
 
-    /// The motion of least or of most energy, if that is what the objective asks for.
+    /// Where no solver finds a motion of a held energy: one between the least and the most.
+    void holdEnergyInSums()
+    {
+        State state = motionOfEnergy(equalMotion(*lumped_, lumped_->leastSums),
+                                     mostEnergyMotion(*lumped_, shape_), *demands_.energyRatio);
+        if (violation(demands_, state, result_.schedule) <= options_.tolerance) {
+            nameLumpedRoute();
+            acceptMotion(std::move(state));
+        }
+    }
+
+    /// The motion that the objective asks for, if the sums know it.
     [[nodiscard]] std::optional<State> extremeOfSums() const
     {
         switch (demands_.objective) {
             case Objective::automatic:
             case Objective::any:
-            case Objective::minEnergy:
-                return equalMotion(*lumped_, lumped_->leastSums);
+            case Objective::minEnergy: {
+                State least = equalMotion(*lumped_, lumped_->leastSums);
+                const bool isHeldAtMost =
+                    demands_.energyRatio && std::isfinite(shape_.energy.most) &&
+                    *demands_.energyRatio >= shape_.energy.most * (1.0 - options_.tolerance);
+                return isHeldAtMost ? mostEnergyMotion(*lumped_, shape_) : least;
+            }
             case Objective::maxEnergy:
                 if (std::isfinite(shape_.energy.most)) {
                     return mostEnergyMotion(*lumped_, shape_);
                 }
                 return std::nullopt;
+            case Objective::nearest:
+                return nearestMotion(*lumped_, shape_, *demands_.target);
             default:
                 return std::nullopt;
         }
+    }
+
+    /// Motions to hold against a solver's claim.
+    [[nodiscard]] std::vector<State> knownMotions() const
+    {
+        std::vector<State> known;
+        if (isOnePhase() && !reduction_.reason) {
+            known.push_back(leastEnergyMotion(reduction_));
+            known.push_back(motionOf(reduction_, mostAmplitudes(reduction_.set)));
+        } else if (lumped_ && !lumped_->absence) {
+            known.push_back(equalMotion(*lumped_, lumped_->leastSums));
+        }
+        if (known.empty()) {
+            return known;
+        }
+        if (!isOnePhase() && std::isfinite(shape_.energy.most)) {
+            known.push_back(mostEnergyMotion(*lumped_, shape_));
+        }
+        if (demands_.target) {
+            auto nearest = isOnePhase() ? nearestMotion(reduction_, *demands_.target)
+                                        : nearestMotion(*lumped_, shape_, *demands_.target);
+            if (nearest) {
+                known.push_back(std::move(*nearest));
+            }
+        }
+        return known;
     }
 
     void nameLumpedRoute()
@@ -337,16 +393,17 @@ private:
             result_.solver.seconds = secondsSince(start);
             return true;
         }
-        if (demands_.objective == Objective::nearest && reduction_.set.kind == SetKind::box) {
-            return false;
-        }
         if (demands_.energyRatio && energyIsOutOfRange()) {
             return true;
         }
         // Timed as one piece with the verdict, as a user would see it.
         reduce(result_.schedule, reduction_);
-        State state = candidate();
+        std::optional<State> known = candidate();
         result_.solver.seconds = secondsSince(start);
+        if (!known) {
+            return false;
+        }
+        State state = std::move(*known);
         if (violation(demands_, state, result_.schedule) > options_.tolerance) {
             return limitsExcludeAll();
         }
@@ -371,18 +428,18 @@ private:
         return true;
     }
 
-    /// E_min and E_max are the doubles nearest to the exact ends: what lies further out, if only by
-    /// one unit in the last place, is proved absent.
+    /// Claims absence if every motion's energy misses the one to hold by more than the tolerance.
     bool energyIsOutOfRange()
     {
         const EnergyRange range = *result_.energyRange;
         const double wanted = *demands_.energyRatio;
-        // Sums of several phases carry the rounding of a square root or two. Written so that an
-        // unknown end excludes nothing.
-        const double rounding = isOnePhase() ? 0.0 : 1e-14;
-        if (!(wanted < range.least * (1.0 - rounding) || wanted > range.most * (1.0 + rounding))) {
+        if (!isOutOfRange(wanted, range, options_.tolerance)) {
             return false;
         }
+        result_.isRangeVerified =
+            wanted < range.least
+                ? exceedEnergy(result_.schedule, wanted * (1.0 + options_.tolerance))
+                : stayBelowEnergy(result_.schedule, wanted * (1.0 - options_.tolerance));
         result_.status = Status::none;
         result_.detail = fmt::format("E/E_1 = {} is outside the range [{}, {}] of the schedule",
                                      wanted, range.least, range.most);
@@ -392,20 +449,24 @@ private:
 
     /// The motion of the closed form that fits the objective. Equal amplitudes have the least
     /// energy and the least peak strain, and the impulse is the same for all amplitudes.
-    [[nodiscard]] State candidate() const
+    /// Empty where rounding spoils it.
+    [[nodiscard]] std::optional<State> candidate() const
     {
         if (demands_.objective == Objective::maxEnergy) {
             return motionOf(reduction_, mostAmplitudes(reduction_.set));
         }
         if (demands_.objective == Objective::nearest) {
-            const std::vector<double> target = amplitudesOf(reduction_, *demands_.target);
-            return motionOf(reduction_, nearestAmplitudes(reduction_.set, target));
+            return nearestMotion(reduction_, *demands_.target);
         }
         if (demands_.energyRatio) {
             const double squares = *demands_.energyRatio *
                                    static_cast<double>(reduction_.schedule.cells) /
                                    (2.0 * static_cast<double>(reduction_.window));
-            return motionOf(reduction_, amplitudesWithSquares(reduction_.set, squares));
+            // Within the tolerance an energy beyond an end is met by the end.
+            return motionOf(reduction_,
+                            amplitudesWithSquares(reduction_.set,
+                                                  std::clamp(squares, leastSquares(reduction_.set),
+                                                             mostSquares(reduction_.set))));
         }
         return leastEnergyMotion(reduction_);
     }
@@ -485,52 +546,106 @@ private:
             fmt::format("{} on the {} formulation", result_.solver.name, name(formulation));
         result_.routeReason = reasonForProgram(formulated.program);
         SolverResult answer = solve(formulated, posed);
+        if ((answer.status == SolverStatus::infeasible || answer.status == SolverStatus::failed) &&
+            (std::isfinite(posed.strainLimit) || std::isfinite(posed.tipFloor))) {
+            // A limit that a motion misses by no more than the tolerance is met (tolerated.hpp);
+            // a tenth of it is left to the solver.
+            formulated =
+                pose(result_.schedule, relaxed(posed, 0.9 * options_.tolerance), formulation);
+            answer = solve(formulated, posed);
+        }
         result_.solver.seconds = secondsSince(start);
         result_.solver.iterations = answer.iterations;
         result_.leftOut = formulated.leftOut;
         if (answer.status == SolverStatus::optimal) {
             State state = stateOf(formulated, answer.x);
-            if (isLeastIfKnown(state, posed)) {
+            if (holdsAgainstKnown(state, posed) && isNearMinimum(formulated.program, answer.x)) {
                 acceptMotion(std::move(state));
             }
             return;
         }
         if (answer.status == SolverStatus::infeasible || answer.status == SolverStatus::failed) {
-            if (isOnePhase() && reduction_.reason) {
-                acceptAbsence();
-                return;
-            }
-            if (lumped_ && lumped_->absence) {
-                acceptAbsenceOfSums();
-                return;
-            }
-            if (auto proof = proofFor(demands_, formulation)) {
-                acceptAbsence(std::move(*proof), formulation);
+            if (provesAbsence(formulation)) {
                 return;
             }
         }
-        setUndecided(fmt::format("{}: {}; no exact proof of absence was found either",
-                                 result_.solver.name, answer.detail));
+        setUndecided(fmt::format("{}: {}; no exact proof of absence was found either{}",
+                                 result_.solver.name, answer.detail,
+                                 knowsMotion() ? ", and there is none: solver auto knows a motion "
+                                                 "that meets the demands"
+                                               : ""));
     }
 
-    /// Local methods stop at motions that are not of least energy and call them so. Where the least
-    /// is known exactly, and nothing but limits narrows the set, such a claim is not accepted.
-    /// Energy is quadratic near its least: rows at the tolerance allow its root.
-    bool isLeastIfKnown(const State& state, const Demands& posed)
+    /// A solver says that there is no motion: claims absence if that is proved.
+    bool provesAbsence(Formulation formulation)
     {
-        if (posed.objective != Objective::minEnergy || !result_.energyRange ||
-            demands_.energyRatio || !demands_.fixed.empty()) {
+        if (isOnePhase() && reduction_.reason) {
+            acceptAbsence();
             return true;
         }
-        const double claimed = energyRatio(state);
-        const double least = result_.energyRange->least;
-        if (claimed <= least * (1.0 + std::sqrt(options_.tolerance))) {
+        if (lumped_ && lumped_->absence) {
+            acceptAbsenceOfSums();
             return true;
         }
-        setUndecided(fmt::format(
-            "{} returned a motion of {:.6g} E_1 as the one of least energy, which is {:.6g} E_1",
-            result_.route, claimed, least));
-        return false;
+        if (demands_.energyRatio && result_.energyRange && energyIsOutOfRange()) {
+            return true;
+        }
+        if (knowsMotion()) {
+            return false;  // no proof to be looked for
+        }
+        auto proof = proofFor(demands_, formulation);
+        if (proof) {
+            acceptAbsence(std::move(*proof), formulation);
+        }
+        return proof.has_value();
+    }
+
+    [[nodiscard]] bool knowsMotion() const
+    {
+        const std::vector<State> known = knownMotions();
+        return std::any_of(known.begin(), known.end(), [this](const State& state) {
+            return violation(demands_, state, result_.schedule) <= options_.tolerance;
+        });
+    }
+
+    /// Local methods stop at motions that are not extreme and call them so: what is known of the
+    /// set is held against them.
+    bool holdsAgainstKnown(const State& state, const Demands& posed)
+    {
+        if (posed.objective == Objective::maxEnergy && !posed.areLimits() && result_.energyRange &&
+            std::isinf(result_.energyRange->most)) {
+            setUndecided("the energies of the schedule have no bound: no motion has the most");
+            return false;
+        }
+        const auto why =
+            refutation(posed, result_.schedule, state, knownMotions(), options_.tolerance);
+        if (why) {
+            setUndecided(fmt::format("{} returned a motion {}", result_.route, *why));
+        }
+        return !why;
+    }
+
+    /// Where no known motion judges the nearest, its distance from the true one is bounded by
+    /// linear programming.
+    bool isNearMinimum(const Program& program, const Eigen::VectorXd& x)
+    {
+        if (demands_.objective != Objective::nearest || !hasAny({"glpk-simplex"})) {
+            return true;
+        }
+        const auto error =
+            minimumError(program, x, *makeSolver("glpk-simplex"),
+                         {.tolerance = options_.tolerance, .timeLimit = options_.timeLimit});
+        const bool isNear = error && *error <= std::sqrt(options_.tolerance);
+        if (!isNear) {
+            setUndecided(fmt::format(
+                "{} returned a motion that is not shown to be the nearest: {}", result_.route,
+                error ? fmt::format("it may be off by {:.3g} of its size", *error)
+                      : std::string("its error could not be bounded")));
+        } else {
+            result_.routeReason +=
+                fmt::format("; amplitudes off by at most {:.2g} of their root mean square", *error);
+        }
+        return isNear;
     }
 
     [[nodiscard]] SolverOptions solverOptions() const
@@ -606,21 +721,13 @@ private:
     }
 
     /// An exact proof that no motion meets the linear demands, if one can be had.
-    [[nodiscard]] std::optional<InfeasibilityProof> proofFor(Demands demands,
+    [[nodiscard]] std::optional<InfeasibilityProof> proofFor(const Demands& demands,
                                                              Formulation formulation) const
     {
-        demands.objective = Objective::any;
-        demands.target.reset();
-        demands.energyRatio.reset();
-        const Program program = pose(result_.schedule, demands, formulation).program;
-        if (auto proof = proveByOneRow(program)) {
-            return proof;
-        }
-        if (!hasAny({"glpk-simplex"})) {
-            return std::nullopt;
-        }
-        return proveInfeasible(program, *makeSolver("glpk-simplex"),
-                               {.tolerance = options_.tolerance, .timeLimit = options_.timeLimit});
+        const auto simplex =
+            hasAny({"glpk-simplex"}) ? makeSolver("glpk-simplex") : std::unique_ptr<Solver>();
+        return proveUnmet(result_.schedule, demands, formulation, simplex.get(),
+                          {.tolerance = options_.tolerance, .timeLimit = options_.timeLimit});
     }
 
     const FindOptions& options_;

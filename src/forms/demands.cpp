@@ -13,6 +13,8 @@ namespace signorini {
 
 namespace {
 
+/// Squares of distances to a target must be finite.
+constexpr double largestTarget = 1e100;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Triplet = Eigen::Triplet<double>;
@@ -208,6 +210,9 @@ void validate(const Demands& demands, const Schedule& schedule)
             faults.add("cells of the target", target.a.size(), fmt::format("{}", schedule.cells));
         } else if (!target.a.allFinite() || !target.b.allFinite()) {
             faults.add("target", "NaN or infinity", "finite numbers");
+        } else if (amplitude(target) > largestTarget) {
+            faults.add("amplitude of the target", amplitude(target),
+                       fmt::format("at most {}", largestTarget));
         }
     }
     if (demands.energyRatio && demands.objective != Objective::automatic &&
@@ -314,9 +319,9 @@ double violation(const Demands& demands, const State& state, const Schedule& sch
     if (std::isfinite(demands.tipFloor)) {
         worst = std::max(worst, demands.tipFloor - seen.lowestTip);
     }
-    const double size = std::max(1.0, amplitude(state));
     for (const FixedValue& fixed : demands.fixed) {
         const Eigen::VectorXd& wave = fixed.wave == Wave::a ? state.a : state.b;
+        const double size = std::max(1.0, std::abs(fixed.value));
         worst = std::max(worst, std::abs(wave[fixed.cell - 1] - fixed.value) / size);
     }
     if (demands.energyRatio) {

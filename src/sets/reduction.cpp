@@ -277,8 +277,11 @@ std::vector<double> amplitudesOf(const Reduction& reduction, const State& state)
             const std::int64_t m =
                 block * reduction.classes + reduction.firstLive + static_cast<std::int64_t>(j);
             const double p = m < cells ? state.a[cells - 1 - m] : -state.b[m - cells];
-            z[j] += sign * p / static_cast<double>(reduction.window);
+            z[j] += sign * p;
         }
+    }
+    for (double& value : z) {
+        value /= static_cast<double>(reduction.window);  // last: equal terms cancel without a rest
     }
     return z;
 }

@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "signorini/output.hpp"
+#include "signorini/control.hpp"
 
 namespace signorini {
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "signorini/control.hpp"
+
 struct sqlite3;
 struct sqlite3_stmt;
 

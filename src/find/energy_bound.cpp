@@ -1,0 +1,143 @@
+#include "energy_bound.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "program_rows.hpp"
+#include "rational.hpp"
+#include "signorini/class_types.hpp"
+#include "signorini/lumped_set.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// What the sum of S^2/d has to exceed: E/E_1 = 2w/N sum S^2/d at least.
+Rational squaresOf(double energyRatio, const ClassTypes& classes)
+{
+    return Rational(energyRatio) * classes.schedule.cells / (2 * classes.window);
+}
+
+std::vector<const ClassType*> liveTypesOf(const ClassTypes& classes)
+{
+    std::vector<const ClassType*> live;
+    for (const ClassType& type : classes.types) {
+        if (type.isLive()) {
+            live.push_back(&type);
+        }
+    }
+    return live;
+}
+
+/// The bound of one combination: c = A^T y, value = y . r.
+Rational dualBound(const std::vector<const ClassType*>& live, const RationalVector& c,
+                   const Rational& value)
+{
+    Rational bound = 2 * value;
+    for (std::size_t i = 0; i < live.size(); ++i) {
+        if (c[i] > 0 || live[i]->kind == TypeKind::grazing) {
+            bound -= c[i] * c[i] * live[i]->count;
+        }
+    }
+    return bound;
+}
+
+/// The best multiple of the gap row alone, sum windowSum S = -N.
+Rational boundByGap(const std::vector<const ClassType*>& live, std::int64_t cells)
+{
+    Rational square = 0;
+    for (const ClassType* type : live) {
+        // Only those that can help to reach the wall count.
+        if (type->windowSum < 0 || type->kind == TypeKind::grazing) {
+            square += Rational(type->windowSum) * type->windowSum * type->count;
+        }
+    }
+    return square.is_zero() ? Rational(0) : Rational(cells) * cells / square;
+}
+
+/// The combination that the exact projection leaves, evaluated on the rows of the program.
+Rational boundByProjection(const ClassTypes& classes, const std::vector<const ClassType*>& live)
+{
+    const Program program = formulate(classes.schedule, Formulation::lumped).program;
+    const auto rows = ProgramRows::of(program);
+    if (!rows) {
+        return 0;
+    }
+    std::vector<std::int64_t> counts;
+    for (const ClassType* type : live) {
+        counts.push_back(type->count);
+    }
+    const Projection nearest = project(*rows, RationalVector(live.size()), counts);
+    if (!nearest.isFeasible) {
+        return 0;
+    }
+    RationalVector c(live.size());
+    Rational value = 0;
+    for (const auto& [row, weight] : nearest.rows) {
+        const std::int64_t k = row.tag;
+        const std::int64_t p = program.equalities.rows();
+        if (k >= p + program.inequalities.rows()) {
+            continue;  // S >= 0: dualBound knows
+        }
+        const bool isEquality = k < p;
+        if (!isEquality && weight < 0) {
+            return 0;
+        }
+        const auto& matrix = isEquality ? program.equalities : program.inequalities;
+        const double rhs = isEquality ? program.equalityRhs[k] : program.inequalityRhs[k - p];
+        const int sign = isEquality ? 1 : -1;  // the program says <=
+        using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+        for (Rows::InnerIterator entry(matrix, isEquality ? k : k - p); entry; ++entry) {
+            c[static_cast<std::size_t>(entry.col())] += weight * Rational(entry.value()) * sign;
+        }
+        value += weight * Rational(rhs) * sign;
+    }
+    return dualBound(live, c, value);
+}
+
+/// The largest sum of squares of steps between 0, corners -1 or 0 and the end -1, in units of N.
+std::int64_t mostOfCorners(std::int64_t count)
+{
+    constexpr std::int64_t impossible = -1;
+    std::array<std::int64_t, 2> best{0, impossible};  // at 0, at -1
+    for (std::int64_t j = 0; j < count; ++j) {
+        const auto [up, down] = best;
+        best = {std::max(up, down < 0 ? impossible : down + 1), std::max(up + 1, down)};
+    }
+    return best[1];
+}
+
+}  // namespace
+
+bool exceedEnergy(const Schedule& schedule, double energyRatio)
+{
+    const ClassTypes classes = classTypes(schedule);
+    const auto live = liveTypesOf(classes);
+    const Rational wanted = squaresOf(energyRatio, classes);
+    if (boundByGap(live, classes.schedule.cells) > wanted) {
+        return true;
+    }
+    constexpr std::int64_t mostSteps = 10'000'000;  // of the delay sequence in memory
+    return live.size() <= maxLiveTypes && steps(classes.schedule) <= mostSteps &&
+           boundByProjection(classes, live) > wanted;
+}
+
+bool stayBelowEnergy(const Schedule& schedule, double energyRatio)
+{
+    const ClassTypes classes = classTypes(schedule);
+    const auto live = liveTypesOf(classes);
+    if (schedule.phases.size() != 1 || live.size() != 1 || live.front()->windowSum == 0) {
+        return false;
+    }
+    const ClassType& type = *live.front();
+    const Rational sum = Rational(-classes.schedule.cells) / type.windowSum;
+    // On a grazing box Z runs from -N to 0, which is as far as from 0 to S.
+    if (type.kind == TypeKind::grazing && type.windowSum != 1) {
+        return false;
+    }
+    const std::int64_t corners = type.kind == TypeKind::grazing ? mostOfCorners(type.count) : 1;
+    return sum * sum * corners < squaresOf(energyRatio, classes);
+}
+
+}  // namespace signorini
