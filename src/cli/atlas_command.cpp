@@ -238,7 +238,7 @@ ExitStatus AtlasCommand::answer(const Query& query) const
         gapsOf(answer, query.point ? std::optional((*query.point)[1] * (1.0 + query.distance))
                                    : std::nullopt);
     if (!gaps.empty() && !common.quiet) {
-        fmt::print(stderr, "signorini atlas: {}\n", gaps);
+        tell(fmt::format("signorini atlas: {}\n", gaps));
     }
     if (isQuery()) {
         writeOut(common.wantsJson() ? asJson(answer, gaps.empty()) : asText(answer));
@@ -300,10 +300,10 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     writeOut(common.wantsJson() ? asJson(run, database) : asText(run, database));
     if (!run.isFinished()) {
         if (!common.quiet) {
-            fmt::print(stderr,
-                       "signorini atlas: interrupted after {} of {} batches; the same call with "
-                       "--resume goes on\n",
-                       run.nextBatch, run.batches);
+            tell(
+                fmt::format("signorini atlas: interrupted after {} of {} batches; the same call "
+                            "with --resume goes on\n",
+                            run.nextBatch, run.batches));
         }
         return exitUndecided;
     }
