@@ -124,8 +124,8 @@ int spawnGnuplot(const NamelessFile& script, const NamelessFile& picture,
     posix_spawn_file_actions_adddup2(&actions, picture.descriptor(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, messages.descriptor(), STDERR_FILENO);
     std::string program = "gnuplot";
-    std::string defaults = "-d";  // without the user's own settings
-    std::string input = "-";
+    std::string defaults = "-d";       // without the user's own settings
+    std::string input = "/dev/stdin";  // by this name it is read in blocks, as "-" byte by byte
     const std::array<char*, 4> arguments{program.data(), defaults.data(), input.data(), nullptr};
     pid_t child = 0;
     const int error =

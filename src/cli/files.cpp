@@ -28,12 +28,12 @@ void validateOutputs(const std::vector<OutputOption>& outputs)
         if (path.empty()) {
             continue;
         }
+        (void)forFile(option, path, [&path = path] { return outputPlace(path); });
         if (isStandardOutput(path)) {
             faults.add(option, path, "another file than standard output, where the report goes");
         }
         for (std::size_t k = i + 1; k < outputs.size(); ++k) {
-            if (!outputs[k].path.empty() &&
-                forFile(option, path, [&] { return isSameOutput(path, outputs[k].path); })) {
+            if (!outputs[k].path.empty() && isSameOutput(path, outputs[k].path)) {
                 faults.add(fmt::format("{} and {}", option, outputs[k].option), path,
                            "two different files");
             }

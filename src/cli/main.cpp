@@ -103,8 +103,9 @@ Words wordsOf(int argc, char** argv)
     const auto end = std::find(words.begin(), words.end(), "--");
     for (auto word = words.begin(); word != end; ++word) {
         if (word->starts_with("--") && word->find('=') == word->size() - 1) {
-            throw std::invalid_argument(
-                fmt::format("{} '' is out of range: allowed a value", shortened(*word)));
+            Faults faults;
+            faults.add(shortened(word->substr(0, word->size() - 1)), "''", "a value");
+            faults.throwIfAny();
         }
     }
     return {{words.begin(), end}, {end == words.end() ? end : end + 1, words.end()}};

@@ -10,8 +10,8 @@ TEST_CASE("cli: an empty value is refused for every option of every command")
         const char* words;
         std::vector<const char*> options;
     };
-    const std::vector<const char*> common{"cells",   "length",  "wave-speed", "axial-stiffness",
-                                          "gap",     "young",   "density",    "area",
+    const std::vector<const char*> common{"cells",   "length", "wave-speed", "axial-stiffness",
+                                          "gap",     "young",  "density",    "area",
                                           "threads", "format"};
     const Program program;
     for (const Command& command :
@@ -48,8 +48,8 @@ TEST_CASE("cli: two dashes end the options, wherever they stand among the step c
     const Program program;
     const std::string whole = program.run("find 5 23 --cells 8").out;
     CHECK_THAT(whole, containsText("found"));
-    for (const char* words : {"--cells 8 5 -- 23", "--cells 8 -- 5 23", "--cells 8 5 23 --",
-                              "5 --cells 8 -- 23"}) {
+    for (const char* words :
+         {"--cells 8 5 -- 23", "--cells 8 -- 5 23", "--cells 8 5 23 --", "5 --cells 8 -- 23"}) {
         INFO(words);
         const auto outcome = program.run(std::string("find ") + words);
         CHECK(outcome.status == 0);
