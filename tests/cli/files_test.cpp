@@ -56,8 +56,8 @@ TEST_CASE("cli: standard error that is full or closed changes neither status nor
         CHECK(status("continuum 2 4 --cells 2 --energy-ratio 4 --csv k.csv") == 1);
         CHECK(status("atlas --database a.sqlite --near 1.1 400") == 0);
         CHECK(program.files() == 1);
-        CHECK(status("find 3 61 --cells 8 --motion m.csv") == 0);
-        CHECK(lines(contentOf(program.file("m.csv"))) == 1 + 29 * 9);
+        CHECK(status("find 3 93 --cells 8 --motion m.csv") == 0);
+        CHECK(lines(contentOf(program.file("m.csv"))) == 1 + 65 * 9);
         CHECK_THAT(contentOf(program.file("m.csv")), !containsText("signorini"));
         fs::remove(program.file("m.csv"));
     }
@@ -146,11 +146,11 @@ TEST_CASE("cli: when one file cannot be put into place none is, and the option i
     // the figure until then.
     const std::string figure =
         fakeGnuplot(program, "echo '<svg>" + std::string(64, ' ') + "</svg>'\n");
-    const auto outcome =
-        program.run(small + "--state s.csv --motion m.csv --figure f.svg",
-                    "mkfifo f.svg; (until [ \"$(ls -A | grep -c '^.signorini')\" = 2 ]; do "
-                    "sleep 0.01; done; mkdir m.csv; cat f.svg >read.txt) & " +
-                        figure);
+    const auto outcome = program.run(
+        small + "--state s.csv --motion m.csv --figure f.svg",
+        "mkfifo f.svg; (for i in $(seq 500); do [ \"$(ls -A | grep -c '^.signorini')\" = 2 ] && "
+        "mkdir m.csv && cat f.svg >read.txt && exit; sleep 0.01; done) & " +
+            figure);
     INFO(outcome.err);
     CHECK(outcome.status == 4);
     CHECK_THAT(outcome.err, containsText("--motion m.csv: cannot replace"));
@@ -166,7 +166,9 @@ TEST_CASE("cli: a pipe receives a file like a folder does")
     const auto outcome =
         program.run(small + "--state pipe --motion m.csv", "mkfifo pipe; cat pipe >read.csv &");
     CHECK(outcome.status == 0);
-    while (contentOf(program.file("read.csv")).size() < contentOf(program.file("s.csv")).size()) {
+    for (int k = 0; k < 5000 && contentOf(program.file("read.csv")).size() <
+                                    contentOf(program.file("s.csv")).size();
+         ++k) {
         (void)usleep(1000);
     }
     CHECK(contentOf(program.file("read.csv")) == contentOf(program.file("s.csv")));
@@ -220,8 +222,8 @@ TEST_CASE("cli: no name of a folder or file is a command of gnuplot")
         return;
     }
     const Program program;
-    for (const char* name : {"x'; system 'touch ran'; y='", "x\"; system \"touch ran\"; y=\"",
-                             "`touch ran`", "$(touch ran)", "two\nsystem 'touch ran'\n"}) {
+    for (const char* name :
+         {"x'; system 'touch ran'; y='", "\"`touch ran`\nsystem 'touch ran'\n"}) {
         fs::create_directory(program.file(name));
         const std::string figure = std::string(name) + "/" + name + ".svg";
         const auto outcome = program.run(small + "--figure " + quoted(figure),
