@@ -22,13 +22,17 @@ bool isStandardOutput(const std::string& path)
 
 void validateOutputs(const std::vector<OutputOption>& outputs)
 {
+    for (const auto& [option, path] : outputs) {
+        if (!path.empty()) {
+            (void)forFile(option, path, [&path = path] { return outputPlace(path); });
+        }
+    }
     Faults faults;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [option, path] = outputs[i];
         if (path.empty()) {
             continue;
         }
-        (void)forFile(option, path, [&path = path] { return outputPlace(path); });
         if (isStandardOutput(path)) {
             faults.add(option, path, "another file than standard output, where the report goes");
         }
