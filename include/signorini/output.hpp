@@ -14,6 +14,7 @@
 #include "signorini/continuum.hpp"
 #include "signorini/control.hpp"
 #include "signorini/motion.hpp"
+#include "signorini/schedule.hpp"
 #include "signorini/state.hpp"
 
 namespace signorini {
@@ -44,11 +45,18 @@ private:
     std::string buffer_;
 };
 
+/// Where the file of a name goes: absolute, and without links even if they lead to what does not
+/// exist yet. \throws FileError on a loop, a missing folder, a name too long.
+[[nodiscard]] std::filesystem::path outputPlace(const std::string& path);
+
+/// Whether two names stand for one file, through links of every kind. \throws FileError.
+[[nodiscard]] bool isSameOutput(const std::string& path, const std::string& other);
+
 /// A set of files that appear together: each is written under a temporary name beside its target,
-/// and `commit` renames all of them into place, which fails only if the file system changes
-/// meanwhile. What is not committed is removed. Existing files keep their permissions, symbolic
-/// links are followed, and a target that is no regular file (a pipe) receives its content at
-/// `commit`.
+/// and `commit` renames all of them into place; if one cannot be, those before it are put back.
+/// What is not committed is removed. Existing files keep their permissions, symbolic links are
+/// followed, and a target that is no regular file (a pipe) receives its content at `commit`, after
+/// all others are in place: only what has gone into such a target cannot be taken back.
 class OutputFiles {
 public:
     OutputFiles() = default;
@@ -56,19 +64,30 @@ public:
     OutputFiles& operator=(const OutputFiles&) = delete;
     ~OutputFiles();
 
-    /// The temporary name to write to. \throws FileError if `path` is a directory or read-only, or
-    /// its folder does not exist or cannot be written to.
-    [[nodiscard]] std::string stage(const std::string& path);
+    /// The temporary name to write to; errors of `commit` call the file `name`, or else its path.
+    /// \throws FileError if `path` is a directory or read-only, or its folder does not exist or
+    /// cannot be written to.
+    [[nodiscard]] std::string stage(const std::string& path, const std::string& name = {});
 
-    /// Puts every staged file into place. \throws FileError.
+    /// Where `commit` keeps a file for the time it may have to be put back.
+    [[nodiscard]] static std::string keptName(const std::string& staged) { return staged + "~"; }
+
+    /// Puts every staged file into place, or none. \throws FileError.
     void commit();
 
 private:
     struct Entry {
         std::string staged;
         std::string target;
+        std::string name;
         bool isRegular;
+        bool isKept = false;    ///< the former file is at keptName(staged), too
+        bool isPlaced = false;  ///< the target is the new file
     };
+
+    static void replace(Entry& entry, bool keepsOld);
+    static void restore(const Entry& entry);
+
     std::vector<Entry> entries_;
 };
 
@@ -76,10 +95,13 @@ private:
 /// u(x_i); [m], [-], [-], [m/s], [-], [m] with v = c (a + b), s = b - a. \throws FileError.
 void writeStateCsv(const std::string& path, const State& state, const Bar& bar);
 
-/// Reads columns a and b of such a file, wherever they stand; other columns are not needed.
-/// \throws FileError if it cannot be read, std::invalid_argument naming file, line and fault if it
-/// has no such columns, no rows, or a value that is no finite number.
-[[nodiscard]] State readStateCsv(const std::string& path, const Bar& bar);
+/// Reads columns a and b of such a file, wherever they stand; the numbers in other columns are not
+/// needed. The file may be a pipe. A file that was cut short does not pass: every row has as many
+/// fields as the header and ends with a newline. At most `mostCells` rows are read.
+/// \throws FileError if it cannot be read, std::invalid_argument naming file, line, column and
+/// fault if it has no such columns, no rows or too many, or a value that is no finite number.
+[[nodiscard]] State readStateCsv(const std::string& path, const Bar& bar,
+                                 std::int64_t mostCells = maxCells);
 
 /// Most nodes and instants in a motion file; longer motions are thinned out evenly.
 inline constexpr std::int64_t maxMotionNodes = 1001;

@@ -8,8 +8,30 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace signorini {
+
+/// Text for a message: the middle of what is long is left out.
+inline std::string shortened(std::string_view text, std::size_t most = 60)
+{
+    if (text.size() <= most) {
+        return std::string(text);
+    }
+    // A character of several bytes stays whole.
+    const auto isInside = [text](std::size_t at) {
+        return (static_cast<unsigned char>(text[at]) & 0xC0U) == 0x80U;
+    };
+    std::size_t head = most * 2 / 3;
+    std::size_t tail = text.size() - (most - head);
+    for (int k = 0; k < 3 && isInside(head); ++k) {
+        --head;
+    }
+    for (int k = 0; k < 3 && tail < text.size() && isInside(tail); ++k) {
+        ++tail;
+    }
+    return fmt::format("{}…{}", text.substr(0, head), text.substr(tail));
+}
 
 /// One line per check: field, value, allowed range, and what to do about it.
 class Faults {
@@ -21,7 +43,12 @@ public:
         if (!text_.empty()) {
             text_ += "; ";
         }
-        text_ += fmt::format("{} = {} is out of range: allowed {}", field, value, allowed);
+        if constexpr (std::is_convertible_v<Value, std::string_view>) {
+            text_ += fmt::format("{} = {} is out of range: allowed {}", field, shortened(value),
+                                 allowed);
+        } else {
+            text_ += fmt::format("{} = {} is out of range: allowed {}", field, value, allowed);
+        }
         if (!remedy.empty()) {
             text_ += fmt::format(" ({})", remedy);
         }

@@ -24,13 +24,13 @@ namespace {
 constexpr std::int64_t maxThreads = 1024;
 
 // What the signal handler can reach: a plain array, written before the handler is installed.
-std::array<std::array<char, 4096>, 8> stagedPaths;
-std::size_t stagedCount = 0;
+std::array<std::array<char, 4096>, 16> stagedPaths;
+volatile std::sig_atomic_t stagedCount = 0;
 
 extern "C" void removeStagedAndQuit(int number)
 {
-    for (std::size_t k = 0; k < stagedCount; ++k) {
-        (void)unlink(stagedPaths[k].data());
+    for (std::sig_atomic_t k = 0; k < stagedCount; ++k) {
+        (void)unlink(stagedPaths[static_cast<std::size_t>(k)].data());
     }
     _exit(128 + number);
 }
@@ -75,14 +75,20 @@ void writeOut(std::string_view text)
     }
 }
 
+void tell(std::string_view text) noexcept
+{
+    (void)std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
 void removeOnSignal(const std::string& path)
 {
-    if (stagedCount == stagedPaths.size() || path.size() >= stagedPaths.front().size()) {
+    const auto count = static_cast<std::size_t>(stagedCount);
+    if (count == stagedPaths.size() || path.size() >= stagedPaths.front().size()) {
         return;
     }
-    std::copy(path.begin(), path.end(), stagedPaths[stagedCount].begin());
-    stagedPaths[stagedCount][path.size()] = '\0';
-    ++stagedCount;
+    std::copy(path.begin(), path.end(), stagedPaths[count].begin());
+    stagedPaths[count][path.size()] = '\0';
+    stagedCount = static_cast<std::sig_atomic_t>(count + 1);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         (void)std::signal(number, removeStagedAndQuit);
     }
@@ -132,9 +138,11 @@ void CommonOptions::addTo(CLI::App& command)
     command.add_option("--threads", threads, "most threads to use (1)")->type_name("K");
     for (CLI::Option* option : command.get_options()) {
         if (option->get_name().starts_with("--") && option->get_items_expected_max() > 0) {
-            option->check([](const std::string& value) {
-                return value.empty() ? std::string("'' is out of range: allowed a value")
-                                     : std::string();
+            option->check([&command](const std::string& value) {
+                return value.empty() ? "'' is out of range: allowed a value"
+                       : value.starts_with("--") && command.get_option_no_throw(value) != nullptr
+                           ? fmt::format("{} is an option: allowed a value", value)
+                           : std::string();
             });
         }
     }

@@ -32,6 +32,9 @@ enum ExitStatus : int {
 /// Writes to standard output, whole or with an error. \throws FileError.
 void writeOut(std::string_view text);
 
+/// Words for people, to standard error. Where they cannot be written they are lost, not the work.
+void tell(std::string_view text) noexcept;
+
 /// Stops the removal of temporary files from being skipped when a signal ends the program: files
 /// staged later under `path` are removed by the handlers of SIGINT, SIGTERM and SIGHUP.
 void removeOnSignal(const std::string& path);

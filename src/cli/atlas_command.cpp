@@ -250,7 +250,7 @@ ExitStatus AtlasCommand::answer(const Query& query) const
     draw(atlas, query.cells, pictures);
     const std::string gaps = gapsOf(answer);
     if (!gaps.empty() && !common.quiet) {
-        fmt::print(stderr, "signorini atlas: {}\n", gaps);
+        tell(fmt::format("signorini atlas: {}\n", gaps));
     }
     if (isQuery()) {
         writeOut(common.wantsJson() ? asJson(answer, gaps.empty()) : asText(answer));
@@ -272,8 +272,8 @@ void AtlasCommand::fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks,
     }
     LocalBatches source(run.range, options.threads, options.cancel, run.nextBatch);
     if (source.threads() < options.threads && !common.quiet) {
-        fmt::print(stderr, "signorini atlas: {} of {} threads could start; they do the work\n",
-                   source.threads(), options.threads);
+        tell(fmt::format("signorini atlas: {} of {} threads could start; they do the work\n",
+                   source.threads(), options.threads));
     }
     fillAtlas(atlas, run, source, fmt::format("{} threads", source.threads()), options);
 }
@@ -324,7 +324,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
         if (!isRequested(options.cancel)) {
             throw;
         }
-        fmt::print(stderr, "signorini atlas: interrupted: {}\n", error.what());
+        tell(fmt::format("signorini atlas: interrupted: {}\n", error.what()));
         return exitUndecided;
     }
     progress.reset();
@@ -335,10 +335,10 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     writeOut(common.wantsJson() ? asJson(run, database, bar) : asText(run, database));
     if (!run.isFinished()) {
         if (!common.quiet) {
-            fmt::print(stderr,
-                       "signorini atlas: interrupted after {} of {} batches; the same call with "
-                       "--resume goes on\n",
-                       run.nextBatch, run.batches);
+            tell(
+                fmt::format("signorini atlas: interrupted after {} of {} batches; the same call "
+                            "with --resume goes on\n",
+                            run.nextBatch, run.batches));
         }
         return exitUndecided;
     }

@@ -65,11 +65,16 @@ ContinuumOptions parseOptions(const ContinuumCommand& words)
             throw std::invalid_argument(
                 "--seed and --sample clash with --from: allowed one of them");
         }
-        options.from = readStateCsv(words.fromFile, options.bar);
+        const auto read = [&](const char* option, const std::string& path) {
+            return forFile(option, path, [&] {
+                return readStateCsv(path, options.bar, words.common.parseCells());
+            });
+        };
+        options.from = read("--from", words.fromFile);
         if (!words.toFile.empty()) {
-            options.to = readStateCsv(words.toFile, options.bar);
+            options.to = read("--to", words.toFile);
         } else {
-            options.direction = readStateCsv(words.directionFile, options.bar);
+            options.direction = read("--direction", words.directionFile);
         }
     }
     return options;
@@ -220,7 +225,7 @@ ExitStatus ContinuumCommand::run() const
         }
         files.commit();
     } else if ((!csv.empty() || !figure.empty()) && !common.quiet) {
-        fmt::print(stderr, "signorini continuum: no motion to write, so no file was written\n");
+        tell("signorini continuum: no motion to write, so no file was written\n");
     }
     writeOut(json ? asJson(curve) : asText(curve));
     return exitStatusOf(curve.status);

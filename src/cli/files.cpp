@@ -3,8 +3,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <filesystem>
-
 #include "arguments.hpp"
 #include "faults.hpp"
 
@@ -24,9 +22,11 @@ bool isStandardOutput(const std::string& path)
 
 void validateOutputs(const std::vector<OutputOption>& outputs)
 {
-    const auto place = [](const std::string& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path));
-    };
+    for (const auto& [option, path] : outputs) {
+        if (!path.empty()) {
+            (void)forFile(option, path, [&path = path] { return outputPlace(path); });
+        }
+    }
     Faults faults;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
         const auto& [option, path] = outputs[i];
@@ -37,7 +37,7 @@ void validateOutputs(const std::vector<OutputOption>& outputs)
             faults.add(option, path, "another file than standard output, where the report goes");
         }
         for (std::size_t k = i + 1; k < outputs.size(); ++k) {
-            if (!outputs[k].path.empty() && place(path) == place(outputs[k].path)) {
+            if (!outputs[k].path.empty() && isSameOutput(path, outputs[k].path)) {
                 faults.add(fmt::format("{} and {}", option, outputs[k].option), path,
                            "two different files");
             }
@@ -51,9 +51,11 @@ std::string stage(OutputFiles& files, const OutputOption& output)
     if (output.path.empty()) {
         return {};
     }
-    std::string staged =
-        forFile(output.option, output.path, [&] { return files.stage(output.path); });
+    std::string staged = forFile(output.option, output.path, [&] {
+        return files.stage(output.path, fmt::format("{} {}", output.option, output.path));
+    });
     removeOnSignal(staged);
+    removeOnSignal(OutputFiles::keptName(staged));
     return staged;
 }
 

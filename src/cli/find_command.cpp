@@ -3,7 +3,6 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <cstdio>
 
 #include "faults.hpp"
 #include "files.hpp"
@@ -68,7 +67,9 @@ FindOptions parseOptions(const FindCommand& words)
         if (options.objective != Objective::nearest) {
             throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
         }
-        options.target = readStateCsv(words.targetFile, options.bar);
+        options.target = forFile("--target", words.targetFile, [&] {
+            return readStateCsv(words.targetFile, options.bar, words.common.parseCells());
+        });
     }
     if (!words.tolerance.empty()) {
         options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
@@ -113,7 +114,9 @@ void FindCommand::addTo(CLI::App& command)
         ->type_name("auto|state|reduced|lumped");
     command.add_option("--objective", objective, "which motion of the set (least energy)")
         ->type_name("any|min-energy|max-energy|min-peak-strain|max-impulse|nearest");
-    command.add_option("--target", targetFile, "state to come nearest to, as --state writes it")
+    command
+        .add_option("--target", targetFile,
+                    "state to come nearest to, as --state writes it; may be a pipe")
         ->type_name("FILE.csv");
     command.add_option("--energy-ratio", energyRatio, "hold E/E_1 = X")->type_name("X");
     command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")
@@ -153,10 +156,10 @@ ExitStatus FindCommand::run() const
         if (!motion.empty()) {
             const Motion field(result.state, schedule);
             if (field.steps() < signorini::steps(schedule) && !common.quiet) {
-                fmt::print(stderr,
-                           "signorini find: --motion holds {} of {} steps: the others repeat free "
-                           "oscillations\n",
-                           field.steps(), signorini::steps(schedule));
+                tell(
+                    fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
+                                "free oscillations\n",
+                                field.steps(), signorini::steps(schedule)));
             }
             forFile("--motion", motionFile, [&] {
                 (isVtk(motionFile) ? writeMotionVtk : writeMotionCsv)(motion, field, options.bar);
@@ -168,7 +171,7 @@ ExitStatus FindCommand::run() const
         }
         files.commit();
     } else if (wantsFiles && !common.quiet) {
-        fmt::print(stderr, "signorini find: no motion to write, so no file was written\n");
+        tell("signorini find: no motion to write, so no file was written\n");
     }
     writeOut(json ? asJson(result) : asText(result));
     return exitStatusOf(result.status);

@@ -1,18 +1,21 @@
 // The program signorini: reads the command line, runs one command, turns trouble into exit status.
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <cctype>
 #include <csignal>
-#include <cstdio>
+#include <filesystem>
 #include <new>
 #include <sstream>
 
 #include "atlas_command.hpp"
 #include "continuum_command.hpp"
+#include "faults.hpp"
 #include "find_command.hpp"
 #include "modes_command.hpp"
 #include "ranks.hpp"
@@ -49,28 +52,78 @@ bool looksLikeNumber(const std::string& word)
 
 int complain(ExitStatus status, std::string_view text)
 {
-    fmt::print(stderr, "signorini: {}\n", onOneLine(std::string(text)));
+    constexpr std::size_t longest = 4000;  // a path may be as long as that
+    tell(fmt::format("signorini: {}\n", shortened(onOneLine(std::string(text)), longest)));
     return status;
 }
 
-/// The first number CLI11 did not know where to put, as the step count it was meant to be where a
+/// Text for words that are not expected: a number is the step count it was meant to be where a
 /// command takes some.
-std::string explainExtras(const CLI::App& app, const std::string& message)
+std::string explainExtras(const std::vector<std::string>& words, bool takesSteps)
 {
-    for (const std::string& word : app.remaining(true)) {
-        if (looksLikeNumber(word) && !app.got_subcommand("find") &&
-            !app.got_subcommand("continuum")) {
+    for (const std::string& word : words) {
+        if (looksLikeNumber(word) && !takesSteps) {
             return fmt::format(
-                "number = {} is out of range: allowed numbers > 0, each after an "
-                "option that takes it",
-                word);
+                "number = {} is out of range: allowed numbers > 0, each after an option that takes "
+                "it",
+                shortened(word));
         }
         if (looksLikeNumber(word)) {
-            return fmt::format("step count = {} is out of range: allowed whole numbers 1..{}", word,
-                               maxSteps);
+            return fmt::format("step count = {} is out of range: allowed whole numbers 1..{}",
+                               shortened(word), maxSteps);
+        }
+    }
+    std::string text;
+    for (const std::string& word : words) {
+        text += (text.empty() ? "" : " ") + shortened(word);
+    }
+    return fmt::format("{} is not expected; see signorini --help", text);
+}
+
+/// Names the option that was given more often than once, if that is what went wrong.
+std::string explainMismatch(const CLI::App& command, const std::string& message)
+{
+    for (const CLI::Option* option : command.get_options()) {
+        const int most = option->get_items_expected_max();
+        const auto given = static_cast<int>(option->count());
+        if (most > 0 && given >= 2 * most) {
+            return fmt::format("{} is given {} times: allowed once", option->get_name(),
+                               given / most);
         }
     }
     return message;
+}
+
+/// The command line, cut at the first "--": what follows it are step counts.
+struct Words {
+    std::vector<std::string> before;
+    std::vector<std::string> after;
+};
+
+/// \throws std::invalid_argument on "--option=" with no value: CLI11 would take the next word.
+Words wordsOf(int argc, char** argv)
+{
+    const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+    const auto end = std::find(words.begin(), words.end(), "--");
+    for (auto word = words.begin(); word != end; ++word) {
+        if (word->starts_with("--") && word->find('=') == word->size() - 1) {
+            Faults faults;
+            faults.add(shortened(word->substr(0, word->size() - 1)), "''", "a value");
+            faults.throwIfAny();
+        }
+    }
+    return {{words.begin(), end}, {end == words.end() ? end : end + 1, words.end()}};
+}
+
+/// Holds 0, 1 and 2, or a file opened later gets one of them and with it what is meant for people.
+/// Using them fails as if they were closed.
+void occupyStandardStreams()
+{
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (fcntl(descriptor, F_GETFD) < 0) {
+            (void)open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+        }
+    }
 }
 
 int run(int argc, char** argv)
@@ -101,7 +154,17 @@ int run(int argc, char** argv)
         "Exit status: 0 found, 1 proved that none exists, 2 wrong use, 3 undecided,\n"
         "4 a file, database or back end could not be used.");
     try {
-        app.parse(argc, argv);
+        const Words words = wordsOf(argc, argv);
+        app.parse(std::vector<std::string>(words.before.rbegin(), words.before.rend()));
+        std::vector<std::string>* steps = findApp.parsed()        ? &find.steps
+                                          : continuumApp.parsed() ? &continuum.steps
+                                                                  : nullptr;
+        if (steps == nullptr && !words.after.empty()) {
+            return complain(exitWrongUse, explainExtras(words.after, false));
+        }
+        if (steps != nullptr) {
+            steps->insert(steps->end(), words.after.begin(), words.after.end());
+        }
     } catch (const CLI::CallForVersion&) {
         writeOut(versionText());
         return exitFound;
@@ -110,10 +173,11 @@ int run(int argc, char** argv)
         (void)app.exit(success, help, help);
         writeOut(help.str());
         return exitFound;
-    } catch (const CLI::ExtrasError& error) {
-        return complain(exitWrongUse, explainExtras(app, error.what()));
+    } catch (const CLI::ExtrasError&) {
+        return complain(exitWrongUse, explainExtras(app.remaining(true), app.got_subcommand("find") || app.got_subcommand("continuum")));
     } catch (const CLI::RequiredError&) {
-        const std::string given = argc > 1 ? fmt::format(" = {}", argv[1]) : " is missing";
+        const std::string given =
+            argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";
         return complain(
             exitWrongUse,
             fmt::format("command{}: allowed find|continuum|modes|atlas; see signorini --help",
@@ -121,6 +185,9 @@ int run(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         text = text.substr(0, text.find('\n'));
+        for (const CLI::App* command : app.get_subcommands()) {
+            text = explainMismatch(*command, text);
+        }
         return complain(exitWrongUse, text + "; see signorini --help");
     }
     if (atlasApp.parsed()) {
@@ -139,6 +206,7 @@ int main(int argc, char** argv)
     // A closed pipe and a file size limit are writes that fail, not the end of the program.
     (void)std::signal(SIGPIPE, SIG_IGN);
     (void)std::signal(SIGXFSZ, SIG_IGN);
+    occupyStandardStreams();
     handOverToMpi(argv);
     int status = exitUndecided;
     try {
@@ -146,6 +214,8 @@ int main(int argc, char** argv)
     } catch (const std::invalid_argument& error) {
         return complain(exitWrongUse, error.what());
     } catch (const FileError& error) {
+        return complain(exitUnavailable, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
         return complain(exitUnavailable, error.what());
     } catch (const BackendUnavailable& error) {
         return complain(exitUnavailable, error.what());

@@ -172,8 +172,8 @@ ExitStatus ModesCommand::run() const
         listing.isComplete = !isRequested(interrupt.cancel());
     }
     if (!listing.isComplete && !common.quiet) {
-        fmt::print(stderr, "signorini modes: interrupted; the list is not complete{}\n",
-                   figure.empty() ? "" : ", so no figure was drawn");
+        tell(fmt::format("signorini modes: interrupted; the list is not complete{}\n",
+                         figure.empty() ? "" : ", so no figure was drawn"));
     }
     if (!figure.empty() && listing.isComplete) {
         forFile("--figure", figureFile,

@@ -4,7 +4,8 @@
 #include <unistd.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include "arguments.hpp"
 
 namespace signorini::cli {
 
@@ -13,7 +14,7 @@ Progress::Progress(bool wanted) : shown_(wanted && isatty(STDERR_FILENO) != 0) {
 Progress::~Progress()
 {
     if (isDirty_) {
-        fmt::print(stderr, "\r\033[K");
+        tell("\r\033[K");
     }
 }
 
@@ -33,11 +34,10 @@ void Progress::show(std::string_view words, double done, double total)
     isDirty_ = true;
     const double seconds = std::chrono::duration<double>(now - start_).count();
     const double left = (total - done) / (done - before_) * seconds;
-    fmt::print(stderr, "\r{:.1f} %, {}, {} left\033[K", 100.0 * done / total, words,
-               left < 120.0    ? fmt::format("{:.0f} s", std::ceil(left))
-               : left < 7200.0 ? fmt::format("{:.0f} min", left / 60.0)
-                               : fmt::format("{:.1f} h", left / 3600.0));
-    (void)std::fflush(stderr);
+    tell(fmt::format("\r{:.1f} %, {}, {} left\033[K", 100.0 * done / total, words,
+                     left < 120.0    ? fmt::format("{:.0f} s", std::ceil(left))
+                     : left < 7200.0 ? fmt::format("{:.0f} min", left / 60.0)
+                                     : fmt::format("{:.1f} h", left / 3600.0)));
 }
 
 }  // namespace signorini::cli

@@ -206,8 +206,9 @@ FigureFormat figureFormat(const std::string& path)
     if (endsWith(".pdf")) {
         return FigureFormat::pdf;
     }
-    throw std::invalid_argument(fmt::format(
-        "figure = {} is out of range: allowed a name ending in .svg, .png or .pdf", path));
+    throw std::invalid_argument(
+        fmt::format("figure = {} is out of range: allowed a name ending in .svg, .png or .pdf",
+                    shortened(path)));
 }
 
 void drawMotion(const PeriodicResult& result, FigureFormat format, const std::string& path)

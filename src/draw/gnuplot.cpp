@@ -10,11 +10,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
@@ -24,32 +22,63 @@ namespace signorini {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A folder that vanishes with all it holds.
-class TemporaryFolder {
+/// A temporary file without a name: it vanishes with the last program that has it open, however
+/// that ends, and no name of a folder can get into a script.
+class NamelessFile {
 public:
-    TemporaryFolder()
+    NamelessFile()
     {
-        std::string pattern = (temporaryDirectory() / "signorini-XXXXXX").string();
-        if (mkdtemp(pattern.data()) == nullptr) {
-            throw FileError(
-                pattern, fmt::format("cannot create: {}", std::generic_category().message(errno)));
+        std::string name = (temporaryDirectory() / "signorini-XXXXXX").string();
+        descriptor_ = mkstemp(name.data());
+        if (descriptor_ < 0) {
+            fail("create");
         }
-        path_ = pattern;
+        (void)unlink(name.c_str());
+        (void)fcntl(descriptor_, F_SETFD, FD_CLOEXEC);
     }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder()
-    {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
+    explicit NamelessFile(std::string_view content) : NamelessFile() { write(content); }
+    NamelessFile(const NamelessFile&) = delete;
+    NamelessFile& operator=(const NamelessFile&) = delete;
+    ~NamelessFile() { ::close(descriptor_); }
 
-    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
+    [[nodiscard]] int descriptor() const { return descriptor_; }
+
+    [[nodiscard]] std::string content() const
+    {
+        std::string text;
+        std::vector<char> block(std::size_t{1} << 16);
+        ssize_t count = 0;
+        while ((count = pread(descriptor_, block.data(), block.size(),
+                              static_cast<off_t>(text.size()))) > 0) {
+            text.append(block.data(), static_cast<std::size_t>(count));
+        }
+        if (count < 0) {
+            fail("read");
+        }
+        return text;
+    }
 
 private:
-    fs::path path_;
+    /// Leaves the file as it is read: from its beginning.
+    void write(std::string_view rest)
+    {
+        while (!rest.empty()) {
+            const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+            if (written < 0 && errno != EINTR) {
+                fail("write");
+            }
+            rest.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+        }
+        (void)lseek(descriptor_, 0, SEEK_SET);
+    }
+
+    [[noreturn]] static void fail(const char* action)
+    {
+        throw FileError("temporary file", fmt::format("cannot {}: {}", action,
+                                                      std::generic_category().message(errno)));
+    }
+
+    int descriptor_ = -1;
 };
 
 std::string terminal(FigureFormat format, double width, double height)
@@ -85,25 +114,19 @@ std::string_view ending(FigureFormat format)
     throw std::logic_error("unnamed FigureFormat");
 }
 
-std::string contentOf(const std::string& path)
-{
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// Runs gnuplot and returns its wait status, or -1 if it could not be started.
-int spawnGnuplot(const std::string& script, const std::string& messages)
+int spawnGnuplot(const NamelessFile& script, const NamelessFile& picture,
+                 const NamelessFile& messages)
 {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(),
-                                     O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_adddup2(&actions, script.descriptor(), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, picture.descriptor(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, messages.descriptor(), STDERR_FILENO);
     std::string program = "gnuplot";
-    std::string defaults = "-d";  // without the user's own settings
-    std::string argument = script;
-    const std::array<char*, 4> arguments{program.data(), defaults.data(), argument.data(), nullptr};
+    std::string defaults = "-d";       // without the user's own settings
+    std::string input = "/dev/stdin";  // by this name it is read in blocks, as "-" byte by byte
+    const std::array<char*, 4> arguments{program.data(), defaults.data(), input.data(), nullptr};
     pid_t child = 0;
     const int error =
         posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
@@ -122,31 +145,27 @@ int spawnGnuplot(const std::string& script, const std::string& messages)
 void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
                 const std::string& path)
 {
-    // gnuplot neither reports a full disk nor treats every name as a file: it writes to a name of
-    // ours, and a complete picture is copied.
-    const TemporaryFolder folder;
-    const std::string scriptFile = folder.file("figure.gp");
-    const std::string messages = folder.file("messages.txt");
-    const std::string picture = folder.file("picture");
-    TextFile file(scriptFile);
-    file.write("set encoding utf8\n" + terminal(format, width, height) + "set output '" + picture +
-               "'\n" + script + "\nset output\n");
-    file.close();
-    const int status = spawnGnuplot(scriptFile, messages);
+    // gnuplot neither reports a full disk nor treats every name as a file: it writes to standard
+    // output, and a complete picture is copied.
+    const NamelessFile commands("set encoding utf8\n" + terminal(format, width, height) + script +
+                                "\nset output\n");
+    const NamelessFile picture;
+    const NamelessFile messages;
+    const int status = spawnGnuplot(commands, picture, messages);
     if (status == -1) {
         throw BackendUnavailable(
             "figures need the program gnuplot, which was not found: install it "
             "(Debian: gnuplot-nox)");
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-        std::string said = contentOf(messages);
+        std::string said = messages.content();
         std::replace(said.begin(), said.end(), '\n', ' ');
         throw BackendUnavailable(fmt::format("gnuplot failed: {}", said));
     }
-    const std::string content = contentOf(picture);
+    const std::string content = picture.content();
     if (content.size() < 64 ||
         content.find(ending(format), content.size() - 64) == std::string::npos) {
-        throw FileError(picture, "gnuplot left an incomplete picture (is the disk full?)");
+        throw FileError(path, "gnuplot left an incomplete picture (is the disk full?)");
     }
     TextFile target(path);
     target.write(content);

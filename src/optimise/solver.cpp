@@ -118,7 +118,7 @@ const Backend& findBackend(std::string_view name)
         known += backend.name;
     }
     throw std::invalid_argument(
-        fmt::format("solver = {} is out of range: allowed auto|{}", name, known));
+        fmt::format("solver = {} is out of range: allowed auto|{}", shortened(name), known));
 }
 
 std::unique_ptr<Solver> makeSolver(std::string_view name)

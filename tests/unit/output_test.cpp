@@ -103,6 +103,87 @@ TEST_CASE("output: an existing file stays until the new one is complete")
     CHECK(contentOf(folder.file("a.txt")) == "new");
 }
 
+TEST_CASE("output: when one file cannot be put into place, those before it are put back")
+{
+    const Folder folder;
+    writeText(folder.file("old.txt"), "old");
+    writeText(folder.file("kept.txt"), "kept");
+    {
+        OutputFiles files;
+        writeText(files.stage(folder.file("new.txt")), "new");
+        writeText(files.stage(folder.file("old.txt")), "newer");
+        writeText(files.stage(folder.file("bad.txt"), "--option bad.txt"), "never");
+        writeText(files.stage(folder.file("kept.txt")), "newer");
+        fs::create_directory(folder.file("bad.txt"));  // what renaming cannot replace
+        CHECK_THROWS_WITH(files.commit(), containsText("--option bad.txt: cannot replace"));
+    }
+    CHECK(contentOf(folder.file("old.txt")) == "old");
+    CHECK(contentOf(folder.file("kept.txt")) == "kept");
+    CHECK(fs::is_directory(folder.file("bad.txt")));
+    CHECK(fs::hard_link_count(folder.file("old.txt")) == 1);
+    CHECK(folder.files() == 3);
+}
+
+TEST_CASE("output: when the last file cannot be put into place, those before it are put back")
+{
+    const Folder folder;
+    writeText(folder.file("old.txt"), "old");
+    {
+        OutputFiles files;
+        writeText(files.stage(folder.file("new.txt")), "new");
+        writeText(files.stage(folder.file("old.txt")), "newer");
+        writeText(files.stage(folder.file("bad.txt")), "never");
+        fs::create_directory(folder.file("bad.txt"));
+        CHECK_THROWS_AS(files.commit(), FileError);
+    }
+    CHECK(contentOf(folder.file("old.txt")) == "old");
+    CHECK(folder.files() == 2);
+}
+
+TEST_CASE("output: nothing is in place before a device has taken all of its content")
+{
+    if (!fs::exists("/dev/full")) {
+        return;
+    }
+    const Folder folder;
+    writeText(folder.file("old.txt"), "old");
+    {
+        OutputFiles files;
+        writeText(files.stage("/dev/full", "--full"), "text");
+        writeText(files.stage(folder.file("old.txt")), "newer");
+        writeText(files.stage(folder.file("new.txt")), "new");
+        CHECK_THROWS_WITH(files.commit(), containsText("--full: cannot write: No space left"));
+    }
+    CHECK(contentOf(folder.file("old.txt")) == "old");
+    CHECK(folder.files() == 1);
+}
+
+TEST_CASE("output: two names are one file when links lead there, even to what is not there yet")
+{
+    const Folder folder;
+    fs::create_directories(folder.file("deep/sub"));
+    fs::create_directory_symlink("deep/sub", folder.file("linked"));
+    fs::create_symlink("new.txt", folder.file("dangling.txt"));
+    fs::create_symlink("dangling.txt", folder.file("twice.txt"));
+    fs::create_symlink("loop.txt", folder.file("loop.txt"));
+    writeText(folder.file("one.txt"), "one");
+    fs::create_hard_link(folder.file("one.txt"), folder.file("hard.txt"));
+    const auto same = [&](const char* one, const char* two) {
+        return isSameOutput(folder.file(one), folder.file(two));
+    };
+    CHECK(same("new.txt", "dangling.txt"));
+    CHECK(same("twice.txt", "new.txt"));
+    CHECK(same("linked/a.txt", "deep/sub/a.txt"));
+    CHECK(same("linked/../a.txt", "deep/a.txt"));
+    CHECK(same("one.txt", "hard.txt"));
+    CHECK_FALSE(same("linked/../a.txt", "a.txt"));
+    CHECK_FALSE(same("new.txt", "one.txt"));
+    CHECK_FALSE(same("deep/new.txt", "new.txt"));
+    CHECK_THROWS_WITH(outputPlace(folder.file("loop.txt")), containsText("symbolic links"));
+    CHECK_THROWS_AS(outputPlace(folder.file("no/a.txt")), FileError);
+    CHECK_THROWS_AS(outputPlace(folder.file(std::string(300, 'x').c_str())), FileError);
+}
+
 TEST_CASE("output: what cannot be written is reported with its reason")
 {
     const Folder folder;

@@ -1,0 +1,238 @@
+// Files as the program meets them in the world: links, pipes, devices, folders with odd names,
+// streams that are closed.
+
+#include <filesystem>
+#include <fstream>
+
+#include "program.hpp"
+
+using namespace signorini::test;
+
+namespace {
+
+const std::string small = "find 5 23 --cells 8 ";
+
+/// A word for the shell, whatever it holds.
+std::string quoted(const std::string& word)
+{
+    std::string text = "'";
+    for (const char c : word) {
+        text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return text + "'";
+}
+
+/// A program called gnuplot in a folder of its own, in front of the others.
+std::string fakeGnuplot(const Program& program, const std::string& script)
+{
+    fs::create_directory(program.file("bin"));
+    std::ofstream(program.file("bin") / "gnuplot") << "#!/bin/sh\n" << script;
+    fs::permissions(program.file("bin") / "gnuplot", fs::perms::owner_all);
+    return "PATH=\"$PWD/bin:$PATH\" ";
+}
+
+bool hasGnuplot()
+{
+    return std::system("command -v gnuplot >/dev/null 2>&1") == 0;
+}
+
+}  // namespace
+
+TEST_CASE("cli: standard error that is full or closed changes neither status nor files")
+{
+    const Program program;
+    REQUIRE(
+        program.run("atlas --cells 2 --max-contact 2 --max-free 4 --database a.sqlite").status ==
+        0);
+    for (const char* sink : {"2>/dev/full", "2>&-"}) {
+        const auto status = [&](const std::string& words) {
+            return program.run(words + " >/dev/null " + sink + "; exit $?; #").status;
+        };
+        INFO(sink);
+        CHECK(status("find 0 5") == 2);
+        CHECK(status("fly") == 2);
+        CHECK(status(small + "--state /no/such/folder/s.csv") == 4);
+        CHECK(status("find 2 4 --cells 2 --state s.csv") == 1);
+        CHECK(status("continuum 2 4 --cells 2 --energy-ratio 4 --csv k.csv") == 1);
+        CHECK(status("atlas --database a.sqlite --near 1.1 400") == 0);
+        CHECK(program.files() == 1);
+        CHECK(status("find 3 93 --cells 8 --motion m.csv") == 0);
+        CHECK(lines(contentOf(program.file("m.csv"))) == 1 + 65 * 9);
+        CHECK_THAT(contentOf(program.file("m.csv")), !containsText("signorini"));
+        fs::remove(program.file("m.csv"));
+    }
+    CHECK(program.run(small + "--state s.csv >&-; exit $?; #").status == 4);
+}
+
+TEST_CASE("cli: two outputs that links lead to one file are refused, even if it is not there yet")
+{
+    const Program program;
+    fs::create_symlink("new.sqlite", program.file("pic.svg"));
+    fs::create_symlink("new.csv", program.file("a.csv"));
+    fs::create_symlink("a.csv", program.file("b.csv"));
+    fs::create_directory(program.file("folder"));
+    fs::create_directory_symlink("folder", program.file("linked"));
+    const std::ptrdiff_t before = program.files();
+    for (const std::string& words :
+         {std::string("atlas --cells 2 --max-contact 2 --max-free 4 --database new.sqlite "
+                      "--figure pic.svg"),
+          small + "--state a.csv --motion new.csv", small + "--state a.csv --motion b.csv",
+          small + "--state folder/c.csv --motion linked/c.csv",
+          std::string("continuum 6 36 --cells 12 --energy-ratio 8 --csv pic.svg "
+                      "--figure new.sqlite/../pic.svg --quiet")}) {
+        const auto outcome = program.run(words);
+        INFO(words << " -> " << outcome.err);
+        CHECK(outcome.status == (words.starts_with("continuum") ? 4 : 2));
+        CHECK(lines(outcome.err) == 1);
+        CHECK(program.files() == before);
+        CHECK(fs::is_empty(program.file("folder")));
+    }
+}
+
+TEST_CASE("cli: a path through a linked folder means what the system means by it")
+{
+    const Program program;
+    fs::create_directories(program.file("deep/sub"));
+    fs::create_directory_symlink("deep/sub", program.file("linked"));
+    CHECK(program.run(small + "--state linked/../s.csv").status == 0);
+    CHECK(fs::exists(program.file("deep/s.csv")));
+    CHECK_FALSE(fs::exists(program.file("s.csv")));
+}
+
+TEST_CASE("cli: link loops, names too long and a deleted folder are exit status 4, with the option")
+{
+    const Program program;
+    fs::create_symlink("loop.csv", program.file("loop.csv"));
+    const std::string large(300, 'x');
+    for (const auto& [words, named] :
+         {std::pair{small + "--state loop.csv --motion m.csv", "--state loop.csv"},
+          std::pair{small + "--state s.csv --motion loop.csv", "--motion loop.csv"},
+          std::pair{small + "--state " + large, "--state"},
+          std::pair{small + "--state s.csv --motion " + large + ".csv", "too long"},
+          std::pair{small + "--objective nearest --target loop.csv", "--target loop.csv"},
+          std::pair{small + "--objective nearest --target " + large, "--target"},
+          std::pair{std::string("continuum 6 36 --cells 12 --energy-ratio 8 --from loop.csv "
+                                "--to loop.csv"),
+                    "--from loop.csv"},
+          std::pair{std::string("atlas --cells 2 --database loop.csv --figure f.svg"),
+                    "--database"}}) {
+        const auto outcome = program.run(words);
+        INFO(words << " -> " << outcome.err);
+        CHECK(outcome.status == 4);
+        CHECK(lines(outcome.err) == 1);
+        CHECK_THAT(outcome.err, containsText(named));
+        CHECK(program.files() == 1);
+    }
+    for (const char* words : {"--state s.csv", "--state s.csv --motion m.csv"}) {
+        const auto outcome = program.run(small + words, "mkdir gone; cd gone; rmdir ../gone;");
+        INFO(words << " -> " << outcome.err);
+        CHECK(outcome.status == 4);
+        CHECK_THAT(outcome.err, containsText("--state s.csv"));
+    }
+}
+
+TEST_CASE("cli: when one file cannot be put into place none is, and the option is named")
+{
+    const Program program;
+    std::ofstream(program.file("s.csv")) << "old";
+    fs::create_symlink("/dev/full", program.file("full.csv"));
+    const auto full = program.run(small + "--state s.csv --motion full.csv");
+    CHECK(full.status == 4);
+    CHECK_THAT(full.err, containsText("--motion full.csv: cannot write: No space left"));
+    CHECK(contentOf(program.file("s.csv")) == "old");
+    CHECK(program.files() == 2);
+
+    // A folder takes the place of the motion after all checks; the program waits for a reader of
+    // the figure until then.
+    const std::string figure =
+        fakeGnuplot(program, "echo '<svg>" + std::string(64, ' ') + "</svg>'\n");
+    const auto outcome = program.run(
+        small + "--state s.csv --motion m.csv --figure f.svg",
+        "mkfifo f.svg; (for i in $(seq 500); do [ \"$(ls -A | grep -c '^.signorini')\" = 2 ] && "
+        "mkdir m.csv && cat f.svg >read.txt && exit; sleep 0.01; done) & " +
+            figure);
+    INFO(outcome.err);
+    CHECK(outcome.status == 4);
+    CHECK_THAT(outcome.err, containsText("--motion m.csv: cannot replace"));
+    CHECK(contentOf(program.file("s.csv")) == "old");
+    CHECK(contentOf(program.file("read.txt")).empty());
+    CHECK(program.files() == 6);  // s.csv, full.csv, bin, f.svg, m.csv, read.txt
+}
+
+TEST_CASE("cli: a pipe receives a file like a folder does")
+{
+    const Program program;
+    REQUIRE(program.run(small + "--state s.csv").status == 0);
+    const auto outcome =
+        program.run(small + "--state pipe --motion m.csv", "mkfifo pipe; cat pipe >read.csv &");
+    CHECK(outcome.status == 0);
+    for (int k = 0; k < 5000 && contentOf(program.file("read.csv")).size() <
+                                    contentOf(program.file("s.csv")).size();
+         ++k) {
+        (void)usleep(1000);
+    }
+    CHECK(contentOf(program.file("read.csv")) == contentOf(program.file("s.csv")));
+    CHECK(program.files() == 4);
+}
+
+TEST_CASE("cli: a state comes through a pipe, too, but never without end")
+{
+    const Program program;
+    REQUIRE(program.run(small + "--objective max-energy --state t.csv").status == 0);
+    const std::string nearest = "--objective nearest --target ";
+    const auto through = [&](const std::string& writer) {
+        return program.run(small + nearest + "pipe --quiet",
+                           "rm -f pipe; mkfifo pipe; (" + writer + ") >pipe 2>/dev/null & ");
+    };
+    CHECK(through("cat t.csv").status == 0);
+    for (const auto& [writer, named] :
+         {std::pair{"cat /dev/zero", "line 1"}, std::pair{"yes 1,2,3", "no column a"},
+          std::pair{"echo x,a,b; yes 1,2,3", "line 10: allowed at most 8 rows"},
+          std::pair{"head -n 8 t.csv", "cells of the target = 7"},
+          std::pair{"printf 'x,a,b\\n1,2,3'", "newline"}}) {
+        const auto outcome = through(writer);
+        INFO(writer << " -> " << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, containsText(named));
+    }
+    const auto device = program.run(small + nearest + "/dev/zero");
+    CHECK(device.status == 4);
+    CHECK_THAT(device.err, containsText("--target /dev/zero"));
+    // Nobody writes: the program waits, as every program does, and can be interrupted.
+    const auto waiting =
+        program.run(small + nearest + "pipe", "rm -f pipe; mkfifo pipe; timeout -k 5 -s INT 0.2");
+    CHECK(waiting.status == 124);
+}
+
+TEST_CASE("cli: a signal while gnuplot runs leaves nothing behind")
+{
+    const Program program;
+    fs::create_directory(program.file("tmp"));
+    const auto outcome =
+        program.run(small + "--figure f.svg --state s.csv",
+                    "TMPDIR=\"$PWD/tmp\" " + fakeGnuplot(program, "kill -TERM $PPID\nsleep 0.1\n"));
+    CHECK(outcome.status == 128 + SIGTERM);
+    CHECK(fs::is_empty(program.file("tmp")));
+    CHECK(program.files() == 2);
+}
+
+TEST_CASE("cli: no name of a folder or file is a command of gnuplot")
+{
+    if (!hasGnuplot()) {
+        return;
+    }
+    const Program program;
+    for (const char* name :
+         {"x'; system 'touch ran'; y='", "\"`touch ran`\nsystem 'touch ran'\n"}) {
+        fs::create_directory(program.file(name));
+        const std::string figure = std::string(name) + "/" + name + ".svg";
+        const auto outcome = program.run(small + "--figure " + quoted(figure),
+                                         "TMPDIR=" + quoted(program.file(name).string()));
+        INFO(name << " -> " << outcome.err);
+        CHECK(outcome.status == 0);
+        CHECK_FALSE(fs::exists(program.file("ran")));
+        CHECK_THAT(contentOf(program.file(figure.c_str())), containsText("</svg>"));
+        fs::remove_all(program.file(name));
+    }
+    CHECK(program.files() == 0);
+}

@@ -1,0 +1,101 @@
+// Words of the command line that are easy to get wrong.
+
+#include "program.hpp"
+
+using namespace signorini::test;
+
+TEST_CASE("cli: an empty value is refused for every option of every command")
+{
+    struct Command {
+        const char* words;
+        std::vector<const char*> options;
+    };
+    const std::vector<const char*> common{"cells",   "length", "wave-speed", "axial-stiffness",
+                                          "gap",     "young",  "density",    "area",
+                                          "threads", "format"};
+    const Program program;
+    for (const Command& command :
+         {Command{"find 5 23",
+                  {"solver", "formulation", "objective", "target", "energy-ratio", "strain-limit",
+                   "tip-floor", "tolerance", "time-limit", "state", "motion", "figure"}},
+          Command{"continuum 5 23",
+                  {"energy-ratio", "points", "from", "to", "direction", "seed", "engine",
+                   "strain-limit", "tolerance", "csv", "figure"}},
+          Command{"modes", {"max-energy-ratio", "max-order", "max-period", "figure"}},
+          Command{"atlas",
+                  {"database", "max-contact", "max-free", "phases", "max-energy-ratio", "near",
+                   "within", "period", "figure", "map"}}}) {
+        std::vector<const char*> options = command.options;
+        options.insert(options.end(), common.begin(), common.end());
+        for (const std::string option : options) {
+            for (const char* value : {"= --quiet"}) {
+                const auto outcome =
+                    program.run(std::string(command.words) + " --" + option + value);
+                INFO(command.words << " --" << option << value << " -> " << outcome.err);
+                CHECK(outcome.status == 2);
+                CHECK(lines(outcome.err) == 1);
+                CHECK_THAT(outcome.err, containsText("--" + option));
+            }
+        }
+    }
+    CHECK(program.run("find 5 23 --cells 8 --state --quiet").status == 2);
+    CHECK(program.run("find 5 23 --cells 8 --state ''").status == 2);
+    CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli: two dashes end the options, wherever they stand among the step counts")
+{
+    const Program program;
+    const std::string whole = program.run("find 5 23 --cells 8").out;
+    CHECK_THAT(whole, containsText("found"));
+    for (const char* words :
+         {"--cells 8 5 -- 23", "--cells 8 -- 5 23", "--cells 8 5 23 --", "5 --cells 8 -- 23"}) {
+        INFO(words);
+        const auto outcome = program.run(std::string("find ") + words);
+        CHECK(outcome.status == 0);
+        CHECK(outcome.out.substr(0, 60) == whole.substr(0, 60));
+    }
+    CHECK(program.run("continuum --energy-ratio 8 --cells 12 --points 2 6 -- 36").status == 0);
+    CHECK(program.run("modes --max-order 1 --").status == 0);
+    for (const auto& [words, named] :
+         {std::pair{"find 5 -- --cells", "--cells"}, std::pair{"find 5 -- -23", "-23"},
+          std::pair{"modes -- 7", "7"}, std::pair{"modes -- --quiet", "--quiet"},
+          std::pair{"find 5 23 --cells -- 8", "--cells"}, std::pair{"-- find 5 23", "--"}}) {
+        const auto outcome = program.run(words);
+        INFO(words << " -> " << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK_THAT(outcome.err, containsText(named));
+    }
+}
+
+TEST_CASE("cli: an option given again is refused and counted")
+{
+    const Program program;
+    for (const auto& [words, named] :
+         {std::pair{"find 5 23 --gap 1 --gap 2 --gap 3", "--gap is given 3 times"},
+          std::pair{"modes --max-order 2 --max-order=3", "--max-order is given 2 times"},
+          std::pair{"atlas --near 1 2 --near 1 2", "--near is given 2 times"}}) {
+        const auto outcome = program.run(words);
+        INFO(words << " -> " << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, containsText(named));
+    }
+}
+
+TEST_CASE("cli: a value of any length is answered in few words")
+{
+    const Program program;
+    const std::string large(100'000, '7');
+    for (const std::string& words :
+         {"find 5 " + large, "find 5 -" + large, "find 5 23 --gap x" + large,
+          "find 5 23 --solver " + large, "find 5 23 --motion " + large,
+          "find 5 23 --figure " + large, "find 5 23 --format " + large, "atlas --period " + large,
+          "fly" + large, "find 5 23 --" + large}) {
+        const auto outcome = program.run(words);
+        INFO(words.substr(0, 40) << " -> " << outcome.err.substr(0, 400));
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK(outcome.err.size() < 400);
+    }
+}
