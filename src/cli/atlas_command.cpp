@@ -273,7 +273,7 @@ void AtlasCommand::fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks,
     LocalBatches source(run.range, options.threads, options.cancel, run.nextBatch);
     if (source.threads() < options.threads && !common.quiet) {
         tell(fmt::format("signorini atlas: {} of {} threads could start; they do the work\n",
-                   source.threads(), options.threads));
+                         source.threads(), options.threads));
     }
     fillAtlas(atlas, run, source, fmt::format("{} threads", source.threads()), options);
 }

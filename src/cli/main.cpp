@@ -174,7 +174,9 @@ int run(int argc, char** argv)
         writeOut(help.str());
         return exitFound;
     } catch (const CLI::ExtrasError&) {
-        return complain(exitWrongUse, explainExtras(app.remaining(true), app.got_subcommand("find") || app.got_subcommand("continuum")));
+        return complain(exitWrongUse,
+                        explainExtras(app.remaining(true), app.got_subcommand("find") ||
+                                                               app.got_subcommand("continuum")));
     } catch (const CLI::RequiredError&) {
         const std::string given =
             argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";

@@ -7,6 +7,7 @@
 #include "program_rows.hpp"
 #include "rational.hpp"
 #include "signorini/class_types.hpp"
+#include "signorini/formulation.hpp"
 #include "signorini/lumped_set.hpp"
 
 namespace signorini {

@@ -7,6 +7,7 @@
 #include "program_rows.hpp"
 #include "rational.hpp"
 #include "signorini/closed_form.hpp"
+#include "signorini/formulation.hpp"
 
 namespace signorini {
 

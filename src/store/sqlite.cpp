@@ -47,8 +47,7 @@ struct Connection::Patience {
     }
 };
 
-Connection::Connection(const std::string& path, DatabaseMode mode, Cancel cancel)
-    : path_(path)
+Connection::Connection(const std::string& path, DatabaseMode mode, Cancel cancel) : path_(path)
 {
     // A killed writer leaves a journal that only a connection that may write can roll back. Where
     // the file is read-only SQLite falls back to reading by itself.

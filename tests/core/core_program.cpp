@@ -1,5 +1,5 @@
-// Finds, proves, verifies and reads numbers from motions with nothing but the core: what a browser or
-// a small machine needs. Built by GCC, Clang with libc++, for 32 bits and by Emscripten.
+// Finds, proves, verifies and reads numbers from motions with nothing but the core: what a browser
+// or a small machine needs. Built by GCC, Clang with libc++, for 32 bits and by Emscripten.
 
 #include <cmath>
 #include <cstdio>
