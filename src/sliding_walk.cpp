@@ -26,6 +26,42 @@ SlidingWalk::SlidingWalk(const SphereSection& section, std::span<const double> f
     }
     settle();
     findTangent();
+    if (!canMove_) {
+        leaveEqualAmplitudes();
+    }
+}
+
+/// Where all amplitudes that are not zero are equal, the sphere of their face is this point alone.
+/// But a great circle of the whole sphere that starts along the face curves into the set: the zeros
+/// grow as 1 - cos(angle).
+void SlidingWalk::leaveEqualAmplitudes()
+{
+    constexpr double rounding = 1e-9;
+    double members = 0.0;
+    double sum = 0.0;
+    for (std::size_t j = 0; j < z_.size(); ++j) {
+        members += z_[j] > 0.0 ? 1.0 : 0.0;
+        sum += z_[j] > 0.0 ? wish_[j] : 0.0;
+    }
+    double squares = 0.0;
+    for (std::size_t j = 0; j < z_.size(); ++j) {
+        if (z_[j] > 0.0 && std::abs(z_[j] * members - 1.0) > rounding) {
+            return;
+        }
+        tangent_[j] = z_[j] > 0.0 ? wish_[j] - sum / members : 0.0;
+        squares += tangent_[j] * tangent_[j];
+    }
+    const auto count = static_cast<double>(z_.size());
+    centre_ = 1.0 / count;
+    radius_ = std::sqrt(std::max(0.0, 1.0 / members - centre_));
+    canMove_ = squares > 1e-24 && radius_ > 0.0;
+    if (canMove_) {
+        active_.assign(z_.size(), false);
+        for (double& value : tangent_) {
+            value /= std::sqrt(squares);
+        }
+        wish_ = tangent_;
+    }
 }
 
 /// Moves the amplitudes that are not active back onto sum 1 and sum z^2 = rho: setting one to zero
@@ -47,7 +83,8 @@ void SlidingWalk::settle()
     const double scale = squares > 0.0 ? wanted / std::sqrt(squares) : 1.0;
     for (std::size_t j = 0; j < z_.size(); ++j) {
         if (!active_[j]) {
-            z_[j] = std::max(0.0, 1.0 / members + scale * (z_[j] - mean));
+            const double settled = 1.0 / members + scale * (z_[j] - mean);
+            z_[j] = settled > negligible ? settled : 0.0;
         }
     }
 }

@@ -79,6 +79,7 @@ public:
 
 private:
     void settle();
+    void leaveEqualAmplitudes();
     void findTangent();
     [[nodiscard]] double angleToFace(std::size_t& meets) const;
 
