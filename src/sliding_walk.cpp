@@ -10,6 +10,9 @@ namespace signorini {
 /// Amplitudes [sum z] below this are on the face: two that reach it together differ by rounding.
 constexpr double negligible = 1e-15;
 
+/// A radius [sum z] below this is that of a point: rounding makes 1e-17 of 0.
+constexpr double shrunk = 1e-10;
+
 SlidingWalk::SlidingWalk(const SphereSection& section, std::span<const double> from,
                          std::span<const double> direction)
     : section_(section),
@@ -25,16 +28,16 @@ SlidingWalk::SlidingWalk(const SphereSection& section, std::span<const double> f
         value = value > negligible ? value : 0.0;
     }
     settle();
-    findTangent();
-    if (!canMove_) {
-        leaveEqualAmplitudes();
+    if (!leaveEqualAmplitudes()) {
+        findTangent();
     }
 }
 
-/// Where all amplitudes that are not zero are equal, the sphere of their face is this point alone.
+/// Where all amplitudes that are not zero are equal, the sphere of their face is this point alone,
+/// and no zero may grow in proportion to the angle: sum z^2 would fall.
 /// But a great circle of the whole sphere that starts along the face curves into the set: the zeros
 /// grow as 1 - cos(angle).
-void SlidingWalk::leaveEqualAmplitudes()
+bool SlidingWalk::leaveEqualAmplitudes()
 {
     constexpr double rounding = 1e-9;
     double members = 0.0;
@@ -44,9 +47,10 @@ void SlidingWalk::leaveEqualAmplitudes()
         sum += z_[j] > 0.0 ? wish_[j] : 0.0;
     }
     double squares = 0.0;
+    tangent_.assign(z_.size(), 0.0);
     for (std::size_t j = 0; j < z_.size(); ++j) {
         if (z_[j] > 0.0 && std::abs(z_[j] * members - 1.0) > rounding) {
-            return;
+            return false;
         }
         tangent_[j] = z_[j] > 0.0 ? wish_[j] - sum / members : 0.0;
         squares += tangent_[j] * tangent_[j];
@@ -54,14 +58,14 @@ void SlidingWalk::leaveEqualAmplitudes()
     const auto count = static_cast<double>(z_.size());
     centre_ = 1.0 / count;
     radius_ = std::sqrt(std::max(0.0, 1.0 / members - centre_));
-    canMove_ = squares > 1e-24 && radius_ > 0.0;
-    if (canMove_) {
-        active_.assign(z_.size(), false);
-        for (double& value : tangent_) {
-            value /= std::sqrt(squares);
-        }
-        wish_ = tangent_;
+    if (!(squares > 1e-24 && radius_ > shrunk)) {
+        return false;
     }
+    for (double& value : tangent_) {
+        value /= std::sqrt(squares);
+    }
+    wish_ = tangent_;
+    return true;
 }
 
 /// Moves the amplitudes that are not active back onto sum 1 and sum z^2 = rho: setting one to zero
@@ -123,7 +127,7 @@ void SlidingWalk::findTangent()
             }
         }
         length = std::sqrt(length);
-        canMove_ = length > 1e-12 && radius_ > 0.0;
+        canMove_ = length > 1e-12 && radius_ > shrunk;
         for (std::size_t j = 0; canMove_ && j < count; ++j) {
             tangent_[j] /= length;
             if (!active_[j] && z_[j] <= 0.0 && tangent_[j] < 0.0) {

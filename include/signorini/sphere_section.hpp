@@ -79,7 +79,7 @@ public:
 
 private:
     void settle();
-    void leaveEqualAmplitudes();
+    [[nodiscard]] bool leaveEqualAmplitudes();
     void findTangent();
     [[nodiscard]] double angleToFace(std::size_t& meets) const;
 
