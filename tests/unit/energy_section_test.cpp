@@ -1,9 +1,10 @@
 #include "energy_section.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <random>
+#include <vector>
 
 #include "catch.hpp"
 #include "signorini/continuum.hpp"
@@ -127,4 +128,90 @@ TEST_CASE("energy section: boxes have as many components as a grid shows")
         }
         CHECK(several > 0);
     }
+}
+
+namespace {
+
+State between(const State& from, const State& to, double part)
+{
+    return {from.a + part * (to.a - from.a), from.b + part * (to.b - from.b)};
+}
+
+/// Motions of random directions from the one of least energy as far out as the set goes, those of
+/// at least this energy, and how many groups remain when all are joined whose segment keeps it.
+int countedAbove(const Schedule& schedule, double energy, int draws)
+{
+    const LumpedSet set = lumpedSet(schedule);
+    const LumpedShape shape = shapeOf(set);
+    const State least = equalMotion(set, set.leastSums);
+    std::mt19937_64 generator(5);
+    std::normal_distribution<double> normal;
+    std::vector<State> above;
+    for (int k = 0; k < draws; ++k) {
+        // Random mixtures of draws reach every direction; draws alone keep to one side.
+        State beside = least;
+        for (int part = 0; part < 4; ++part) {
+            const State drawn = drawMotion(set, shape, generator);
+            const double weight = normal(generator);
+            beside.a += weight * (drawn.a - least.a);
+            beside.b += weight * (drawn.b - least.b);
+        }
+        double inside = 0.0;
+        double outside = 64.0;
+        while (outside - inside > 1e-6) {
+            const double middle = 0.5 * (inside + outside);
+            const double worst = verify(between(least, beside, middle), schedule).residuals.worst();
+            (worst < 1e-9 ? inside : outside) = middle;
+        }
+        const State end = between(least, beside, inside);
+        if (energyRatio(end) >= energy) {
+            above.push_back(end);
+        }
+    }
+    std::vector<std::size_t> groups(above.size());
+    std::iota(groups.begin(), groups.end(), std::size_t{0});
+    int count = static_cast<int>(above.size());
+    for (std::size_t i = 0; i < above.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            double lowest = energy;
+            for (int part = 1; part < 16 && groups[i] != groups[k]; ++part) {
+                lowest = std::min(lowest, energyRatio(between(above[i], above[k], part / 16.0)));
+            }
+            if (groups[i] != groups[k] && lowest >= energy) {
+                std::replace(groups.begin(), groups.end(), std::size_t{groups[i]},
+                             std::size_t{groups[k]});
+                --count;
+            }
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("energy section: several phases have as many components as random motions show")
+{
+    // Sets of up to three dimensions; in all but the first two the sums vary as well.
+    const std::vector<Schedule> schedules{
+        {4, {{1, 12}, {3, 12}}},         {4, {{2, 11}, {2, 11}, {4, 10}}},
+        {8, {{2, 26}, {2, 1}, {1, 24}}}, {8, {{1, 2}, {1, 24}, {1, 2}, {1, 24}}},
+        {8, {{2, 24}, {2, 3}, {2, 23}}}, {8, {{1, 24}, {2, 1}}},
+        {8, {{1, 2}, {1, 24}, {2, 26}}}, {6, {{2, 16}, {2, 17}, {2, 1}, {2, 18}}},
+        {6, {{1, 16}, {1, 2}}},          {5, {{1, 15}, {1, 16}, {1, 1}}}};
+    int several = 0;
+    int varying = 0;
+    for (const Schedule& schedule : schedules) {
+        const LumpedShape shape = shapeOf(lumpedSet(schedule));
+        varying += shape.spanning.size() > 1 ? 1 : 0;
+        for (const double part : {0.1, 0.35, 0.6}) {
+            const double energy = std::lerp(shape.energy.least, shape.energy.most, part);
+            const auto section = sectionOfPhases(schedule, energy);
+            REQUIRE(section);
+            INFO(describe(schedule) << ", E = " << energy);
+            CHECK(section->facts().components == countedAbove(schedule, energy, 900));
+            several += section->facts().components > 1 ? 1 : 0;
+        }
+    }
+    CHECK(several >= 15);
+    CHECK(varying >= 8);
 }
