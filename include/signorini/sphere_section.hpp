@@ -63,7 +63,8 @@ private:
 /// Walks through M from a point in a direction: along great circles of the sphere. Where an
 /// amplitude reaches zero it becomes active, stays zero, and the walk slides on along that face, on
 /// the smaller sphere of the others: what is left of the direction lies in the face, so nothing
-/// frees it again. The way does not depend on the lengths it is walked in. O(d) per great circle,
+/// frees it again. From equal amplitudes on a face, whose sphere is that point alone, it starts on
+/// the whole sphere. The way does not depend on the lengths it is walked in. O(d) per great circle,
 /// no matrix.
 class SlidingWalk {
 public:
