@@ -5,10 +5,16 @@
 /// The motions of energy E form the part of the solution set that lies on a sphere, since
 /// E/E_1 = (2w/N) sum z^2 (reduction.hpp). Three engines, one answer:
 ///
-/// - geometric: a simplex of amplitudes, and what lies of a box inside such a simplex. Exact paths
-///   and exact connectivity (sphere_section.hpp), O(N) per point
+/// - geometric: motions that differ in one simplex of amplitudes, and what lies of a box inside
+/// such
+///   a simplex. Exact paths (sphere_section.hpp), O(N) per point
 /// - ipopt, nlopt: any set. Predictor: a step along the chord to the far end; corrector: the motion
-///   of this energy that is nearest to it, a nonlinear program
+///   of this energy that is nearest to it, a nonlinear program. Steps are halved until neighbours
+///   are within the resolution asked for and the motion nearest to their middle is near the middle
+///
+/// Which motions can be joined is a property of the set: where theory knows (one contact phase;
+/// several whose vertices are known), it decides before any engine does. Where only finitely many
+/// motions have the energy, the answer lists them.
 ///
 /// Each point is verified before it is kept. A curve takes 16 N bytes per point.
 
@@ -28,6 +34,9 @@
 
 namespace signorini {
 
+/// Most points of a curve, and most members of a sample.
+inline constexpr std::int64_t maxContinuumPoints = 1'000'000;
+
 /// Who traces.
 enum class Engine {
     automatic,  ///< geometric where it is exact, otherwise the first of the others in this build
@@ -41,8 +50,9 @@ enum class Engine {
 
 /// What a curve is to do beyond staying in the set.
 struct ContinuumOptions {
-    Bar bar = {};                              ///< unit of the strain limit and of peak strains
-    std::int64_t points = 201;                 ///< [-], 2..1e6
+    Bar bar = {};  ///< unit of the strain limit and of peak strains
+    /// [-], 2..1e6, of a curve or a sample. Programs keep more where the resolution asks for it.
+    std::int64_t points = 201;
     std::optional<State> from = std::nullopt;  ///< [g/L], a motion; both ends or none
     std::optional<State> to = std::nullopt;    ///< [g/L], a motion
     /// [g/L], instead of `to`: walk from `from` this way for half a great circle of the set's
@@ -56,8 +66,11 @@ struct ContinuumOptions {
     std::optional<std::uint64_t> seed = std::nullopt;
     Engine engine = Engine::automatic;
     double strainLimit = std::numeric_limits<double>::infinity();  ///< [-], > 0: s >= -S
-    double tolerance = 1e-7;                                       ///< largest residual of a point
-    Cancel cancel = {};  ///< keeps the points found so far
+    /// [sqrt(E/E_1)], 1e-6..1: how far neighbours on a curve by programs may be apart, in the norm
+    /// of the energy. The finer, the narrower a gap that cannot be jumped, and the longer it takes.
+    double resolution = 0.05;
+    double tolerance = 1e-7;  ///< largest residual of a point
+    Cancel cancel = {};       ///< keeps the points found so far
 };
 
 /// One motion of the curve.
@@ -79,17 +92,22 @@ enum class Parameter {
 /// "arc length", "position", "number".
 [[nodiscard]] std::string_view name(Parameter parameter);
 
-/// The answer. Invariants: found <=> all points asked for, or one if the set is one motion, each
-/// with a residual within the tolerance; none => `detail` proves that there is no such curve;
-/// undecided => `detail` says what stopped it, and `points` holds what was found before.
+/// The answer. Invariants: found <=> at least the points asked for, or all motions of the energy if
+/// they are finitely many, each with a residual within the tolerance; none => `detail` proves that
+/// there is no such curve; undecided => `detail` says what stopped it, and `points` holds what was
+/// found before.
 struct Continuum {
     Status status = Status::undecided;
     std::string detail = "traceContinuum has not been called";
     std::optional<Reason> reason;  ///< why the schedule has no motion of this energy
-    /// Can the two ends be joined; without ends given, can all motions of this energy be. Exact for
-    /// simplices; for other sets true if a curve between the ends was found, otherwise unknown.
+    /// Can the two ends be joined; without ends, can all motions of this energy be. False is always
+    /// proved. True is proved where `components` is known, whatever became of the curve; elsewhere
+    /// it is only said of two ends, and claims that there is a curve at this `resolution`: a gap
+    /// narrower than it might have been jumped. Empty: not known.
     std::optional<bool> connected;
     std::optional<std::int64_t> components;  ///< of the motions of this energy, if known
+    /// [sqrt(E/E_1)], of a curve: the largest distance of neighbours, in the norm of the energy.
+    std::optional<double> resolution;
     Schedule schedule;
     Bar bar;
     double energyRatio = 0.0;                ///< E/E_1 asked for
@@ -115,8 +133,8 @@ struct Continuum {
 [[nodiscard]] std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio,
                                                std::int64_t count, std::uint64_t seed = 1);
 
-/// The number of components of the motions with E/E_1 = energyRatio, of a simplex or a point,
-/// decided in rational numbers: 0 outside the range, 1 or d. Without an answer for a box.
+/// The number of components of the motions with E/E_1 = energyRatio, decided in rational numbers: 0
+/// outside the range. Empty if it exceeds 64 bits.
 [[nodiscard]] std::optional<std::int64_t> componentsAt(const Reduction& reduction,
                                                        double energyRatio);
 

@@ -60,10 +60,12 @@ private:
     std::vector<Leg> legs_;
 };
 
-/// Walks through M from a point in a direction: along great circles of the sphere, with the set of
-/// amplitudes that are zero as active set. Where an amplitude reaches zero it becomes active and
-/// the walk slides on along that face; an active one is freed when the direction turns inwards.
-/// O(d) per great circle, no matrix.
+/// Walks through M from a point in a direction: along great circles of the sphere. Where an
+/// amplitude reaches zero it becomes active, stays zero, and the walk slides on along that face, on
+/// the smaller sphere of the others: what is left of the direction lies in the face, so nothing
+/// frees it again. From equal amplitudes on a face, whose sphere is that point alone, it starts on
+/// the whole sphere. The way does not depend on the lengths it is walked in. O(d) per great circle,
+/// no matrix.
 class SlidingWalk {
 public:
     /// `direction` needs d values; only its part along the sphere and into the set counts.
@@ -77,12 +79,15 @@ public:
     [[nodiscard]] bool canMove() const { return canMove_; }
 
 private:
+    void settle();
+    [[nodiscard]] bool leaveEqualAmplitudes();
     void findTangent();
     [[nodiscard]] double angleToFace(std::size_t& meets) const;
 
     SphereSection section_;
     std::vector<double> z_;
     std::vector<double> wish_;     ///< the direction asked for, carried along
+    std::vector<bool> active_;     ///< zero for the rest of the walk
     std::vector<double> tangent_;  ///< of length 1, or zero
     double centre_ = 0.0;          ///< 1/f on the f amplitudes that are not active
     double radius_ = 0.0;          ///< sqrt(rho - 1/f)
@@ -122,7 +127,8 @@ private:
 /// Walks at random over the members of a simplex or a box with a given sum z^2: hit-and-run. Each
 /// move draws a great circle through the point, of the sphere about equal amplitudes, and a point
 /// evenly from the arcs of it that lie in the set; on a simplex the amplitudes are also shuffled,
-/// which maps the set to itself and visits every component. Even in the long run.
+/// on a box their order may be reversed, which maps the set to itself and visits every component of
+/// a simplex, and both members where only two are left. Even in the long run.
 class SectionSampler {
 public:
     /// `squares` in [least, most] of the set (closed_form.hpp). \throws std::invalid_argument if it
@@ -133,6 +139,7 @@ public:
     [[nodiscard]] const std::vector<double>& next(int moves = 50);
 
 private:
+    [[nodiscard]] bool isSymmetric() const;
     void move();
     void findArcs(const std::vector<double>& direction);
     [[nodiscard]] double drawAngle();

@@ -18,7 +18,6 @@ namespace signorini::cli {
 
 namespace {
 
-constexpr std::int64_t maxPoints = 1'000'000;
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
 
 Engine parseEngine(const std::string& text)
@@ -40,7 +39,7 @@ ContinuumOptions parseOptions(const ContinuumCommand& words)
     ContinuumOptions options;
     options.bar = words.common.parseBar();
     if (!words.points.empty()) {
-        options.points = parseWhole("--points", words.points, 2, maxPoints);
+        options.points = parseWhole("--points", words.points, 2, maxContinuumPoints);
     }
     if (!words.seed.empty()) {
         options.seed = static_cast<std::uint64_t>(parseWhole("--seed", words.seed, 0, maxSeed));
@@ -53,6 +52,9 @@ ContinuumOptions parseOptions(const ContinuumCommand& words)
     }
     if (!words.tolerance.empty()) {
         options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
+    }
+    if (!words.resolution.empty()) {
+        options.resolution = parsePositive("--resolution", words.resolution, "-");
     }
     options.sample = words.sample;
     const int ends = (words.toFile.empty() ? 0 : 1) + (words.directionFile.empty() ? 0 : 1);
@@ -108,6 +110,10 @@ std::string asText(const Continuum& curve)
         text += fmt::format("curve       {}, λ = {} from {:.6g} to {:.6g}\n", curve.family,
                             name(curve.parameter), curve.points.front().lambda,
                             curve.points.back().lambda);
+        if (curve.resolution) {
+            text +=
+                fmt::format("resolution  neighbours at most {:.3g} √E apart\n", *curve.resolution);
+        }
         text += fmt::format("strain      at most {:.6g} … {:.6g} in compression along it\n", least,
                             most);
         text += fmt::format("residuals   at most {:.3g}\n", residual);
@@ -126,6 +132,7 @@ std::string asJson(const Continuum& curve)
               {"components", nullptr},
               {"dimension", nullptr},
               {"energy_ratio_range", nullptr},
+              {"resolution", nullptr},
               {"engine", name(curve.engine)},
               {"family", curve.family},
               {"parameter", name(curve.parameter)},
@@ -142,6 +149,9 @@ std::string asJson(const Continuum& curve)
     }
     if (curve.energyRange) {
         json["energy_ratio_range"] = {curve.energyRange->least, curve.energyRange->most};
+    }
+    if (curve.resolution) {
+        json["resolution"] = *curve.resolution;
     }
     if (curve.reason) {
         json["reason"] = name(*curve.reason);
@@ -181,6 +191,10 @@ void ContinuumCommand::addTo(CLI::App& command)
         ->type_name("auto|geometric|ipopt|nlopt");
     command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")
         ->type_name("S");
+    command
+        .add_option("--resolution", resolution,
+                    "how far neighbours on a curve by programs may be apart, in √(E/E₁) (0.05)")
+        ->type_name("X");
     command.add_option("--tolerance", tolerance, "largest relative residual (1e-7)")
         ->type_name("X");
     command.add_option("--csv", csvFile, "write lambda, a_1..a_N, b_1..b_N, a row per motion")

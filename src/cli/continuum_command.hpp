@@ -22,6 +22,7 @@ struct ContinuumCommand {
     std::string seed;
     std::string engine;
     std::string strainLimit;
+    std::string resolution;
     std::string tolerance;
     std::string csvFile;
     std::string figureFile;

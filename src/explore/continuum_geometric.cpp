@@ -1,0 +1,194 @@
+#include "continuum_geometric.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "faults.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::uint64_t firstSeed = 1;
+
+/// Members drawn evenly; one if there is only one.
+void sampleMembers(ContinuumRecord& record, const EnergySection& section)
+{
+    const SectionFacts& facts = section.facts();
+    SectionSampler sampler(section.sampled(), facts.simplex->ratio,
+                           record.options.seed.value_or(firstSeed));
+    record.result.parameter = Parameter::number;
+    record.result.family = "members drawn evenly";
+    const bool isOne = facts.dimension == 0 && facts.components == 1;
+    const std::int64_t points = isOne ? 1 : record.options.points;
+    for (std::int64_t k = 1; k <= points; ++k) {
+        if (record.isCancelled() ||
+            !record.keep(static_cast<double>(k), section.motionOf(sampler.next()))) {
+            return;
+        }
+    }
+    record.finish();
+}
+
+/// From one end in a direction, for half a turn of the sphere about equal amplitudes.
+void walk(ContinuumRecord& record, const EnergySection& section)
+{
+    const SphereSection simplex = *section.facts().simplex;
+    SlidingWalk walker(simplex, section.sharesOf(*record.options.from),
+                       section.sharesOf(*record.options.direction));
+    const double radius =
+        std::sqrt(std::max(0.0, simplex.ratio - 1.0 / static_cast<double>(simplex.count)));
+    const double step = std::numbers::pi * radius / static_cast<double>(record.options.points - 1);
+    record.result.family = "walk in a given direction";
+    for (std::int64_t k = 0; k < record.options.points; ++k) {
+        const std::vector<double>& shares = walker.advance(k == 0 ? 0.0 : step);
+        const double lambda = static_cast<double>(k) * step * section.facts().unit;
+        if (record.isCancelled() || !record.keep(lambda, section.motionOf(shares))) {
+            return;
+        }
+        if (!walker.canMove()) {
+            record.finish("the direction ends in a corner of the set");
+            return;
+        }
+    }
+    record.finish();
+}
+
+void traceBlock(ContinuumRecord& record, const EnergySection& section)
+{
+    const TravellingBlock block(*section.facts().simplex);
+    record.result.parameter = Parameter::position;
+    record.result.family = section.facts().simplex->ratio <= 0.5
+                               ? "travelling block"
+                               : "companion of a dominant amplitude";
+    const double range = block.last() - block.first();
+    for (std::int64_t k = 0; k < record.options.points; ++k) {
+        const double share =
+            static_cast<double>(k) / static_cast<double>(record.options.points - 1);
+        const double position = block.first() + share * range;
+        if (record.isCancelled() || !record.keep(position, section.motionOf(block.at(position)))) {
+            return;
+        }
+    }
+    record.finish();
+}
+
+void tracePath(ContinuumRecord& record, const EnergySection& section,
+               const std::vector<double>& from, const std::vector<double>& to, const char* family)
+{
+    const SectionPath path(*section.facts().simplex, from, to);
+    const Spacing spacing = equalSpacing(path, record.options.points);
+    record.result.family = family;
+    for (std::size_t k = 0; k < spacing.lengths.size(); ++k) {
+        if (record.isCancelled() ||
+            !record.keep(section.facts().unit * spacing.lengths[k],
+                         section.motionOf(path.at(spacing.parameters[k])))) {
+            return;
+        }
+    }
+    record.finish();
+}
+
+void joinRandomMembers(ContinuumRecord& record, const EnergySection& section)
+{
+    constexpr int moves = 200;
+    const SphereSection simplex = *section.facts().simplex;
+    SectionSampler sampler({.kind = SetKind::simplex, .count = simplex.count, .sum = 1.0},
+                           simplex.ratio, *record.options.seed);
+    const std::vector<double> from = sampler.next(moves);
+    const std::vector<double> to = sampler.next(moves);
+    if (simplex.ratio > 0.5 && dominant(from) != dominant(to)) {
+        record.result.status = Status::none;
+        record.result.connected = false;
+        record.result.detail = wordsForApart(section, from, to);
+        return;
+    }
+    tracePath(record, section, from, to, "path between two random members");
+}
+
+}  // namespace
+
+std::string wordsForApart(const EnergySection& section, const std::vector<double>& from,
+                          const std::vector<double>& to)
+{
+    return fmt::format(
+        "the two motions lie in different components: at this energy one amplitude exceeds half of "
+        "the sum, the {}. in one motion and the {}. in the other, and no curve of motions can "
+        "exchange them ({} components)",
+        dominant(from) + 1, dominant(to) + 1, section.facts().components.value_or(0));
+}
+
+void traceGeometrically(ContinuumRecord& record, const EnergySection& section)
+{
+    const ContinuumOptions& options = record.options;
+    if (options.sample) {
+        sampleMembers(record, section);
+    } else if (options.direction) {
+        walk(record, section);
+    } else if (options.from) {
+        tracePath(record, section, section.sharesOf(*options.from), section.sharesOf(*options.to),
+                  "path between two given motions");
+    } else if (options.seed) {
+        joinRandomMembers(record, section);
+    } else {
+        traceBlock(record, section);
+    }
+}
+
+void listIsolated(ContinuumRecord& record, const EnergySection& section)
+{
+    const ContinuumOptions& options = record.options;
+    record.result.parameter = Parameter::number;
+    record.result.family = "isolated motions";
+    if (options.from) {
+        if (record.keep(1.0, *options.from)) {
+            record.finish("the motion is isolated: no other one of this energy is near it");
+        }
+        return;
+    }
+    // A strain limit may exclude some: then all must be seen.
+    const bool isLimited = std::isfinite(record.demands.strainLimit);
+    const std::int64_t most = isLimited || options.sample ? maxContinuumPoints : options.points;
+    std::vector<State> motions = section.isolated(most);
+    if (isLimited) {
+        std::erase_if(motions, [&record](const State& motion) {
+            return violation(record.demands, motion, record.result.schedule) >
+                   record.options.tolerance;
+        });
+        const auto left = static_cast<std::int64_t>(motions.size());
+        record.result.components = left;
+        record.result.connected = left == 1;
+    }
+    if (motions.empty()) {
+        record.result.status = Status::none;
+        record.result.connected.reset();
+        record.result.reason = Reason::constraints;
+        record.result.detail = fmt::format("all motions with E/E_1 = {} exceed the strain limit {}",
+                                           record.energy(), options.strainLimit);
+        return;
+    }
+    if (options.sample && motions.size() > 1) {
+        std::mt19937_64 generator(options.seed.value_or(firstSeed));
+        std::uniform_int_distribution<std::size_t> draw(0, motions.size() - 1);
+        for (std::int64_t k = 1; k <= options.points; ++k) {
+            if (!record.keep(static_cast<double>(k), motions[draw(generator)])) {
+                return;
+            }
+        }
+    } else {
+        const auto number =
+            std::min<std::size_t>(motions.size(), static_cast<std::size_t>(options.points));
+        for (std::size_t k = 0; k < number; ++k) {
+            if (!record.keep(static_cast<double>(k + 1), std::move(motions[k]))) {
+                return;
+            }
+        }
+    }
+    record.finish(record.result.components == 1
+                      ? ""
+                      : "finitely many motions have this energy, and no curve joins two of them");
+}
+
+}  // namespace signorini

@@ -1,0 +1,118 @@
+#include "continuum_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "faults.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Distance of two states in the norm of the energy.
+double distance(const State& first, const State& second)
+{
+    return std::sqrt(energyRatio({first.a - second.a, first.b - second.b}));
+}
+
+}  // namespace
+
+ContinuumRecord::ContinuumRecord(const Schedule& schedule, double energyRatio,
+                                 const ContinuumOptions& given)
+    : options(given)
+{
+    demands.strainLimit = options.strainLimit / scales(options.bar).strain;
+    demands.energyRatio = energyRatio;
+    validate(demands, schedule);
+    result.schedule = schedule;
+    result.bar = options.bar;
+    result.energyRatio = energyRatio;
+    result.detail.clear();
+}
+
+double ContinuumRecord::peakStrainOf(const State& state) const
+{
+    return extremesOf(state, result.schedule).peakStrain * scales(options.bar).strain;
+}
+
+void ContinuumRecord::requireMotion(const char* field, const std::optional<State>& state) const
+{
+    if (!state) {
+        return;
+    }
+    const double residual =
+        state->cells() == result.schedule.cells && state->b.size() == state->a.size()
+            ? verify(*state, result.schedule, options.tolerance).residuals.worst()
+            : std::numeric_limits<double>::infinity();
+    if (!(residual <= options.tolerance)) {
+        throw std::invalid_argument(
+            fmt::format("{} = a state with residual {:.3g} is out of range: allowed motions of "
+                        "{}, residual at most {:.3g}",
+                        field, residual, describe(result.schedule), options.tolerance));
+    }
+    if (!(violation(demands, *state, result.schedule) <= options.tolerance)) {
+        throw std::invalid_argument(
+            fmt::format("{} = a motion with E/E_1 = {}, peak strain {} is out of range: "
+                        "allowed E/E_1 = {}, peak strain at most {}",
+                        field, signorini::energyRatio(*state), peakStrainOf(*state), energy(),
+                        options.strainLimit));
+    }
+}
+
+bool ContinuumRecord::keep(double lambda, State state)
+{
+    const std::size_t number = result.points.size() + 1;
+    Residuals residuals = verify(state, result.schedule, options.tolerance).residuals;
+    residuals.demands = violation(demands, state, result.schedule);
+    if (!(residuals.worst() <= options.tolerance)) {
+        stop(
+            fmt::format("point {} at lambda = {} has a residual of {:.3g}, more than the "
+                        "tolerance {:.3g}",
+                        number, lambda, residuals.worst(), options.tolerance));
+        return false;
+    }
+    result.points.push_back({lambda, std::move(state), 0.0, residuals.worst(), 0.0});
+    ContinuumPoint& point = result.points.back();
+    point.energyRatio = signorini::energyRatio(point.state);
+    point.peakStrain = peakStrainOf(point.state);
+    return true;
+}
+
+bool ContinuumRecord::keepNext(State state)
+{
+    const double step = result.points.empty() ? 0.0 : distance(result.points.back().state, state);
+    const double reached = result.points.empty() ? 0.0 : result.points.back().lambda;
+    return keep(reached + step, std::move(state));
+}
+
+bool ContinuumRecord::isCancelled()
+{
+    if (!isRequested(options.cancel)) {
+        return false;
+    }
+    stop(fmt::format("interrupted after {} of {} points", result.points.size(), options.points));
+    return true;
+}
+
+void ContinuumRecord::stop(std::string why)
+{
+    result.status = Status::undecided;
+    result.detail = std::move(why);
+}
+
+void ContinuumRecord::finish(std::string detail)
+{
+    result.status = Status::found;
+    result.detail = std::move(detail);
+    if (result.parameter == Parameter::number || result.points.size() < 2) {
+        return;
+    }
+    double largest = 0.0;
+    for (std::size_t k = 1; k < result.points.size(); ++k) {
+        largest = std::max(largest, distance(result.points[k - 1].state, result.points[k].state));
+    }
+    result.resolution = largest / std::sqrt(energy());
+}
+
+}  // namespace signorini

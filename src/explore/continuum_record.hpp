@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// A continuum on its way to an answer: what every engine does with the motions it finds.
+
+#include <string>
+
+#include "signorini/continuum.hpp"
+#include "signorini/demands.hpp"
+
+namespace signorini {
+
+/// Verifies and keeps motions. Part of one call of traceContinuum, whose options it refers to.
+class ContinuumRecord {
+public:
+    ContinuumRecord(const Schedule& schedule, double energyRatio, const ContinuumOptions& options);
+
+    const ContinuumOptions& options;
+    Demands demands;  ///< energy and strain limit, in scaled units
+    Continuum result;
+
+    [[nodiscard]] double energy() const { return result.energyRatio; }
+
+    /// [-] at the clamp, in the unit of the bar.
+    [[nodiscard]] double peakStrainOf(const State& state) const;
+
+    /// An end that a user gave must be a motion of this schedule, energy and limit.
+    /// \throws std::invalid_argument if it is not.
+    void requireMotion(const char* field, const std::optional<State>& state) const;
+
+    /// Verifies a motion and keeps it; false if the trace ends here, undecided.
+    bool keep(double lambda, State state);
+
+    /// Keeps a motion of a curve: lambda grows by the distance from the last one.
+    bool keepNext(State state);
+
+    /// True, and undecided, if the caller's token says so.
+    bool isCancelled();
+
+    void stop(std::string why);
+
+    /// Found: states the resolution of what was kept.
+    void finish(std::string detail = {});
+};
+
+}  // namespace signorini

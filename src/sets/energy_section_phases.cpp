@@ -1,0 +1,310 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "energy_section.hpp"
+#include "signorini/lumped_set.hpp"
+#include "vertex_graph.hpp"
+
+namespace signorini {
+
+namespace {
+
+double squaresOf(const std::vector<double>& values)
+{
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
+
+class Phases final : public EnergySection {
+public:
+    Phases(LumpedSet set, double energyRatio)
+        : set_(std::move(set)), shape_(shapeOf(set_)), energy_(energyRatio)
+    {
+        facts_.range = shape_.energy;
+        constexpr double atEnds = 1e-14;  // as findPeriodic has it
+        if (energy_ < facts_.range.least * (1.0 - atEnds) ||
+            energy_ > facts_.range.most * (1.0 + atEnds)) {
+            facts_.components = 0;
+            return;
+        }
+        facts_.largestWave = std::sqrt(squares());
+        findSimplex();
+        if (energy_ <= facts_.range.least * (1.0 + vertexRounding)) {
+            facts_.dimension = 0;
+            facts_.isFinite = true;
+            setComponents(1.0);
+            return;
+        }
+        facts_.dimension = shape_.dimension - 1;
+        if (!knowsVertices()) {
+            return;
+        }
+        graph_ = std::make_unique<VertexGraph>(set_, shape_.vertices, squares());
+        setComponents(graph_->components());
+        const bool isMost = energy_ >= facts_.range.most * (1.0 - vertexRounding);
+        facts_.dimension = isMost ? 0 : facts_.dimension;
+        facts_.isFinite = facts_.dimension == 0;
+    }
+
+    [[nodiscard]] std::optional<bool> joins(const State& from, const State& to) const override
+    {
+        if (facts_.isConnected == true) {
+            return true;
+        }
+        if (!graph_) {
+            return std::nullopt;
+        }
+        const Place start = placeOf(from);
+        const Place end = placeOf(to);
+        if (!graph_->isAbove(start.vertex) || !graph_->isAbove(end.vertex)) {
+            return std::nullopt;
+        }
+        const std::size_t group = graph_->groupOf(start.vertex);
+        if (group != graph_->groupOf(end.vertex)) {
+            return false;
+        }
+        const std::vector<bool>& locks = graph_->locks(group);
+        for (std::size_t t = 0; t < locks.size(); ++t) {
+            if (locks[t] && start.classes[t] != end.classes[t]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /// On the straight ways from equal amplitudes to the vertices above.
+    [[nodiscard]] std::vector<State> isolated(std::int64_t most) const override
+    {
+        std::vector<State> motions;
+        if (!graph_) {
+            motions.push_back(equalMotion(set_, set_.leastSums));
+            return motions;
+        }
+        for (std::size_t i = 0; i < graph_->vertices().size(); ++i) {
+            if (graph_->isAbove(i)) {
+                std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
+                addSpikes(graph_->vertices()[i], 0, std::move(z), most, motions);
+            }
+        }
+        return motions;
+    }
+
+    [[nodiscard]] std::vector<double> sharesOf(const State& state) const override
+    {
+        const std::vector<double> z = amplitudesOf(state);
+        const ClassType& type = typeOf(*spread_);
+        std::vector<double> shares(z.begin() + type.first, z.begin() + type.first + type.count);
+        for (double& value : shares) {
+            value /= sums()[*spread_];
+        }
+        return shares;
+    }
+
+    [[nodiscard]] State motionOf(const std::vector<double>& shares) const override
+    {
+        std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            for (std::int64_t j = 0; j < typeOf(t).count; ++j) {
+                const double share = t == *spread_ ? shares[static_cast<std::size_t>(j)]
+                                                   : 1.0 / static_cast<double>(typeOf(t).count);
+                z[static_cast<std::size_t>(typeOf(t).first + j)] = share * sums()[t];
+            }
+        }
+        return signorini::motionOf(set_.classes, z);
+    }
+
+    [[nodiscard]] AmplitudeSet sampled() const override
+    {
+        return {.kind = SetKind::simplex, .count = typeOf(*spread_).count, .sum = 1.0};
+    }
+
+private:
+    /// A vertex of the sums, and the class that holds the sum of each live type.
+    struct Place {
+        std::size_t vertex = 0;
+        std::vector<std::int64_t> classes;
+    };
+
+    [[nodiscard]] const ClassType& typeOf(std::size_t live) const
+    {
+        return set_.classes.types[set_.live[live]];
+    }
+
+    /// 2w/N, what one unit of sum z^2 is in E/E_1.
+    [[nodiscard]] double energyUnit() const
+    {
+        return 2.0 * static_cast<double>(set_.classes.window) /
+               static_cast<double>(set_.classes.schedule.cells);
+    }
+
+    [[nodiscard]] double squares() const { return energy_ / energyUnit(); }
+
+    /// The sums where they are the same for all motions.
+    [[nodiscard]] const std::vector<double>& sums() const { return set_.leastSums; }
+
+    void setComponents(double components)
+    {
+        facts_.isConnected = components == 1.0;
+        if (components < 9e15) {
+            facts_.components = static_cast<std::int64_t>(components);
+        }
+    }
+
+    /// Boxes of several classes have vertices of their own, which nobody lists.
+    [[nodiscard]] bool knowsVertices() const
+    {
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            if (typeOf(t).kind == TypeKind::grazing && typeOf(t).count > 1) {
+                return false;
+            }
+        }
+        return shape_.isBounded && !shape_.vertices.empty();
+    }
+
+    /// One type alone differs between the motions if it accounts for the whole dimension.
+    void findSimplex()
+    {
+        if (shape_.spanning.size() != 1 || shape_.dimension < 1) {
+            return;
+        }
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            const ClassType& type = typeOf(t);
+            if (type.kind == TypeKind::pressing && type.count == shape_.dimension + 1 &&
+                sums()[t] > 0.0) {
+                spread_ = t;
+            }
+        }
+        if (!spread_) {
+            return;
+        }
+        double others = 0.0;
+        double largest = 0.0;
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            const auto count = static_cast<double>(typeOf(t).count);
+            others += t == *spread_ ? 0.0 : sums()[t] * sums()[t] / count;
+            largest = std::max(largest, std::abs(sums()[t]) / (t == *spread_ ? 1.0 : count));
+        }
+        const double sum = sums()[*spread_];
+        double ratio = (squares() - others) / (sum * sum);
+        if (std::abs(ratio - 0.5) <= vertexRounding) {
+            ratio = 0.5;
+        }
+        facts_.simplex = SphereSection{typeOf(*spread_).count, ratio};
+        facts_.unit = sum * std::sqrt(energyUnit());
+        facts_.largestWave = std::min(facts_.largestWave, largest);
+    }
+
+    /// One z per class: the mean of epsilon p over the window of 2N steps.
+    [[nodiscard]] std::vector<double> amplitudesOf(const State& state) const
+    {
+        std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
+        const std::int64_t cells = set_.classes.schedule.cells;
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            const ClassType& type = typeOf(t);
+            for (std::int64_t block = 0; block < set_.classes.window; ++block) {
+                const double sign =
+                    type.signs[static_cast<std::size_t>(block % set_.classes.members)];
+                for (std::int64_t j = type.first; j < type.first + type.count; ++j) {
+                    const std::int64_t m = block * set_.classes.classes + j;
+                    const double p = m < cells ? state.a[cells - 1 - m] : -state.b[m - cells];
+                    z[static_cast<std::size_t>(j)] +=
+                        sign * p / static_cast<double>(set_.classes.window);
+                }
+            }
+        }
+        return z;
+    }
+
+    /// Where an ascent leads: each sum into its largest class, then straight to the vertex to which
+    /// Q rises most. Q is convex and does not fall at the start of either way.
+    [[nodiscard]] Place placeOf(const State& state) const
+    {
+        const std::vector<double> z = amplitudesOf(state);
+        Place place;
+        std::vector<double> sums;
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            const auto first = z.begin() + typeOf(t).first;
+            const auto last = first + typeOf(t).count;
+            sums.push_back(std::accumulate(first, last, 0.0));
+            place.classes.push_back(std::max_element(first, last) - first);
+        }
+        double highest = -std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < graph_->vertices().size(); ++i) {
+            const std::vector<double>& vertex = graph_->vertices()[i];
+            const double rise = std::inner_product(sums.begin(), sums.end(), vertex.begin(), 0.0);
+            if (rise > highest) {
+                highest = rise;
+                place.vertex = i;
+            }
+        }
+        return place;
+    }
+
+    /// The vertices over one S, type by type from number `live` on, each brought to the energy.
+    void addSpikes(const std::vector<double>& sums, std::size_t live, std::vector<double> z,
+                   std::int64_t most, std::vector<State>& motions) const
+    {
+        if (static_cast<std::int64_t>(motions.size()) >= most) {
+            return;
+        }
+        if (live == set_.live.size()) {
+            motions.push_back(signorini::motionOf(set_.classes, lowered(std::move(z))));
+            return;
+        }
+        const std::int64_t choices = sums[live] == 0.0 ? 1 : typeOf(live).count;
+        for (std::int64_t j = 0; j < choices; ++j) {
+            const auto place = static_cast<std::size_t>(typeOf(live).first + j);
+            z[place] = sums[live];
+            addSpikes(sums, live + 1, z, most, motions);
+            z[place] = 0.0;
+        }
+    }
+
+    /// The point of this energy on the way from the least motion c to a vertex. Q is least at c, so
+    /// it grows along the way: |c|^2 + 2 t c.(v - c) + t^2 |v - c|^2 = q.
+    [[nodiscard]] std::vector<double> lowered(std::vector<double> z) const
+    {
+        const std::vector<double> least = amplitudesOf(equalMotion(set_, set_.leastSums));
+        double along = 0.0;
+        double length = 0.0;
+        for (std::size_t j = 0; j < z.size(); ++j) {
+            along += least[j] * (z[j] - least[j]);
+            length += (z[j] - least[j]) * (z[j] - least[j]);
+        }
+        const double rest = std::max(0.0, squares() - squaresOf(least));
+        const double t = std::min(1.0, rest / (along + std::sqrt(along * along + length * rest)));
+        for (std::size_t j = 0; j < z.size(); ++j) {
+            z[j] = least[j] + t * (z[j] - least[j]);
+        }
+        return z;
+    }
+
+    LumpedSet set_;
+    LumpedShape shape_;
+    double energy_;
+    std::optional<std::size_t> spread_;  ///< the live type in which alone motions differ
+    std::unique_ptr<VertexGraph> graph_;
+};
+
+}  // namespace
+
+std::unique_ptr<EnergySection> sectionOfPhases(const Schedule& schedule, double energyRatio)
+{
+    if (blockCount(schedule) > maxBlocks) {
+        return nullptr;
+    }
+    ClassTypes classes = classTypes(schedule);
+    if (liveTypeCount(classes) > maxLiveTypes) {
+        return nullptr;
+    }
+    try {
+        LumpedSet set = lumpedSetOf(std::move(classes));
+        return set.absence ? nullptr : std::make_unique<Phases>(std::move(set), energyRatio);
+    } catch (const std::overflow_error&) {
+        return nullptr;  // a proof of absence beyond 64 bits
+    }
+}
+
+}  // namespace signorini
