@@ -16,6 +16,7 @@
 #include "signorini/continuum_figure.hpp"
 #include "signorini/demands.hpp"
 #include "signorini/equations.hpp"
+#include "signorini/families.hpp"
 #include "signorini/figure.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/formulation.hpp"
