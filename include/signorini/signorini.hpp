@@ -25,6 +25,7 @@
 #include "signorini/lumped_set.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/motion.hpp"
+#include "signorini/orbit.hpp"
 #include "signorini/output.hpp"
 #include "signorini/program.hpp"
 #include "signorini/propagation.hpp"
