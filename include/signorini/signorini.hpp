@@ -17,6 +17,7 @@
 #include "signorini/demands.hpp"
 #include "signorini/equations.hpp"
 #include "signorini/families.hpp"
+#include "signorini/family_atlas.hpp"
 #include "signorini/figure.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/formulation.hpp"
