@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -55,6 +56,9 @@ bool forEachOfOrder(std::int64_t order, const FamilyBounds& bounds, const Family
     const std::int64_t leastWindow = leastWindowSum(order, bounds.maxEnergyRatio);
     const std::int64_t last = mostBlocks(order, bounds.maxPeriod);
     for (std::int64_t blocks = 1; blocks <= last; ++blocks) {
+        if (bounds.cancel.stop_requested()) {
+            return false;
+        }
         if (std::gcd(order, blocks) == 1 &&
             !forEachContact(order, blocks, leastWindow, std::cref(visitor))) {
             return false;

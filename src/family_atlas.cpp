@@ -13,9 +13,11 @@ namespace signorini {
 
 namespace {
 
+/// One pass over a range.
 class Walk {
 public:
-    Walk(const AtlasRange& range, const ScheduleVisitor& visitor) : range_(range), visitor_(visitor)
+    Walk(const AtlasRange& range, const ScheduleVisitor& visitor, const std::stop_token& stop)
+        : range_(range), visitor_(visitor), stop_(stop)
     {
         twos_ = 2;
         while (2 * range.cells % twos_ == 0) {
@@ -28,12 +30,12 @@ public:
         const std::int64_t last = range_.maxContact + range_.maxFree;
         const std::int64_t pressing = std::min(last, 4 * range_.cells - 1);  // T < 4
         for (std::int64_t n = 2; n <= pressing; ++n) {
-            if (!visitSteps(n)) {
+            if (stop_.stop_requested() || !visitSteps(n)) {
                 return false;
             }
         }
         for (std::int64_t n = (pressing / twos_ + 1) * twos_; n <= last; n += twos_) {
-            if (!visitGrazing(n, std::gcd(2 * range_.cells, n))) {
+            if (stop_.stop_requested() || !visitGrazing(n, std::gcd(2 * range_.cells, n))) {
                 return false;
             }
         }
@@ -119,12 +121,14 @@ private:
 
     const AtlasRange& range_;
     const ScheduleVisitor& visitor_;
+    const std::stop_token& stop_;
     std::int64_t twos_;  ///< the power of 2 that n has when epsilon alternates: nu is even
 };
 
 }  // namespace
 
-bool forEachSchedule(const AtlasRange& range, const ScheduleVisitor& visitor)
+bool forEachSchedule(const AtlasRange& range, const ScheduleVisitor& visitor,
+                     const std::stop_token& stop)
 {
     validate(range);
     if (range.maxPhases != 1) {
@@ -132,7 +136,7 @@ bool forEachSchedule(const AtlasRange& range, const ScheduleVisitor& visitor)
         faults.add("phases", range.maxPhases, "1 (families have one contact phase)");
         faults.throwIfAny();
     }
-    return Walk(range, visitor).run();
+    return Walk(range, visitor, stop).run();
 }
 
 std::int64_t ownSteps(const Phase& phase, const Verdict& verdict)

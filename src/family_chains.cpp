@@ -69,7 +69,8 @@ std::int64_t leastWindowSum(std::int64_t order, double maxEnergyRatio)
     }
     const Rational ratio(maxEnergyRatio);
     const auto isEnough = [&](std::int64_t value) {
-        return Rational(Integer(order) * order) <= ratio * value * value;
+        const Rational root = Rational(order) / value;
+        return root * root <= ratio;
     };
     while (!isEnough(sum)) {
         ++sum;

@@ -48,7 +48,7 @@ private:
     std::size_t begin_ = chains_.size();
 };
 
-/// The smallest s >= 1 with (w/s)^2 <= maxEnergyRatio, exactly.
+/// The smallest s >= 1 with (w/s)^2 <= maxEnergyRatio, exactly; at most w, which no -win reaches.
 [[nodiscard]] std::int64_t leastWindowSum(std::int64_t order, double maxEnergyRatio);
 
 /// Visits the families of (w, nu) by ascending k. \returns false if `visit` did.

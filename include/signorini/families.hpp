@@ -21,6 +21,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "signorini/modes.hpp"
@@ -60,6 +61,7 @@ struct FamilyBounds {
     double maxPeriod = 4.0;  ///< [L/c], > 0; from 4 on it selects nothing
     /// [E_1], > 0, of the least energy; compared exactly.
     double maxEnergyRatio = std::numeric_limits<double>::infinity();
+    std::stop_token cancel = {};  ///< ends the search as a visitor does
 };
 
 /// Asked for each family; false ends the search.
@@ -81,7 +83,7 @@ using FamilyVisitor = std::function<bool(const Family&)>;
 
 /// Visits the families with w <= maxOrder by ascending w, nu, k. O(log w) for each pair
 /// (w, nu), no memory; there are about 0.46 maxOrder^2 families, 33 with w <= 12.
-/// \returns false if the visitor ended it.
+/// \returns false if it was ended early.
 /// \throws std::invalid_argument naming each bound that is out of range.
 bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const FamilyVisitor& visitor);
 
@@ -90,7 +92,7 @@ bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const Fami
                                                const FamilyBounds& bounds = {});
 
 /// Visits the families of a grid, those with w | 2N, by ascending w, nu, k. O(N log N) steps and
-/// no memory. \returns false if the visitor ended it.
+/// no memory. \returns false if it was ended early.
 /// \throws std::invalid_argument naming each argument that is out of range.
 bool forEachFamilyOnGrid(std::int64_t cells, const FamilyBounds& bounds,
                          const FamilyVisitor& visitor);

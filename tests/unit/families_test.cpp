@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 #include <random>
+#include <stop_token>
 #include <vector>
 
 #include "catch.hpp"
@@ -357,6 +358,12 @@ TEST_CASE("families: a visitor that says no ends the search")
     CHECK(visits == 3);
     visits = 0;
     CHECK_FALSE(forEachFamilyOnGrid(100'000, {}, third));
+    CHECK(visits == 3);
+
+    // Where nothing is visited a stop request ends it.
+    std::stop_source source;
+    source.request_stop();
+    CHECK_FALSE(forEachFamilyOnGrid(maxCells, {4.0, 1.5, source.get_token()}, third));
     CHECK(visits == 3);
 }
 

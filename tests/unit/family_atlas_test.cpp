@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 #include <stdexcept>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -182,6 +183,11 @@ TEST_CASE("family atlas: a visitor that says no ends the search")
     CHECK_FALSE(forEachSchedule(rangeOf(maxCells, maxCells, maxCells * 4),
                                 [&visits](const Phase&, const Verdict&) { return ++visits < 5; }));
     CHECK(visits == 5);
+    std::stop_source source;
+    source.request_stop();
+    CHECK_FALSE(forEachSchedule(
+        rangeOf(300, 600, 1200), [](const Phase&, const Verdict&) { return true; },
+        source.get_token()));
 }
 
 TEST_CASE("family atlas: several phases and bad ranges are refused")
