@@ -115,8 +115,11 @@ TEST_CASE("family atlas: any bounds on contact, flight and energy")
     compare(rangeOf(2, 500, 300));
 }
 
-TEST_CASE("family atlas: the counts of the exhaustive search at N = 30 and N = 300")
+TEST_CASE("family atlas: the counts of the exhaustive search at N = 12, 30 and 300")
 {
+    const std::vector<Found> usual = visitAll(usualRange(12));
+    CHECK(std::count_if(usual.begin(), usual.end(),
+                        [](const Found& found) { return found.second.isCanonical(); }) == 36);
     CHECK(countOf(rangeOf(30, 60, 240)) == std::pair(359, 330));
     CHECK(countOf(rangeOf(300, 600, 2400)) == std::pair(12'962, 5'050));
 }
