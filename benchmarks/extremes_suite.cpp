@@ -190,10 +190,11 @@ private:
             }
         };
         add("at E_min", range.least, true, true);
-        add("just below E_min", std::nextafter(range.least, 0.0), false, false);
+        // Nearer than the tolerance the end itself is the answer.
+        add("just below E_min", range.least * (1.0 - 1e-5), false, false);
         add("2 % below E_min", 0.98 * range.least, false, true);
         add("at E_max", range.most, true, true);
-        add("just above E_max", std::nextafter(range.most, 1e300), false, false);
+        add("just above E_max", range.most * (1.0 + 1e-5), false, false);
         add("2 % above E_max", 1.02 * range.most, false, true);
     }
 

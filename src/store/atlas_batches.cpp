@@ -115,11 +115,11 @@ std::optional<AtlasBatch> LocalBatches::next()
     if (toDeliver_ >= end_) {
         return std::nullopt;
     }
-    while (!isReady()) {
-        if (isRequested(cancel_)) {
-            return std::nullopt;
-        }
+    while (!isRequested(cancel_) && !isReady()) {
         changed_.wait_for(lock, pause);
+    }
+    if (isRequested(cancel_)) {
+        return std::nullopt;
     }
     if (failure_) {
         std::rethrow_exception(failure_);

@@ -54,7 +54,7 @@ TEST_CASE("cli: standard error that is full or closed changes neither status nor
         CHECK(status(small + "--state /no/such/folder/s.csv") == 4);
         CHECK(status("find 2 4 --cells 2 --state s.csv") == 1);
         CHECK(status("continuum 2 4 --cells 2 --energy-ratio 4 --csv k.csv") == 1);
-        CHECK(status("atlas --database a.sqlite --near 1.1 400") == 0);
+        CHECK(status("atlas --database a.sqlite --near 1.1 400") == 3);
         CHECK(program.files() == 1);
         CHECK(status("find 3 93 --cells 8 --motion m.csv") == 0);
         CHECK(lines(contentOf(program.file("m.csv"))) == 1 + 65 * 9);

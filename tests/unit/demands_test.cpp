@@ -210,7 +210,7 @@ TEST_CASE("demands: the nearest motion to a state far beyond all motions is on t
     std::vector<double> opposite(count, r.set.sum / static_cast<double>(count - 1));
     opposite[1] = 0.0;
     const State corner = motionOf(r, vertex);
-    for (const double size : {1.0, 1e3, 1e9, 1e15, 1e18, 1e100, 1e300}) {
+    for (const double size : {1.0, 1e3, 1e9, 1e15, 1e18, 1e99}) {
         for (const double sign : {1.0, -1.0}) {
             INFO(sign * size);
             const State expected = motionOf(r, sign > 0.0 ? vertex : opposite);

@@ -1,0 +1,304 @@
+#include "signorini/families.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+
+#include "family_chains.hpp"
+#include "faults.hpp"
+#include "rational.hpp"
+
+namespace signorini {
+
+namespace {
+
+void requireWhole(Faults& faults, std::string_view field, std::int64_t value, std::int64_t most)
+{
+    if (value < 1 || value > most) {
+        faults.add(field, value, fmt::format("whole numbers 1..{}", most));
+    }
+}
+
+void check(Faults& faults, const FamilyBounds& bounds)
+{
+    faults.requirePositive("maxPeriod", bounds.maxPeriod, "L/c");
+    if (!(bounds.maxEnergyRatio > 0.0)) {
+        faults.add("maxEnergyRatio", bounds.maxEnergyRatio, "numbers > 0 [E_1]");
+    }
+}
+
+/// The largest nu with 2 nu/w <= maxPeriod, at most that of T < 4. The sign of a sum rounded once
+/// is the sign of the sum.
+std::int64_t mostBlocks(std::int64_t order, double maxPeriod)
+{
+    if (maxPeriod >= 4.0) {
+        return 2 * order - 1;
+    }
+    const auto isWithin = [&](std::int64_t blocks) {
+        return std::fma(maxPeriod, static_cast<double>(order),
+                        -2.0 * static_cast<double>(blocks)) >= 0.0;
+    };
+    auto blocks = static_cast<std::int64_t>(maxPeriod * static_cast<double>(order) / 2.0);
+    while (isWithin(blocks + 1)) {
+        ++blocks;
+    }
+    while (blocks > 0 && !isWithin(blocks)) {
+        --blocks;
+    }
+    return std::min(blocks, 2 * order - 1);
+}
+
+/// The families of one order.
+bool forEachOfOrder(std::int64_t order, const FamilyBounds& bounds, const FamilyVisitor& visitor)
+{
+    const std::int64_t leastWindow = leastWindowSum(order, bounds.maxEnergyRatio);
+    const std::int64_t last = mostBlocks(order, bounds.maxPeriod);
+    for (std::int64_t blocks = 1; blocks <= last; ++blocks) {
+        if (isRequested(bounds.cancel)) {
+            return false;
+        }
+        if (std::gcd(order, blocks) == 1 &&
+            !forEachContact(order, blocks, leastWindow, std::cref(visitor))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// The family, if gcd(w, nu) = 1 and k belongs to one of the chains.
+std::optional<Family> familyAt(std::int64_t order, std::int64_t blocks, std::int64_t contactBlocks)
+{
+    if (std::gcd(order, blocks) != 1 || blocks >= 2 * order) {
+        return std::nullopt;
+    }
+    const FamilyChains all(order, blocks, 1);
+    for (const FamilyChain& chain : all.chains()) {
+        const std::int64_t above = contactBlocks - chain.least;
+        if (above >= 0 && above % chain.step() == 0 && above / chain.step() < chain.count) {
+            return chain.family(order, blocks, above / chain.step());
+        }
+    }
+    return std::nullopt;
+}
+
+/// What Euclid's algorithm on (2a, r), r = -m mod 2a, says of a mode.
+struct ModePattern {
+    std::int64_t numerator = 1;  ///< Q of the right neighbour P/Q of m/2a
+    std::int64_t turns = 0;      ///< c of docs/theory.md: M - (d_1 + d_3 + ...)
+};
+
+/// None unless d_0, d_2, ... are even. \pre gcd(2a, m) = 1.
+std::optional<ModePattern> modePattern(std::int64_t count, std::int64_t order)
+{
+    ModePattern pattern;
+    pattern.turns = order / count + 1;
+    std::int64_t even = count;
+    std::int64_t odd = pattern.turns * count - order;
+    std::int64_t convergent = 0;  // numerators of the convergents of 2a/r, two behind and ...
+    while (odd > 1) {
+        const std::int64_t first = even / odd;
+        if (first % 2 != 0) {
+            return std::nullopt;
+        }
+        even %= odd;
+        const std::int64_t second = odd / even;
+        odd %= even;
+        pattern.turns -= second;
+        convergent += first * pattern.numerator;
+        pattern.numerator += second * convergent;  // ... one behind
+    }
+    return pattern;
+}
+
+}  // namespace
+
+ExactPeriod exactPeriod(const Family& family)
+{
+    return exactPeriod(2 * family.blocks, family.order);
+}
+
+ExactPeriod longestContact(const Family& family)
+{
+    return exactPeriod(2 * family.contactBlocks, family.order);
+}
+
+ExactEnergy leastEnergy(const Family& family)
+{
+    const std::int64_t common = std::gcd(family.order, family.windowSum);
+    const std::int64_t root = family.order / common;
+    const std::int64_t sum = family.windowSum / common;
+    return {root * root, sum * sum};
+}
+
+std::optional<Family> findFamily(std::int64_t order, std::int64_t blocks,
+                                 std::int64_t contactBlocks)
+{
+    Faults faults;
+    requireWhole(faults, "order", order, maxFamilyOrder);
+    requireWhole(faults, "blocks", blocks, maxSteps);
+    requireWhole(faults, "contactBlocks", contactBlocks, maxSteps);
+    faults.throwIfAny();
+    return familyAt(order, blocks, contactBlocks);
+}
+
+bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const FamilyVisitor& visitor)
+{
+    Faults faults;
+    requireWhole(faults, "maxOrder", maxOrder, maxFamilyOrder);
+    check(faults, bounds);
+    faults.throwIfAny();
+    for (std::int64_t order = 1; order <= maxOrder; ++order) {
+        if (!forEachOfOrder(order, bounds, visitor)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+std::vector<Family> findFamilies(std::int64_t maxOrder, const FamilyBounds& bounds)
+{
+    std::vector<Family> families;
+    forEachFamily(maxOrder, bounds, [&families](const Family& family) {
+        families.push_back(family);
+        return true;
+    });
+    return families;
+}
+
+bool forEachFamilyOnGrid(std::int64_t cells, const FamilyBounds& bounds,
+                         const FamilyVisitor& visitor)
+{
+    Faults faults;
+    requireWhole(faults, "cells", cells, maxCells);
+    check(faults, bounds);
+    faults.throwIfAny();
+    for (std::int64_t order = 1; order <= 2 * cells; ++order) {
+        if (2 * cells % order == 0 && !forEachOfOrder(order, bounds, visitor)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+Schedule scheduleOf(const Family& family, std::int64_t cells)
+{
+    Faults faults;
+    requireWhole(faults, "cells", cells, maxCells);
+    if (family.order < 1 || 2 * cells % family.order != 0) {
+        faults.add("cells", cells, fmt::format("multiples of {}/2", family.order));
+    }
+    faults.throwIfAny();
+    const std::int64_t classes = 2 * cells / family.order;
+    return {cells,
+            {{family.contactBlocks * classes, (family.blocks - family.contactBlocks) * classes}}};
+}
+
+std::optional<TentPlace> familyOf(const Schedule& schedule)
+{
+    validate(schedule);
+    if (schedule.phases.size() != 1) {
+        throw std::invalid_argument(
+            fmt::format("phases: {} given: allowed 1 (families have one contact phase)",
+                        schedule.phases.size()));
+    }
+    const std::int64_t contact = schedule.phases.front().contact;
+    const std::int64_t n = steps(schedule);
+    TentPlace place;
+    place.classes = std::gcd(2 * schedule.cells, n);
+    const std::int64_t blocks = n / place.classes;
+    // The multiple of G next to n_c, k = nu (mod 2): live classes have an even number of free
+    // steps.
+    std::int64_t contactBlocks = contact / place.classes;
+    contactBlocks += (blocks - contactBlocks) % 2 == 0 ? 0 : 1;
+    place.offset = contact - contactBlocks * place.classes;
+    place.amplitudes = place.classes - std::abs(place.offset);
+    const auto family = contactBlocks > 0 && place.amplitudes > 0
+                            ? familyAt(2 * schedule.cells / place.classes, blocks, contactBlocks)
+                            : std::nullopt;
+    if (!family) {
+        return std::nullopt;
+    }
+    place.family = *family;
+    return place;
+}
+
+std::optional<Mode> findMode(std::int64_t a, std::int64_t b)
+{
+    Faults faults;
+    requireWhole(faults, "a", a, maxFamilyOrder);
+    if (b > -1 || b < -maxFamilyOrder) {
+        faults.add("b", b, fmt::format("whole numbers -{}..-1", maxFamilyOrder));
+    }
+    faults.throwIfAny();
+    const std::int64_t count = 2 * a;
+    const std::int64_t order = -b;
+    const auto pattern = std::gcd(count, order) == 1 ? modePattern(count, order) : std::nullopt;
+    if (!pattern) {
+        return std::nullopt;
+    }
+    const std::int64_t q = pattern->numerator;
+    const std::int64_t p = (1 + q * order) / count;
+    const std::int64_t c = pattern->turns;
+    Mode mode;
+    mode.a = a;
+    mode.b = b;
+    mode.kappa = (p + c * order) / 2;
+    mode.mu = q + c * count;
+    mode.lowest = c > 0 ? exactPeriod(mode.mu, mode.kappa) : exactPeriod(2 * q, p);
+    mode.lowestEnd = c < 0 ? ModeEnd::jumpsMeet : ModeEnd::energyInfinite;
+    mode.highest = {2 * count, order};
+    return mode;
+}
+
+Mode modeThrough(const Family& family)
+{
+    const auto found = findFamily(family.order, family.blocks, family.contactBlocks);
+    if (found != family) {
+        throw std::invalid_argument(
+            fmt::format("family: w = {}, nu = {}, k = {}, win = {} is none: allowed what "
+                        "findFamily returns",
+                        family.order, family.blocks, family.contactBlocks, family.windowSum));
+    }
+    // 2a = k/w (mod nu), between 0 and nu: the inverse of w by Euclid's algorithm.
+    std::int64_t rest = family.blocks;
+    std::int64_t next = family.order % family.blocks;
+    std::int64_t factor = 0;  // factor w = rest (mod nu)
+    std::int64_t nextFactor = 1;
+    while (next != 0) {
+        const std::int64_t quotient = rest / next;
+        rest = std::exchange(next, rest - quotient * next);
+        factor = std::exchange(nextFactor, factor - quotient * nextFactor);
+    }
+    factor += factor < 0 ? family.blocks : 0;
+    const std::int64_t count = family.contactBlocks * factor % family.blocks;
+    const std::int64_t b = (family.contactBlocks - count * family.order) / family.blocks;
+    return findMode(count / 2, b).value();
+}
+
+std::vector<Family> familiesOf(const Mode& mode, std::int64_t maxOrder)
+{
+    Faults faults;
+    requireWhole(faults, "maxOrder", maxOrder, maxFamilyOrder);
+    faults.throwIfAny();
+    if (findMode(mode.a, mode.b) != mode) {
+        throw std::invalid_argument(fmt::format(
+            "mode: t_c = {} {:+} T is none: allowed what findMode returns", 4 * mode.a, mode.b));
+    }
+    std::vector<Family> families;
+    for (std::int64_t order = 1; order <= maxOrder; ++order) {
+        // lowest < 2 nu/w < highest.
+        const std::int64_t after = mode.lowest.numerator * order / (2 * mode.lowest.denominator);
+        for (std::int64_t blocks = after + 1;
+             2 * blocks * mode.highest.denominator < mode.highest.numerator * order; ++blocks) {
+            if (std::gcd(order, blocks) == 1) {
+                families.push_back({order, blocks, 2 * mode.a * order + mode.b * blocks,
+                                    mode.mu * order - 2 * mode.kappa * blocks});
+            }
+        }
+    }
+    return families;
+}
+
+}  // namespace signorini

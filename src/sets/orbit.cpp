@@ -1,0 +1,161 @@
+#include "signorini/orbit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "faults.hpp"
+#include "signorini/propagation.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// One step of a ring, the earlier the greater.
+struct Arrival {
+    bool startsContact = false;  ///< a step with force after one without
+    double p = 0.0;              ///< [g/L]
+
+    friend bool operator==(const Arrival&, const Arrival&) = default;
+
+    [[nodiscard]] bool isBefore(const Arrival& other) const
+    {
+        return startsContact != other.startsContact ? startsContact : p > other.p;
+    }
+};
+
+Schedule checked(const State& state, Schedule schedule)
+{
+    validate(schedule);
+    if (state.a.size() != schedule.cells || state.b.size() != schedule.cells) {
+        throw std::invalid_argument(
+            fmt::format("state: {} and {} cells: allowed {}, as in the schedule", state.a.size(),
+                        state.b.size(), schedule.cells));
+    }
+    fold(schedule);
+    return schedule;
+}
+
+/// Calls visit(p_m, is it a contact step?) for a whole period of a folded schedule.
+template <typename Visit>
+void forEachStep(const State& state, const Schedule& schedule, Visit visit)
+{
+    DelayLine bar(state);
+    for (const Phase& phase : schedule.phases) {
+        for (std::int64_t m = 0; m < phase.contact; ++m, bar.contactStep()) {
+            visit(bar.incoming(), true);
+        }
+        for (std::int64_t m = 0; m < phase.free; ++m, bar.freeStep()) {
+            visit(bar.incoming(), false);
+        }
+    }
+}
+
+std::vector<Arrival> ringOf(const State& state, const Schedule& folded)
+{
+    std::vector<Arrival> ring;
+    ring.reserve(static_cast<std::size_t>(steps(folded)));
+    // A period ends in flight, so there is no force before its first step.
+    bool wasPressed = false;
+    forEachStep(state, folded, [&](double p, bool isContact) {
+        const bool isPressed = isContact && p > 0.0;
+        ring.push_back({isPressed && !wasPressed, p + 0.0});  // -0 + 0 is +0
+        wasPressed = isPressed;
+    });
+    return ring;
+}
+
+/// Where the first rotation of a ring begins. Two candidates are compared; `equal` places after
+/// them agree, and the one that loses takes all the places it passed out of the contest.
+std::size_t firstRotation(const std::vector<Arrival>& ring)
+{
+    const std::size_t count = ring.size();
+    std::size_t left = 0;
+    std::size_t right = 1;
+    std::size_t equal = 0;
+    while (left < count && right < count && equal < count) {
+        const Arrival& ofLeft = ring[(left + equal) % count];
+        const Arrival& ofRight = ring[(right + equal) % count];
+        if (ofLeft == ofRight) {
+            ++equal;
+            continue;
+        }
+        std::size_t& loser = ofLeft.isBefore(ofRight) ? right : left;
+        loser += equal + 1;
+        right += left == right ? 1 : 0;
+        equal = 0;
+    }
+    return std::min(left, right);
+}
+
+std::vector<Arrival> rotated(std::vector<Arrival> ring)
+{
+    const auto first = static_cast<std::ptrdiff_t>(firstRotation(ring));
+    std::rotate(ring.begin(), ring.begin() + first, ring.end());
+    return ring;
+}
+
+bool isNear(const std::vector<double>& first, const std::vector<double>& second, double distance)
+{
+    const auto isSmaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    const auto anchor = std::max_element(second.begin(), second.end(), isSmaller);
+    const std::size_t count = first.size();
+    const auto offset = static_cast<std::size_t>(anchor - second.begin());
+    for (std::size_t shift = 0; shift < count; ++shift) {
+        // The anchor first: most shifts fail there.
+        std::size_t m = 0;
+        while (m < count && std::abs(first[(shift + offset + m) % count] -
+                                     second[(offset + m) % count]) <= distance) {
+            ++m;
+        }
+        if (m == count) {
+            return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<double> arrivals(const State& state, const Schedule& schedule)
+{
+    const Schedule folded = checked(state, schedule);
+    std::vector<double> result;
+    result.reserve(static_cast<std::size_t>(steps(folded)));
+    forEachStep(state, folded, [&result](double p, bool) { result.push_back(p); });
+    return result;
+}
+
+State orbitRepresentative(const State& state, const Schedule& schedule)
+{
+    const std::vector<Arrival> ring = rotated(ringOf(state, checked(state, schedule)));
+    const std::int64_t cells = schedule.cells;
+    const auto count = static_cast<std::int64_t>(ring.size());
+    State result{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
+    // A period shorter than 2N repeats in the state.
+    for (std::int64_t m = 0; m < cells; ++m) {
+        result.a[cells - 1 - m] = ring[static_cast<std::size_t>(m % count)].p;
+        result.b[m] = 0.0 - ring[static_cast<std::size_t>((m + cells) % count)].p;
+    }
+    return result;
+}
+
+bool isSameOrbit(const State& first, const State& second, const Schedule& schedule,
+                 double tolerance)
+{
+    if (!(std::isfinite(tolerance) && tolerance >= 0.0)) {
+        Faults faults;
+        faults.add("tolerance", tolerance, "finite numbers >= 0");
+        faults.throwIfAny();
+    }
+    const Schedule folded = checked(first, schedule);
+    (void)checked(second, schedule);
+    if (tolerance == 0.0) {
+        return rotated(ringOf(first, folded)) == rotated(ringOf(second, folded));
+    }
+    const double largest = std::max(amplitude(first), amplitude(second));
+    return isNear(arrivals(first, folded), arrivals(second, folded), tolerance * largest);
+}
+
+}  // namespace signorini
