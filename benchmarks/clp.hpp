@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::bench {
 

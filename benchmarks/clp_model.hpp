@@ -4,7 +4,7 @@
 
 #include <ClpSimplex.hpp>
 
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::bench {
 

@@ -7,9 +7,11 @@
 #include <limits>
 
 #include "bare.hpp"
+#include "formulation.hpp"
 #include "judge.hpp"
+#include "propagation.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/propagation.hpp"
+#include "signorini/reduction.hpp"
 #include "solving.hpp"
 #include "suites.hpp"
 #include "timing.hpp"

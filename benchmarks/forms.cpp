@@ -9,7 +9,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "signorini/class_types.hpp"
+#include "formulation.hpp"
+#include "signorini/lumped_set.hpp"
 
 namespace signorini::bench {
 

@@ -18,6 +18,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formulation.hpp"
 #include "signorini/demands.hpp"
 
 namespace signorini::bench {

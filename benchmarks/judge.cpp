@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "signorini/amplitude_set.hpp"
-#include "signorini/class_types.hpp"
 #include "signorini/lumped_set.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/verification.hpp"

@@ -5,7 +5,7 @@
 
 #include "problems.hpp"
 #include "record.hpp"
-#include "signorini/state.hpp"
+#include "signorini/motion.hpp"
 
 namespace signorini::bench {
 

@@ -17,7 +17,7 @@
 #include "report.hpp"
 #include "runner.hpp"
 #include "signorini/output.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "suites.hpp"
 #include "timing.hpp"
 

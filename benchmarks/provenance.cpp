@@ -10,7 +10,7 @@
 #include "clp.hpp"
 #include "commit.hpp"
 #include "signorini/config.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::bench {
 

@@ -11,7 +11,7 @@
 
 #include "figures.hpp"
 #include "signorini/output.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "statistics.hpp"
 #include "text.hpp"
 

@@ -11,12 +11,12 @@
 #include <sstream>
 
 #include "common/stopwatch.hpp"
+#include "equations.hpp"
 #include "judge.hpp"
-#include "signorini/equations.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
 #include "signorini/reduction.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "solving.hpp"
 #include "suites.hpp"
 #include "timing.hpp"

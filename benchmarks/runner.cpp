@@ -20,7 +20,7 @@
 #include <system_error>
 
 #include "signorini/output.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::bench {
 

@@ -6,9 +6,12 @@
 
 #include "clp.hpp"
 #include "common/stopwatch.hpp"
+#include "formulation.hpp"
+#include "infeasibility.hpp"
 #include "judge.hpp"
-#include "signorini/closed_form.hpp"
+#include "signorini/amplitude_set.hpp"
 #include "signorini/find_periodic.hpp"
+#include "signorini/reduction.hpp"
 #include "timing.hpp"
 
 namespace signorini::bench {

@@ -10,7 +10,7 @@
 #include "forms.hpp"
 #include "problems.hpp"
 #include "runner.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::bench {
 

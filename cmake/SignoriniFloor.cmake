@@ -20,6 +20,7 @@ function(signorini_floor name)
     PUBLIC ${floor_FLOORS} ${floor_LIBRARIES}
     PRIVATE signorini_warnings)
   set_property(GLOBAL APPEND PROPERTY SIGNORINI_FLOORS ${target})
+  set_property(GLOBAL APPEND PROPERTY SIGNORINI_PUBLIC_HEADERS ${floor_HEADERS})
 endfunction()
 
 # signorini_floors(name...): the folders of src in the order given, each below the next.

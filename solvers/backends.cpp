@@ -3,7 +3,7 @@
 #include <array>
 
 #include "signorini/config.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #if SIGNORINI_HAS_GLPK
 #include "glpk/glpk.hpp"
 #endif

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <random>
 
+#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 
 namespace signorini::test {
 

@@ -4,7 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "signorini/continuum.hpp"
-#include "signorini/sphere_section.hpp"
+#include "sphere_section.hpp"
 
 namespace {
 

@@ -3,9 +3,10 @@
 
 #include <benchmark/benchmark.h>
 
+#include "formulation.hpp"
 #include "signorini/config.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 #if SIGNORINI_HAS_GLPK
 #include <glpk.h>

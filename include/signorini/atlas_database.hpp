@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "signorini/atlas.hpp"
-#include "signorini/atlas_batches.hpp"
 #include "signorini/control.hpp"
 
 namespace signorini {
@@ -45,6 +44,18 @@ struct AtlasRun {
 struct AtlasEntry {
     Schedule schedule;
     AtlasRow row;  ///< `number`: its rowid; energies that are not known read as infinite
+};
+
+/// Decided batches, one by one, by ascending number.
+class BatchSource {
+public:
+    BatchSource() = default;
+    BatchSource(const BatchSource&) = delete;
+    BatchSource& operator=(const BatchSource&) = delete;
+    virtual ~BatchSource() = default;
+
+    /// The next batch; nothing after the last one, or once cancelled.
+    [[nodiscard]] virtual std::optional<AtlasBatch> next() = 0;
 };
 
 /// Schedules of one period whose motions of least energy have the same energy and differ.

@@ -28,9 +28,9 @@
 #include "signorini/bar.hpp"
 #include "signorini/control.hpp"
 #include "signorini/find_periodic.hpp"
+#include "signorini/motion.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 
 namespace signorini {
 

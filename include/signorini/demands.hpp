@@ -17,10 +17,21 @@
 #include <string_view>
 #include <vector>
 
-#include "signorini/formulation.hpp"
-#include "signorini/state.hpp"
+#include "signorini/motion.hpp"
+#include "signorini/schedule.hpp"
 
 namespace signorini {
+
+/// Which unknowns the problem is posed in.
+enum class Formulation {
+    automatic,  ///< whatever the request needs least of
+    state,      ///< the paper's a and b, equations (30)-(32) as they stand
+    reduced,    ///< class amplitudes
+    lumped,     ///< sums of class amplitudes
+};
+
+/// "auto", "state", "reduced", "lumped".
+[[nodiscard]] std::string_view name(Formulation formulation);
 
 /// Which motion of the solution set to return.
 enum class Objective {
@@ -63,20 +74,6 @@ struct Demands {
 
 /// Checks ranges, sizes and finiteness for a schedule. \throws std::invalid_argument, all faults.
 void validate(const Demands& demands, const Schedule& schedule);
-
-/// The formulation of least size that answers these demands exactly: lumped unless single
-/// amplitudes matter (nearest, fixed values, most energy, held energy), then reduced.
-[[nodiscard]] Formulation cheapestFormulation(const Demands& demands);
-
-/// The program of a schedule with the demands: bounds for limits, rows for fixed values, one more
-/// unknown for the peak strain, a diagonal objective or energy equality. Most energy is no convex
-/// objective and is left out. O(n + N).
-/// \throws std::invalid_argument on invalid input, or if `formulation` is lumped and does not do.
-[[nodiscard]] Formulated pose(const Schedule& schedule, const Demands& demands,
-                              Formulation formulation);
-
-/// (2/N) sum of factor^2 per unknown over the window of 2N steps: E/E_1 = sum weight_i x_i^2.
-[[nodiscard]] Eigen::VectorXd energyWeights(const Formulated& formulated);
 
 /// What a demand-checker needs to know of a state.
 struct Extremes {

@@ -20,16 +20,13 @@
 #include <string_view>
 #include <vector>
 
+#include "signorini/amplitude_set.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/certificate.hpp"
 #include "signorini/control.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/formulation.hpp"
-#include "signorini/infeasibility.hpp"
-#include "signorini/lumped_set.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 #include "signorini/verdict.hpp"
 #include "signorini/verification.hpp"
 

@@ -1,5 +1,17 @@
 #pragma once
 /// \file
+/// The state of the bar at one instant: two travelling waves, constant on each cell.
+///
+/// Equation (26) gives r_1, r_2 the constant values a_i, b_i on cell i. The state keeps them scaled
+/// so that
+///
+///     v/c = a + b,   s = b - a,
+///
+/// that is, without the factor 1/sqrt(1 + c^2) of (14), and in units of g/L: every number of the
+/// library is dimensionless, and only files, figures and `Scales` know metres and seconds.
+///
+/// ## Motions
+///
 /// The motion u(x, t), v(x, t), s(x, t) of a found state over one period.
 ///
 /// With P the running sum of the delay sequence p (propagation.hpp) the field needs no stepping:
@@ -9,15 +21,52 @@
 ///     s on cell i = -p_{m+N-i} - p_{m+N+i-1}            [g/L]
 ///
 /// so any sample costs O(1) after O(n + N) preparation.
+///
+/// ## Orbits
+///
+/// Orbits: motions up to a shift in time.
+///
+/// A motion is known by the waves p_0 ... p_{n-1} that arrive at the tip in one period (theory.md,
+/// section 2), its orbit by the same numbers in a ring. Periods are folded first (schedule.hpp):
+/// that only leaves out what an orbit goes through twice.
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 
 namespace signorini {
+
+/// Right-going and left-going wave, N values each; cell i of the paper is entry i - 1.
+struct State {
+    Eigen::VectorXd a;  ///< [g/L], right-going wave r_1
+    Eigen::VectorXd b;  ///< [g/L], left-going wave r_2
+
+    /// N.
+    [[nodiscard]] std::int64_t cells() const { return a.size(); }
+
+    friend bool operator==(const State&, const State&) = default;
+};
+
+/// v on each cell, in units of c g/L. O(N).
+[[nodiscard]] Eigen::VectorXd velocity(const State& state);
+
+/// s = u_x on each cell, in units of g/L. O(N).
+[[nodiscard]] Eigen::VectorXd strain(const State& state);
+
+/// u at x_i = i dx, i = 1..N, in units of g; u(0) = 0. The last entry is the tip. O(N).
+[[nodiscard]] Eigen::VectorXd displacement(const State& state);
+
+/// E/E_1 = (2/N) sum(a_i^2 + b_i^2); conserved by contact and free steps alike. O(N).
+[[nodiscard]] double energyRatio(const State& state);
+
+/// The same state on a grid with `factor` >= 1 times as many cells; a schedule with `factor` times
+/// as many steps then gives the same motion, drawn finer. O(factor N).
+[[nodiscard]] State refined(const State& state, std::int64_t factor);
+
+/// max |a_i|, |b_i|: the size that residuals are relative to. O(N).
+[[nodiscard]] double amplitude(const State& state);
 
 /// Random access to the field of one motion.
 class Motion {
@@ -48,5 +97,26 @@ private:
 /// 0, k, 2k, ... up to `last`, which is always included, with the least stride k that gives at most
 /// `most` >= 2 values: how files and figures thin out long motions.
 [[nodiscard]] std::vector<std::int64_t> thinned(std::int64_t last, std::int64_t most);
+
+/// p_0 ... p_{n-1} [g/L] of a motion that follows the schedule, n counted after folding. O(n).
+/// \throws std::invalid_argument on an invalid schedule or a state with other cells.
+[[nodiscard]] std::vector<double> arrivals(const State& state, const Schedule& schedule);
+
+/// The same state for all motions of an orbit, equal to the last bit: the orbit as force on the
+/// wall begins. Of several such instants it is the first in a lexicographic order that puts steps
+/// where force begins before others and larger p before smaller; a grazing motion is taken where
+/// that order says. O(n).
+/// \pre The state is a motion of the schedule.
+/// \throws std::invalid_argument on an invalid schedule or a state with other cells.
+[[nodiscard]] State orbitRepresentative(const State& state, const Schedule& schedule);
+
+/// Are two motions of one schedule the same but for a shift in time, each p within `tolerance`
+/// times the largest |p|? O(n) for tolerance 0, which suits motions that the library wrote, as
+/// propagation does not round. Otherwise O(n) for each shift that brings the largest |p| into
+/// place, mostly given up early. \pre Both states are motions of the schedule.
+/// \throws std::invalid_argument on an invalid schedule, states with other cells, or a tolerance
+/// that is not a number >= 0.
+[[nodiscard]] bool isSameOrbit(const State& first, const State& second, const Schedule& schedule,
+                               double tolerance = 0.0);
 
 }  // namespace signorini

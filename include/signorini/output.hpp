@@ -15,7 +15,6 @@
 #include "signorini/control.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 
 namespace signorini {
 

@@ -29,8 +29,8 @@
 
 #include "signorini/amplitude_set.hpp"
 #include "signorini/certificate.hpp"
+#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 #include "signorini/verdict.hpp"
 
 namespace signorini {

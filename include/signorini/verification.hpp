@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "signorini/certificate.hpp"
+#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 
 namespace signorini {
 

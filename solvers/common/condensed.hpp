@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini {
 

@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::glpk {
 

@@ -3,7 +3,7 @@
 /// What the three GLPK back ends share: handing a program over, reading verdict and point back.
 
 #include "glpk/guarded.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::glpk {
 

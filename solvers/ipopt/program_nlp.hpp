@@ -5,7 +5,7 @@
 #include <IpTNLP.hpp>
 #include <functional>
 
-#include "signorini/program.hpp"
+#include "program.hpp"
 
 namespace signorini::ipopt {
 

@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::nlopt {
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "common/condensed.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini::nlopt {
 

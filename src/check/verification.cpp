@@ -7,7 +7,7 @@
 #include "compensated_sum.hpp"
 #include "faults.hpp"
 #include "integers.hpp"
-#include "signorini/propagation.hpp"
+#include "propagation.hpp"
 
 namespace signorini {
 

@@ -15,7 +15,7 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "ranks.hpp"
-#include "signorini/atlas_figure.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::cli {

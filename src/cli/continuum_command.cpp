@@ -11,7 +11,7 @@
 #include "interrupt.hpp"
 #include "json.hpp"
 #include "signorini/continuum.hpp"
-#include "signorini/continuum_figure.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::cli {

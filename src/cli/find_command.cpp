@@ -7,7 +7,7 @@
 #include "faults.hpp"
 #include "files.hpp"
 #include "report.hpp"
-#include "signorini/figure.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"

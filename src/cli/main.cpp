@@ -21,7 +21,7 @@
 #include "ranks.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "text.hpp"
 
 namespace {

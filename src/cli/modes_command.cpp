@@ -12,7 +12,7 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
-#include "signorini/frequency_energy_figure.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 
 namespace signorini::cli {

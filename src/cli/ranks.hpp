@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "signorini/atlas_batches.hpp"
+#include "atlas_batches.hpp"
 #include "signorini/control.hpp"
 
 namespace signorini::cli {

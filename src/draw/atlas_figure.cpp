@@ -1,4 +1,4 @@
-#include "signorini/atlas_figure.hpp"
+#include "signorini/figures.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gnuplot.hpp"
-#include "signorini/frequency_energy_figure.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 #include "text.hpp"
 

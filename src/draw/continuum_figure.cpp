@@ -1,4 +1,4 @@
-#include "signorini/continuum_figure.hpp"
+#include "signorini/figures.hpp"
 
 #include <fmt/format.h>
 

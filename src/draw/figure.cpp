@@ -1,4 +1,4 @@
-#include "signorini/figure.hpp"
+#include "signorini/figures.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "signorini/frequency_energy_figure.hpp"
+#include "signorini/figures.hpp"
 
 #include <fmt/format.h>
 

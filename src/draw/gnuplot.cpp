@@ -16,7 +16,7 @@
 
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "signorini/figure.hpp"
+#include "signorini/figures.hpp"
 
 namespace signorini {
 

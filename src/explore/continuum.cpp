@@ -8,7 +8,7 @@
 #include "continuum_record.hpp"
 #include "energy_section.hpp"
 #include "faults.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini {
 

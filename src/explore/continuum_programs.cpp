@@ -5,7 +5,8 @@
 #include <random>
 
 #include "faults.hpp"
-#include "signorini/solver.hpp"
+#include "formulation.hpp"
+#include "solver.hpp"
 
 namespace signorini {
 

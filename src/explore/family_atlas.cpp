@@ -1,4 +1,4 @@
-#include "signorini/family_atlas.hpp"
+#include "signorini/atlas.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -127,8 +127,7 @@ private:
 
 }  // namespace
 
-bool forEachSchedule(const AtlasRange& range, const ScheduleVisitor& visitor,
-                     const Cancel& cancel)
+bool forEachSchedule(const AtlasRange& range, const ScheduleVisitor& visitor, const Cancel& cancel)
 {
     validate(range);
     if (range.maxPhases != 1) {

@@ -4,10 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "formulation.hpp"
 #include "program_rows.hpp"
 #include "rational.hpp"
-#include "signorini/class_types.hpp"
-#include "signorini/formulation.hpp"
 #include "signorini/lumped_set.hpp"
 
 namespace signorini {

@@ -7,13 +7,14 @@
 
 #include "energy_bound.hpp"
 #include "faults.hpp"
+#include "formulation.hpp"
 #include "known_motions.hpp"
 #include "lumped_proof.hpp"
 #include "minimum_error.hpp"
 #include "nearest_motion.hpp"
-#include "signorini/class_types.hpp"
-#include "signorini/closed_form.hpp"
-#include "signorini/solver.hpp"
+#include "signorini/amplitude_set.hpp"
+#include "signorini/lumped_set.hpp"
+#include "solver.hpp"
 #include "tolerated.hpp"
 
 namespace signorini {

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "signorini/demands.hpp"
+#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 
 namespace signorini {
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
+#include "formulation.hpp"
 #include "program_rows.hpp"
 #include "rational.hpp"
-#include "signorini/closed_form.hpp"
-#include "signorini/formulation.hpp"
+#include "signorini/amplitude_set.hpp"
 
 namespace signorini {
 

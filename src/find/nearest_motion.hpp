@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "signorini/lumped_set.hpp"
-#include "signorini/state.hpp"
+#include "signorini/motion.hpp"
 
 namespace signorini {
 

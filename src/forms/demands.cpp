@@ -7,7 +7,8 @@
 
 #include "compensated_sum.hpp"
 #include "faults.hpp"
-#include "signorini/propagation.hpp"
+#include "formulation.hpp"
+#include "propagation.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,4 @@
-#include "signorini/formulation.hpp"
+#include "formulation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "signorini/class_types.hpp"
-#include "signorini/equations.hpp"
+#include "equations.hpp"
+#include "signorini/lumped_set.hpp"
 
 namespace signorini {
 

@@ -2,9 +2,9 @@
 /// \file
 /// The exact verdict on several contact phases as a proof over the rows of a program.
 
+#include "program.hpp"
 #include "signorini/certificate.hpp"
 #include "signorini/lumped_set.hpp"
-#include "signorini/program.hpp"
 
 namespace signorini {
 

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "exact_projection.hpp"
-#include "signorini/program.hpp"
+#include "program.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,5 @@
 #include "tolerated.hpp"
+#include "formulation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 
 #include <optional>
 
+#include "infeasibility.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/infeasibility.hpp"
 #include "signorini/reduction.hpp"
 
 namespace signorini {

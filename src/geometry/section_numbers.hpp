@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "signorini/sphere_section.hpp"
+#include "sphere_section.hpp"
 
 namespace signorini {
 

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "section_numbers.hpp"
-#include "signorini/closed_form.hpp"
-#include "signorini/sphere_section.hpp"
+#include "signorini/amplitude_set.hpp"
+#include "sphere_section.hpp"
 
 namespace signorini {
 

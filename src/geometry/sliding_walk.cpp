@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "faults.hpp"
-#include "signorini/sphere_section.hpp"
+#include "sphere_section.hpp"
 
 namespace signorini {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "section_numbers.hpp"
-#include "signorini/sphere_section.hpp"
+#include "sphere_section.hpp"
 
 namespace signorini {
 

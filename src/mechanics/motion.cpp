@@ -2,7 +2,7 @@
 
 #include "compensated_sum.hpp"
 #include "faults.hpp"
-#include "signorini/propagation.hpp"
+#include "propagation.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,4 @@
-#include "signorini/propagation.hpp"
+#include "propagation.hpp"
 
 #include <algorithm>
 #include <cmath>

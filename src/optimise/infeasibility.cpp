@@ -1,4 +1,4 @@
-#include "signorini/infeasibility.hpp"
+#include "infeasibility.hpp"
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>

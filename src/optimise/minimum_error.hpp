@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini {
 

@@ -1,4 +1,4 @@
-#include "signorini/program.hpp"
+#include "program.hpp"
 
 #include <algorithm>
 #include <cmath>

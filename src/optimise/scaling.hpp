@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini {
 

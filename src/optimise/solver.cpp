@@ -1,4 +1,4 @@
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 #include <cmath>
 

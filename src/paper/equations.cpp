@@ -1,4 +1,4 @@
-#include "signorini/equations.hpp"
+#include "equations.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "signorini/class_types.hpp"
+#include "signorini/lumped_set.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -15,10 +15,10 @@
 #include <optional>
 #include <vector>
 
+#include "signorini/motion.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/sphere_section.hpp"
-#include "signorini/state.hpp"
+#include "sphere_section.hpp"
 
 namespace signorini {
 

@@ -3,7 +3,7 @@
 
 #include "energy_section.hpp"
 #include "rational.hpp"
-#include "signorini/closed_form.hpp"
+#include "signorini/amplitude_set.hpp"
 
 namespace signorini {
 

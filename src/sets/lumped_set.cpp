@@ -10,7 +10,7 @@
 #include "double_description.hpp"
 #include "exact_projection.hpp"
 #include "faults.hpp"
-#include "signorini/closed_form.hpp"
+#include "signorini/amplitude_set.hpp"
 
 namespace signorini {
 

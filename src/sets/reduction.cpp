@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "faults.hpp"
-#include "signorini/closed_form.hpp"
+#include "signorini/amplitude_set.hpp"
 
 namespace signorini {
 

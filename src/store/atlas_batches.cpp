@@ -1,4 +1,4 @@
-#include "signorini/atlas_batches.hpp"
+#include "atlas_batches.hpp"
 
 #include <chrono>
 #include <new>

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "atlas_batches.hpp"
 #include "atlas_rows.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"

@@ -14,7 +14,7 @@
 #include "record.hpp"
 #include "runner.hpp"
 #include "signorini/reduction.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "statistics.hpp"
 
 using namespace signorini;

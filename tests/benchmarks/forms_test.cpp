@@ -3,12 +3,12 @@
 #include "forms.hpp"
 
 #include "catch.hpp"
+#include "program.hpp"
+#include "propagation.hpp"
 #include "signorini/lumped_set.hpp"
-#include "signorini/program.hpp"
-#include "signorini/propagation.hpp"
 #include "signorini/reduction.hpp"
-#include "signorini/solver.hpp"
 #include "signorini/verification.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -4,7 +4,7 @@
 #include <fstream>
 
 #include "program.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 using namespace signorini::test;
 

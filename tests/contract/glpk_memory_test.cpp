@@ -1,9 +1,9 @@
 // GLPK out of memory: an exception where GLPK by itself ends the process.
 
 #include "catch.hpp"
+#include "formulation.hpp"
 #include "signorini/config.hpp"
-#include "signorini/formulation.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 #if SIGNORINI_HAS_GLPK
 

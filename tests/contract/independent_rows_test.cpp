@@ -6,7 +6,7 @@
 
 #include "catch.hpp"
 #include "common/condensed.hpp"
-#include "signorini/formulation.hpp"
+#include "formulation.hpp"
 #include "signorini/reduction.hpp"
 #include "support.hpp"
 

@@ -1,10 +1,10 @@
 // Why programs have a unit of their own: what a bare call of a library makes of SI units.
 
 #include "catch.hpp"
+#include "formulation.hpp"
 #include "signorini/config.hpp"
-#include "signorini/formulation.hpp"
 #include "signorini/reduction.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 #if SIGNORINI_HAS_GLPK

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "signorini/formulation.hpp"
+#include "formulation.hpp"
 #include "signorini/reduction.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -1,8 +1,10 @@
 // The solver libraries as witnesses of the closed form: the same verdict, the same minima.
 
 #include "catch.hpp"
+#include "formulation.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/solver.hpp"
+#include "signorini/reduction.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "catch.hpp"
-#include "signorini/atlas_figure.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 #include "signorini/verification.hpp"
 #include "sqlite.hpp"

@@ -7,8 +7,8 @@
 #include <set>
 #include <thread>
 
+#include "atlas_batches.hpp"
 #include "catch.hpp"
-#include "signorini/atlas_batches.hpp"
 #include "support.hpp"
 
 using namespace signorini;

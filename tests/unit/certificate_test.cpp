@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "catch.hpp"
+#include "equations.hpp"
 #include "integers.hpp"
-#include "signorini/equations.hpp"
 #include "signorini/verification.hpp"
 #include "support.hpp"
 

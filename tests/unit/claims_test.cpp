@@ -2,9 +2,9 @@
 
 #include "catch.hpp"
 #include "known_motions.hpp"
-#include "signorini/closed_form.hpp"
+#include "signorini/amplitude_set.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

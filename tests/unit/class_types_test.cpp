@@ -1,10 +1,10 @@
-#include "signorini/class_types.hpp"
+#include "signorini/lumped_set.hpp"
 
 #include <Eigen/Dense>
 #include <random>
 
 #include "catch.hpp"
-#include "signorini/equations.hpp"
+#include "equations.hpp"
 #include "signorini/reduction.hpp"
 #include "support.hpp"
 

@@ -1,4 +1,4 @@
-#include "signorini/closed_form.hpp"
+#include "signorini/amplitude_set.hpp"
 
 #include <random>
 

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "catch.hpp"
-#include "signorini/closed_form.hpp"
+#include "signorini/amplitude_set.hpp"
 #include "signorini/continuum.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -6,9 +6,9 @@
 #include <thread>
 
 #include "catch.hpp"
-#include "signorini/closed_form.hpp"
+#include "signorini/amplitude_set.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

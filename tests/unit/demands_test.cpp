@@ -1,12 +1,14 @@
 #include "signorini/demands.hpp"
+#include "infeasibility.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include "catch.hpp"
+#include "formulation.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -1,4 +1,4 @@
-#include "signorini/family_atlas.hpp"
+#include "signorini/atlas.hpp"
 
 #include <algorithm>
 #include <random>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "signorini/orbit.hpp"
+#include "signorini/motion.hpp"
 
 using namespace signorini;
 

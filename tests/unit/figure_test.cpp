@@ -1,4 +1,4 @@
-#include "signorini/figure.hpp"
+#include "signorini/figures.hpp"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 #include <iterator>
 
 #include "catch.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 using namespace signorini;
 

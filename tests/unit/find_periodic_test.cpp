@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "catch.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

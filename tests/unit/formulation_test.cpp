@@ -1,13 +1,13 @@
-#include "signorini/formulation.hpp"
+#include "formulation.hpp"
 
 #include <cmath>
 
 #include "catch.hpp"
-#include "signorini/equations.hpp"
+#include "equations.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/reduction.hpp"
-#include "signorini/solver.hpp"
 #include "signorini/verification.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -1,8 +1,9 @@
-#include "signorini/infeasibility.hpp"
+#include "infeasibility.hpp"
 
 #include <limits>
 
 #include "catch.hpp"
+#include "formulation.hpp"
 #include "signorini/demands.hpp"
 #include "support.hpp"
 

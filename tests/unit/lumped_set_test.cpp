@@ -1,14 +1,16 @@
 #include "signorini/lumped_set.hpp"
+#include "infeasibility.hpp"
 
 #include <Eigen/Dense>
 #include <chrono>
 #include <cmath>
 
 #include "catch.hpp"
+#include "formulation.hpp"
 #include "lumped_proof.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/solver.hpp"
 #include "signorini/verification.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

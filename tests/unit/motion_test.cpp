@@ -1,7 +1,7 @@
 #include "signorini/motion.hpp"
 
 #include "catch.hpp"
-#include "signorini/propagation.hpp"
+#include "propagation.hpp"
 #include "signorini/reduction.hpp"
 #include "support.hpp"
 

@@ -3,9 +3,10 @@
 #include <random>
 
 #include "catch.hpp"
-#include "signorini/closed_form.hpp"
+#include "formulation.hpp"
+#include "signorini/amplitude_set.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

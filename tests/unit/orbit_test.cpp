@@ -1,4 +1,4 @@
-#include "signorini/orbit.hpp"
+#include "signorini/motion.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "signorini/propagation.hpp"
+#include "propagation.hpp"
 #include "signorini/reduction.hpp"
 #include "signorini/verification.hpp"
 #include "support.hpp"

@@ -1,7 +1,7 @@
-#include "signorini/propagation.hpp"
+#include "propagation.hpp"
 
 #include "catch.hpp"
-#include "signorini/equations.hpp"
+#include "equations.hpp"
 #include "signorini/reduction.hpp"
 #include "support.hpp"
 

@@ -5,9 +5,10 @@
 #include <Eigen/Dense>
 
 #include "catch.hpp"
-#include "signorini/equations.hpp"
+#include "equations.hpp"
+#include "propagation.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/propagation.hpp"
+#include "signorini/reduction.hpp"
 #include "support.hpp"
 
 using namespace signorini;

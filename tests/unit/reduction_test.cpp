@@ -4,9 +4,9 @@
 #include <map>
 
 #include "catch.hpp"
-#include "signorini/equations.hpp"
-#include "signorini/solver.hpp"
+#include "equations.hpp"
 #include "signorini/verification.hpp"
+#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "catch.hpp"
-#include "signorini/equations.hpp"
+#include "equations.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -1,4 +1,4 @@
-#include "signorini/sphere_section.hpp"
+#include "sphere_section.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-#include "signorini/state.hpp"
+#include "signorini/motion.hpp"
 
 #include "catch.hpp"
 #include "support.hpp"

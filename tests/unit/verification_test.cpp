@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "catch.hpp"
-#include "signorini/equations.hpp"
-#include "signorini/propagation.hpp"
+#include "equations.hpp"
+#include "propagation.hpp"
 #include "signorini/reduction.hpp"
 #include "support.hpp"
 

@@ -15,8 +15,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 
 namespace signorini {
 

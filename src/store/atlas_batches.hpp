@@ -15,22 +15,10 @@
 #include <thread>
 #include <vector>
 
-#include "signorini/atlas.hpp"
+#include "signorini/atlas_database.hpp"
 #include "signorini/control.hpp"
 
 namespace signorini {
-
-/// Decided batches, one by one, by ascending number.
-class BatchSource {
-public:
-    BatchSource() = default;
-    BatchSource(const BatchSource&) = delete;
-    BatchSource& operator=(const BatchSource&) = delete;
-    virtual ~BatchSource() = default;
-
-    /// The next batch; nothing after the last one, or once cancelled.
-    [[nodiscard]] virtual std::optional<AtlasBatch> next() = 0;
-};
 
 /// Batches first, first + stride, first + 2 stride, ... of a range, decided by threads of this
 /// process, which run ahead of the consumer by at most two batches each: memory stays flat. Where

@@ -12,9 +12,9 @@
 
 #include <optional>
 
+#include "program.hpp"
 #include "signorini/certificate.hpp"
-#include "signorini/program.hpp"
-#include "signorini/solver.hpp"
+#include "solver.hpp"
 
 namespace signorini {
 

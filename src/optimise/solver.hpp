@@ -16,8 +16,8 @@
 #include <string>
 #include <string_view>
 
+#include "program.hpp"
 #include "signorini/control.hpp"
-#include "signorini/program.hpp"
 
 namespace signorini {
 

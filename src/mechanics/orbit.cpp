@@ -1,4 +1,4 @@
-#include "signorini/orbit.hpp"
+#include "signorini/motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "faults.hpp"
-#include "signorini/propagation.hpp"
+#include "propagation.hpp"
 
 namespace signorini {
 

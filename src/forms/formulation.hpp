@@ -33,22 +33,12 @@
 #include <string_view>
 #include <vector>
 
-#include "signorini/program.hpp"
+#include "program.hpp"
+#include "signorini/demands.hpp"
+#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/state.hpp"
 
 namespace signorini {
-
-/// Which unknowns the problem is posed in.
-enum class Formulation {
-    automatic,  ///< whatever the request needs least of
-    state,      ///< the paper's a and b, equations (30)-(32) as they stand
-    reduced,    ///< class amplitudes
-    lumped,     ///< sums of class amplitudes
-};
-
-/// "auto", "state", "reduced", "lumped".
-[[nodiscard]] std::string_view name(Formulation formulation);
 
 /// p_m = factor * x[column]; factor 0 where p_m = 0 for every motion.
 struct DelayTerm {
@@ -73,5 +63,19 @@ struct Formulated {
 
 /// The state at t = 0 of the motion with unknowns x: a_i = p_{N-i}, b_i = -p_{N+i-1}. O(N).
 [[nodiscard]] State stateOf(const Formulated& formulated, const Eigen::VectorXd& x);
+
+/// The formulation of least size that answers these demands exactly: lumped unless single
+/// amplitudes matter (nearest, fixed values, most energy, held energy), then reduced.
+[[nodiscard]] Formulation cheapestFormulation(const Demands& demands);
+
+/// The program of a schedule with the demands: bounds for limits, rows for fixed values, one more
+/// unknown for the peak strain, a diagonal objective or energy equality. Most energy is no convex
+/// objective and is left out. O(n + N).
+/// \throws std::invalid_argument on invalid input, or if `formulation` is lumped and does not do.
+[[nodiscard]] Formulated pose(const Schedule& schedule, const Demands& demands,
+                              Formulation formulation);
+
+/// (2/N) sum of factor^2 per unknown over the window of 2N steps: E/E_1 = sum weight_i x_i^2.
+[[nodiscard]] Eigen::VectorXd energyWeights(const Formulated& formulated);
 
 }  // namespace signorini
