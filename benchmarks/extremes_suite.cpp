@@ -326,8 +326,8 @@ private:
                 const PeriodicResult found = findPeriodic(150, 900, 300, {.bar = bar});
                 const PeriodicResult none = findPeriodic(150, 1200, 300, {.bar = bar});
                 const double energy = 2.0 * bar.axialStiffness * bar.gap * bar.gap / bar.length;
-                const double error = std::abs(found.energy / energy - 1.0);
-                sweep.worst = std::max({sweep.worst, error, found.residuals.worst()});
+                const double error = std::abs(found.motion->energy / energy - 1.0);
+                sweep.worst = std::max({sweep.worst, error, found.motion->residuals.worst()});
                 sweep.checked += 2;
                 sweep.wrong += found.status != Status::found || error > 1e-12 ? 1 : 0;
                 sweep.wrong += none.status != Status::none ? 1 : 0;

@@ -122,7 +122,7 @@ private:
         add("findPeriodic in full", cells, [](std::int64_t n, Record& row) {
             PeriodicResult result;
             record(timeOf([&] { result = findPeriodic(familyA(n).schedule); }), row);
-            judgeFound(leastEnergyOf(familyA(n), 4.0), result.state, usualTolerance, row);
+            judgeFound(leastEnergyOf(familyA(n), 4.0), result.motion->state, usualTolerance, row);
         });
         if (cells % 300 == 0) {
             add("verdict on three phases", cells, [](std::int64_t n, Record& row) {
@@ -132,7 +132,7 @@ private:
                 bool exists = false;
                 record(timeOf([&] { exists = !lumpedSet(schedule).absence; }), row);
                 row.figures["cells"] = static_cast<double>(8 * unit);
-                setOutcome(exists && findPeriodic(schedule).residuals.worst() < 1e-9, row);
+                setOutcome(exists && findPeriodic(schedule).motion->residuals.worst() < 1e-9, row);
             });
         }
     }

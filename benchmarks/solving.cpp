@@ -89,9 +89,8 @@ void solveProgram(const Problem& problem, std::string_view backEnd, std::string_
 
 FindOptions optionsFor(const Problem& problem, double tolerance)
 {
-    const Scales unit = scales(Bar{});
     return {.objective = problem.demands.objective,
-            .strainLimit = problem.demands.strainLimit * unit.strain,
+            .strainLimit = problem.demands.strainLimit,
             .energyRatio = problem.demands.energyRatio,
             .tolerance = tolerance};
 }
@@ -99,19 +98,13 @@ FindOptions optionsFor(const Problem& problem, double tolerance)
 void judgeResult(const Problem& problem, const PeriodicResult& result, double tolerance,
                  Record& record)
 {
-    record.detail = result.route + (result.detail.empty() ? "" : ": " + result.detail);
-    if (result.status == Status::found) {
-        judgeFound(problem, result.state, tolerance, record);
-    } else if (result.status == Status::none) {
+    record.detail = result.how.route + (result.detail.empty() ? "" : ": " + result.detail);
+    if (result.motion) {
+        judgeFound(problem, result.motion->state, tolerance, record);
+    } else if (result.absence) {
         judgeNone(problem, record);
-        // Proofs are checked again here, except an energy outside the range, which needs none.
-        const bool holds =
-            result.certificate ? isProof(*result.certificate, result.schedule)
-            : result.programProof
-                ? isProof(*result.programProof,
-                          pose(result.schedule, problem.demands, result.proofRows).program)
-                : problem.demands.energyRatio.has_value();
-        if (!holds) {
+        // Proofs are checked again here, except an energy outside a range that no other code knows.
+        if (!isProof(result) && !std::holds_alternative<EnergyExclusion>(result.absence->proof)) {
             record.outcome = "wrong";
             record.detail += ": the proof does not hold";
         }
@@ -171,17 +164,17 @@ Case programCase(const CaseName& name, const Problem& problem, std::string_view 
 
 Case libraryCase(const CaseName& name, const Problem& problem, double tolerance)
 {
-    return caseOf(name, identify(name, problem, "signorini", "auto", tolerance),
-                  [problem, tolerance](Record& record) {
-                      const FindOptions options = optionsFor(problem, tolerance);
-                      PeriodicResult result;
-                      bench::record(
-                          timeOf([&] { result = findPeriodic(problem.schedule, options); }),
+    return caseOf(
+        name, identify(name, problem, "signorini", "auto", tolerance),
+        [problem, tolerance](Record& record) {
+            const FindOptions options = optionsFor(problem, tolerance);
+            PeriodicResult result;
+            bench::record(timeOf([&] { result = findPeriodic(problem.schedule, options); }),
                           record);
-                      record.figures["solve_seconds"] = result.solver.seconds;
-                      record.figures["iterations"] = static_cast<double>(result.solver.iterations);
-                      judgeResult(problem, result, tolerance, record);
-                  });
+            record.figures["solve_seconds"] = result.how.solver.seconds;
+            record.figures["iterations"] = static_cast<double>(result.how.solver.iterations);
+            judgeResult(problem, result, tolerance, record);
+        });
 }
 
 Case closedFormCase(const CaseName& name, const Problem& problem, double tolerance)

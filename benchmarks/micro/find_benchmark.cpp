@@ -103,7 +103,7 @@ void findPeriodicInFull(benchmark::State& bench)
     const Schedule schedule = paperCase(bench.range(0));
     for (auto _ : bench) {
         const PeriodicResult result = findPeriodic(schedule);
-        benchmark::DoNotOptimize(result.energyRatio);
+        benchmark::DoNotOptimize(result.motion->energyRatio);
     }
 }
 BENCHMARK(findPeriodicInFull)->Arg(300)->Arg(1'000'000);

@@ -87,7 +87,7 @@ void threePhasesInFull(benchmark::State& bench)
 {
     const Schedule schedule = refinedPhases(bench.range(0));
     for (auto _ : bench) {
-        benchmark::DoNotOptimize(findPeriodic(schedule).energyRatio);
+        benchmark::DoNotOptimize(findPeriodic(schedule).motion->energyRatio);
     }
 }
 BENCHMARK(threePhasesInFull)->Arg(1'000)->Arg(1'000'000);

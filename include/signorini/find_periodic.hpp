@@ -17,7 +17,7 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <variant>
 #include <vector>
 
 #include "signorini/amplitude_set.hpp"
@@ -32,25 +32,79 @@
 
 namespace signorini {
 
-/// A request names only what it wants.
+/// A request names only what it wants. Lengths, strains and energies are in the scaled units of
+/// motion.hpp, as in `Demands`; divide metres by `bar.gap` and strains by `scales(bar).strain`.
 struct FindOptions {
-    Bar bar = {};                 ///< turns numbers into metres, seconds and joules
+    Bar bar = {};                 ///< gives the answer in seconds and joules; decides nothing
     std::string solver = "auto";  ///< a name from `backends()`, or "auto"
     Formulation formulation = Formulation::automatic;  ///< unknowns handed to a solver
     Objective objective = Objective::automatic;        ///< which motion of the set
     std::optional<State> target = std::nullopt;        ///< [g/L], for Objective::nearest
-    /// [-], S > 0: strain s >= -S for all x and t; the paper's admissibility is S = 1.
+    /// [g/L], S > 0: strain s >= -S for all x and t; the paper's admissibility is S = L/g.
     double strainLimit = std::numeric_limits<double>::infinity();
-    /// [m], lowest displacement of the tip allowed, below the gap.
+    /// [g], lowest displacement of the tip allowed, < 1.
     double tipFloor = -std::numeric_limits<double>::infinity();
-    std::vector<FixedValue> fixed = {};                ///< prescribed parts of the initial state
-    std::optional<double> energyRatio = std::nullopt;  ///< E/E_1 to hold
+    std::vector<FixedValue> fixed = {};  ///< [g/L], prescribed parts of the initial state
+    std::optional<double> energyRatio = std::nullopt;  ///< [E_1], energy to hold
     /// Largest relative residual a found motion may have; also the solver's tolerance. Looser
     /// values do not make the closed form faster.
     double tolerance = 1e-7;
     double timeLimit = std::numeric_limits<double>::infinity();  ///< [s], for the solver
     std::int64_t iterationLimit = 0;                             ///< [-], for the solver; 0: none
     Cancel cancel = {};  ///< stops a solver that can be stopped
+};
+
+/// The set of all motions of a schedule, as far as the route knows it; `reduce` and `lumpedSet`
+/// describe it in full.
+struct MotionSet {
+    std::optional<std::int64_t> kernelDimension;  ///< dim ker(W - 1)
+    std::optional<SetKind> kind;                  ///< its shape
+    std::int64_t dimension = -1;                  ///< [-], known if the kind is; -1: empty
+    std::optional<AmplitudeSet> amplitudes;       ///< the same in amplitudes, one phase only
+    /// From least to most; `most` may be infinite, or NaN if not known.
+    std::optional<EnergyRange> energy;
+};
+
+/// A motion whose residuals are within the tolerance.
+struct FoundMotion {
+    State state;                          ///< at t = 0, start of the first contact phase
+    Contact contact = Contact::pressing;  ///< does the wall feel it?
+    std::vector<Phase> canonical;         ///< phases in which the wall is pressed; empty if grazing
+    std::int64_t repetitions = 1;  ///< how often the motion repeats within the schedule's period
+    std::vector<bool> pressing;    ///< for each phase of the schedule: is the wall pressed at all?
+    double energy = 0.0;           ///< [J]
+    double energyRatio = 0.0;      ///< E/E_1
+    double peakStrain = 0.0;       ///< [-], deepest compression: -min s over all x and t
+    Residuals residuals;           ///< recomputed, relative
+};
+
+/// Multipliers over the rows of the program `pose(schedule, demands, rows)` that exclude every
+/// motion which meets the demands, even relaxed by the tolerance.
+struct ProgramProof {
+    InfeasibilityProof multipliers = {};        ///< checked in rationals
+    Formulation rows = Formulation::automatic;  ///< what the multipliers refer to
+    Demands demands = {};                       ///< limits and fixed values; other demands left out
+    double tolerance = 0.0;                     ///< relative, as in `violation`
+};
+
+/// Every energy of the set misses the one to hold by more than the tolerance.
+struct EnergyExclusion {
+    double energyRatio = 0.0;  ///< E/E_1 to hold
+    EnergyRange range = {};    ///< of the set, by the route
+    double tolerance = 0.0;    ///< relative
+    /// Has code that did not find the range proved it, in rationals? (Not where several phases
+    /// limit it from above.)
+    bool isVerified = false;
+};
+
+/// "E/E_1 = 3 is outside the range [4, 600] of the schedule".
+[[nodiscard]] std::string describe(const EnergyExclusion& exclusion);
+
+/// Why there is no motion.
+struct Absence {
+    Reason reason = Reason::constraints;  ///< in a word
+    /// Over the paper's rows, checked in integers; over the rows of a program; or by the energies.
+    std::variant<FarkasCertificate, ProgramProof, EnergyExclusion> proof = {};
 };
 
 /// Who did the work, and how long it took.
@@ -60,15 +114,16 @@ struct SolverReport {
     double seconds = 0.0;          ///< [s], formulation and solution, without verification
 };
 
-/// What the set of all motions is, in brief; `reduce` and `lumpedSet` describe it in full.
-struct SetSummary {
-    SetKind kind = SetKind::empty;
-    std::int64_t dimension = -1;  ///< [-]; -1: empty
+/// How an answer was got.
+struct Provenance {
+    std::string route = {};                 ///< e.g. "closed-form"
+    std::string reason = {};                ///< why that route
+    std::vector<std::string> leftOut = {};  ///< what the request did not need
+    SolverReport solver = {};               ///< who did it
 };
 
-/// The answer. Invariants: found <=> `state` has N cells and `residuals` are within the tolerance;
-/// none <=> `reason` is present, with a verified `certificate` or `programProof`, or with an
-/// `energyRange` that excludes the energy to hold; undecided => `detail` says why.
+/// The answer. Invariants: found <=> `motion` is present; none <=> `absence` is present;
+/// undecided <=> neither, and `detail` says why.
 struct PeriodicResult {
     Status status = Status::undecided;                        ///< the verdict
     std::string detail = "findPeriodic has not been called";  ///< why undecided, else empty
@@ -76,39 +131,16 @@ struct PeriodicResult {
     Bar bar;                                                  ///< as asked for
     double period = 0.0;                                      ///< [s], T = n dt
     double frequencyRatio = 0.0;                              ///< omega/omega_1
-
-    std::optional<std::int64_t> kernelDimension;  ///< dim ker(W - 1), if the route knows it
-    std::optional<SetSummary> setSummary;         ///< the set of all motions, if the route knows it
-    std::optional<AmplitudeSet> solutionSet;      ///< the same in amplitudes, one phase only
-
-    State state;                          ///< at t = 0, start of the first contact phase
-    Contact contact = Contact::pressing;  ///< does the wall feel it?
-    std::vector<Phase> canonical;         ///< phases in which the wall is pressed; empty if grazing
-    std::int64_t repetitions = 1;  ///< how often the motion repeats within the schedule's period
-    std::vector<bool> pressing;    ///< for each phase of the schedule: is the wall pressed at all?
-    double energy = 0.0;           ///< [J]
-    double energyRatio = 0.0;      ///< E/E_1
-    double peakStrain = 0.0;       ///< [-], deepest compression: -min s over all x and t
-    /// Over the whole set, if the route knows it; `most` may be infinite, or NaN if not known.
-    std::optional<EnergyRange> energyRange;
-    Residuals residuals;  ///< recomputed, relative
-
-    std::optional<Reason> reason;  ///< why none exists
-    /// Proof over the paper's rows, checked in integers (closed form).
-    std::optional<FarkasCertificate> certificate;
-    /// Proof over the rows of the program `pose(schedule, demands, proofRows)`, checked in
-    /// rationals (further demands, several phases).
-    std::optional<InfeasibilityProof> programProof;
-    Formulation proofRows = Formulation::automatic;  ///< rows that programProof refers to
-    /// None because every energy of `energyRange` misses the one to hold: has code that did not
-    /// find the range proved it, in rationals? (Not where several phases limit it from above.)
-    bool isRangeVerified = false;
-
-    std::string route;                 ///< e.g. "closed-form"
-    std::string routeReason;           ///< why that route
-    std::vector<std::string> leftOut;  ///< what the request did not need
-    SolverReport solver;               ///< who did it
+    MotionSet set;                                            ///< all motions
+    std::optional<FoundMotion> motion;                        ///< the one asked for
+    std::optional<Absence> absence;                           ///< why there is none
+    Provenance how;                                           ///< route and solver
 };
+
+/// Checks a proof of absence once more, against rows and bounds made anew from the schedule. False
+/// for anything that is no proof, also for a range of energies that no other code confirms.
+/// O(rows of the program).
+[[nodiscard]] bool isProof(const PeriodicResult& result);
 
 /// Decides a schedule, and returns a motion of it or the proof that there is none.
 ///

@@ -55,10 +55,17 @@ FindOptions parseOptions(const FindCommand& words)
         options.energyRatio = parsePositive("--energy-ratio", words.energyRatio, "E_1");
     }
     if (!words.strainLimit.empty()) {
-        options.strainLimit = parsePositive("--strain-limit", words.strainLimit, "-");
+        options.strainLimit =
+            parsePositive("--strain-limit", words.strainLimit, "-") / scales(options.bar).strain;
     }
     if (!words.tipFloor.empty()) {
-        options.tipFloor = parseReal("--tip-floor", words.tipFloor, "m");
+        const double floor = parseReal("--tip-floor", words.tipFloor, "m");
+        Faults faults;
+        if (!(floor < options.bar.gap)) {
+            faults.add("tipFloor", floor, "below the gap [m]");
+        }
+        faults.throwIfAny();
+        options.tipFloor = floor / options.bar.gap;
     }
     if (options.objective == Objective::nearest && words.targetFile.empty()) {
         throw std::invalid_argument("--target is missing: --objective nearest needs a state file");
@@ -151,10 +158,11 @@ ExitStatus FindCommand::run() const
     const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();
     if (result.status == Status::found) {
         if (!state.empty()) {
-            forFile("--state", stateFile, [&] { writeStateCsv(state, result.state, options.bar); });
+            forFile("--state", stateFile,
+                    [&] { writeStateCsv(state, result.motion->state, options.bar); });
         }
         if (!motion.empty()) {
-            const Motion field(result.state, schedule);
+            const Motion field(result.motion->state, schedule);
             if (field.steps() < signorini::steps(schedule) && !common.quiet) {
                 tell(
                     fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "

@@ -43,20 +43,19 @@ std::string phasesAsText(const std::vector<Phase>& phases)
     return text.empty() ? "no contact phase" : text;
 }
 
-std::string setAsText(const PeriodicResult& result)
+std::string setAsText(const MotionSet& set)
 {
     std::string text;
-    if (result.setSummary) {
-        const SetSummary& set = *result.setSummary;
-        text = set.kind == SetKind::empty ? "empty"
-               : set.kind == SetKind::point
+    if (set.kind) {
+        text = *set.kind == SetKind::empty ? "empty"
+               : *set.kind == SetKind::point
                    ? "a single motion"
-                   : fmt::format("{} of dimension {}", name(set.kind), set.dimension);
+                   : fmt::format("{} of dimension {}", name(*set.kind), set.dimension);
     } else {
         text = "not known to this route";
     }
-    if (result.kernelDimension) {
-        text += fmt::format(", dim ker(W - 1) = {}", *result.kernelDimension);
+    if (set.kernelDimension) {
+        text += fmt::format(", dim ker(W - 1) = {}", *set.kernelDimension);
     }
     return text;
 }
@@ -78,36 +77,35 @@ std::string pressingAsText(const std::vector<bool>& pressing)
                        pressing.size(), numbers, grazing > maxPrintedPhases ? ", …" : "");
 }
 
-std::string energyAsText(const PeriodicResult& result)
+std::string energyAsText(const FoundMotion& motion, const std::optional<EnergyRange>& range)
 {
-    std::string text = fmt::format("{:.6g} J = {:.10g} E₁", result.energy, result.energyRatio);
-    if (result.energyRange && std::isinf(result.energyRange->most)) {
-        text += fmt::format("   (the set reaches from {:.10g} E₁ without bound)",
-                            result.energyRange->least);
-    } else if (result.energyRange && result.energyRange->most > result.energyRange->least) {
-        text += fmt::format("   (the set reaches {:.10g} … {:.10g} E₁)", result.energyRange->least,
-                            result.energyRange->most);
+    std::string text = fmt::format("{:.6g} J = {:.10g} E₁", motion.energy, motion.energyRatio);
+    if (range && std::isinf(range->most)) {
+        text += fmt::format("   (the set reaches from {:.10g} E₁ without bound)", range->least);
+    } else if (range && range->most > range->least) {
+        text += fmt::format("   (the set reaches {:.10g} … {:.10g} E₁)", range->least, range->most);
     }
     return text;
 }
 
 std::string motionAsText(const PeriodicResult& result)
 {
-    const Residuals& r = result.residuals;
-    std::string text = fmt::format("energy      {}\n", energyAsText(result));
-    if (result.contact == Contact::grazing) {
+    const FoundMotion& motion = *result.motion;
+    const Residuals& r = motion.residuals;
+    std::string text = fmt::format("energy      {}\n", energyAsText(motion, result.set.energy));
+    if (motion.contact == Contact::grazing) {
         text += "contact     grazing: a linear motion that touches the wall without force\n";
-    } else if (result.canonical == result.schedule.phases) {
+    } else if (motion.canonical == result.schedule.phases) {
         text += "contact     pressing at every contact step\n";
     } else {
         text += fmt::format(
-            "contact     pressing, canonical schedule {}{}\n", phasesAsText(result.canonical),
-            result.repetitions > 1 ? fmt::format(", {} times over", result.repetitions) : "");
+            "contact     pressing, canonical schedule {}{}\n", phasesAsText(motion.canonical),
+            motion.repetitions > 1 ? fmt::format(", {} times over", motion.repetitions) : "");
     }
-    if (result.pressing.size() > 1 && result.contact == Contact::pressing) {
-        text += fmt::format("phases      {}\n", pressingAsText(result.pressing));
+    if (motion.pressing.size() > 1 && motion.contact == Contact::pressing) {
+        text += fmt::format("phases      {}\n", pressingAsText(motion.pressing));
     }
-    text += fmt::format("strain      at most {:.6g} in compression\n", result.peakStrain);
+    text += fmt::format("strain      at most {:.6g} in compression\n", motion.peakStrain);
     text += fmt::format(
         "residuals   periodicity {:.3g}, gap {:.3g}, pressure {:.3g}, penetration {:.3g}, march "
         "{:.3g}, demands {:.3g}\n",
@@ -115,28 +113,34 @@ std::string motionAsText(const PeriodicResult& result)
     return text;
 }
 
-std::string absenceAsText(const PeriodicResult& result)
+std::string asText(const FarkasCertificate& c)
 {
-    std::string text =
-        fmt::format("reason      {}: {}\n", name(*result.reason), explain(*result.reason));
-    if (result.certificate) {
-        const FarkasCertificate& c = *result.certificate;
-        text += fmt::format(
-            "proof       Farkas certificate, checked in integers: gap row × {}, {} rows of (30), "
-            "{} "
-            "of (10), {} of (12)\n",
-            c.gap, c.periodicity.size(), c.pressure.size(), c.penetration.size());
-    } else if (result.programProof) {
-        text += fmt::format(
-            "proof       Farkas certificate, checked in rationals: {} equalities and {} "
-            "inequalities of the {} formulation\n",
-            result.programProof->equalities.size(), result.programProof->inequalities.size(),
-            name(result.proofRows));
-    } else {
-        text += fmt::format("proof       {} ({})\n", result.detail,
-                            result.isRangeVerified ? "checked in rationals" : rangeNote);
-    }
-    return text;
+    return fmt::format(
+        "Farkas certificate, checked in integers: gap row × {}, {} rows of (30), {} of (10), {} of "
+        "(12)",
+        c.gap, c.periodicity.size(), c.pressure.size(), c.penetration.size());
+}
+
+std::string asText(const ProgramProof& proof)
+{
+    return fmt::format(
+        "Farkas certificate, checked in rationals: {} equalities and {} inequalities of the {} "
+        "formulation",
+        proof.multipliers.equalities.size(), proof.multipliers.inequalities.size(),
+        name(proof.rows));
+}
+
+std::string asText(const EnergyExclusion& exclusion)
+{
+    return fmt::format("{} ({})", describe(exclusion),
+                       exclusion.isVerified ? "checked in rationals" : rangeNote);
+}
+
+std::string absenceAsText(const Absence& absence)
+{
+    return fmt::format("reason      {}: {}\nproof       {}\n", name(absence.reason),
+                       explain(absence.reason),
+                       std::visit([](const auto& proof) { return asText(proof); }, absence.proof));
 }
 
 /// Rows and multipliers as pairs, all of them: what says "verified" can be verified by the reader.
@@ -149,30 +153,48 @@ Json multipliersAsJson(const std::vector<Multiplier>& rows)
     return pairs;
 }
 
-Json certificateAsJson(const PeriodicResult& result)
+Json asJson(const FarkasCertificate& c)
 {
-    if (result.certificate) {
-        const FarkasCertificate& c = *result.certificate;
-        return {{"kind", "farkas"},
-                {"verified", true},
-                {"rows", "paper"},
-                {"gap", c.gap},
-                {"periodicity", multipliersAsJson(c.periodicity)},
-                {"pressure", multipliersAsJson(c.pressure)},
-                {"penetration", multipliersAsJson(c.penetration)}};
-    }
-    if (result.programProof) {
-        return {{"kind", "farkas"},
-                {"verified", true},
-                {"rows", name(result.proofRows)},
-                {"equalities", multipliersAsJson(result.programProof->equalities)},
-                {"inequalities", multipliersAsJson(result.programProof->inequalities)}};
-    }
-    Json json{{"kind", "energy-range"}, {"verified", result.isRangeVerified}};
-    if (!result.isRangeVerified) {
+    return {{"kind", "farkas"},
+            {"verified", true},
+            {"rows", "paper"},
+            {"gap", c.gap},
+            {"periodicity", multipliersAsJson(c.periodicity)},
+            {"pressure", multipliersAsJson(c.pressure)},
+            {"penetration", multipliersAsJson(c.penetration)}};
+}
+
+Json asJson(const ProgramProof& proof)
+{
+    return {{"kind", "farkas"},
+            {"verified", true},
+            {"rows", name(proof.rows)},
+            {"equalities", multipliersAsJson(proof.multipliers.equalities)},
+            {"inequalities", multipliersAsJson(proof.multipliers.inequalities)}};
+}
+
+Json asJson(const EnergyExclusion& exclusion)
+{
+    Json json{{"kind", "energy-range"}, {"verified", exclusion.isVerified}};
+    if (!exclusion.isVerified) {
         json["note"] = rangeNote;
     }
     return json;
+}
+
+void addMotion(const FoundMotion& motion, Json& json)
+{
+    const Residuals& r = motion.residuals;
+    json["contact"] = name(motion.contact);
+    json["canonical_schedule"] = phasesAsJson(motion.canonical);
+    json["repetitions"] = motion.repetitions;
+    json["pressing_phases"] = motion.pressing;
+    json["energy"] = motion.energy;
+    json["energy_ratio"] = motion.energyRatio;
+    json["residuals"] = {
+        {"periodicity", r.periodicity}, {"gap", r.gap},     {"pressure", r.pressure},
+        {"penetration", r.penetration}, {"march", r.march}, {"demands", r.demands}};
+    json["peak_strain"] = motion.peakStrain;
 }
 
 }  // namespace
@@ -181,29 +203,28 @@ std::string asText(const PeriodicResult& result)
 {
     std::string text = fmt::format("{:<12}{}, T = {:.10g} s, ω/ω₁ = {:.10g}\n", name(result.status),
                                    describe(result.schedule), result.period, result.frequencyRatio);
-    text += fmt::format("set         {}\n", setAsText(result));
+    text += fmt::format("set         {}\n", setAsText(result.set));
     switch (result.status) {
         case Status::found:
             text += motionAsText(result);
             break;
         case Status::none:
-            text += absenceAsText(result);
+            text += absenceAsText(*result.absence);
             break;
         case Status::undecided:
             text += fmt::format("why         {}\n", result.detail);
             break;
     }
-    text += fmt::format("route       {}, {:.3g} s: {}\n", result.route, result.solver.seconds,
-                        result.routeReason);
-    for (std::size_t k = 0; k < result.leftOut.size(); ++k) {
-        text += fmt::format("{:<12}{}\n", k == 0 ? "left out" : "", result.leftOut[k]);
+    text += fmt::format("route       {}, {:.3g} s: {}\n", result.how.route,
+                        result.how.solver.seconds, result.how.reason);
+    for (std::size_t k = 0; k < result.how.leftOut.size(); ++k) {
+        text += fmt::format("{:<12}{}\n", k == 0 ? "left out" : "", result.how.leftOut[k]);
     }
     return text;
 }
 
 std::string asJson(const PeriodicResult& result)
 {
-    const bool found = result.status == Status::found;
     Json json{{"status", name(result.status)},
               {"cells", result.schedule.cells},
               {"schedule", phasesAsJson(result.schedule.phases)},
@@ -219,47 +240,38 @@ std::string asJson(const PeriodicResult& result)
               {"residuals", nullptr},
               {"reason", nullptr},
               {"certificate", nullptr},
-              {"route", result.route},
-              {"route_reason", result.routeReason},
-              {"left_out", result.leftOut},
+              {"route", result.how.route},
+              {"route_reason", result.how.reason},
+              {"left_out", result.how.leftOut},
               {"solver",
-               {{"name", result.solver.name},
-                {"iterations", result.solver.iterations},
-                {"seconds", result.solver.seconds}}}};
-    if (result.kernelDimension) {
-        json["kernel_dimension"] = *result.kernelDimension;
+               {{"name", result.how.solver.name},
+                {"iterations", result.how.solver.iterations},
+                {"seconds", result.how.solver.seconds}}}};
+    if (result.set.kernelDimension) {
+        json["kernel_dimension"] = *result.set.kernelDimension;
     }
-    if (result.setSummary) {
-        const SetSummary& set = *result.setSummary;
-        json["solution_set"] = {{"kind", name(set.kind)}, {"dimension", nullptr}};
-        if (set.kind != SetKind::empty) {
-            json["solution_set"]["dimension"] = set.dimension;
+    if (const auto& kind = result.set.kind) {
+        json["solution_set"] = {{"kind", name(*kind)}, {"dimension", nullptr}};
+        if (*kind != SetKind::empty) {
+            json["solution_set"]["dimension"] = result.set.dimension;
         }
     }
-    if (result.energyRange) {
+    if (result.set.energy) {
         // JSON has no infinity: an unbounded or unknown end prints as null.
-        json["energy_ratio_range"] = {result.energyRange->least, result.energyRange->most};
-    } else if (found) {
+        json["energy_ratio_range"] = {result.set.energy->least, result.set.energy->most};
+    } else if (result.motion) {
         json["energy_ratio_range"] = {nullptr, nullptr};
     }
-    if (found) {
-        const Residuals& r = result.residuals;
-        json["contact"] = name(result.contact);
-        json["canonical_schedule"] = phasesAsJson(result.canonical);
-        json["repetitions"] = result.repetitions;
-        json["pressing_phases"] = result.pressing;
-        json["energy"] = result.energy;
-        json["energy_ratio"] = result.energyRatio;
-        json["residuals"] = {
-            {"periodicity", r.periodicity}, {"gap", r.gap},     {"pressure", r.pressure},
-            {"penetration", r.penetration}, {"march", r.march}, {"demands", r.demands}};
-        json["peak_strain"] = result.peakStrain;
+    if (result.motion) {
+        addMotion(*result.motion, json);
     }
-    if (result.reason) {
-        json["reason"] = name(*result.reason);
-    }
-    if (result.status == Status::none) {
-        json["certificate"] = certificateAsJson(result);
+    if (result.absence) {
+        const auto& proof = result.absence->proof;
+        json["reason"] = name(result.absence->reason);
+        json["certificate"] = std::visit([](const auto& p) { return asJson(p); }, proof);
+        if (const auto* exclusion = std::get_if<EnergyExclusion>(&proof)) {
+            json["detail"] = describe(*exclusion);
+        }
     }
     if (!result.detail.empty()) {
         json["detail"] = result.detail;

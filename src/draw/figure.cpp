@@ -135,7 +135,7 @@ Drawing finelyDrawn(const PeriodicResult& result)
         phase.contact *= factor;
         phase.free *= factor;
     }
-    return {schedule, Motion(refined(result.state, factor), schedule)};
+    return {schedule, Motion(refined(result.motion->state, factor), schedule)};
 }
 
 std::string scriptFor(const PeriodicResult& result)
@@ -155,7 +155,7 @@ std::string scriptFor(const PeriodicResult& result)
           "set label 2 \"L = {},  c = {},  g = {}{}\" at screen 0.5,0.925 center "
           "textcolor '#444444'\n",
           describe(result.schedule), period(result.schedule), result.frequencyRatio,
-          result.energyRatio, withPrefix(result.bar.length, "m"),
+          result.motion->energyRatio, withPrefix(result.bar.length, "m"),
           withPrefix(result.bar.waveSpeed, "m/s"), withPrefix(result.bar.gap, "m"),
           isFolded ? "   (free oscillations of 4 L/c that repeat are left out)" : "");
     print(script,
@@ -213,7 +213,7 @@ FigureFormat figureFormat(const std::string& path)
 
 void drawMotion(const PeriodicResult& result, FigureFormat format, const std::string& path)
 {
-    if (result.status != Status::found) {
+    if (!result.motion) {
         throw std::invalid_argument("figure: the result holds no motion to draw");
     }
     runGnuplot(scriptFor(result), format, 16.0, 13.0, path);

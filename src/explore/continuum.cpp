@@ -173,21 +173,25 @@ private:
         }
         FindOptions find;
         find.bar = options_.bar;
-        find.strainLimit = record_.demands.strainLimit * scales(options_.bar).strain;
+        find.strainLimit = record_.demands.strainLimit;
         find.energyRatio = record_.energy();
         find.tolerance = options_.tolerance;
         find.cancel = options_.cancel;
-        PeriodicResult motion = findPeriodic(result_.schedule, find);
-        if (motion.status == Status::found) {
-            member_ = std::move(motion.state);
+        PeriodicResult found = findPeriodic(result_.schedule, find);
+        if (found.motion) {
+            member_ = std::move(found.motion->state);
             return true;
         }
-        result_.status = motion.status;
-        result_.reason = motion.reason;
-        result_.detail = motion.detail;
-        if (motion.status == Status::none && result_.detail.empty()) {
-            result_.detail = fmt::format("no motion follows {}: {}", describe(result_.schedule),
-                                         name(*motion.reason));
+        result_.status = found.status;
+        result_.detail = found.detail;
+        if (found.absence) {
+            const Absence& absence = *found.absence;
+            const auto* exclusion = std::get_if<EnergyExclusion>(&absence.proof);
+            result_.reason = absence.reason;
+            result_.detail = exclusion != nullptr
+                                 ? describe(*exclusion)
+                                 : fmt::format("no motion follows {}: {}",
+                                               describe(result_.schedule), name(absence.reason));
         }
         return false;
     }

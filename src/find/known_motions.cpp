@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nearest_motion.hpp"
+
 namespace signorini {
 
 namespace {
@@ -64,7 +66,46 @@ bool isBetter(const Demands& demands, const State& known, const State& claimed,
     return gain > allowed * std::abs(knownMeasure.value);
 }
 
+std::vector<State> motionsOf(const Reduction& reduction, const Demands& demands)
+{
+    std::vector<State> known{leastEnergyMotion(reduction),
+                             motionOf(reduction, mostAmplitudes(reduction.set))};
+    if (demands.target) {
+        if (auto nearest = nearestMotion(reduction, *demands.target)) {
+            known.push_back(std::move(*nearest));
+        }
+    }
+    return known;
+}
+
+std::vector<State> motionsOf(const LumpedSet& sums, const LumpedShape& shape,
+                             const Demands& demands)
+{
+    std::vector<State> known{equalMotion(sums, sums.leastSums)};
+    if (std::isfinite(shape.energy.most)) {
+        known.push_back(mostEnergyMotion(sums, shape));
+    }
+    if (demands.target) {
+        if (auto nearest = nearestMotion(sums, shape, *demands.target)) {
+            known.push_back(std::move(*nearest));
+        }
+    }
+    return known;
+}
+
 }  // namespace
+
+std::vector<State> knownMotions(const Request& request)
+{
+    const Known& known = request.known;
+    if (known.onePhase && !known.onePhase->reason) {
+        return motionsOf(*known.onePhase, request.demands);
+    }
+    if (known.sums && !known.sums->absence) {
+        return motionsOf(*known.sums, known.shape, request.demands);
+    }
+    return {};
+}
 
 std::optional<std::string> refutation(const Demands& claim, const Schedule& schedule,
                                       const State& claimed, std::span<const State> known,

@@ -8,12 +8,14 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
-#include "signorini/demands.hpp"
-#include "signorini/motion.hpp"
-#include "signorini/schedule.hpp"
+#include "request.hpp"
 
 namespace signorini {
+
+/// Least and most energy, and nearest to the target, as far as they are known. O(N).
+[[nodiscard]] std::vector<State> knownMotions(const Request& request);
 
 /// Says by which of the known motions a claim is refuted; empty if by none. Least energy and
 /// nearest motion are stationary, so rows at the tolerance allow its root there; elsewhere ten

@@ -22,6 +22,12 @@ namespace signorini {
 /// not known (NaN) excludes nothing.
 [[nodiscard]] bool isOutOfRange(double energyRatio, const EnergyRange& range, double tolerance);
 
+/// Do the multipliers prove, over the rows of pose(schedule, demands, formulation), that no motion
+/// meets the limits and fixed values even when all are relaxed by the tolerance? Other demands are
+/// left out. \throws std::invalid_argument if such a program cannot be posed.
+[[nodiscard]] bool isUnmet(const InfeasibilityProof& proof, const Schedule& schedule,
+                           Demands demands, Formulation formulation, double tolerance);
+
 /// An exact proof, over the rows of pose(schedule, demands, formulation), that no motion meets the
 /// linear demands even when all are relaxed by the tolerance; empty if none can be had.
 /// `simplex`: a solver with duals, or null.

@@ -60,6 +60,7 @@ TEST_CASE("cli: several phases in JSON, decided without a solver library")
     CHECK(two["pressing_phases"] == json{true, true});
     CHECK(two["canonical_schedule"] == two["schedule"]);
     CHECK(two["route"] == "lumped");
+    CHECK(two["solver"]["name"] == "closed-form");
     const json twice = program.find("1 9 1 9 --cells 3", 0);
     CHECK(twice["canonical_schedule"] == json::array({{1, 9}}));
     CHECK(twice["repetitions"] == 2);

@@ -27,11 +27,11 @@ int main()
     using namespace signorini;
     const Schedule paper{300, {{150, 900}}};
     const PeriodicResult found = findPeriodic(paper);
-    expect(found.status == Status::found && found.energyRatio == 4.0,
+    expect(found.status == Status::found && found.motion->energyRatio == 4.0,
            "the paper's case: least energy 4 E_1");
-    expect(verify(found.state, paper).residuals.worst() < 1e-12, "its residuals vanish");
+    expect(verify(found.motion->state, paper).residuals.worst() < 1e-12, "its residuals vanish");
 
-    const Motion motion(found.state, paper);
+    const Motion motion(found.motion->state, paper);
     double highest = 0.0;
     for (std::int64_t m = 0; m <= motion.steps(); ++m) {
         highest = std::fmax(highest, motion.displacement(300, m));
@@ -39,11 +39,11 @@ int main()
     expect(std::fabs(highest - 1.0) < 1e-12, "its tip reaches the wall and no further");
 
     const PeriodicResult none = findPeriodic(20, 109, 40);
-    expect(none.status == Status::none && isProof(*none.certificate, none.schedule),
+    expect(none.status == Status::none && isProof(none),
            "(20, 109) on 40 cells: none, and the proof holds");
 
     const PeriodicResult two = findPeriodic(Schedule{4, {{1, 12}, {3, 12}}});
-    expect(two.status == Status::found && std::fabs(two.energyRatio - 16.0 / 3.0) < 1e-12,
+    expect(two.status == Status::found && std::fabs(two.motion->energyRatio - 16.0 / 3.0) < 1e-12,
            "two contacts: least energy 16/3 E_1");
 
     expect(findModes().size() == 29, "29 modes of order 25 below 50 E_1");

@@ -81,9 +81,9 @@ TEST_CASE("atlas database: rows read back as they were decided")
         const PeriodicResult truth = findPeriodic(entry.schedule);
         INFO(describe(entry.schedule));
         REQUIRE(truth.status == Status::found);
-        REQUIRE(entry.row.kind == truth.setSummary->kind);
-        REQUIRE(entry.row.energy.least == Approx(truth.energyRatio).epsilon(1e-12));
-        REQUIRE(entry.row.contact == truth.contact);
+        REQUIRE(entry.row.kind == truth.set.kind);
+        REQUIRE(entry.row.energy.least == Approx(truth.motion->energyRatio).epsilon(1e-12));
+        REQUIRE(entry.row.contact == truth.motion->contact);
         ++found;
     });
     CHECK(found == run.tally.pressing + run.tally.grazing);

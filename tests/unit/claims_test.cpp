@@ -17,6 +17,11 @@ bool has(std::string_view solver)
     return findBackend(solver).available();
 }
 
+bool isVerifiedRange(const PeriodicResult& result)
+{
+    return result.absence && std::get<EnergyExclusion>(result.absence->proof).isVerified;
+}
+
 }  // namespace
 
 TEST_CASE("claims: every extreme is refuted by a better known motion, and by no other")
@@ -67,7 +72,8 @@ TEST_CASE("claims: a climb that ends below the known most energy is withdrawn")
                 INFO(solver << " " << name(form) << " " << describe(schedule));
                 ++tried;
                 if (result.status == Status::found) {
-                    CHECK(result.energyRatio == Approx(result.energyRange->most).epsilon(1e-5));
+                    CHECK(result.motion->energyRatio ==
+                          Approx(result.set.energy->most).epsilon(1e-5));
                 } else {
                     ++withdrawn;
                     CHECK(result.status == Status::undecided);
@@ -82,15 +88,15 @@ TEST_CASE("claims: a climb that ends below the known most energy is withdrawn")
 TEST_CASE("claims: a held energy at an end of the range is found with several phases, too")
 {
     const Schedule schedule{2, {{1, 7}, {1, 7}}};
-    const EnergyRange range = *findPeriodic(schedule).energyRange;
+    const EnergyRange range = *findPeriodic(schedule).set.energy;
     CHECK(range.most == 12.0);  // as of one phase, which the schedule repeats
     for (const double share : {0.0, 1e-9, 0.3, 0.7, 1.0}) {
         const double wanted = range.least + share * (range.most - range.least);
         const PeriodicResult result = findPeriodic(schedule, {.energyRatio = wanted});
         INFO(wanted << " " << result.detail);
         REQUIRE(result.status == Status::found);
-        CHECK(result.energyRatio == Approx(wanted).epsilon(1e-7));
-        CHECK(result.residuals.worst() <= 1e-7);
+        CHECK(result.motion->energyRatio == Approx(wanted).epsilon(1e-7));
+        CHECK(result.motion->residuals.worst() <= 1e-7);
     }
 }
 
@@ -114,7 +120,7 @@ TEST_CASE("claims: an energy beyond the range by less than the tolerance is met,
 {
     for (const Schedule& schedule :
          {onePhase(30, 15, 90), onePhase(2, 1, 7), Schedule{2, {{1, 7}, {1, 7}}}}) {
-        const EnergyRange range = *findPeriodic(schedule).energyRange;
+        const EnergyRange range = *findPeriodic(schedule).set.energy;
         for (const double tolerance : {1e-9, 1e-7, 1e-4}) {
             for (const auto& [end, sign] : {std::pair{range.least, -1.0}, {range.most, 1.0}}) {
                 const auto statusAt = [&, e = end, s = sign](double beyond) {
@@ -135,14 +141,14 @@ TEST_CASE("claims: a strain limit within the tolerance is met on every route, be
     if (!has("glpk-simplex")) {
         return;
     }
-    const Schedule schedule = onePhase(10, 5, 30);  // peak strain 2e-3
+    const Schedule schedule = onePhase(10, 5, 30);  // peak strain 2 g/L
     for (const std::string solver : {"auto", "glpk-simplex"}) {
         for (const Formulation form :
              {Formulation::automatic, Formulation::state, Formulation::reduced}) {
             const auto statusAt = [&](double beyond) {
                 return findPeriodic(schedule, {.solver = solver,
                                                .formulation = form,
-                                               .strainLimit = 2e-3 * (1.0 - beyond)})
+                                               .strainLimit = 2.0 * (1.0 - beyond)})
                     .status;
             };
             INFO(solver << " " << name(form));
@@ -158,28 +164,31 @@ TEST_CASE("claims: an energy range is called verified only where other code prov
 {
     for (const Schedule& schedule : {onePhase(30, 15, 90), onePhase(20, 1, 79), onePhase(8, 5, 23),
                                      onePhase(3, 1, 11), onePhase(300, 150, 900)}) {
-        const EnergyRange range = *findPeriodic(schedule).energyRange;
+        const EnergyRange range = *findPeriodic(schedule).set.energy;
         for (const double wanted : {0.5 * range.least, range.least * (1 - 1e-6),
                                     range.most * (1 + 1e-6), 2.0 * range.most}) {
             const PeriodicResult result = findPeriodic(schedule, {.energyRatio = wanted});
             INFO(describe(schedule) << " " << wanted);
             CHECK(result.status == Status::none);
-            CHECK(result.isRangeVerified);
+            CHECK(isVerifiedRange(result));
+            CHECK(isProof(result));
         }
     }
     for (const Schedule& schedule :
          {Schedule{2, {{1, 7}, {1, 7}}}, Schedule{4, {{1, 12}, {3, 12}}}}) {
-        const EnergyRange range = *findPeriodic(schedule).energyRange;
+        const EnergyRange range = *findPeriodic(schedule).set.energy;
         const PeriodicResult low =
             findPeriodic(schedule, {.energyRatio = range.least * (1 - 1e-6)});
         INFO(describe(schedule));
         CHECK(low.status == Status::none);
-        CHECK(low.isRangeVerified);
+        CHECK(isVerifiedRange(low));
+        CHECK(isProof(low));
         if (std::isfinite(range.most)) {
             const PeriodicResult high =
                 findPeriodic(schedule, {.energyRatio = range.most * (1 + 1e-6)});
             CHECK(high.status == Status::none);
-            CHECK_FALSE(high.isRangeVerified);
+            CHECK_FALSE(isVerifiedRange(high));
+            CHECK_FALSE(isProof(high));
         }
     }
 }

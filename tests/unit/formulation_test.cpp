@@ -118,8 +118,8 @@ TEST_CASE("formulation: a motion of least energy known for several phases")
         const PeriodicResult result = findPeriodic(known.schedule);
         INFO(describe(known.schedule) << " " << result.detail);
         REQUIRE(result.status == Status::found);
-        CHECK(result.energyRatio == Approx(known.energy).epsilon(1e-7));
-        CHECK(result.canonical == known.schedule.phases);
+        CHECK(result.motion->energyRatio == Approx(known.energy).epsilon(1e-7));
+        CHECK(result.motion->canonical == known.schedule.phases);
     }
 }
 

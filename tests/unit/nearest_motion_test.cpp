@@ -191,10 +191,10 @@ TEST_CASE("nearest: the closed form answers grazing sets and targets of any size
                 continue;
             }
             REQUIRE(result.status == Status::found);
-            CHECK(result.route == "closed-form");
+            CHECK(result.how.route == "closed-form");
             // All targets of a class are alike up to sign, so all amplitudes are equal.
-            CHECK(result.energyRatio >= result.energyRange->least * (1 - 1e-14));
-            CHECK(result.residuals.worst() < 1e-12);
+            CHECK(result.motion->energyRatio >= result.set.energy->least * (1 - 1e-14));
+            CHECK(result.motion->residuals.worst() < 1e-12);
         }
     }
 }
@@ -221,11 +221,11 @@ TEST_CASE("nearest: several phases, the minimum of the quadratic program found b
                 const PeriodicResult result =
                     findPeriodic(schedule, {.objective = Objective::nearest, .target = target});
                 INFO(describe(schedule) << " " << seed << " " << size << " " << result.detail);
-                if (result.route != "lumped" || result.status != Status::found) {
+                if (result.how.route != "lumped" || result.status != Status::found) {
                     continue;  // a solver's, or withdrawn: judged by other tests
                 }
                 ++compared;
-                CHECK(apart(result.state, stateOf(reduced, *x)) < 1e-7 * size);
+                CHECK(apart(result.motion->state, stateOf(reduced, *x)) < 1e-7 * size);
             }
         }
     }
@@ -239,12 +239,11 @@ TEST_CASE("nearest: within a strain limit a solver's motion is off by no more th
     }
     int compared = 0;
     for (const Schedule& schedule : {onePhase(2, 1, 7), onePhase(4, 1, 14), onePhase(8, 5, 23)}) {
-        const double least = findPeriodic(schedule).peakStrain;
+        const double least = findPeriodic(schedule).motion->peakStrain / 1e-3;
         for (const unsigned seed : {1u, 2u, 3u}) {
             const State target = test::randomState(schedule.cells, seed);
-            const Demands demands{.objective = Objective::nearest,
-                                  .target = target,
-                                  .strainLimit = 1.2 * least / 1e-3};
+            const Demands demands{
+                .objective = Objective::nearest, .target = target, .strainLimit = 1.2 * least};
             const Formulated reduced = pose(schedule, demands, Formulation::reduced);
             const auto x = minimumByEnumeration(reduced.program);
             if (!x) {
@@ -264,7 +263,7 @@ TEST_CASE("nearest: within a strain limit a solver's motion is off by no more th
                     // Found: off by at most sqrt(tolerance) of the root mean square of 2N waves.
                     const double allowed =
                         std::sqrt(1e-7 * (truth.a.squaredNorm() + truth.b.squaredNorm()));
-                    CHECK(apart(result.state, truth) <= 1.1 * allowed);
+                    CHECK(apart(result.motion->state, truth) <= 1.1 * allowed);
                 }
             }
         }

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// Absence as routes claim it, each with its proof.
+
+#include <optional>
+
+#include "request.hpp"
+
+namespace signorini {
+
+/// If the exact sets say that the schedule has no motion at all.
+[[nodiscard]] std::optional<Absence> absenceOfAll(const Request& request);
+
+/// If every energy of the set, where it is known, misses the one to hold by more than the
+/// tolerance.
+[[nodiscard]] std::optional<Absence> absenceByEnergy(const Request& request);
+
+/// If the limits and fixed values are proved impossible over the rows of a formulation.
+[[nodiscard]] std::optional<Absence> absenceByProgram(const Request& request,
+                                                      Formulation formulation);
+
+}  // namespace signorini

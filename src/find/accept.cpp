@@ -1,0 +1,123 @@
+#include "accept.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "energy_bound.hpp"
+#include "tolerated.hpp"
+
+namespace signorini {
+
+namespace {
+
+bool holds(const FarkasCertificate& proof, const Schedule& schedule)
+{
+    return isProof(proof, schedule);
+}
+
+bool holds(const ProgramProof& proof, const Schedule& schedule)
+{
+    return isUnmet(proof.multipliers, schedule, proof.demands, proof.rows, proof.tolerance);
+}
+
+bool holds(const EnergyExclusion& proof, const Schedule& schedule)
+{
+    const double wanted = proof.energyRatio;
+    return std::isfinite(wanted) && proof.tolerance >= 0.0 &&
+           isOutOfRange(wanted, proof.range, proof.tolerance) &&
+           (wanted < proof.range.least
+                ? exceedEnergy(schedule, wanted * (1.0 + proof.tolerance))
+                : stayBelowEnergy(schedule, wanted * (1.0 - proof.tolerance)));
+}
+
+/// Enters an answer into the result.
+class Entry {
+public:
+    Entry(const Request& request, PeriodicResult& result) : request_(request), result_(result) {}
+
+    void operator()(std::string& why) const
+    {
+        result_.status = Status::undecided;
+        result_.detail = std::move(why);
+    }
+
+    void operator()(State& state) const
+    {
+        const double tolerance = request_.options.tolerance;
+        Verification seen = verify(state, request_.schedule, tolerance);
+        seen.residuals.demands = violation(request_.demands, state, request_.schedule);
+        if (!(seen.residuals.worst() <= tolerance)) {
+            result_.detail = fmt::format(
+                "{} returned a motion with a residual of {:.3g}, more than the tolerance {:.3g}",
+                result_.how.route, seen.residuals.worst(), tolerance);
+            return;
+        }
+        const Scales unit = scales(request_.options.bar);
+        const double energy = energyRatio(state);
+        const double peak = extremesOf(state, request_.schedule).peakStrain;
+        result_.status = Status::found;
+        result_.motion =
+            FoundMotion{.state = std::move(state),
+                        .contact = seen.canonical.empty() ? Contact::grazing : Contact::pressing,
+                        .canonical = std::move(seen.canonical),
+                        .repetitions = seen.repetitions,
+                        .pressing = std::move(seen.pressing),
+                        .energy = energy * unit.energy,
+                        .energyRatio = energy,
+                        .peakStrain = peak * unit.strain,
+                        .residuals = seen.residuals};
+    }
+
+    void operator()(Absence& absence) const
+    {
+        const bool isVerified = std::visit(
+            [this](const auto& proof) { return holds(proof, request_.schedule); }, absence.proof);
+        if (auto* energies = std::get_if<EnergyExclusion>(&absence.proof)) {
+            energies->isVerified = isVerified;
+        } else if (!isVerified) {
+            result_.detail = std::holds_alternative<FarkasCertificate>(absence.proof)
+                                 ? "the certificate of absence does not hold in 64-bit integers"
+                                 : "the proof of absence does not hold";
+            return;
+        }
+        result_.status = Status::none;
+        result_.absence = std::move(absence);
+    }
+
+private:
+    const Request& request_;
+    PeriodicResult& result_;
+};
+
+}  // namespace
+
+PeriodicResult accept(const Request& request, Claim claim)
+{
+    PeriodicResult result;
+    result.detail.clear();
+    result.schedule = request.schedule;
+    result.bar = request.options.bar;
+    result.period = period(request.schedule) * scales(result.bar).time;
+    result.frequencyRatio = frequencyRatio(request.schedule);
+    result.set = request.known.set;
+    result.how = std::move(claim.how);
+    std::visit(Entry(request, result), claim.answer);
+    return result;
+}
+
+bool isProof(const PeriodicResult& result)
+{
+    if (result.status != Status::none || !result.absence) {
+        return false;
+    }
+    try {
+        return std::visit([&](const auto& proof) { return holds(proof, result.schedule); },
+                          result.absence->proof);
+    } catch (const std::invalid_argument&) {
+        return false;  // no rows can be made of what it says
+    }
+}
+
+}  // namespace signorini

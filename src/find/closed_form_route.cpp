@@ -1,0 +1,94 @@
+#include <algorithm>
+
+#include "absence_claims.hpp"
+#include "backend_choice.hpp"
+#include "nearest_motion.hpp"
+#include "routes.hpp"
+
+namespace signorini {
+
+namespace {
+
+Provenance provenanceOf(const Request& request)
+{
+    Provenance how{.route = std::string(closedForm),
+                   .reason = "one contact phase: exact, and without iteration",
+                   .leftOut = {"matrices of (27)-(32): steps are signed shifts",
+                               "solver libraries: the solution set is known in closed form",
+                               "all but one row of (32) per sign block: prefix sums are monotone "
+                               "inside"},
+                   .solver = {.name = std::string(closedForm)}};
+    if (request.known.onePhase->schedule != request.schedule) {
+        how.leftOut.emplace_back("steps beyond 2N in contact and 4N in flight: they repeat");
+    }
+    return how;
+}
+
+/// The motion that fits the objective. Equal amplitudes have the least energy and the least peak
+/// strain, and the impulse is the same for all amplitudes. Empty where rounding spoils it.
+std::optional<State> candidate(const Reduction& reduction, const Demands& demands)
+{
+    if (demands.objective == Objective::maxEnergy) {
+        return motionOf(reduction, mostAmplitudes(reduction.set));
+    }
+    if (demands.objective == Objective::nearest) {
+        return nearestMotion(reduction, *demands.target);
+    }
+    if (demands.energyRatio) {
+        const double squares = *demands.energyRatio *
+                               static_cast<double>(reduction.schedule.cells) /
+                               (2.0 * static_cast<double>(reduction.window));
+        // Within the tolerance an energy beyond an end is met by the end.
+        return motionOf(
+            reduction,
+            amplitudesWithSquares(reduction.set, std::clamp(squares, leastSquares(reduction.set),
+                                                            mostSquares(reduction.set))));
+    }
+    return leastEnergyMotion(reduction);
+}
+
+/// Limits on strain and tip are met by equal amplitudes or by none.
+std::optional<Absence> absenceByLimits(const Request& request)
+{
+    const Demands& demands = request.demands;
+    if (!demands.fixed.empty() || demands.energyRatio ||
+        request.isMetBy(leastEnergyMotion(*request.known.onePhase))) {
+        return std::nullopt;
+    }
+    return absenceByProgram(request, Formulation::lumped);
+}
+
+}  // namespace
+
+std::optional<Claim> closedFormRoute(const Request& request)
+{
+    if (!request.known.onePhase || !request.allowsExact()) {
+        return std::nullopt;
+    }
+    const Stopwatch watch;
+    const auto claim = [&](auto&& answer) {
+        Claim made{provenanceOf(request), std::forward<decltype(answer)>(answer)};
+        made.how.solver.seconds = request.known.seconds + watch.seconds();
+        return made;
+    };
+    if (auto absence = absenceOfAll(request)) {
+        return claim(std::move(*absence));
+    }
+    if (auto absence = absenceByEnergy(request)) {
+        return claim(std::move(*absence));
+    }
+    if (auto state = candidate(*request.known.onePhase, request.demands)) {
+        if (request.isMetBy(*state)) {
+            return claim(std::move(*state));
+        }
+        if (auto absence = absenceByLimits(request)) {
+            return claim(std::move(*absence));
+        }
+    }
+    if (request.options.solver == closedForm) {
+        return claim(noExactAnswer);
+    }
+    return std::nullopt;
+}
+
+}  // namespace signorini

@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// A question to `findPeriodic`, checked, and what exact arithmetic knows of its schedule.
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "signorini/find_periodic.hpp"
+#include "signorini/lumped_set.hpp"
+
+namespace signorini {
+
+/// Seconds since it was made.
+class Stopwatch {
+public:
+    [[nodiscard]] double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// What is known of a schedule whichever route answers.
+struct Known {
+    MotionSet set;
+    std::optional<Reduction> onePhase;  ///< one phase
+    std::optional<LumpedSet> sums;      ///< several phases, if within exact arithmetic
+    LumpedShape shape;                  ///< of the sums
+    Reason reason =
+        Reason::penetration;  ///< several phases: why there is no motion, if there is none
+    std::string outOfReach;   ///< why no route can answer; empty if one can
+    double seconds = 0.0;     ///< [s], spent on all this
+};
+
+/// A checked question. Refers to the options it was made of.
+struct Request {
+    Schedule schedule;           ///< as asked for
+    const FindOptions& options;  ///< as asked for
+    Demands demands;             ///< those of the options
+    Known known;                 ///< of the schedule
+
+    /// May the answer come from the exact sets, without a program?
+    [[nodiscard]] bool allowsExact() const;
+    /// Does a motion meet the demands within the tolerance?
+    [[nodiscard]] bool isMetBy(const State& state) const;
+};
+
+/// Validates, and asks exact arithmetic once. O(n/G), for several phases O(n/G K) and what
+/// `lumpedSetOf` takes. \throws as `findPeriodic`.
+[[nodiscard]] Request checked(const Schedule& schedule, const FindOptions& options);
+
+}  // namespace signorini

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "absence_claims.hpp"
+#include "backend_choice.hpp"
+#include "known_motions.hpp"
+#include "nearest_motion.hpp"
+#include "routes.hpp"
+
+namespace signorini {
+
+namespace {
+
+Provenance provenanceOf(const Request& request)
+{
+    Provenance how{.route = "lumped",
+                   .leftOut = {"matrices of (27)-(32): steps are signed shifts",
+                               "solver libraries: so few sums are decided in rational arithmetic",
+                               "single amplitudes: equal ones reach every sum at least energy",
+                               "rows of (32) inside sign blocks: prefix sums are monotone there",
+                               "closure of the last flight: periodicity implies it"},
+                   .solver = {.name = std::string(closedForm)}};
+    if (const auto& sums = request.known.sums) {
+        how.reason = fmt::format("several contact phases: exact, {} sums of amplitudes decide",
+                                 sums->live.size());
+        if (sums->classes.schedule != request.schedule) {
+            how.leftOut.emplace_back("steps beyond 2N in contact and 4N in flight: they repeat");
+        }
+    }
+    return how;
+}
+
+/// The motion that the objective asks for, if the sums know it.
+std::optional<State> candidate(const LumpedSet& sums, const LumpedShape& shape,
+                               const Demands& demands, double tolerance)
+{
+    const bool isMostKnown = std::isfinite(shape.energy.most);
+    switch (demands.objective) {
+        case Objective::automatic:
+        case Objective::any:
+        case Objective::minEnergy: {
+            const bool isHeldAtMost = demands.energyRatio && isMostKnown &&
+                                      *demands.energyRatio >= shape.energy.most * (1.0 - tolerance);
+            return isHeldAtMost ? mostEnergyMotion(sums, shape) : equalMotion(sums, sums.leastSums);
+        }
+        case Objective::maxEnergy:
+            return isMostKnown ? std::optional(mostEnergyMotion(sums, shape)) : std::nullopt;
+        case Objective::nearest:
+            return nearestMotion(sums, shape, *demands.target);
+        default:
+            return std::nullopt;
+    }
+}
+
+std::optional<State> motionHoldingEnergy(const Request& request)
+{
+    const Known& known = request.known;
+    if (!known.sums || known.sums->absence || !request.allowsExact() ||
+        !request.demands.energyRatio || !std::isfinite(known.shape.energy.most)) {
+        return std::nullopt;
+    }
+    State state =
+        motionOfEnergy(equalMotion(*known.sums, known.sums->leastSums),
+                       mostEnergyMotion(*known.sums, known.shape), *request.demands.energyRatio);
+    return request.isMetBy(state) ? std::optional(std::move(state)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Claim> refuseRoute(const Request& request)
+{
+    if (request.known.outOfReach.empty()) {
+        return std::nullopt;
+    }
+    return Claim{{.solver = {.name = request.options.solver}}, request.known.outOfReach};
+}
+
+std::optional<Claim> sumsRoute(const Request& request)
+{
+    const Known& known = request.known;
+    if (known.onePhase || !request.allowsExact()) {
+        return std::nullopt;
+    }
+    const Stopwatch watch;
+    const auto claim = [&](auto&& answer) {
+        Claim made{provenanceOf(request), std::forward<decltype(answer)>(answer)};
+        made.how.solver.seconds = known.seconds + watch.seconds();
+        return made;
+    };
+    if (auto absence = absenceOfAll(request)) {
+        return claim(std::move(*absence));
+    }
+    if (auto absence = absenceByEnergy(request)) {
+        return claim(std::move(*absence));
+    }
+    if (known.sums) {
+        auto state =
+            candidate(*known.sums, known.shape, request.demands, request.options.tolerance);
+        if (state && request.isMetBy(*state)) {
+            return claim(std::move(*state));
+        }
+    }
+    if (request.options.solver == closedForm) {
+        if (auto state = motionHoldingEnergy(request)) {
+            return claim(std::move(*state));
+        }
+        return claim(noExactAnswer);
+    }
+    return std::nullopt;
+}
+
+bool holdsEnergyInSums(const Request& request)
+{
+    return motionHoldingEnergy(request).has_value();
+}
+
+std::optional<Claim> heldEnergyRoute(const Request& request)
+{
+    auto state = motionHoldingEnergy(request);
+    if (!state) {
+        return std::nullopt;
+    }
+    Claim claim{provenanceOf(request), std::move(*state)};
+    claim.how.solver.seconds = request.known.seconds;
+    return claim;
+}
+
+}  // namespace signorini
