@@ -19,12 +19,12 @@ namespace signorini::nlopt {
 [[nodiscard]] std::string version();
 
 /// Sequential least squares, dense: O(d^3) per iteration, d = variables - independent equalities.
-[[nodiscard]] std::unique_ptr<Solver> makeSlsqp();
+[[nodiscard]] std::unique_ptr<Solver> makeSlsqp(const Backend& row);
 
 /// Augmented Lagrangian, each of its subproblems by separable convex approximations (CCSAQ).
-[[nodiscard]] std::unique_ptr<Solver> makeAuglag();
+[[nodiscard]] std::unique_ptr<Solver> makeAuglag(const Backend& row);
 
 /// Linear approximations without derivatives.
-[[nodiscard]] std::unique_ptr<Solver> makeCobyla();
+[[nodiscard]] std::unique_ptr<Solver> makeCobyla(const Backend& row);
 
 }  // namespace signorini::nlopt

@@ -17,12 +17,9 @@ namespace {
 
 /// A method of NLopt and how it is used.
 struct Method {
-    const char* name;
     nlopt_algorithm algorithm;
-    bool hasInner;                ///< CCSAQ for its subproblems: L-BFGS gives up too often
-    bool holdsEnergy;             ///< copes with a quadratic equality
-    Eigen::Index maxSize;         ///< most unknowns; beyond, memory and time grow out of hand
     std::int64_t maxEvaluations;  ///< where no iteration limit is given: it always ends
+    bool hasInner = false;        ///< CCSAQ for its subproblems: L-BFGS gives up too often
 };
 
 /// Objective and point have settled when a step changes them by less. Both are near what doubles
@@ -228,26 +225,15 @@ void setStops(nlopt_opt optimizer, const Method& method, const SolverOptions& op
 
 class NloptSolver final : public Solver {
 public:
-    explicit NloptSolver(const Method& method) : method_(method) {}
-
-    [[nodiscard]] std::string_view name() const override { return method_.name; }
-
-    [[nodiscard]] Capabilities capabilities() const override
-    {
-        return {.quadraticObjective = true,
-                .energyEquality = method_.holdsEnergy,
-                .iterationLimit = true,
-                .timeLimit = true,
-                .start = true,
-                .cancel = true};
-    }
+    NloptSolver(const Backend& row, const Method& method) : Solver(row), method_(method) {}
 
 private:
     [[nodiscard]] SolverResult run(const Program& program,
                                    const SolverOptions& options) const override
     {
         Stopwatch watch;
-        const ReducedProgram reduced = reduceProgram(program, options.tolerance, method_.maxSize);
+        const ReducedProgram reduced =
+            reduceProgram(program, options.tolerance, row().mostUnknowns);
         if (reduced.decided) {
             return *reduced.decided;
         }
@@ -337,34 +323,19 @@ std::string version()
     return fmt::format("{}.{}.{}", major, minor, bugfix);
 }
 
-std::unique_ptr<Solver> makeSlsqp()
+std::unique_ptr<Solver> makeSlsqp(const Backend& row)
 {
-    return std::make_unique<NloptSolver>(Method{.name = "nlopt-slsqp",
-                                                .algorithm = NLOPT_LD_SLSQP,
-                                                .hasInner = false,
-                                                .holdsEnergy = true,
-                                                .maxSize = 400,
-                                                .maxEvaluations = 2'000});
+    return std::make_unique<NloptSolver>(row, Method{NLOPT_LD_SLSQP, 2'000});
 }
 
-std::unique_ptr<Solver> makeAuglag()
+std::unique_ptr<Solver> makeAuglag(const Backend& row)
 {
-    return std::make_unique<NloptSolver>(Method{.name = "nlopt-auglag",
-                                                .algorithm = NLOPT_AUGLAG,
-                                                .hasInner = true,
-                                                .holdsEnergy = true,
-                                                .maxSize = 400,
-                                                .maxEvaluations = 20'000});
+    return std::make_unique<NloptSolver>(row, Method{NLOPT_AUGLAG, 20'000, true});
 }
 
-std::unique_ptr<Solver> makeCobyla()
+std::unique_ptr<Solver> makeCobyla(const Backend& row)
 {
-    return std::make_unique<NloptSolver>(Method{.name = "nlopt-cobyla",
-                                                .algorithm = NLOPT_LN_COBYLA,
-                                                .hasInner = false,
-                                                .holdsEnergy = true,
-                                                .maxSize = 40,
-                                                .maxEvaluations = 200'000});
+    return std::make_unique<NloptSolver>(row, Method{NLOPT_LN_COBYLA, 200'000});
 }
 
 }  // namespace signorini::nlopt
