@@ -3,7 +3,7 @@
 /// NLopt behind the Solver interface: small and medium programs, as a second opinion.
 ///
 /// NLopt wants neither redundant equalities nor, in practice, any linear ones: it stops at x = 0
-/// and calls that success. So the equalities are solved first (reduced_program.hpp) and NLopt
+/// and calls that success. So the equalities are solved first (free_program.hpp) and NLopt
 /// searches among their solutions, where only inequalities, bounds and an energy equality are left.
 /// A program without an objective gets the point nearest to the start. All three methods are local;
 /// none answers "infeasible" after a search.

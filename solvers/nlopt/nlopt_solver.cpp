@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "common/stopwatch.hpp"
+#include "nlopt/free_program.hpp"
 #include "nlopt/nlopt.hpp"
-#include "nlopt/reduced_program.hpp"
 
 namespace signorini::nlopt {
 
@@ -80,9 +80,9 @@ Verdict verdictOf(nlopt_result code)
 }
 
 /// All variables of the program.
-Eigen::VectorXd pointOf(const ReducedProgram& reduced, const Eigen::VectorXd& u)
+Eigen::VectorXd pointOf(const FreeProgram& freed, const Eigen::VectorXd& u)
 {
-    return reduced.condensed.expand(reduced.origin + reduced.directions * u);
+    return freed.condensed.expand(freed.origin + freed.directions * u);
 }
 
 using Input = Eigen::Map<const Eigen::VectorXd>;
@@ -92,10 +92,10 @@ using Output = Eigen::Map<Eigen::VectorXd>;
 /// it is kept here, the search is stopped, and `rethrow` throws it afterwards.
 class Search {
 public:
-    Search(const ReducedProgram& reduced, Eigen::VectorXd start, const SolverOptions& options,
+    Search(const FreeProgram& freed, Eigen::VectorXd start, const SolverOptions& options,
            nlopt_opt optimizer)
-        : reduced_(reduced),
-          program_(reduced.condensed.program),
+        : freed_(freed),
+          program_(freed.condensed.program),
           start_(std::move(start)),
           options_(options),
           optimizer_(optimizer),
@@ -151,13 +151,13 @@ private:
 
     [[nodiscard]] Eigen::VectorXd point(const double* u) const
     {
-        return reduced_.origin + reduced_.directions * Input(u, reduced_.size());
+        return freed_.origin + freed_.directions * Input(u, freed_.size());
     }
 
     void writeGradient(const Eigen::VectorXd& inX, double* gradient) const
     {
         if (gradient != nullptr) {
-            Output(gradient, reduced_.size()) = reduced_.directions.transpose() * inX;
+            Output(gradient, freed_.size()) = freed_.directions.transpose() * inX;
         }
     }
 
@@ -165,9 +165,9 @@ private:
     {
         ++evaluations_;
         if (!hasObjective_) {
-            const Eigen::VectorXd step = Input(u, reduced_.size()) - start_;
+            const Eigen::VectorXd step = Input(u, freed_.size()) - start_;
             if (gradient != nullptr) {
-                Output(gradient, reduced_.size()) = step;
+                Output(gradient, freed_.size()) = step;
             }
             return 0.5 * step.squaredNorm();
         }
@@ -182,11 +182,10 @@ private:
 
     void evaluateRows(const double* u, double* values, double* gradient) const
     {
-        Output(values, reduced_.rhs.size()) =
-            reduced_.rows * Input(u, reduced_.size()) - reduced_.rhs;
+        Output(values, freed_.rhs.size()) = freed_.rows * Input(u, freed_.size()) - freed_.rhs;
         if (gradient != nullptr) {
             using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-            Eigen::Map<Dense>(gradient, reduced_.rows.rows(), reduced_.rows.cols()) = reduced_.rows;
+            Eigen::Map<Dense>(gradient, freed_.rows.rows(), freed_.rows.cols()) = freed_.rows;
         }
     }
 
@@ -198,7 +197,7 @@ private:
         return energy.weights.dot(x.cwiseAbs2()) / energy.value - 1.0;
     }
 
-    const ReducedProgram& reduced_;
+    const FreeProgram& freed_;
     const Program& program_;
     Eigen::VectorXd start_;
     const SolverOptions& options_;
@@ -232,25 +231,24 @@ private:
                                    const SolverOptions& options) const override
     {
         Stopwatch watch;
-        const ReducedProgram reduced =
-            reduceProgram(program, options.tolerance, row().mostUnknowns);
-        if (reduced.decided) {
-            return *reduced.decided;
+        const FreeProgram freed = withoutEqualities(program, options.tolerance, row().mostUnknowns);
+        if (freed.decided) {
+            return *freed.decided;
         }
-        Eigen::VectorXd u = startOf(reduced, options);
+        Eigen::VectorXd u = startOf(freed, options);
         if (!hasObjective(program)) {
-            const Eigen::VectorXd x = pointOf(reduced, u);
+            const Eigen::VectorXd x = pointOf(freed, u);
             if (violation(program, x) <= violationShare * options.tolerance) {
                 return atStart(x);
             }
         }
         const Optimizer optimizer(
-            nlopt_create(method_.algorithm, static_cast<unsigned>(reduced.size())));
+            nlopt_create(method_.algorithm, static_cast<unsigned>(freed.size())));
         if (!optimizer) {
             throw std::bad_alloc();
         }
-        Search search(reduced, u, options, optimizer.get());
-        pose(reduced, options, optimizer.get(), search);
+        Search search(freed, u, options, optimizer.get());
+        pose(freed, options, optimizer.get(), search);
         setStops(optimizer.get(), method_, options, watch.seconds());
 
         SolverResult result;
@@ -263,17 +261,17 @@ private:
         result.status = verdict.status;
         result.detail = verdict.detail;
         result.iterations = search.evaluations();
-        result.x = pointOf(reduced, u);
+        result.x = pointOf(freed, u);
         return result;
     }
 
-    static Eigen::VectorXd startOf(const ReducedProgram& reduced, const SolverOptions& options)
+    static Eigen::VectorXd startOf(const FreeProgram& freed, const SolverOptions& options)
     {
-        Eigen::VectorXd u = Eigen::VectorXd::Zero(reduced.size());
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(freed.size());
         if (options.start) {
-            u = reduced.condensed.restrict(*options.start)(reduced.outside);
+            u = freed.condensed.restrict(*options.start)(freed.outside);
         }
-        return u.cwiseMax(reduced.lower).cwiseMin(reduced.upper);
+        return u.cwiseMax(freed.lower).cwiseMin(freed.upper);
     }
 
     static SolverResult atStart(Eigen::VectorXd x)
@@ -285,24 +283,24 @@ private:
         return result;
     }
 
-    void pose(const ReducedProgram& reduced, const SolverOptions& options, nlopt_opt optimizer,
+    void pose(const FreeProgram& freed, const SolverOptions& options, nlopt_opt optimizer,
               Search& search) const
     {
-        require(nlopt_set_lower_bounds(optimizer, reduced.lower.data()));
-        require(nlopt_set_upper_bounds(optimizer, reduced.upper.data()));
+        require(nlopt_set_lower_bounds(optimizer, freed.lower.data()));
+        require(nlopt_set_upper_bounds(optimizer, freed.upper.data()));
         require(nlopt_set_min_objective(optimizer, Search::objective, &search));
         const double allowed = violationShare * options.tolerance;
-        if (reduced.rhs.size() > 0) {
-            const Eigen::VectorXd each = Eigen::VectorXd::Constant(reduced.rhs.size(), allowed);
+        if (freed.rhs.size() > 0) {
+            const Eigen::VectorXd each = Eigen::VectorXd::Constant(freed.rhs.size(), allowed);
             require(nlopt_add_inequality_mconstraint(optimizer, static_cast<unsigned>(each.size()),
                                                      Search::rows, &search, each.data()));
         }
-        if (reduced.condensed.program.energy) {
+        if (freed.condensed.program.energy) {
             require(nlopt_add_equality_constraint(optimizer, Search::energy, &search, allowed));
         }
         if (method_.hasInner) {
             const Optimizer inner(
-                nlopt_create(NLOPT_LD_CCSAQ, static_cast<unsigned>(reduced.size())));
+                nlopt_create(NLOPT_LD_CCSAQ, static_cast<unsigned>(freed.size())));
             require(nlopt_set_ftol_rel(inner.get(), objectiveTolerance));
             require(nlopt_set_xtol_rel(inner.get(), pointTolerance));
             require(nlopt_set_local_optimizer(optimizer, inner.get()));
