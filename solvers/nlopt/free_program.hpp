@@ -27,6 +27,12 @@ struct FreeProgram {
     std::optional<SolverResult> decided;                ///< set when nothing is left to search
 
     [[nodiscard]] Eigen::Index size() const { return lower.size(); }
+
+    /// All variables of the program.
+    [[nodiscard]] Eigen::VectorXd point(const Eigen::VectorXd& u) const
+    {
+        return condensed.expand(origin + directions * u);
+    }
 };
 
 /// Refuses, before any dense work, programs with more than `mostUnknowns` unknowns left.

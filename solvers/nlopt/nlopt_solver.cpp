@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <stdexcept>
 
 #include "common/stopwatch.hpp"
-#include "nlopt/free_program.hpp"
 #include "nlopt/nlopt.hpp"
+#include "nlopt/search.hpp"
 
 namespace signorini::nlopt {
 
@@ -79,134 +78,6 @@ Verdict verdictOf(nlopt_result code)
     }
 }
 
-/// All variables of the program.
-Eigen::VectorXd pointOf(const FreeProgram& freed, const Eigen::VectorXd& u)
-{
-    return freed.condensed.expand(freed.origin + freed.directions * u);
-}
-
-using Input = Eigen::Map<const Eigen::VectorXd>;
-using Output = Eigen::Map<Eigen::VectorXd>;
-
-/// What NLopt calls back. An exception must not cross the library, and its text would be lost:
-/// it is kept here, the search is stopped, and `rethrow` throws it afterwards.
-class Search {
-public:
-    Search(const FreeProgram& freed, Eigen::VectorXd start, const SolverOptions& options,
-           nlopt_opt optimizer)
-        : freed_(freed),
-          program_(freed.condensed.program),
-          start_(std::move(start)),
-          options_(options),
-          optimizer_(optimizer),
-          hasObjective_(hasObjective(program_))
-    {
-    }
-
-    [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
-
-    void rethrow() const
-    {
-        if (exception_) {
-            std::rethrow_exception(exception_);
-        }
-    }
-
-    static double objective(unsigned, const double* u, double* gradient, void* self)
-    {
-        return static_cast<Search*>(self)->guarded(
-            [&](Search& search) { return search.evaluateObjective(u, gradient); });
-    }
-
-    static void rows(unsigned, double* values, unsigned, const double* u, double* gradient,
-                     void* self)
-    {
-        static_cast<Search*>(self)->guarded([&](Search& search) {
-            search.evaluateRows(u, values, gradient);
-            return 0.0;
-        });
-    }
-
-    static double energy(unsigned, const double* u, double* gradient, void* self)
-    {
-        return static_cast<Search*>(self)->guarded(
-            [&](Search& search) { return search.evaluateEnergy(u, gradient); });
-    }
-
-private:
-    template <typename Evaluate>
-    double guarded(Evaluate evaluate)
-    {
-        try {
-            if (isRequested(options_.cancel)) {
-                nlopt_force_stop(optimizer_);
-            }
-            return evaluate(*this);
-        } catch (...) {
-            exception_ = std::current_exception();
-            nlopt_force_stop(optimizer_);
-            return std::numeric_limits<double>::infinity();
-        }
-    }
-
-    [[nodiscard]] Eigen::VectorXd point(const double* u) const
-    {
-        return freed_.origin + freed_.directions * Input(u, freed_.size());
-    }
-
-    void writeGradient(const Eigen::VectorXd& inX, double* gradient) const
-    {
-        if (gradient != nullptr) {
-            Output(gradient, freed_.size()) = freed_.directions.transpose() * inX;
-        }
-    }
-
-    double evaluateObjective(const double* u, double* gradient)
-    {
-        ++evaluations_;
-        if (!hasObjective_) {
-            const Eigen::VectorXd step = Input(u, freed_.size()) - start_;
-            if (gradient != nullptr) {
-                Output(gradient, freed_.size()) = step;
-            }
-            return 0.5 * step.squaredNorm();
-        }
-        const Eigen::VectorXd x = point(u);
-        Eigen::VectorXd slope = program_.linear;
-        if (program_.quadratic.size() > 0) {
-            slope += program_.quadratic.cwiseProduct(x);
-        }
-        writeGradient(slope, gradient);
-        return signorini::objective(program_, x);
-    }
-
-    void evaluateRows(const double* u, double* values, double* gradient) const
-    {
-        Output(values, freed_.rhs.size()) = freed_.rows * Input(u, freed_.size()) - freed_.rhs;
-        if (gradient != nullptr) {
-            using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-            Eigen::Map<Dense>(gradient, freed_.rows.rows(), freed_.rows.cols()) = freed_.rows;
-        }
-    }
-
-    double evaluateEnergy(const double* u, double* gradient) const
-    {
-        const EnergyEquality& energy = *program_.energy;
-        const Eigen::VectorXd x = point(u);
-        writeGradient(2.0 / energy.value * energy.weights.cwiseProduct(x), gradient);
-        return energy.weights.dot(x.cwiseAbs2()) / energy.value - 1.0;
-    }
-
-    const FreeProgram& freed_;
-    const Program& program_;
-    Eigen::VectorXd start_;
-    const SolverOptions& options_;
-    nlopt_opt optimizer_;
-    bool hasObjective_;
-    std::int64_t evaluations_ = 0;
-    std::exception_ptr exception_;
-};
-
 void setStops(nlopt_opt optimizer, const Method& method, const SolverOptions& options,
               double secondsSpent)
 {
@@ -237,7 +108,7 @@ private:
         }
         Eigen::VectorXd u = startOf(freed, options);
         if (!hasObjective(program)) {
-            const Eigen::VectorXd x = pointOf(freed, u);
+            const Eigen::VectorXd x = freed.point(u);
             if (violation(program, x) <= violationShare * options.tolerance) {
                 return atStart(x);
             }
@@ -261,7 +132,7 @@ private:
         result.status = verdict.status;
         result.detail = verdict.detail;
         result.iterations = search.evaluations();
-        result.x = pointOf(freed, u);
+        result.x = freed.point(u);
         return result;
     }
 
