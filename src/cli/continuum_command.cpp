@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -23,8 +24,10 @@ namespace {
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
 
 /// Words of --engine for solvers: the first are the command line's own.
-constexpr std::pair<std::string_view, std::string_view> engines[] = {{"geometric", "closed-form"},
-                                                                     {"nlopt", "nlopt-auglag"}};
+constexpr std::array engines{
+    std::pair<std::string_view, std::string_view>{"geometric", "closed-form"},
+    std::pair<std::string_view, std::string_view>{"nlopt", "nlopt-auglag"},
+};
 
 std::string parseEngine(const std::string& text)
 {

@@ -29,8 +29,8 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
         faults.add("points", options.points, fmt::format("2..{}", maxContinuumPoints));
     }
     const auto* walk = std::get_if<trace::Walk>(&options.trace);
-    if (walk && (walk->direction.cells() != schedule.cells || !walk->direction.a.allFinite() ||
-                 !walk->direction.b.allFinite())) {
+    if (walk != nullptr && (walk->direction.cells() != schedule.cells ||
+                            !walk->direction.a.allFinite() || !walk->direction.b.allFinite())) {
         faults.add("direction", "a malformed state", "finite values on the schedule's cells");
     }
     if (options.solver != automatic && options.solver != closedForm &&
@@ -107,7 +107,7 @@ private:
         }
         result_.dimension = facts.dimension;
         result_.components = facts.components;
-        if (isInRange() && !record_.from()) {
+        if (isInRange() && record_.from() == nullptr) {
             result_.connected = facts.isConnected;
         }
     }
@@ -117,7 +117,7 @@ private:
     {
         constexpr double rounding = 1e-12;
         const std::vector<double> shares =
-            state ? section_->sharesOf(*state) : std::vector<double>();
+            state != nullptr ? section_->sharesOf(*state) : std::vector<double>();
         return std::all_of(shares.begin(), shares.end(),
                            [](double share) { return share >= -rounding; });
     }
@@ -163,13 +163,14 @@ private:
         }
         const Backend* backend =
             mayBeGeometric ? &findBackend(closedForm) : preferred(continuumNeeds);
-        return std::string(backend ? backend->name : automatic);
+        return std::string(backend != nullptr ? backend->name : automatic);
     }
 
     /// Where theory cannot say, findPeriodic does; its motion is a first member for programs.
     bool hasMotion()
     {
-        if (record_.from() || isFinite() || (isInRange() && result_.solver == closedForm)) {
+        if (record_.from() != nullptr || isFinite() ||
+            (isInRange() && result_.solver == closedForm)) {
             return true;
         }
         FindOptions find;
@@ -196,7 +197,7 @@ private:
     /// Ends in different components are no matter for a solver, and a limit joins none of them.
     bool areApart()
     {
-        if (!record_.to() || !isInRange()) {
+        if (record_.to() == nullptr || !isInRange()) {
             return false;
         }
         const std::optional<bool> joined = section_->joins(*record_.from(), *record_.to());

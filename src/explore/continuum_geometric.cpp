@@ -156,7 +156,7 @@ void listIsolated(ContinuumRecord& record, const EnergySection& section)
     }
     // A strain limit may exclude some: then all must be seen.
     const bool isLimited = std::isfinite(record.demands.strainLimit);
-    const std::int64_t most = isLimited || sample ? maxContinuumPoints : options.points;
+    const std::int64_t most = isLimited || sample != nullptr ? maxContinuumPoints : options.points;
     std::vector<State> motions = section.isolated(most);
     if (isLimited) {
         std::erase_if(motions, [&record](const State& motion) {
@@ -175,7 +175,7 @@ void listIsolated(ContinuumRecord& record, const EnergySection& section)
                                            record.energy(), options.strainLimit);
         return;
     }
-    if (sample && motions.size() > 1) {
+    if (sample != nullptr && motions.size() > 1) {
         std::mt19937_64 generator(sample->seed);
         std::uniform_int_distribution<std::size_t> draw(0, motions.size() - 1);
         for (std::int64_t k = 1; k <= options.points; ++k) {

@@ -180,7 +180,7 @@ SolverResult farEnd(const ContinuumRecord& record, const EnergySection* section,
         landed = corrector.land(k < attempts / 2 ? x : 0.5 * (x + start));
         if (landed.status == SolverStatus::optimal &&
             corrector.distance(landed.x, start) > apart * std::sqrt(record.energy()) &&
-            (!section || section->joins(origin, corrector.stateOf(landed.x)) != false)) {
+            (section == nullptr || section->joins(origin, corrector.stateOf(landed.x)) != false)) {
             break;
         }
     }
@@ -193,7 +193,7 @@ void joinMembers(ContinuumRecord& record, const EnergySection* section, Correcto
 {
     constexpr int attempts = 5;
     const auto* random = std::get_if<trace::RandomPath>(&record.options.trace);
-    std::mt19937_64 generator(random ? random->seed : trace::RandomPath{}.seed);
+    std::mt19937_64 generator(random != nullptr ? random->seed : trace::RandomPath{}.seed);
     for (int k = 0; k < attempts && record.result.status != Status::found; ++k) {
         SolverResult landed = farEnd(record, section, corrector, start, generator);
         if (record.isCancelled()) {
@@ -213,13 +213,13 @@ void joinMembers(ContinuumRecord& record, const EnergySection* section, Correcto
 void traceWithPrograms(ContinuumRecord& record, const EnergySection* section, const State& member,
                        const Solver& solver)
 {
-    Corrector corrector(record, solver, record.from() ? *record.from() : member);
+    Corrector corrector(record, solver, record.from() != nullptr ? *record.from() : member);
     const SolverResult first = corrector.land(corrector.target());
     if (first.status != SolverStatus::optimal) {
         record.stop(fmt::format("the first point: {}", first.detail));
         return;
     }
-    if (!record.to()) {
+    if (record.to() == nullptr) {
         record.result.family = "path between two members";
         joinMembers(record, section, corrector, first.x);
         return;

@@ -42,18 +42,18 @@ const State* ContinuumRecord::from() const
         return &path->from;
     }
     const auto* walk = std::get_if<trace::Walk>(&options.trace);
-    return walk ? &walk->from : nullptr;
+    return walk != nullptr ? &walk->from : nullptr;
 }
 
 const State* ContinuumRecord::to() const
 {
     const auto* path = std::get_if<trace::Path>(&options.trace);
-    return path ? &path->to : nullptr;
+    return path != nullptr ? &path->to : nullptr;
 }
 
 void ContinuumRecord::requireMotion(const char* field, const State* state) const
 {
-    if (!state) {
+    if (state == nullptr) {
         return;
     }
     const double residual =

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
-#include <utility>
 
 #include "faults.hpp"
 #include "scaling.hpp"
@@ -35,16 +34,21 @@ void validate(const SolverOptions& options, const Program& program)
 }
 
 /// What can be needed, in the words of a refusal.
-constexpr std::pair<bool Capabilities::*, std::string_view> words[] = {
-    {&Capabilities::quadraticObjective, "a quadratic objective"},
-    {&Capabilities::energyEquality, "an energy equality"},
-    {&Capabilities::detectsInfeasibility, "the answer infeasible"},
-    {&Capabilities::duals, "duals"},
-    {&Capabilities::iterationLimit, "iterationLimit"},
-    {&Capabilities::timeLimit, "timeLimit"},
-    {&Capabilities::start, "start"},
-    {&Capabilities::cancel, "cancel"},
+struct Word {
+    bool Capabilities::*capability;
+    std::string_view text;
 };
+constexpr std::array words{
+    Word{&Capabilities::quadraticObjective, "a quadratic objective"},
+    Word{&Capabilities::energyEquality, "an energy equality"},
+    Word{&Capabilities::detectsInfeasibility, "the answer infeasible"},
+    Word{&Capabilities::duals, "duals"},
+    Word{&Capabilities::iterationLimit, "iterationLimit"},
+    Word{&Capabilities::timeLimit, "timeLimit"},
+    Word{&Capabilities::start, "start"},
+    Word{&Capabilities::cancel, "cancel"},
+};
+static_assert(words.size() * sizeof(bool) == sizeof(Capabilities), "a word for each");
 
 void refuseUnsupported(const Solver& solver, const Program& program, const SolverOptions& options)
 {
@@ -101,8 +105,9 @@ Capabilities needsOf(const Program& program)
 
 bool covers(const Capabilities& can, const Capabilities& needs)
 {
-    return std::all_of(std::begin(words), std::end(words),
-                       [&](const auto& word) { return can.*word.first || !(needs.*word.first); });
+    return std::all_of(words.begin(), words.end(), [&](const Word& word) {
+        return can.*word.capability || !(needs.*word.capability);
+    });
 }
 
 SolverResult Solver::solve(const Program& program, const SolverOptions& options) const
