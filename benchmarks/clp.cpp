@@ -29,13 +29,12 @@ constexpr double toleranceShare = 0.1;
 
 class Clp final : public Solver {
 public:
-    Clp(std::string_view method, ClpSolve::SolveType type) : method_(method), type_(type) {}
-
-    [[nodiscard]] std::string_view name() const override { return method_; }
-
-    [[nodiscard]] Capabilities capabilities() const override
+    Clp(std::string_view method, ClpSolve::SolveType type)
+        : Solver({.name = method,
+                  .can = {.quadraticObjective = type != ClpSolve::automatic,
+                          .detectsInfeasibility = true}}),
+          type_(type)
     {
-        return {.quadraticObjective = type_ != ClpSolve::automatic, .detectsInfeasibility = true};
     }
 
 private:
@@ -61,7 +60,6 @@ private:
         return result;
     }
 
-    std::string_view method_;
     ClpSolve::SolveType type_;
 };
 

@@ -19,7 +19,7 @@ namespace signorini {
 namespace {
 
 using Version = std::string (*)();
-using Make = std::unique_ptr<Solver> (*)();
+using Make = std::unique_ptr<Solver> (*)(const Backend&);
 
 std::string ownVersion()
 {
@@ -58,59 +58,81 @@ constexpr Make nloptAuglag = nullptr;
 constexpr Make nloptCobyla = nullptr;
 #endif
 
+constexpr Capabilities simplex{
+    .detectsInfeasibility = true, .duals = true, .iterationLimit = true, .timeLimit = true};
+constexpr Capabilities interior{.duals = true};
+constexpr Capabilities local{.quadraticObjective = true,
+                             .energyEquality = true,
+                             .iterationLimit = true,
+                             .timeLimit = true,
+                             .start = true,
+                             .cancel = true};
+
 }  // namespace
 
 std::span<const Backend> backends()
 {
-    static const std::array table{
+    // What is chosen where nobody names a solver is looked for from the top down.
+    static constexpr std::array table{
         Backend{.name = "closed-form",
-                .library = "",
-                .option = "",
-                .version = ownVersion,
-                .make = nullptr,
-                .purpose = "exact solution set of a schedule, least and most energy"},
+                .purpose = "exact solution set of a schedule, least and most energy",
+                .version = ownVersion},
         Backend{.name = "glpk-simplex",
                 .library = "GLPK",
                 .option = "SIGNORINI_WITH_GLPK",
+                .purpose = "linear programs by the primal simplex method",
+                .can = simplex,
+                .chosenFor = {.linear = true},
                 .version = glpkVersion,
-                .make = glpkSimplex,
-                .purpose = "linear programs by the primal simplex method"},
+                .make = glpkSimplex},
         Backend{.name = "glpk-interior",
                 .library = "GLPK",
                 .option = "SIGNORINI_WITH_GLPK",
+                .purpose = "linear programs by an interior-point method",
+                .can = interior,
                 .version = glpkVersion,
-                .make = glpkInterior,
-                .purpose = "linear programs by an interior-point method"},
+                .make = glpkInterior},
         Backend{.name = "glpk-exact",
                 .library = "GLPK",
                 .option = "SIGNORINI_WITH_GLPK",
+                .purpose = "linear programs by the simplex method in rational numbers",
+                .can = simplex,
                 .version = glpkVersion,
-                .make = glpkExact,
-                .purpose = "linear programs by the simplex method in rational numbers"},
+                .make = glpkExact},
         Backend{.name = "ipopt",
                 .library = "Ipopt",
                 .option = "SIGNORINI_WITH_IPOPT",
+                .purpose = "convex quadratic programs and a given energy, interior point",
+                .can = local,
+                .chosenFor = {.linear = true, .quadratic = true, .heldEnergy = true},
                 .version = ipoptVersion,
-                .make = ipoptMake,
-                .purpose = "convex quadratic programs and a given energy, interior point"},
+                .make = ipoptMake},
         Backend{.name = "nlopt-slsqp",
                 .library = "NLopt",
                 .option = "SIGNORINI_WITH_NLOPT",
+                .purpose = "the same for medium sizes, sequential least squares",
+                .can = local,
+                .mostUnknowns = 400,
+                .chosenFor = {.quadratic = true},
                 .version = nloptVersion,
-                .make = nloptSlsqp,
-                .purpose = "the same for medium sizes, sequential least squares"},
+                .make = nloptSlsqp},
         Backend{.name = "nlopt-auglag",
                 .library = "NLopt",
                 .option = "SIGNORINI_WITH_NLOPT",
+                .purpose = "the same for medium sizes, augmented Lagrangian",
+                .can = local,
+                .mostUnknowns = 400,
+                .chosenFor = {.heldEnergy = true},
                 .version = nloptVersion,
-                .make = nloptAuglag,
-                .purpose = "the same for medium sizes, augmented Lagrangian"},
+                .make = nloptAuglag},
         Backend{.name = "nlopt-cobyla",
                 .library = "NLopt",
                 .option = "SIGNORINI_WITH_NLOPT",
+                .purpose = "the same for small sizes, without derivatives",
+                .can = local,
+                .mostUnknowns = 40,
                 .version = nloptVersion,
-                .make = nloptCobyla,
-                .purpose = "the same for small sizes, without derivatives"},
+                .make = nloptCobyla},
     };
     return table;
 }

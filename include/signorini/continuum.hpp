@@ -3,17 +3,17 @@
 /// Continua k(lambda): curves of motions of one schedule and one energy, the paper's Fig. 2.
 ///
 /// The motions of energy E form the part of the solution set that lies on a sphere, since
-/// E/E_1 = (2w/N) sum z^2 (reduction.hpp). Three engines, one answer:
+/// E/E_1 = (2w/N) sum z^2 (reduction.hpp). Two ways, one answer:
 ///
-/// - geometric: motions that differ in one simplex of amplitudes, and what lies of a box inside
-/// such
-///   a simplex. Exact paths (sphere_section.hpp), O(N) per point
-/// - ipopt, nlopt: any set. Predictor: a step along the chord to the far end; corrector: the motion
-///   of this energy that is nearest to it, a nonlinear program. Steps are halved until neighbours
-///   are within the resolution asked for and the motion nearest to their middle is near the middle
+/// - geometry (solver "closed-form"): motions that differ in one simplex of amplitudes, and what
+///   lies of a box inside such a simplex. Exact paths (sphere_section.hpp), O(N) per point
+/// - programs (a back end that holds an energy): any set. Predictor: a step along the chord to the
+///   far end; corrector: the motion of this energy that is nearest to it, a nonlinear program.
+///   Steps are halved until neighbours are within the resolution asked for and the motion nearest
+///   to their middle is near the middle
 ///
 /// Which motions can be joined is a property of the set: where theory knows (one contact phase;
-/// several whose vertices are known), it decides before any engine does. Where only finitely many
+/// several whose vertices are known), it decides before any solver does. Where only finitely many
 /// motions have the energy, the answer lists them.
 ///
 /// Each point is verified before it is kept. A curve takes 16 N bytes per point.
@@ -23,6 +23,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "signorini/bar.hpp"
@@ -37,34 +38,44 @@ namespace signorini {
 /// Most points of a curve, and most members of a sample.
 inline constexpr std::int64_t maxContinuumPoints = 1'000'000;
 
-/// Who traces.
-enum class Engine {
-    automatic,  ///< geometric where it is exact, otherwise the first of the others in this build
-    geometric,
-    ipopt,
-    nlopt,
+/// What is to be traced. States are in [g/L].
+namespace trace {
+/// The travelling block, or where there is none a path between two members of the solver's choice.
+struct Block {};
+/// A path between two motions.
+struct Path {
+    State from;
+    State to;
 };
+/// From a motion this way for half a great circle of the set's sphere, sliding along the faces it
+/// meets. Only the part of `direction` along the set counts. By geometry only.
+struct Walk {
+    State from;
+    State direction;
+};
+/// A path between two members drawn at random.
+struct RandomPath {
+    std::uint64_t seed = 1;
+};
+/// No curve: members spread over the whole set (`sampleMotions`); lambda numbers them. By geometry
+/// only.
+struct Sample {
+    std::uint64_t seed = 1;
+};
+}  // namespace trace
 
-/// "auto", "geometric", "ipopt", "nlopt".
-[[nodiscard]] std::string_view name(Engine engine);
+using Trace =
+    std::variant<trace::Block, trace::Path, trace::Walk, trace::RandomPath, trace::Sample>;
 
 /// What a curve is to do beyond staying in the set.
 struct ContinuumOptions {
     Bar bar = {};  ///< unit of the strain limit and of peak strains
     /// [-], 2..1e6, of a curve or a sample. Programs keep more where the resolution asks for it.
     std::int64_t points = 201;
-    std::optional<State> from = std::nullopt;  ///< [g/L], a motion; both ends or none
-    std::optional<State> to = std::nullopt;    ///< [g/L], a motion
-    /// [g/L], instead of `to`: walk from `from` this way for half a great circle of the set's
-    /// sphere, sliding along the faces it meets. Only the part along the set counts. Geometric
-    /// engine.
-    std::optional<State> direction = std::nullopt;
-    /// Members spread over the whole set (`sampleMotions`) instead of a curve; lambda numbers them.
-    bool sample = false;
-    /// Without ends: a path between two members drawn at random; without a seed either: the
-    /// travelling block, or where there is none two members of the engine's choice.
-    std::optional<std::uint64_t> seed = std::nullopt;
-    Engine engine = Engine::automatic;
+    Trace trace = {};  ///< the travelling block, if nothing is said
+    /// "closed-form": geometry; a name from `backends()` that holds an energy: programs; "auto":
+    /// geometry where it is exact, otherwise programs.
+    std::string solver = "auto";
     double strainLimit = std::numeric_limits<double>::infinity();  ///< [-], > 0: s >= -S
     /// [sqrt(E/E_1)], 1e-6..1: how far neighbours on a curve by programs may be apart, in the norm
     /// of the energy. The finer, the narrower a gap that cannot be jumped, and the longer it takes.
@@ -112,8 +123,8 @@ struct Continuum {
     Bar bar;
     double energyRatio = 0.0;                ///< E/E_1 asked for
     std::optional<EnergyRange> energyRange;  ///< over the whole set, if known
-    std::int64_t dimension = -1;  ///< of the motions of this energy; -1: none or not known
-    Engine engine = Engine::geometric;
+    std::int64_t dimension = -1;         ///< of the motions of this energy; -1: none or not known
+    std::string solver = "closed-form";  ///< who traced; "auto": nobody in this build could have
     Parameter parameter = Parameter::arcLength;
     std::string family;  ///< e.g. "travelling block"
     std::vector<ContinuumPoint> points;
@@ -122,7 +133,7 @@ struct Continuum {
 /// Traces a curve of motions with E/E_1 = energyRatio.
 ///
 /// \throws std::invalid_argument on invalid input: among it ends that are no motions of the
-/// schedule, have another energy, or break the limit; BackendUnavailable if no engine in this
+/// schedule, have another energy, or break the limit; BackendUnavailable if no solver in this
 /// build can do what is asked.
 [[nodiscard]] Continuum traceContinuum(const Schedule& schedule, double energyRatio,
                                        const ContinuumOptions& options = {});

@@ -36,13 +36,7 @@ int solveExactly(glp_prob* problem, glp_smcp settings, const Stopwatch& watch)
 
 class Exact final : public Solver {
 public:
-    [[nodiscard]] std::string_view name() const override { return "glpk-exact"; }
-
-    [[nodiscard]] Capabilities capabilities() const override
-    {
-        return {
-            .detectsInfeasibility = true, .duals = true, .iterationLimit = true, .timeLimit = true};
-    }
+    using Solver::Solver;
 
 private:
     [[nodiscard]] SolverResult run(const Program& program,
@@ -69,9 +63,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Solver> makeExact()
+std::unique_ptr<Solver> makeExact(const Backend& row)
 {
-    return std::make_unique<Exact>();
+    return std::make_unique<Exact>(row);
 }
 
 }  // namespace signorini::glpk

@@ -17,12 +17,12 @@ namespace signorini::glpk {
 [[nodiscard]] std::string version();
 
 /// Primal simplex in doubles, with GLPK's presolver.
-[[nodiscard]] std::unique_ptr<Solver> makeSimplex();
+[[nodiscard]] std::unique_ptr<Solver> makeSimplex(const Backend& row);
 
 /// Primal-dual interior point. It has no settings: no tolerance, no limits.
-[[nodiscard]] std::unique_ptr<Solver> makeInterior();
+[[nodiscard]] std::unique_ptr<Solver> makeInterior(const Backend& row);
 
 /// Simplex in rational numbers: pivots and verdict are exact, the point is rounded at the end.
-[[nodiscard]] std::unique_ptr<Solver> makeExact();
+[[nodiscard]] std::unique_ptr<Solver> makeExact(const Backend& row);
 
 }  // namespace signorini::glpk

@@ -85,9 +85,7 @@ void closeEqualities(const Program& program, double tolerance, Eigen::VectorXd& 
 
 class Interior final : public Solver {
 public:
-    [[nodiscard]] std::string_view name() const override { return "glpk-interior"; }
-
-    [[nodiscard]] Capabilities capabilities() const override { return {.duals = true}; }
+    using Solver::Solver;
 
 private:
     [[nodiscard]] SolverResult run(const Program& program,
@@ -145,9 +143,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Solver> makeInterior()
+std::unique_ptr<Solver> makeInterior(const Backend& row)
 {
-    return std::make_unique<Interior>();
+    return std::make_unique<Interior>(row);
 }
 
 }  // namespace signorini::glpk

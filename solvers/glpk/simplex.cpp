@@ -20,13 +20,7 @@ constexpr int fewRows = 64;
 
 class Simplex final : public Solver {
 public:
-    [[nodiscard]] std::string_view name() const override { return "glpk-simplex"; }
-
-    [[nodiscard]] Capabilities capabilities() const override
-    {
-        return {
-            .detectsInfeasibility = true, .duals = true, .iterationLimit = true, .timeLimit = true};
-    }
+    using Solver::Solver;
 
 private:
     [[nodiscard]] SolverResult run(const Program& program,
@@ -56,9 +50,9 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Solver> makeSimplex()
+std::unique_ptr<Solver> makeSimplex(const Backend& row)
 {
-    return std::make_unique<Simplex>();
+    return std::make_unique<Simplex>(row);
 }
 
 }  // namespace signorini::glpk

@@ -16,6 +16,6 @@ namespace signorini::ipopt {
 /// Version of the headers this was compiled with, e.g. "3.11.9".
 [[nodiscard]] std::string version();
 
-[[nodiscard]] std::unique_ptr<Solver> makeIpopt();
+[[nodiscard]] std::unique_ptr<Solver> makeIpopt(const Backend& row);
 
 }  // namespace signorini::ipopt

@@ -209,17 +209,7 @@ Eigen::VectorXd coldStart(const Program& program)
 
 class IpoptSolver final : public Solver {
 public:
-    [[nodiscard]] std::string_view name() const override { return "ipopt"; }
-
-    [[nodiscard]] Capabilities capabilities() const override
-    {
-        return {.quadraticObjective = true,
-                .energyEquality = true,
-                .iterationLimit = true,
-                .timeLimit = true,
-                .start = true,
-                .cancel = true};
-    }
+    using Solver::Solver;
 
 private:
     [[nodiscard]] SolverResult run(const Program& program,
@@ -293,9 +283,9 @@ std::string version()
     return IPOPT_VERSION;
 }
 
-std::unique_ptr<Solver> makeIpopt()
+std::unique_ptr<Solver> makeIpopt(const Backend& row)
 {
-    return std::make_unique<IpoptSolver>();
+    return std::make_unique<IpoptSolver>(row);
 }
 
 }  // namespace signorini::ipopt

@@ -3,7 +3,7 @@
 /// NLopt behind the Solver interface: small and medium programs, as a second opinion.
 ///
 /// NLopt wants neither redundant equalities nor, in practice, any linear ones: it stops at x = 0
-/// and calls that success. So the equalities are solved first (reduced_program.hpp) and NLopt
+/// and calls that success. So the equalities are solved first (free_program.hpp) and NLopt
 /// searches among their solutions, where only inequalities, bounds and an energy equality are left.
 /// A program without an objective gets the point nearest to the start. All three methods are local;
 /// none answers "infeasible" after a search.
@@ -19,12 +19,12 @@ namespace signorini::nlopt {
 [[nodiscard]] std::string version();
 
 /// Sequential least squares, dense: O(d^3) per iteration, d = variables - independent equalities.
-[[nodiscard]] std::unique_ptr<Solver> makeSlsqp();
+[[nodiscard]] std::unique_ptr<Solver> makeSlsqp(const Backend& row);
 
 /// Augmented Lagrangian, each of its subproblems by separable convex approximations (CCSAQ).
-[[nodiscard]] std::unique_ptr<Solver> makeAuglag();
+[[nodiscard]] std::unique_ptr<Solver> makeAuglag(const Backend& row);
 
 /// Linear approximations without derivatives.
-[[nodiscard]] std::unique_ptr<Solver> makeCobyla();
+[[nodiscard]] std::unique_ptr<Solver> makeCobyla(const Backend& row);
 
 }  // namespace signorini::nlopt

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <stdexcept>
 
 #include "common/stopwatch.hpp"
 #include "nlopt/nlopt.hpp"
-#include "nlopt/reduced_program.hpp"
+#include "nlopt/search.hpp"
 
 namespace signorini::nlopt {
 
@@ -17,12 +16,9 @@ namespace {
 
 /// A method of NLopt and how it is used.
 struct Method {
-    const char* name;
     nlopt_algorithm algorithm;
-    bool hasInner;                ///< CCSAQ for its subproblems: L-BFGS gives up too often
-    bool holdsEnergy;             ///< copes with a quadratic equality
-    Eigen::Index maxSize;         ///< most unknowns; beyond, memory and time grow out of hand
     std::int64_t maxEvaluations;  ///< where no iteration limit is given: it always ends
+    bool hasInner = false;        ///< CCSAQ for its subproblems: L-BFGS gives up too often
 };
 
 /// Objective and point have settled when a step changes them by less. Both are near what doubles
@@ -82,135 +78,6 @@ Verdict verdictOf(nlopt_result code)
     }
 }
 
-/// All variables of the program.
-Eigen::VectorXd pointOf(const ReducedProgram& reduced, const Eigen::VectorXd& u)
-{
-    return reduced.condensed.expand(reduced.origin + reduced.directions * u);
-}
-
-using Input = Eigen::Map<const Eigen::VectorXd>;
-using Output = Eigen::Map<Eigen::VectorXd>;
-
-/// What NLopt calls back. An exception must not cross the library, and its text would be lost:
-/// it is kept here, the search is stopped, and `rethrow` throws it afterwards.
-class Search {
-public:
-    Search(const ReducedProgram& reduced, Eigen::VectorXd start, const SolverOptions& options,
-           nlopt_opt optimizer)
-        : reduced_(reduced),
-          program_(reduced.condensed.program),
-          start_(std::move(start)),
-          options_(options),
-          optimizer_(optimizer),
-          hasObjective_(hasObjective(program_))
-    {
-    }
-
-    [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
-
-    void rethrow() const
-    {
-        if (exception_) {
-            std::rethrow_exception(exception_);
-        }
-    }
-
-    static double objective(unsigned, const double* u, double* gradient, void* self)
-    {
-        return static_cast<Search*>(self)->guarded(
-            [&](Search& search) { return search.evaluateObjective(u, gradient); });
-    }
-
-    static void rows(unsigned, double* values, unsigned, const double* u, double* gradient,
-                     void* self)
-    {
-        static_cast<Search*>(self)->guarded([&](Search& search) {
-            search.evaluateRows(u, values, gradient);
-            return 0.0;
-        });
-    }
-
-    static double energy(unsigned, const double* u, double* gradient, void* self)
-    {
-        return static_cast<Search*>(self)->guarded(
-            [&](Search& search) { return search.evaluateEnergy(u, gradient); });
-    }
-
-private:
-    template <typename Evaluate>
-    double guarded(Evaluate evaluate)
-    {
-        try {
-            if (isRequested(options_.cancel)) {
-                nlopt_force_stop(optimizer_);
-            }
-            return evaluate(*this);
-        } catch (...) {
-            exception_ = std::current_exception();
-            nlopt_force_stop(optimizer_);
-            return std::numeric_limits<double>::infinity();
-        }
-    }
-
-    [[nodiscard]] Eigen::VectorXd point(const double* u) const
-    {
-        return reduced_.origin + reduced_.directions * Input(u, reduced_.size());
-    }
-
-    void writeGradient(const Eigen::VectorXd& inX, double* gradient) const
-    {
-        if (gradient != nullptr) {
-            Output(gradient, reduced_.size()) = reduced_.directions.transpose() * inX;
-        }
-    }
-
-    double evaluateObjective(const double* u, double* gradient)
-    {
-        ++evaluations_;
-        if (!hasObjective_) {
-            const Eigen::VectorXd step = Input(u, reduced_.size()) - start_;
-            if (gradient != nullptr) {
-                Output(gradient, reduced_.size()) = step;
-            }
-            return 0.5 * step.squaredNorm();
-        }
-        const Eigen::VectorXd x = point(u);
-        Eigen::VectorXd slope = program_.linear;
-        if (program_.quadratic.size() > 0) {
-            slope += program_.quadratic.cwiseProduct(x);
-        }
-        writeGradient(slope, gradient);
-        return signorini::objective(program_, x);
-    }
-
-    void evaluateRows(const double* u, double* values, double* gradient) const
-    {
-        Output(values, reduced_.rhs.size()) =
-            reduced_.rows * Input(u, reduced_.size()) - reduced_.rhs;
-        if (gradient != nullptr) {
-            using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-            Eigen::Map<Dense>(gradient, reduced_.rows.rows(), reduced_.rows.cols()) = reduced_.rows;
-        }
-    }
-
-    double evaluateEnergy(const double* u, double* gradient) const
-    {
-        const EnergyEquality& energy = *program_.energy;
-        const Eigen::VectorXd x = point(u);
-        writeGradient(2.0 / energy.value * energy.weights.cwiseProduct(x), gradient);
-        return energy.weights.dot(x.cwiseAbs2()) / energy.value - 1.0;
-    }
-
-    const ReducedProgram& reduced_;
-    const Program& program_;
-    Eigen::VectorXd start_;
-    const SolverOptions& options_;
-    nlopt_opt optimizer_;
-    bool hasObjective_;
-    std::int64_t evaluations_ = 0;
-    std::exception_ptr exception_;
-};
-
 void setStops(nlopt_opt optimizer, const Method& method, const SolverOptions& options,
               double secondsSpent)
 {
@@ -228,43 +95,31 @@ void setStops(nlopt_opt optimizer, const Method& method, const SolverOptions& op
 
 class NloptSolver final : public Solver {
 public:
-    explicit NloptSolver(const Method& method) : method_(method) {}
-
-    [[nodiscard]] std::string_view name() const override { return method_.name; }
-
-    [[nodiscard]] Capabilities capabilities() const override
-    {
-        return {.quadraticObjective = true,
-                .energyEquality = method_.holdsEnergy,
-                .iterationLimit = true,
-                .timeLimit = true,
-                .start = true,
-                .cancel = true};
-    }
+    NloptSolver(const Backend& row, const Method& method) : Solver(row), method_(method) {}
 
 private:
     [[nodiscard]] SolverResult run(const Program& program,
                                    const SolverOptions& options) const override
     {
         Stopwatch watch;
-        const ReducedProgram reduced = reduceProgram(program, options.tolerance, method_.maxSize);
-        if (reduced.decided) {
-            return *reduced.decided;
+        const FreeProgram freed = withoutEqualities(program, options.tolerance, row().mostUnknowns);
+        if (freed.decided) {
+            return *freed.decided;
         }
-        Eigen::VectorXd u = startOf(reduced, options);
+        Eigen::VectorXd u = startOf(freed, options);
         if (!hasObjective(program)) {
-            const Eigen::VectorXd x = pointOf(reduced, u);
+            const Eigen::VectorXd x = freed.point(u);
             if (violation(program, x) <= violationShare * options.tolerance) {
                 return atStart(x);
             }
         }
         const Optimizer optimizer(
-            nlopt_create(method_.algorithm, static_cast<unsigned>(reduced.size())));
+            nlopt_create(method_.algorithm, static_cast<unsigned>(freed.size())));
         if (!optimizer) {
             throw std::bad_alloc();
         }
-        Search search(reduced, u, options, optimizer.get());
-        pose(reduced, options, optimizer.get(), search);
+        Search search(freed, u, options, optimizer.get());
+        pose(freed, options, optimizer.get(), search);
         setStops(optimizer.get(), method_, options, watch.seconds());
 
         SolverResult result;
@@ -277,17 +132,17 @@ private:
         result.status = verdict.status;
         result.detail = verdict.detail;
         result.iterations = search.evaluations();
-        result.x = pointOf(reduced, u);
+        result.x = freed.point(u);
         return result;
     }
 
-    static Eigen::VectorXd startOf(const ReducedProgram& reduced, const SolverOptions& options)
+    static Eigen::VectorXd startOf(const FreeProgram& freed, const SolverOptions& options)
     {
-        Eigen::VectorXd u = Eigen::VectorXd::Zero(reduced.size());
+        Eigen::VectorXd u = Eigen::VectorXd::Zero(freed.size());
         if (options.start) {
-            u = reduced.condensed.restrict(*options.start)(reduced.outside);
+            u = freed.condensed.restrict(*options.start)(freed.outside);
         }
-        return u.cwiseMax(reduced.lower).cwiseMin(reduced.upper);
+        return u.cwiseMax(freed.lower).cwiseMin(freed.upper);
     }
 
     static SolverResult atStart(Eigen::VectorXd x)
@@ -299,24 +154,24 @@ private:
         return result;
     }
 
-    void pose(const ReducedProgram& reduced, const SolverOptions& options, nlopt_opt optimizer,
+    void pose(const FreeProgram& freed, const SolverOptions& options, nlopt_opt optimizer,
               Search& search) const
     {
-        require(nlopt_set_lower_bounds(optimizer, reduced.lower.data()));
-        require(nlopt_set_upper_bounds(optimizer, reduced.upper.data()));
+        require(nlopt_set_lower_bounds(optimizer, freed.lower.data()));
+        require(nlopt_set_upper_bounds(optimizer, freed.upper.data()));
         require(nlopt_set_min_objective(optimizer, Search::objective, &search));
         const double allowed = violationShare * options.tolerance;
-        if (reduced.rhs.size() > 0) {
-            const Eigen::VectorXd each = Eigen::VectorXd::Constant(reduced.rhs.size(), allowed);
+        if (freed.rhs.size() > 0) {
+            const Eigen::VectorXd each = Eigen::VectorXd::Constant(freed.rhs.size(), allowed);
             require(nlopt_add_inequality_mconstraint(optimizer, static_cast<unsigned>(each.size()),
                                                      Search::rows, &search, each.data()));
         }
-        if (reduced.condensed.program.energy) {
+        if (freed.condensed.program.energy) {
             require(nlopt_add_equality_constraint(optimizer, Search::energy, &search, allowed));
         }
         if (method_.hasInner) {
             const Optimizer inner(
-                nlopt_create(NLOPT_LD_CCSAQ, static_cast<unsigned>(reduced.size())));
+                nlopt_create(NLOPT_LD_CCSAQ, static_cast<unsigned>(freed.size())));
             require(nlopt_set_ftol_rel(inner.get(), objectiveTolerance));
             require(nlopt_set_xtol_rel(inner.get(), pointTolerance));
             require(nlopt_set_local_optimizer(optimizer, inner.get()));
@@ -337,34 +192,19 @@ std::string version()
     return fmt::format("{}.{}.{}", major, minor, bugfix);
 }
 
-std::unique_ptr<Solver> makeSlsqp()
+std::unique_ptr<Solver> makeSlsqp(const Backend& row)
 {
-    return std::make_unique<NloptSolver>(Method{.name = "nlopt-slsqp",
-                                                .algorithm = NLOPT_LD_SLSQP,
-                                                .hasInner = false,
-                                                .holdsEnergy = true,
-                                                .maxSize = 400,
-                                                .maxEvaluations = 2'000});
+    return std::make_unique<NloptSolver>(row, Method{NLOPT_LD_SLSQP, 2'000});
 }
 
-std::unique_ptr<Solver> makeAuglag()
+std::unique_ptr<Solver> makeAuglag(const Backend& row)
 {
-    return std::make_unique<NloptSolver>(Method{.name = "nlopt-auglag",
-                                                .algorithm = NLOPT_AUGLAG,
-                                                .hasInner = true,
-                                                .holdsEnergy = true,
-                                                .maxSize = 400,
-                                                .maxEvaluations = 20'000});
+    return std::make_unique<NloptSolver>(row, Method{NLOPT_AUGLAG, 20'000, true});
 }
 
-std::unique_ptr<Solver> makeCobyla()
+std::unique_ptr<Solver> makeCobyla(const Backend& row)
 {
-    return std::make_unique<NloptSolver>(Method{.name = "nlopt-cobyla",
-                                                .algorithm = NLOPT_LN_COBYLA,
-                                                .hasInner = false,
-                                                .holdsEnergy = true,
-                                                .maxSize = 40,
-                                                .maxEvaluations = 200'000});
+    return std::make_unique<NloptSolver>(row, Method{NLOPT_LN_COBYLA, 200'000});
 }
 
 }  // namespace signorini::nlopt

@@ -4,7 +4,9 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 
 #include "faults.hpp"
 #include "files.hpp"
@@ -13,6 +15,7 @@
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
+#include "solver.hpp"
 
 namespace signorini::cli {
 
@@ -20,18 +23,68 @@ namespace {
 
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
 
-Engine parseEngine(const std::string& text)
+/// Words of --engine for solvers: the first are the command line's own.
+constexpr std::array engines{
+    std::pair<std::string_view, std::string_view>{"geometric", "closed-form"},
+    std::pair<std::string_view, std::string_view>{"nlopt", "nlopt-auglag"},
+};
+
+std::string parseEngine(const std::string& text)
 {
-    for (const Engine engine :
-         {Engine::automatic, Engine::geometric, Engine::ipopt, Engine::nlopt}) {
-        if (text == name(engine)) {
-            return engine;
+    for (const auto& [engine, solver] : engines) {
+        if (text == engine) {
+            return std::string(solver);
         }
     }
-    Faults faults;
-    faults.add("--engine", text, "auto|geometric|ipopt|nlopt");
-    faults.throwIfAny();
-    return Engine::automatic;
+    const auto table = backends();
+    if (text != "auto" && std::none_of(table.begin(), table.end(), [&text](const Backend& backend) {
+            return backend.name == text;
+        })) {
+        Faults faults;
+        faults.add("--engine", text, "auto|geometric|ipopt|nlopt, or a back end");
+        faults.throwIfAny();
+    }
+    return text;
+}
+
+std::string engineOf(const Continuum& curve)
+{
+    for (const auto& [engine, solver] : engines) {
+        if (curve.solver == solver) {
+            return std::string(engine);
+        }
+    }
+    return curve.solver;
+}
+
+Trace parseTrace(const ContinuumCommand& words, const Bar& bar)
+{
+    const int ends = (words.toFile.empty() ? 0 : 1) + (words.directionFile.empty() ? 0 : 1);
+    if ((words.fromFile.empty() ? 0 : 1) != ends) {
+        throw std::invalid_argument(
+            "--from: allowed only together with one of --to and --direction");
+    }
+    std::optional<std::uint64_t> seed;
+    if (!words.seed.empty()) {
+        seed = static_cast<std::uint64_t>(parseWhole("--seed", words.seed, 0, maxSeed));
+    }
+    if (words.fromFile.empty()) {
+        return words.sample ? Trace(trace::Sample{seed.value_or(trace::Sample{}.seed)})
+               : seed       ? Trace(trace::RandomPath{*seed})
+                            : Trace(trace::Block{});
+    }
+    if (seed || words.sample) {
+        throw std::invalid_argument("--seed and --sample clash with --from: allowed one of them");
+    }
+    const auto read = [&](const char* option, const std::string& path) {
+        return forFile(option, path,
+                       [&] { return readStateCsv(path, bar, words.common.parseCells()); });
+    };
+    State from = read("--from", words.fromFile);
+    if (!words.toFile.empty()) {
+        return trace::Path{std::move(from), read("--to", words.toFile)};
+    }
+    return trace::Walk{std::move(from), read("--direction", words.directionFile)};
 }
 
 ContinuumOptions parseOptions(const ContinuumCommand& words)
@@ -41,11 +94,8 @@ ContinuumOptions parseOptions(const ContinuumCommand& words)
     if (!words.points.empty()) {
         options.points = parseWhole("--points", words.points, 2, maxContinuumPoints);
     }
-    if (!words.seed.empty()) {
-        options.seed = static_cast<std::uint64_t>(parseWhole("--seed", words.seed, 0, maxSeed));
-    }
     if (!words.engine.empty()) {
-        options.engine = parseEngine(words.engine);
+        options.solver = parseEngine(words.engine);
     }
     if (!words.strainLimit.empty()) {
         options.strainLimit = parsePositive("--strain-limit", words.strainLimit, "-");
@@ -56,29 +106,7 @@ ContinuumOptions parseOptions(const ContinuumCommand& words)
     if (!words.resolution.empty()) {
         options.resolution = parsePositive("--resolution", words.resolution, "-");
     }
-    options.sample = words.sample;
-    const int ends = (words.toFile.empty() ? 0 : 1) + (words.directionFile.empty() ? 0 : 1);
-    if ((words.fromFile.empty() ? 0 : 1) != ends) {
-        throw std::invalid_argument(
-            "--from: allowed only together with one of --to and --direction");
-    }
-    if (!words.fromFile.empty()) {
-        if (options.seed || words.sample) {
-            throw std::invalid_argument(
-                "--seed and --sample clash with --from: allowed one of them");
-        }
-        const auto read = [&](const char* option, const std::string& path) {
-            return forFile(option, path, [&] {
-                return readStateCsv(path, options.bar, words.common.parseCells());
-            });
-        };
-        options.from = read("--from", words.fromFile);
-        if (!words.toFile.empty()) {
-            options.to = read("--to", words.toFile);
-        } else {
-            options.direction = read("--direction", words.directionFile);
-        }
-    }
+    options.trace = parseTrace(words, options.bar);
     return options;
 }
 
@@ -86,7 +114,7 @@ std::string asText(const Continuum& curve)
 {
     std::string text = fmt::format("{:<12}{}, E = {:.10g} E₁, {} motions by the {} engine\n",
                                    name(curve.status), describe(curve.schedule), curve.energyRatio,
-                                   curve.points.size(), name(curve.engine));
+                                   curve.points.size(), engineOf(curve));
     if (curve.energyRange) {
         text += fmt::format("range       {:.10g} … {:.10g} E₁\n", curve.energyRange->least,
                             curve.energyRange->most);
@@ -133,7 +161,7 @@ std::string asJson(const Continuum& curve)
               {"dimension", nullptr},
               {"energy_ratio_range", nullptr},
               {"resolution", nullptr},
-              {"engine", name(curve.engine)},
+              {"engine", engineOf(curve)},
               {"family", curve.family},
               {"parameter", name(curve.parameter)},
               {"reason", nullptr},
@@ -187,7 +215,7 @@ void ContinuumCommand::addTo(CLI::App& command)
     command
         .add_option("--seed", seed, "join two members drawn at random; with --sample, which ones")
         ->type_name("K");
-    command.add_option("--engine", engine, "who traces (auto)")
+    command.add_option("--engine", engine, "who traces; or a back end (auto)")
         ->type_name("auto|geometric|ipopt|nlopt");
     command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")
         ->type_name("S");

@@ -14,6 +14,9 @@ namespace signorini {
 
 namespace {
 
+constexpr std::string_view automatic = "auto";
+constexpr std::string_view closedForm = "closed-form";
+
 void validate(const Schedule& schedule, double energyRatio, const ContinuumOptions& options)
 {
     signorini::validate(schedule);
@@ -25,21 +28,15 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
     if (options.points < 2 || options.points > maxContinuumPoints) {
         faults.add("points", options.points, fmt::format("2..{}", maxContinuumPoints));
     }
-    const int ends = (options.to ? 1 : 0) + (options.direction ? 1 : 0);
-    if ((options.from ? 1 : 0) != ends) {
-        faults.add("from with to or direction", "incomplete",
-                   "from and one of the others, or none");
-    }
-    if (options.sample && options.from) {
-        faults.add("sample", "with from", "only without ends");
-    }
-    if (options.direction &&
-        (options.direction->cells() != schedule.cells || !options.direction->a.allFinite() ||
-         !options.direction->b.allFinite())) {
+    const auto* walk = std::get_if<trace::Walk>(&options.trace);
+    if (walk != nullptr && (walk->direction.cells() != schedule.cells ||
+                            !walk->direction.a.allFinite() || !walk->direction.b.allFinite())) {
         faults.add("direction", "a malformed state", "finite values on the schedule's cells");
     }
-    if (options.from && options.seed) {
-        faults.add("seed", *options.seed, "only without from and to");
+    if (options.solver != automatic && options.solver != closedForm &&
+        !covers(findBackend(options.solver).can, continuumNeeds)) {
+        faults.add("solver", options.solver,
+                   fmt::format("{}|{}|one that holds an energy", automatic, closedForm));
     }
     if (!(options.strainLimit > 0.0)) {
         faults.add("strainLimit", options.strainLimit, "> 0");
@@ -53,31 +50,34 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
     faults.throwIfAny();
 }
 
-/// One call of traceContinuum: what theory knows first, then an engine.
-class Trace {
+/// One call of traceContinuum: what theory knows first, then a solver.
+class Tracing {
 public:
-    Trace(const Schedule& schedule, double energyRatio, const ContinuumOptions& options)
+    Tracing(const Schedule& schedule, double energyRatio, const ContinuumOptions& options)
         : options_(options), record_(schedule, energyRatio, options), result_(record_.result)
     {
     }
 
     Continuum run()
     {
-        record_.requireMotion("from", options_.from);
-        record_.requireMotion("to", options_.to);
+        record_.requireMotion("from", record_.from());
+        record_.requireMotion("to", record_.to());
         section_ = isOnePhase() ? sectionOfOnePhase(result_.schedule, record_.energy())
                                 : sectionOfPhases(result_.schedule, record_.energy());
         describeSet();
-        result_.engine = chooseEngine();
+        result_.solver = chosenSolver();
         if (!hasMotion() || areApart()) {
             return std::move(result_);
         }
         if (isFinite()) {
             listIsolated(record_, *section_);
-        } else if (result_.engine == Engine::geometric) {
+        } else if (result_.solver == closedForm) {
             traceGeometrically(record_, *section_);
         } else {
-            traceWithPrograms(record_, section_.get(), member_);
+            const auto solver =
+                makeSolver(options_.solver == automatic ? choose(continuumNeeds)
+                                                        : findBackend(options_.solver));
+            traceWithPrograms(record_, section_.get(), member_, *solver);
         }
         return std::move(result_);
     }
@@ -107,17 +107,17 @@ private:
         }
         result_.dimension = facts.dimension;
         result_.components = facts.components;
-        if (isInRange() && !options_.from) {
+        if (isInRange() && record_.from() == nullptr) {
             result_.connected = facts.isConnected;
         }
     }
 
     /// Amplitudes of one sign in a box are a simplex.
-    [[nodiscard]] bool isOneSigned(const std::optional<State>& state) const
+    [[nodiscard]] bool isOneSigned(const State* state) const
     {
         constexpr double rounding = 1e-12;
         const std::vector<double> shares =
-            state ? section_->sharesOf(*state) : std::vector<double>();
+            state != nullptr ? section_->sharesOf(*state) : std::vector<double>();
         return std::all_of(shares.begin(), shares.end(),
                            [](double share) { return share >= -rounding; });
     }
@@ -134,41 +134,43 @@ private:
         if (isLimited() || !facts.simplex) {
             return false;
         }
-        return facts.isWhole || options_.sample ||
-               (facts.simplex->ratio <= 0.5 && isOneSigned(options_.from) &&
-                isOneSigned(options_.to));
+        return facts.isWhole || std::holds_alternative<trace::Sample>(options_.trace) ||
+               (facts.simplex->ratio <= 0.5 && isOneSigned(record_.from()) &&
+                isOneSigned(record_.to()));
     }
 
-    [[nodiscard]] Engine chooseEngine() const
+    [[nodiscard]] std::string chosenSolver() const
     {
         const bool mayBeGeometric = isGeometric();
-        const bool needsGeometry = options_.sample || options_.direction.has_value();
-        if (needsGeometry && (!mayBeGeometric || options_.engine == Engine::ipopt ||
-                              options_.engine == Engine::nlopt)) {
+        const bool isAutomatic = options_.solver == automatic;
+        const bool needsGeometry = std::holds_alternative<trace::Sample>(options_.trace) ||
+                                   std::holds_alternative<trace::Walk>(options_.trace);
+        const bool wantsPrograms = !isAutomatic && options_.solver != closedForm;
+        if (needsGeometry && (!mayBeGeometric || wantsPrograms)) {
             throw std::invalid_argument(
-                "sample or direction: allowed with engine auto|geometric where motions differ in "
-                "one type of classes only, and no strain limit excludes any");
+                "sample or direction: allowed with engine auto|geometric (solver auto|closed-form) "
+                "where motions differ in one type of classes only, and no strain limit excludes "
+                "any");
         }
-        if (options_.engine == Engine::geometric && !mayBeGeometric) {
+        if (options_.solver == closedForm && !mayBeGeometric) {
             throw std::invalid_argument(
-                "engine = geometric is out of range: allowed ipopt|nlopt where motions differ in "
-                "several types of classes, where a strain limit excludes some, and for grazing "
-                "motions of both signs");
+                "engine = geometric (solver closed-form) is out of range: allowed back ends that "
+                "hold an energy where motions differ in several types of classes, where a strain "
+                "limit excludes some, and for grazing motions of both signs");
         }
-        if (options_.engine != Engine::automatic) {
-            return options_.engine;
+        if (!isAutomatic) {
+            return options_.solver;
         }
-        if (mayBeGeometric) {
-            return Engine::geometric;
-        }
-        const auto available = [](const char* backend) { return findBackend(backend).available(); };
-        return available("ipopt") || !available("nlopt-auglag") ? Engine::ipopt : Engine::nlopt;
+        const Backend* backend =
+            mayBeGeometric ? &findBackend(closedForm) : preferred(continuumNeeds);
+        return std::string(backend != nullptr ? backend->name : automatic);
     }
 
     /// Where theory cannot say, findPeriodic does; its motion is a first member for programs.
     bool hasMotion()
     {
-        if (options_.from || isFinite() || (isInRange() && result_.engine == Engine::geometric)) {
+        if (record_.from() != nullptr || isFinite() ||
+            (isInRange() && result_.solver == closedForm)) {
             return true;
         }
         FindOptions find;
@@ -196,13 +198,13 @@ private:
         return false;
     }
 
-    /// Ends in different components are no matter for an engine, and a limit joins none of them.
+    /// Ends in different components are no matter for a solver, and a limit joins none of them.
     bool areApart()
     {
-        if (!options_.to || !isInRange()) {
+        if (record_.to() == nullptr || !isInRange()) {
             return false;
         }
-        const std::optional<bool> joined = section_->joins(*options_.from, *options_.to);
+        const std::optional<bool> joined = section_->joins(*record_.from(), *record_.to());
         if (joined == true && !isLimited()) {
             result_.connected = true;
         }
@@ -219,8 +221,8 @@ private:
     {
         const SectionFacts& facts = section_->facts();
         if (facts.simplex && facts.isWhole && !facts.isFinite) {
-            return wordsForApart(*section_, section_->sharesOf(*options_.from),
-                                 section_->sharesOf(*options_.to));
+            return wordsForApart(*section_, section_->sharesOf(*record_.from()),
+                                 section_->sharesOf(*record_.to()));
         }
         return fmt::format("the two motions lie in different components{}: {}",
                            facts.components ? fmt::format(" of {}", *facts.components) : "",
@@ -237,21 +239,6 @@ private:
 };
 
 }  // namespace
-
-std::string_view name(Engine engine)
-{
-    switch (engine) {
-        case Engine::automatic:
-            return "auto";
-        case Engine::geometric:
-            return "geometric";
-        case Engine::ipopt:
-            return "ipopt";
-        case Engine::nlopt:
-            return "nlopt";
-    }
-    throw std::logic_error("unnamed Engine");
-}
 
 std::string_view name(Parameter parameter)
 {
@@ -270,7 +257,7 @@ Continuum traceContinuum(const Schedule& schedule, double energyRatio,
                          const ContinuumOptions& options)
 {
     validate(schedule, energyRatio, options);
-    return Trace(schedule, energyRatio, options).run();
+    return Tracing(schedule, energyRatio, options).run();
 }
 
 std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, std::int64_t count,

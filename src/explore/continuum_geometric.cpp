@@ -11,14 +11,11 @@ namespace signorini {
 
 namespace {
 
-constexpr std::uint64_t firstSeed = 1;
-
 /// Members drawn evenly; one if there is only one.
-void sampleMembers(ContinuumRecord& record, const EnergySection& section)
+void sampleMembers(ContinuumRecord& record, const EnergySection& section, std::uint64_t seed)
 {
     const SectionFacts& facts = section.facts();
-    SectionSampler sampler(section.sampled(), facts.simplex->ratio,
-                           record.options.seed.value_or(firstSeed));
+    SectionSampler sampler(section.sampled(), facts.simplex->ratio, seed);
     record.result.parameter = Parameter::number;
     record.result.family = "members drawn evenly";
     const bool isOne = facts.dimension == 0 && facts.components == 1;
@@ -33,11 +30,10 @@ void sampleMembers(ContinuumRecord& record, const EnergySection& section)
 }
 
 /// From one end in a direction, for half a turn of the sphere about equal amplitudes.
-void walk(ContinuumRecord& record, const EnergySection& section)
+void walk(ContinuumRecord& record, const EnergySection& section, const trace::Walk& asked)
 {
     const SphereSection simplex = *section.facts().simplex;
-    SlidingWalk walker(simplex, section.sharesOf(*record.options.from),
-                       section.sharesOf(*record.options.direction));
+    SlidingWalk walker(simplex, section.sharesOf(asked.from), section.sharesOf(asked.direction));
     const double radius =
         std::sqrt(std::max(0.0, simplex.ratio - 1.0 / static_cast<double>(simplex.count)));
     const double step = std::numbers::pi * radius / static_cast<double>(record.options.points - 1);
@@ -91,12 +87,12 @@ void tracePath(ContinuumRecord& record, const EnergySection& section,
     record.finish();
 }
 
-void joinRandomMembers(ContinuumRecord& record, const EnergySection& section)
+void joinRandomMembers(ContinuumRecord& record, const EnergySection& section, std::uint64_t seed)
 {
     constexpr int moves = 200;
     const SphereSection simplex = *section.facts().simplex;
     SectionSampler sampler({.kind = SetKind::simplex, .count = simplex.count, .sum = 1.0},
-                           simplex.ratio, *record.options.seed);
+                           simplex.ratio, seed);
     const std::vector<double> from = sampler.next(moves);
     const std::vector<double> to = sampler.next(moves);
     if (simplex.ratio > 0.5 && dominant(from) != dominant(to)) {
@@ -107,6 +103,27 @@ void joinRandomMembers(ContinuumRecord& record, const EnergySection& section)
     }
     tracePath(record, section, from, to, "path between two random members");
 }
+
+struct GeometricTrace {
+    ContinuumRecord& record;
+    const EnergySection& section;
+
+    void operator()(const trace::Block&) const { traceBlock(record, section); }
+    void operator()(const trace::Path& path) const
+    {
+        tracePath(record, section, section.sharesOf(path.from), section.sharesOf(path.to),
+                  "path between two given motions");
+    }
+    void operator()(const trace::Walk& asked) const { walk(record, section, asked); }
+    void operator()(const trace::RandomPath& path) const
+    {
+        joinRandomMembers(record, section, path.seed);
+    }
+    void operator()(const trace::Sample& sample) const
+    {
+        sampleMembers(record, section, sample.seed);
+    }
+};
 
 }  // namespace
 
@@ -122,35 +139,24 @@ std::string wordsForApart(const EnergySection& section, const std::vector<double
 
 void traceGeometrically(ContinuumRecord& record, const EnergySection& section)
 {
-    const ContinuumOptions& options = record.options;
-    if (options.sample) {
-        sampleMembers(record, section);
-    } else if (options.direction) {
-        walk(record, section);
-    } else if (options.from) {
-        tracePath(record, section, section.sharesOf(*options.from), section.sharesOf(*options.to),
-                  "path between two given motions");
-    } else if (options.seed) {
-        joinRandomMembers(record, section);
-    } else {
-        traceBlock(record, section);
-    }
+    std::visit(GeometricTrace{record, section}, record.options.trace);
 }
 
 void listIsolated(ContinuumRecord& record, const EnergySection& section)
 {
     const ContinuumOptions& options = record.options;
+    const auto* sample = std::get_if<trace::Sample>(&options.trace);
     record.result.parameter = Parameter::number;
     record.result.family = "isolated motions";
-    if (options.from) {
-        if (record.keep(1.0, *options.from)) {
+    if (const State* from = record.from()) {
+        if (record.keep(1.0, *from)) {
             record.finish("the motion is isolated: no other one of this energy is near it");
         }
         return;
     }
     // A strain limit may exclude some: then all must be seen.
     const bool isLimited = std::isfinite(record.demands.strainLimit);
-    const std::int64_t most = isLimited || options.sample ? maxContinuumPoints : options.points;
+    const std::int64_t most = isLimited || sample != nullptr ? maxContinuumPoints : options.points;
     std::vector<State> motions = section.isolated(most);
     if (isLimited) {
         std::erase_if(motions, [&record](const State& motion) {
@@ -169,8 +175,8 @@ void listIsolated(ContinuumRecord& record, const EnergySection& section)
                                            record.energy(), options.strainLimit);
         return;
     }
-    if (options.sample && motions.size() > 1) {
-        std::mt19937_64 generator(options.seed.value_or(firstSeed));
+    if (sample != nullptr && motions.size() > 1) {
+        std::mt19937_64 generator(sample->seed);
         std::uniform_int_distribution<std::size_t> draw(0, motions.size() - 1);
         for (std::int64_t k = 1; k <= options.points; ++k) {
             if (!record.keep(static_cast<double>(k), motions[draw(generator)])) {

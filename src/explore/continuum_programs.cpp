@@ -6,7 +6,6 @@
 
 #include "faults.hpp"
 #include "formulation.hpp"
-#include "solver.hpp"
 
 namespace signorini {
 
@@ -16,14 +15,14 @@ namespace {
 class Corrector {
 public:
     /// Starts at the unknowns of `target`.
-    Corrector(const ContinuumRecord& record, const State& target)
+    Corrector(const ContinuumRecord& record, const Solver& solver, const State& target)
         : formulated_(pose(record.result.schedule, aimedAt(record, target), Formulation::reduced)),
           weights_(energyWeights(formulated_)),
-          solver_(makeSolver(record.result.engine == Engine::ipopt ? "ipopt" : "nlopt-auglag"))
+          solver_(solver)
     {
         formulated_.program.energy = EnergyEquality{weights_, record.energy()};
         settings_.tolerance = 0.01 * record.options.tolerance;
-        if (solver_->capabilities().cancel) {
+        if (solver_.capabilities().cancel) {
             settings_.cancel = record.options.cancel;
         }
     }
@@ -44,7 +43,7 @@ public:
         Program& program = formulated_.program;
         program.linear = -program.quadratic.cwiseProduct(predicted);
         settings_.start = predicted.cwiseMax(program.lower).cwiseMin(program.upper);
-        return solver_->solve(program, settings_);
+        return solver_.solve(program, settings_);
     }
 
     [[nodiscard]] State stateOf(const Eigen::VectorXd& x) const
@@ -70,7 +69,7 @@ private:
 
     Formulated formulated_;
     Eigen::VectorXd weights_;
-    std::unique_ptr<Solver> solver_;
+    const Solver& solver_;
     SolverOptions settings_;
 };
 
@@ -181,7 +180,7 @@ SolverResult farEnd(const ContinuumRecord& record, const EnergySection* section,
         landed = corrector.land(k < attempts / 2 ? x : 0.5 * (x + start));
         if (landed.status == SolverStatus::optimal &&
             corrector.distance(landed.x, start) > apart * std::sqrt(record.energy()) &&
-            (!section || section->joins(origin, corrector.stateOf(landed.x)) != false)) {
+            (section == nullptr || section->joins(origin, corrector.stateOf(landed.x)) != false)) {
             break;
         }
     }
@@ -193,7 +192,8 @@ void joinMembers(ContinuumRecord& record, const EnergySection* section, Correcto
                  const Eigen::VectorXd& start)
 {
     constexpr int attempts = 5;
-    std::mt19937_64 generator(record.options.seed.value_or(1));
+    const auto* random = std::get_if<trace::RandomPath>(&record.options.trace);
+    std::mt19937_64 generator(random != nullptr ? random->seed : trace::RandomPath{}.seed);
     for (int k = 0; k < attempts && record.result.status != Status::found; ++k) {
         SolverResult landed = farEnd(record, section, corrector, start, generator);
         if (record.isCancelled()) {
@@ -210,22 +210,22 @@ void joinMembers(ContinuumRecord& record, const EnergySection* section, Correcto
 
 }  // namespace
 
-void traceWithPrograms(ContinuumRecord& record, const EnergySection* section, const State& member)
+void traceWithPrograms(ContinuumRecord& record, const EnergySection* section, const State& member,
+                       const Solver& solver)
 {
-    const ContinuumOptions& options = record.options;
-    Corrector corrector(record, options.from.value_or(member));
+    Corrector corrector(record, solver, record.from() != nullptr ? *record.from() : member);
     const SolverResult first = corrector.land(corrector.target());
     if (first.status != SolverStatus::optimal) {
         record.stop(fmt::format("the first point: {}", first.detail));
         return;
     }
-    if (!options.to) {
+    if (record.to() == nullptr) {
         record.result.family = "path between two members";
         joinMembers(record, section, corrector, first.x);
         return;
     }
     record.result.family = "path between two given motions";
-    SolverResult last = corrector.land(Corrector(record, *options.to).target());
+    SolverResult last = corrector.land(Corrector(record, solver, *record.to()).target());
     if (last.status != SolverStatus::optimal) {
         record.stop(fmt::format("the last point: {}", last.detail));
         return;

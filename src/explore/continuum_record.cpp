@@ -36,9 +36,24 @@ double ContinuumRecord::peakStrainOf(const State& state) const
     return extremesOf(state, result.schedule).peakStrain * scales(options.bar).strain;
 }
 
-void ContinuumRecord::requireMotion(const char* field, const std::optional<State>& state) const
+const State* ContinuumRecord::from() const
 {
-    if (!state) {
+    if (const auto* path = std::get_if<trace::Path>(&options.trace)) {
+        return &path->from;
+    }
+    const auto* walk = std::get_if<trace::Walk>(&options.trace);
+    return walk != nullptr ? &walk->from : nullptr;
+}
+
+const State* ContinuumRecord::to() const
+{
+    const auto* path = std::get_if<trace::Path>(&options.trace);
+    return path != nullptr ? &path->to : nullptr;
+}
+
+void ContinuumRecord::requireMotion(const char* field, const State* state) const
+{
+    if (state == nullptr) {
         return;
     }
     const double residual =

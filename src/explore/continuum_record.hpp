@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// A continuum on its way to an answer: what every engine does with the motions it finds.
+/// A continuum on its way to an answer: what every way does with the motions it finds.
 
 #include <string>
 
@@ -20,12 +20,16 @@ public:
 
     [[nodiscard]] double energy() const { return result.energyRatio; }
 
+    /// Where a path or a walk is to start and a path to end; null if the caller does not say.
+    [[nodiscard]] const State* from() const;
+    [[nodiscard]] const State* to() const;
+
     /// [-] at the clamp, in the unit of the bar.
     [[nodiscard]] double peakStrainOf(const State& state) const;
 
-    /// An end that a user gave must be a motion of this schedule, energy and limit.
+    /// An end that a user gave (not null) must be a motion of this schedule, energy and limit.
     /// \throws std::invalid_argument if it is not.
-    void requireMotion(const char* field, const std::optional<State>& state) const;
+    void requireMotion(const char* field, const State* state) const;
 
     /// Verifies a motion and keeps it; false if the trace ends here, undecided.
     bool keep(double lambda, State state);

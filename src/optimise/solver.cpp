@@ -1,5 +1,9 @@
 #include "solver.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "faults.hpp"
@@ -29,23 +33,45 @@ void validate(const SolverOptions& options, const Program& program)
     faults.throwIfAny();
 }
 
+/// What can be needed, in the words of a refusal.
+struct Word {
+    bool Capabilities::*capability;
+    std::string_view text;
+};
+constexpr std::array words{
+    Word{&Capabilities::quadraticObjective, "a quadratic objective"},
+    Word{&Capabilities::energyEquality, "an energy equality"},
+    Word{&Capabilities::detectsInfeasibility, "the answer infeasible"},
+    Word{&Capabilities::duals, "duals"},
+    Word{&Capabilities::iterationLimit, "iterationLimit"},
+    Word{&Capabilities::timeLimit, "timeLimit"},
+    Word{&Capabilities::start, "start"},
+    Word{&Capabilities::cancel, "cancel"},
+};
+static_assert(words.size() * sizeof(bool) == sizeof(Capabilities), "a word for each");
+
 void refuseUnsupported(const Solver& solver, const Program& program, const SolverOptions& options)
 {
-    const Capabilities can = solver.capabilities();
+    Capabilities needs = needsOf(program);
+    needs.iterationLimit = options.iterationLimit > 0;
+    needs.timeLimit = std::isfinite(options.timeLimit);
+    needs.start = options.start.has_value();
+    needs.cancel = static_cast<bool>(options.cancel);
     Faults faults;
-    const auto need = [&](bool wanted, bool supported, std::string_view what) {
-        if (wanted && !supported) {
+    for (const auto& [need, what] : words) {
+        if (needs.*need && !(solver.capabilities().*need)) {
             faults.add("solver", solver.name(), fmt::format("one that supports {}", what));
         }
-    };
-    const bool isQuadratic = program.quadratic.size() > 0 && !program.quadratic.isZero(0.0);
-    need(isQuadratic, can.quadraticObjective, "a quadratic objective");
-    need(program.energy.has_value(), can.energyEquality, "an energy equality");
-    need(options.iterationLimit > 0, can.iterationLimit, "iterationLimit");
-    need(std::isfinite(options.timeLimit), can.timeLimit, "timeLimit");
-    need(options.start.has_value(), can.start, "start");
-    need(static_cast<bool>(options.cancel), can.cancel, "cancel");
+    }
     faults.throwIfAny();
+}
+
+bool isChosenFor(const Backend& backend, const Capabilities& needs)
+{
+    const Choice& choice = backend.chosenFor;
+    return needs.energyEquality       ? choice.heldEnergy
+           : needs.quadraticObjective ? choice.quadratic
+                                      : choice.linear;
 }
 
 }  // namespace
@@ -69,6 +95,19 @@ std::string_view name(SolverStatus status)
             return "failed";
     }
     throw std::logic_error("unnamed SolverStatus");
+}
+
+Capabilities needsOf(const Program& program)
+{
+    return {.quadraticObjective = program.quadratic.size() > 0 && !program.quadratic.isZero(0.0),
+            .energyEquality = program.energy.has_value()};
+}
+
+bool covers(const Capabilities& can, const Capabilities& needs)
+{
+    return std::all_of(words.begin(), words.end(), [&](const Word& word) {
+        return can.*word.capability || !(needs.*word.capability);
+    });
 }
 
 SolverResult Solver::solve(const Program& program, const SolverOptions& options) const
@@ -121,18 +160,55 @@ const Backend& findBackend(std::string_view name)
         fmt::format("solver = {} is out of range: allowed auto|{}", shortened(name), known));
 }
 
-std::unique_ptr<Solver> makeSolver(std::string_view name)
+std::vector<const Backend*> candidates(const Capabilities& needs)
 {
-    const Backend& backend = findBackend(name);
+    std::vector<const Backend*> rows;
+    for (const Backend& backend : backends()) {
+        if (isChosenFor(backend, needs) && covers(backend.can, needs)) {
+            rows.push_back(&backend);
+        }
+    }
+    return rows;
+}
+
+const Backend* preferred(const Capabilities& needs)
+{
+    const auto rows = candidates(needs);
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [](const Backend* each) { return each->available(); });
+    return row == rows.end() ? nullptr : *row;
+}
+
+const Backend& choose(const Capabilities& needs)
+{
+    if (const Backend* backend = preferred(needs)) {
+        return *backend;
+    }
+    std::vector<std::string_view> names;
+    for (const Backend* backend : candidates(needs)) {
+        names.push_back(backend->name);
+    }
+    throw BackendUnavailable(fmt::format(
+        "this request needs one of the solvers {}: none is in this build", fmt::join(names, ", ")));
+}
+
+std::unique_ptr<Solver> makeSolver(const Backend& backend)
+{
     if (!backend.available()) {
         throw BackendUnavailable(
-            fmt::format("solver {} is not in this build: configure with -D{}=ON (needs {})", name,
-                        backend.option, backend.library));
+            fmt::format("solver {} is not in this build: configure with -D{}=ON (needs {})",
+                        backend.name, backend.option, backend.library));
     }
     if (backend.make == nullptr) {
-        throw std::invalid_argument(fmt::format("solver {} solves schedules, not programs", name));
+        throw std::invalid_argument(
+            fmt::format("solver {} solves schedules, not programs", backend.name));
     }
-    return backend.make();
+    return backend.make(backend);
+}
+
+std::unique_ptr<Solver> makeSolver(std::string_view name)
+{
+    return makeSolver(findBackend(name));
 }
 
 }  // namespace signorini

@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "program.hpp"
 #include "signorini/control.hpp"
@@ -67,7 +68,7 @@ struct SolverResult {
     double solveSeconds = 0.0;        ///< [s], inside the library
 };
 
-/// What a back end can be asked for.
+/// What a back end can be asked for, and what a request needs of it.
 struct Capabilities {
     bool quadraticObjective = false;    ///< Program::quadratic
     bool energyEquality = false;        ///< Program::energy
@@ -77,20 +78,54 @@ struct Capabilities {
     bool timeLimit = false;             ///< SolverOptions::timeLimit
     bool start = false;                 ///< SolverOptions::start
     bool cancel = false;                ///< SolverOptions::cancel
+
+    bool operator==(const Capabilities&) const = default;
+};
+
+/// What a program needs of a back end.
+[[nodiscard]] Capabilities needsOf(const Program& program);
+
+/// Everything that is needed can be had.
+[[nodiscard]] bool covers(const Capabilities& can, const Capabilities& needs);
+
+/// The kinds of program that a back end is chosen for where nobody names one.
+struct Choice {
+    bool linear = false;
+    bool quadratic = false;   ///< a quadratic objective, no energy equality
+    bool heldEnergy = false;  ///< an energy equality
+};
+
+class Solver;
+
+/// One row of the table in solvers/backends.cpp: all that is known of a back end, said once.
+struct Backend {
+    std::string_view name = {};          ///< as in --solver, e.g. "glpk-simplex"
+    std::string_view library = {};       ///< e.g. "GLPK"; empty: part of signorini
+    std::string_view option = {};        ///< CMake option that switches it, or empty
+    std::string_view purpose = {};       ///< one line for people
+    Capabilities can = {};               ///< what it can be asked for
+    std::int64_t mostUnknowns = 0;       ///< [-], variables beyond the equalities; 0: any number
+    Choice chosenFor = {};               ///< of several rows, the first in this build
+    std::string (*version)() = nullptr;  ///< version of the library; null: not in this build
+    /// A solver of this row; null for closed-form, which reads schedules directly.
+    std::unique_ptr<Solver> (*make)(const Backend& row) = nullptr;
+
+    /// Is it in this build?
+    [[nodiscard]] bool available() const { return version != nullptr; }
 };
 
 /// A back end, ready to solve.
 class Solver {
 public:
-    Solver() = default;
+    explicit Solver(const Backend& row) : row_(row) {}
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
     virtual ~Solver() = default;
 
-    /// As in the table of back ends.
-    [[nodiscard]] virtual std::string_view name() const = 0;
-    /// What it can be asked for.
-    [[nodiscard]] virtual Capabilities capabilities() const = 0;
+    /// What the table says of it.
+    [[nodiscard]] const Backend& row() const { return row_; }
+    [[nodiscard]] std::string_view name() const { return row_.name; }
+    [[nodiscard]] const Capabilities& capabilities() const { return row_.can; }
 
     /// Validates, refuses what the back end cannot do, rescales if needed, solves, recomputes what
     /// was claimed.
@@ -104,19 +139,8 @@ private:
     /// copy: texts may quote relative numbers only.
     [[nodiscard]] virtual SolverResult run(const Program& program,
                                            const SolverOptions& options) const = 0;
-};
 
-/// One row of the table in solvers/backends.cpp.
-struct Backend {
-    std::string_view name;              ///< as in --solver, e.g. "glpk-simplex"
-    std::string_view library;           ///< e.g. "GLPK"; empty: part of signorini
-    std::string_view option;            ///< CMake option that switches it, or empty
-    std::string (*version)();           ///< version of the library; null: not in this build
-    std::unique_ptr<Solver> (*make)();  ///< null for closed-form, which reads schedules directly
-    std::string_view purpose;           ///< one line for people
-
-    /// Is it in this build?
-    [[nodiscard]] bool available() const { return version != nullptr; }
+    Backend row_;
 };
 
 /// All back ends known to the project, in this build or not.
@@ -126,8 +150,20 @@ struct Backend {
 /// \throws std::invalid_argument for an unknown name, listing the known ones.
 [[nodiscard]] const Backend& findBackend(std::string_view name);
 
-/// \throws std::invalid_argument for an unknown name or one that solves no programs,
-/// BackendUnavailable for one that this build does not contain.
+/// The rows chosen for programs with these needs, in order, in this build or not.
+[[nodiscard]] std::vector<const Backend*> candidates(const Capabilities& needs);
+
+/// The first candidate in this build; null if there is none.
+[[nodiscard]] const Backend* preferred(const Capabilities& needs);
+
+/// The same where there must be one. \throws BackendUnavailable, listing the candidates.
+[[nodiscard]] const Backend& choose(const Capabilities& needs);
+
+/// \throws std::invalid_argument for a row that solves no programs, BackendUnavailable for one that
+/// this build does not contain.
+[[nodiscard]] std::unique_ptr<Solver> makeSolver(const Backend& backend);
+
+/// The same for the row of that name. \throws std::invalid_argument for an unknown name.
 [[nodiscard]] std::unique_ptr<Solver> makeSolver(std::string_view name);
 
 }  // namespace signorini

@@ -513,6 +513,26 @@ TEST_CASE("cli: an interrupted continuum reports and writes what it found")
           static_cast<std::ptrdiff_t>(r["points"].size()) + 1);
 }
 
+TEST_CASE("cli: continuum: who traces may be named as an engine or as a back end")
+{
+    const Program program;
+    const auto traced = [&program](const std::string& engine) {
+        const auto outcome = program.run(
+            "continuum 6 36 --cells 12 --energy-ratio 8 --points 5 --format json --engine " +
+            engine);
+        INFO(engine << "\n" << outcome.err);
+        CHECK(outcome.status == 0);
+        return outcome.out;
+    };
+    CHECK(traced("closed-form") == traced("geometric"));
+    CHECK(json::parse(traced("closed-form"))["engine"] == "geometric");
+    if (signorini::findBackend("nlopt-auglag").available()) {
+        CHECK(traced("nlopt-auglag") == traced("nlopt"));
+        CHECK(json::parse(traced("nlopt"))["engine"] == "nlopt");
+        CHECK(json::parse(traced("nlopt-slsqp"))["engine"] == "nlopt-slsqp");
+    }
+}
+
 TEST_CASE("cli: continuum draws its figure")
 {
     const Program program;

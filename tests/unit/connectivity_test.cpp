@@ -26,13 +26,12 @@ struct Pair {
     State to;
 };
 
-std::vector<Engine> engines()
+std::vector<std::string> solvers()
 {
-    std::vector<Engine> all{Engine::automatic};
-    for (const auto& [engine, backend] :
-         {std::pair{Engine::ipopt, "ipopt"}, std::pair{Engine::nlopt, "nlopt-auglag"}}) {
+    std::vector<std::string> all{"auto"};
+    for (const char* backend : {"ipopt", "nlopt-auglag"}) {
         if (findBackend(backend).available()) {
-            all.push_back(engine);
+            all.emplace_back(backend);
         }
     }
     return all;
@@ -152,26 +151,25 @@ std::vector<Pair> possiblePairs()
     return pairs;
 }
 
-Continuum join(const Pair& pair, Engine engine, double strainLimit)
+Continuum join(const Pair& pair, const std::string& solver, double strainLimit)
 {
     return traceContinuum(pair.schedule, pair.energy,
                           {.points = 21,
-                           .from = pair.from,
-                           .to = pair.to,
-                           .engine = engine,
+                           .trace = trace::Path{pair.from, pair.to},
+                           .solver = solver,
                            .strainLimit = strainLimit});
 }
 
 }  // namespace
 
-TEST_CASE("continuum: motions that no curve joins are not joined, whatever the engine")
+TEST_CASE("continuum: motions that no curve joins are not joined, whatever the solver")
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (const Pair& pair : impossiblePairs()) {
-        for (const Engine engine : engines()) {
+        for (const std::string& solver : solvers()) {
             for (const double limit : {infinity, 100.0}) {
-                INFO(pair.name << ", E = " << pair.energy << ", " << name(engine) << ", " << limit);
-                const Continuum answer = join(pair, engine, limit);
+                INFO(pair.name << ", E = " << pair.energy << ", " << solver << ", " << limit);
+                const Continuum answer = join(pair, solver, limit);
                 CHECK(answer.status == Status::none);
                 CHECK(answer.connected == false);
                 CHECK(answer.components > 1);
@@ -182,15 +180,15 @@ TEST_CASE("continuum: motions that no curve joins are not joined, whatever the e
     }
 }
 
-TEST_CASE("continuum: motions that a curve joins are joined, whatever the engine")
+TEST_CASE("continuum: motions that a curve joins are joined, whatever the solver")
 {
     for (const Pair& pair : possiblePairs()) {
-        for (const Engine engine : engines()) {
-            INFO(pair.name << ", E = " << pair.energy << ", " << name(engine));
-            const Continuum answer = join(pair, engine, 100.0);
+        for (const std::string& solver : solvers()) {
+            INFO(pair.name << ", E = " << pair.energy << ", " << solver);
+            const Continuum answer = join(pair, solver, 100.0);
             CHECK(answer.connected == true);
             CHECK(answer.components == 1);
-            if (engine == Engine::automatic) {
+            if (solver == "auto") {
                 CHECK(answer.status == Status::found);
                 CHECK(answer.points.size() == 21);
             }
@@ -206,29 +204,30 @@ TEST_CASE("continuum: a limit that parts motions parts them for programs, too, o
     const Reduction reduction = reduce(schedule);
     REQUIRE(reduction.set.count == 3);
     const double limit = 2.0 * 0.8 * reduction.set.sum * 1e-3;
-    const auto answer = [&](double rho, double resolution, Engine engine,
+    const auto answer = [&](double rho, double resolution, const std::string& solver,
                             const std::vector<double>& shares) {
-        return traceContinuum(schedule, energyAt(reduction, rho),
-                              {.points = 21,
-                               .from = motionWith(reduction, shares),
-                               .to = motionWith(reduction, {shares[0], shares[2], shares[1]}),
-                               .engine = engine,
-                               .strainLimit = limit,
-                               .resolution = resolution});
+        return traceContinuum(
+            schedule, energyAt(reduction, rho),
+            {.points = 21,
+             .trace = trace::Path{motionWith(reduction, shares),
+                                  motionWith(reduction, {shares[0], shares[2], shares[1]})},
+             .solver = solver,
+             .strainLimit = limit,
+             .resolution = resolution});
     };
-    for (const Engine engine : engines()) {
-        INFO(name(engine));
+    for (const std::string& solver : solvers()) {
+        INFO(solver);
         for (const auto& [rho, resolution] :
              {std::pair{0.67, 0.05}, std::pair{0.661, 0.05}, std::pair{0.6601, 0.005}}) {
             INFO(rho << " at " << resolution);
             const double x = 0.1 + 0.5 * std::sqrt(2.0 * (rho - 0.64) - 0.04);
-            const Continuum apart = answer(rho, resolution, engine, {0.8, x, 0.2 - x});
+            const Continuum apart = answer(rho, resolution, solver, {0.8, x, 0.2 - x});
             CHECK(apart.status == Status::undecided);
             CHECK_FALSE(apart.connected.has_value());
             CHECK_THAT(apart.detail, containsText("the trace broke"));
         }
         const double top = 0.5 + 0.5 * std::sqrt(2.0 * 0.655 - 1.0);
-        const Continuum joined = answer(0.655, 0.05, engine, {top, 1.0 - top, 0.0});
+        const Continuum joined = answer(0.655, 0.05, solver, {top, 1.0 - top, 0.0});
         INFO(joined.detail);
         CHECK(joined.status == Status::found);
         CHECK(joined.connected == true);
@@ -286,9 +285,9 @@ TEST_CASE("continuum: walks in a direction stay in the set, from anywhere to the
             const std::vector<State> members = sampleMotions(schedule, energy, 101, 7);
             for (std::size_t k = 0; k + 1 < members.size(); ++k, ++walks) {
                 INFO("d = " << cells / 2 << ", rho = " << rho << ", walk " << k);
-                const Continuum walk =
-                    traceContinuum(schedule, energy,
-                                   {.points = 21, .from = members[k], .direction = members[k + 1]});
+                const Continuum walk = traceContinuum(
+                    schedule, energy,
+                    {.points = 21, .trace = trace::Walk{members[k], members[k + 1]}});
                 INFO(walk.detail);
                 REQUIRE(walk.status == Status::found);
                 for (const ContinuumPoint& point : walk.points) {
@@ -321,7 +320,7 @@ TEST_CASE("continuum: both members of a pair are drawn, evenly")
         CHECK(count(firsts) > 65);
         CHECK(count(firsts) < 135);
         const Continuum members =
-            traceContinuum(schedule, energy, {.points = 100, .sample = true, .seed = 3});
+            traceContinuum(schedule, energy, {.points = 100, .trace = trace::Sample{3}});
         REQUIRE(members.points.size() == 100);
         std::vector<State> states;
         for (const ContinuumPoint& point : members.points) {

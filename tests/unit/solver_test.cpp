@@ -1,5 +1,8 @@
 #include "solver.hpp"
 
+#include <algorithm>
+#include <vector>
+
 #include "catch.hpp"
 
 using namespace signorini;
@@ -9,9 +12,7 @@ namespace {
 /// Claims whatever it is told to: the interface must not believe it.
 class Liar final : public Solver {
 public:
-    explicit Liar(Eigen::VectorXd x) : x_(std::move(x)) {}
-    std::string_view name() const override { return "liar"; }
-    Capabilities capabilities() const override { return {}; }
+    explicit Liar(Eigen::VectorXd x) : Solver({.name = "liar"}), x_(std::move(x)) {}
 
 private:
     SolverResult run(const Program&, const SolverOptions&) const override
@@ -79,6 +80,57 @@ TEST_CASE("solver: the table knows its rows, and unknown names are refused with 
             CHECK_FALSE(backend.version().empty());
         }
     }
+}
+
+TEST_CASE("solver: who is chosen for a program stands in the table, the first in the build")
+{
+    const auto namesFor = [](const Capabilities& needs) {
+        std::vector<std::string_view> names;
+        for (const Backend* row : candidates(needs)) {
+            CHECK(covers(row->can, needs));
+            names.push_back(row->name);
+        }
+        return names;
+    };
+    using Names = std::vector<std::string_view>;
+    CHECK(namesFor({}) == Names{"glpk-simplex", "ipopt"});
+    CHECK(namesFor({.duals = true}) == Names{"glpk-simplex"});
+    CHECK(namesFor({.cancel = true}) == Names{"ipopt"});
+    CHECK(namesFor({.quadraticObjective = true}) == Names{"ipopt", "nlopt-slsqp"});
+    CHECK(namesFor({.energyEquality = true}) == Names{"ipopt", "nlopt-auglag"});
+    CHECK(namesFor({.quadraticObjective = true, .energyEquality = true}) ==
+          Names{"ipopt", "nlopt-auglag"});
+    CHECK(namesFor({.quadraticObjective = true, .duals = true}).empty());
+
+    for (const Capabilities& needs :
+         {Capabilities{}, Capabilities{.quadraticObjective = true},
+          Capabilities{.energyEquality = true}, Capabilities{.duals = true}}) {
+        const auto rows = candidates(needs);
+        const auto first = std::find_if(rows.begin(), rows.end(),
+                                        [](const Backend* row) { return row->available(); });
+        if (first == rows.end()) {
+            CHECK(preferred(needs) == nullptr);
+            CHECK_THROWS_AS(choose(needs), BackendUnavailable);
+            CHECK_THROWS_WITH(choose(needs), containsText(std::string(rows.front()->name)));
+        } else {
+            CHECK(preferred(needs) == *first);
+            CHECK(&choose(needs) == *first);
+        }
+    }
+    CHECK_THROWS_WITH(choose({.energyEquality = true, .duals = true}),
+                      containsText("no solver can"));
+}
+
+TEST_CASE("solver: what a program needs is read off it")
+{
+    Program program = nonNegative();
+    CHECK(needsOf(program) == Capabilities{});
+    program.quadratic = Eigen::Vector2d(0, 0);
+    CHECK(needsOf(program) == Capabilities{});
+    program.quadratic = Eigen::Vector2d(0, 1);
+    CHECK(needsOf(program) == Capabilities{.quadraticObjective = true});
+    program.energy = EnergyEquality{Eigen::Vector2d(1, 1), 1.0};
+    CHECK(needsOf(program) == Capabilities{.quadraticObjective = true, .energyEquality = true});
 }
 
 TEST_CASE("solver: before the call a result says that nothing was run")

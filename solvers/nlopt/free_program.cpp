@@ -1,4 +1,4 @@
-#include "nlopt/reduced_program.hpp"
+#include "nlopt/free_program.hpp"
 
 #include <fmt/format.h>
 
@@ -59,9 +59,7 @@ Columns directionsOf(const Program& program, const Basis& basis, const std::vect
 /// Collects rows u <= rhs; see the head of the header for what becomes of them.
 class RowCollector {
 public:
-    RowCollector(ReducedProgram& result, double tolerance) : result_(result), tolerance_(tolerance)
-    {
-    }
+    RowCollector(FreeProgram& result, double tolerance) : result_(result), tolerance_(tolerance) {}
 
     /// factor * row u <= rhs
     void add(const Rows& rows, Index row, double factor, double rhs)
@@ -130,12 +128,12 @@ private:
         result_.decided->detail = why;
     }
 
-    ReducedProgram& result_;
+    FreeProgram& result_;
     double tolerance_;
     std::map<Key, double> rhs_;
 };
 
-void collectRows(double tolerance, ReducedProgram& result)
+void collectRows(double tolerance, FreeProgram& result)
 {
     const Program& program = result.condensed.program;
     RowCollector collector(result, tolerance);
@@ -158,9 +156,9 @@ void collectRows(double tolerance, ReducedProgram& result)
 
 }  // namespace
 
-ReducedProgram reduceProgram(const Program& program, double tolerance, Index maxSize)
+FreeProgram withoutEqualities(const Program& program, double tolerance, Index mostUnknowns)
 {
-    ReducedProgram result;
+    FreeProgram result;
     result.condensed = condense(program, tolerance);
     if (result.condensed.decided) {
         result.decided = result.condensed.decided;
@@ -169,11 +167,11 @@ ReducedProgram reduceProgram(const Program& program, double tolerance, Index max
     const Program& condensed = result.condensed.program;
     result.outside = outsideOf(result.condensed.pivots, condensed.variables());
     const auto size = static_cast<Index>(result.outside.size());
-    if (size > maxSize) {
+    if (size > mostUnknowns) {
         throw std::invalid_argument(
             fmt::format("variables - independent equalities = {} is out of range: allowed up to {} "
                         "with this solver (another one has no such limit, e.g. ipopt)",
-                        size, maxSize));
+                        size, mostUnknowns));
     }
     const Basis basis(condensed.equalities, result.condensed.pivots);
     result.origin = basis.solve(condensed.equalityRhs);

@@ -15,7 +15,7 @@
 namespace signorini::nlopt {
 
 /// minimise f(origin + directions u) subject to rows u <= rhs, lower <= u <= upper.
-struct ReducedProgram {
+struct FreeProgram {
     Condensed condensed;                                ///< f, the energy, and the way back to x
     std::vector<Eigen::Index> outside;                  ///< u_k is this condensed variable
     Eigen::VectorXd origin;                             ///< condensed variables at u = 0
@@ -27,12 +27,18 @@ struct ReducedProgram {
     std::optional<SolverResult> decided;                ///< set when nothing is left to search
 
     [[nodiscard]] Eigen::Index size() const { return lower.size(); }
+
+    /// All variables of the program.
+    [[nodiscard]] Eigen::VectorXd point(const Eigen::VectorXd& u) const
+    {
+        return condensed.expand(origin + directions * u);
+    }
 };
 
-/// Refuses, before any dense work, programs with more than `maxSize` unknowns left.
+/// Refuses, before any dense work, programs with more than `mostUnknowns` unknowns left.
 /// Cost: one sparse LU and d solutions with it.
 /// \throws std::invalid_argument naming the size and its limit.
-[[nodiscard]] ReducedProgram reduceProgram(const Program& program, double tolerance,
-                                           Eigen::Index maxSize);
+[[nodiscard]] FreeProgram withoutEqualities(const Program& program, double tolerance,
+                                            Eigen::Index mostUnknowns);
 
 }  // namespace signorini::nlopt
