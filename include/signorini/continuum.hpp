@@ -6,8 +6,7 @@
 /// E/E_1 = (2w/N) sum z^2 (reduction.hpp). Three engines, one answer:
 ///
 /// - geometric: motions that differ in one simplex of amplitudes, and what lies of a box inside
-/// such
-///   a simplex. Exact paths (sphere_section.hpp), O(N) per point
+///   such a simplex. Exact paths, O(N) per point
 /// - ipopt, nlopt: any set. Predictor: a step along the chord to the far end; corrector: the motion
 ///   of this energy that is nearest to it, a nonlinear program. Steps are halved until neighbours
 ///   are within the resolution asked for and the motion nearest to their middle is near the middle
@@ -127,9 +126,9 @@ struct Continuum {
 [[nodiscard]] Continuum traceContinuum(const Schedule& schedule, double energyRatio,
                                        const ContinuumOptions& options = {});
 
-/// `count` motions spread over the whole set at one energy, the same for the same seed: hit-and-run
-/// (sphere_section.hpp). One contact phase. Empty if no motion has this energy.
-/// \throws std::invalid_argument on invalid input.
+/// `count` motions spread over the whole set at one energy, the same for the same seed:
+/// hit-and-run. One contact phase. Empty if no motion has this energy. \throws
+/// std::invalid_argument on invalid input.
 [[nodiscard]] std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio,
                                                std::int64_t count, std::uint64_t seed = 1);
 

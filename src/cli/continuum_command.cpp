@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "faults.hpp"
+#include "engine_names.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
@@ -20,20 +20,6 @@ namespace {
 
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
 
-Engine parseEngine(const std::string& text)
-{
-    for (const Engine engine :
-         {Engine::automatic, Engine::geometric, Engine::ipopt, Engine::nlopt}) {
-        if (text == name(engine)) {
-            return engine;
-        }
-    }
-    Faults faults;
-    faults.add("--engine", text, "auto|geometric|ipopt|nlopt");
-    faults.throwIfAny();
-    return Engine::automatic;
-}
-
 ContinuumOptions parseOptions(const ContinuumCommand& words)
 {
     ContinuumOptions options;
@@ -45,7 +31,7 @@ ContinuumOptions parseOptions(const ContinuumCommand& words)
         options.seed = static_cast<std::uint64_t>(parseWhole("--seed", words.seed, 0, maxSeed));
     }
     if (!words.engine.empty()) {
-        options.engine = parseEngine(words.engine);
+        options.engine = parseName("--engine", words.engine, engineNames);
     }
     if (!words.strainLimit.empty()) {
         options.strainLimit = parsePositive("--strain-limit", words.strainLimit, "-");

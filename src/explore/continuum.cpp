@@ -6,13 +6,21 @@
 #include "continuum_geometric.hpp"
 #include "continuum_programs.hpp"
 #include "continuum_record.hpp"
+#include "echo.hpp"
 #include "energy_section.hpp"
+#include "engine_names.hpp"
 #include "faults.hpp"
 #include "solver.hpp"
 
 namespace signorini {
 
 namespace {
+
+constexpr Named<Parameter> parameterNames[] = {
+    {Parameter::arcLength, "arc length"},
+    {Parameter::position, "position"},
+    {Parameter::number, "number"},
+};
 
 void validate(const Schedule& schedule, double energyRatio, const ContinuumOptions& options)
 {
@@ -236,30 +244,12 @@ private:
 
 std::string_view name(Engine engine)
 {
-    switch (engine) {
-        case Engine::automatic:
-            return "auto";
-        case Engine::geometric:
-            return "geometric";
-        case Engine::ipopt:
-            return "ipopt";
-        case Engine::nlopt:
-            return "nlopt";
-    }
-    throw std::logic_error("unnamed Engine");
+    return nameIn(engineNames, engine);
 }
 
 std::string_view name(Parameter parameter)
 {
-    switch (parameter) {
-        case Parameter::arcLength:
-            return "arc length";
-        case Parameter::position:
-            return "position";
-        case Parameter::number:
-            return "number";
-    }
-    throw std::logic_error("unnamed Parameter");
+    return nameIn(parameterNames, parameter);
 }
 
 Continuum traceContinuum(const Schedule& schedule, double energyRatio,
@@ -287,8 +277,7 @@ std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, s
     if (energyRatio < range.least || energyRatio > range.most) {
         return motions;
     }
-    const double squares = energyRatio * static_cast<double>(reduction.schedule.cells) /
-                           (2.0 * static_cast<double>(reduction.window));
+    const double squares = squaresOf(energyRatio, reduction.cells, reduction.window);
     SectionSampler sampler(reduction.set, squares, seed);
     for (std::int64_t k = 0; k < count; ++k) {
         motions.push_back(motionOf(reduction, sampler.next()));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "echo.hpp"
+
 namespace signorini {
 
 Eigen::VectorXd velocity(const State& state)
@@ -27,8 +29,7 @@ Eigen::VectorXd displacement(const State& state)
 
 double energyRatio(const State& state)
 {
-    return 2.0 * (state.a.squaredNorm() + state.b.squaredNorm()) /
-           static_cast<double>(state.cells());
+    return energyOf(state.a.squaredNorm() + state.b.squaredNorm(), state.cells());
 }
 
 State refined(const State& state, std::int64_t factor)
