@@ -58,6 +58,9 @@ struct Unknown {
     return m < cells ? Unknown{cells - 1 - m, 1} : Unknown{m, -1};
 }
 
+/// \throws std::invalid_argument unless both waves of the state have so many cells.
+void requireCells(const State& state, std::int64_t cells);
+
 /// p_m of a state, m < 2N.
 [[nodiscard]] inline double waveAt(const State& state, std::int64_t m)
 {

@@ -10,11 +10,7 @@ namespace signorini {
 Schedule foldedFor(const State& state, Schedule schedule)
 {
     validate(schedule);
-    if (state.a.size() != schedule.cells || state.b.size() != schedule.cells) {
-        throw std::invalid_argument(
-            fmt::format("state: {} and {} cells: allowed {}, as in the schedule", state.a.size(),
-                        state.b.size(), schedule.cells));
-    }
+    requireCells(state, schedule.cells);
     fold(schedule);
     return schedule;
 }
@@ -67,11 +63,7 @@ State DelayLine::state() const
 
 double DelayLine::distance(const State& other) const
 {
-    const Eigen::Index cells = ring_.size() / 2;
-    if (other.a.size() != cells || other.b.size() != cells) {
-        throw std::invalid_argument(
-            fmt::format("state: {} cells: allowed {}", other.a.size(), cells));
-    }
+    requireCells(other, ring_.size() / 2);
     double largest = 0.0;
     for (Eigen::Index m = 0; m < ring_.size(); ++m) {
         largest = std::max(largest, std::abs(ahead(m) - waveAt(other, m)));

@@ -3,8 +3,18 @@
 #include <algorithm>
 
 #include "echo.hpp"
+#include "faults.hpp"
 
 namespace signorini {
+
+void requireCells(const State& state, std::int64_t cells)
+{
+    if (state.a.size() != cells || state.b.size() != cells) {
+        throw std::invalid_argument(
+            fmt::format("state: {} and {} cells: allowed {}, as in the schedule", state.a.size(),
+                        state.b.size(), cells));
+    }
+}
 
 Eigen::VectorXd velocity(const State& state)
 {

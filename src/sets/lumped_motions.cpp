@@ -109,10 +109,7 @@ State motionOf(const ClassTypes& classes, std::span<const double> z)
 
 std::vector<double> amplitudesOf(const ClassTypes& classes, const State& state)
 {
-    if (state.a.size() != classes.schedule.cells || state.b.size() != classes.schedule.cells) {
-        throw std::invalid_argument(fmt::format("state: {} cells: allowed {}, as in the schedule",
-                                                state.a.size(), classes.schedule.cells));
-    }
+    requireCells(state, classes.schedule.cells);
     std::vector<double> z(static_cast<std::size_t>(classes.classes), 0.0);
     for (const ClassType& type : classes.types) {
         for (std::int64_t j = type.first; type.isLive() && j < type.first + type.count; ++j) {
