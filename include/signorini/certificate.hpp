@@ -35,7 +35,7 @@ struct FarkasCertificate {
     std::vector<Multiplier> penetration;  ///< mu of (12)
 };
 
-/// Integer multipliers of the rows of a program (infeasibility.hpp), ascending; others are 0.
+/// Integer multipliers of the rows of a program, ascending; others are 0.
 struct InfeasibilityProof {
     std::vector<Multiplier> equalities;    ///< y
     std::vector<Multiplier> inequalities;  ///< mu >= 0

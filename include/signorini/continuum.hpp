@@ -138,9 +138,9 @@ struct Continuum {
 [[nodiscard]] Continuum traceContinuum(const Schedule& schedule, double energyRatio,
                                        const ContinuumOptions& options = {});
 
-/// `count` motions spread over the whole set at one energy, the same for the same seed: hit-and-run
-/// (sphere_section.hpp). One contact phase. Empty if no motion has this energy.
-/// \throws std::invalid_argument on invalid input.
+/// `count` motions spread over the whole set at one energy, the same for the same seed:
+/// hit-and-run. One contact phase. Empty if no motion has this energy. \throws
+/// std::invalid_argument on invalid input.
 [[nodiscard]] std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio,
                                                std::int64_t count, std::uint64_t seed = 1);
 

@@ -2,7 +2,7 @@
 /// \file
 /// What a user may ask for beyond existence: which motion of the set, and within which limits.
 ///
-/// Every demand is linear or diagonal-quadratic in the delay sequence p (propagation.hpp). The
+/// Every demand is linear or diagonal-quadratic in the delay sequence p (motion.hpp). The
 /// strain is s(x, t) = -(P(t + L - x) + P(t + L + x)) with P(t) = p_m in step m (c = 1), so over
 /// all x and all t, also inside steps, the deepest compression is exactly
 ///

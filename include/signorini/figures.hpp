@@ -64,8 +64,8 @@ void writeFrequencyEnergyFigure(const std::string& path, std::span<const Mode> m
                                 std::span<const EnergyBar> bars,
                                 const FrequencyEnergyOptions& options = {});
 
-/// The frequency-energy plot (frequency_energy_figure.hpp) of the schedules found in a database, as
-/// bars [E_min, E_max], with the exact modes as curves.
+/// The frequency-energy plot of the schedules found in a database, as bars [E_min, E_max], with the
+/// exact modes as curves.
 /// \throws FileError, BackendUnavailable.
 void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                              FigureFormat format, const std::string& path);

@@ -2,7 +2,7 @@
 /// \file
 /// Several contact phases: an exact verdict, and the complete solution set.
 ///
-/// With S the sum of the amplitudes of each live type (class_types.hpp), at most 2K numbers for K
+/// With S the sum of the amplitudes of each live type (below), at most 2K numbers for K
 /// phases, a schedule has a motion exactly when some S satisfies, whatever N is,
 ///
 ///     sum windowSum S = -N                          the gap row (31)
@@ -191,6 +191,11 @@ struct LumpedShape {
 /// The state at t = 0 of the motion with p_{alpha G + j} = epsilon_alpha z_j, one z per class, dead
 /// classes not read. O(N). \throws std::invalid_argument if z does not hold G values.
 [[nodiscard]] State motionOf(const ClassTypes& classes, std::span<const double> z);
+
+/// The amplitudes nearest to any state, one per class: for each live class the mean of epsilon p
+/// over its w steps in the window of 2N, 0 for the others; those of a motion give it back. O(N).
+/// \throws std::invalid_argument if the state has other cells.
+[[nodiscard]] std::vector<double> amplitudesOf(const ClassTypes& classes, const State& state);
 
 /// The motion with sums S and equal amplitudes in each type, which have the least energy and the
 /// least peak strain for that S. O(N). \throws std::invalid_argument if the sums do not fit.

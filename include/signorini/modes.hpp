@@ -68,9 +68,8 @@ struct ModeBounds {
     Cancel cancel = {};            ///< ends the search: what was found so far is returned
 };
 
-/// All modes within the bounds, by ascending |b|, then a. Integer work O(a) for each coprime pair
-/// with a <= |b| <= maxOrder, most of it given up early: about 1 ms for order 25, 5 ms
-/// for 101, 0.3 s for 1001, 30 s for 10,001.
+/// All modes within the bounds, by ascending |b|, then a. Integer work O(log a) for each pair with
+/// a <= |b| <= maxOrder: about 0.2 ms for order 25, 2 ms for 101, 0.2 s for 1001, 10 s for 10,001.
 /// \throws std::invalid_argument naming each bound that is out of range.
 [[nodiscard]] std::vector<Mode> findModes(const ModeBounds& bounds = {});
 

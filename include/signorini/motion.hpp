@@ -14,7 +14,9 @@
 ///
 /// The motion u(x, t), v(x, t), s(x, t) of a found state over one period.
 ///
-/// With P the running sum of the delay sequence p (propagation.hpp) the field needs no stepping:
+/// The delay sequence p_m is the wave r_1 that arrives at the tip in step m; it holds the state,
+/// a_i = p_{N-i}, b_i = -p_{N+i-1}, and goes on as p_{m+2N} = +p_m after a contact step, -p_m after
+/// a free one. With P the running sum of p the field needs no stepping:
 ///
 ///     u(x_i, t_m) = -(P(m+N+i) - P(m+N-i)) / N          [g]
 ///     v on cell i = p_{m+N-i} - p_{m+N+i-1}             [c g/L]

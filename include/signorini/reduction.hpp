@@ -2,7 +2,7 @@
 /// \file
 /// From (30)-(32) to a simplex or a box: the complete solution set of a one-phase schedule.
 ///
-/// In the delay form of propagation.hpp periodicity reads p_{m+2N} = sigma_m p_m with p n-periodic,
+/// With the waves p that arrive at the tip, periodicity reads p_{m+2N} = sigma_m p_m, p n-periodic,
 /// sigma = +1 in contact and -1 in free steps. Let G = gcd(2N, n). Shifting by 2N splits the n
 /// steps into G classes m = alpha G + j of nu = n/G members. Once around a class p is multiplied by
 /// (-1)^(free steps of the class): with an even count the class is live and carries one free

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -58,6 +59,13 @@ public:
     {
         if (!(std::isfinite(value) && value > 0.0)) {
             add(field, value, fmt::format("finite and > 0 [{}]", unit));
+        }
+    }
+
+    void requireWhole(std::string_view field, std::int64_t value, std::int64_t most)
+    {
+        if (value < 1 || value > most) {
+            add(field, value, fmt::format("whole numbers 1..{}", most));
         }
     }
 

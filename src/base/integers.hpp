@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 namespace signorini {
 
@@ -29,6 +30,22 @@ namespace signorini {
         throw std::overflow_error("64-bit product overflows");
     }
     return result;
+}
+
+/// x in 0..modulus-1 with x * value = 1 (mod modulus), by Euclid's algorithm. \pre both > 0, and
+/// coprime.
+[[nodiscard]] constexpr std::int64_t inverseOf(std::int64_t value, std::int64_t modulus)
+{
+    std::int64_t rest = modulus;
+    std::int64_t next = value % modulus;
+    std::int64_t factor = 0;  // factor * value = rest (mod modulus)
+    std::int64_t nextFactor = 1;
+    while (next != 0) {
+        const std::int64_t quotient = rest / next;
+        rest = std::exchange(next, rest - quotient * next);
+        factor = std::exchange(nextFactor, factor - quotient * nextFactor);
+    }
+    return factor < 0 ? factor + modulus : factor;
 }
 
 }  // namespace signorini

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "faults.hpp"
+#include "names.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/schedule.hpp"
@@ -49,6 +51,20 @@ void removeOnSignal(const std::string& path);
 
 /// A finite number. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] double parseReal(std::string_view name, std::string_view text, std::string_view unit);
+
+/// The enumerator that a table has under that name. \throws std::invalid_argument naming argument,
+/// word and the names allowed.
+template <typename Table>
+[[nodiscard]] auto parseName(std::string_view name, std::string_view text, const Table& table)
+{
+    const auto value = valueIn(table, text);
+    if (!value) {
+        Faults faults;
+        faults.add(name, text, namesIn(table));
+        faults.throwIfAny();
+    }
+    return *value;
+}
 
 /// The options every command shares, as words; empty means not given.
 struct CommonOptions {

@@ -3,7 +3,9 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <span>
 
+#include "demand_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
 #include "report.hpp"
@@ -16,27 +18,6 @@ namespace signorini::cli {
 
 namespace {
 
-/// The value whose name is `text`; `preset` when nothing was given.
-template <typename Value>
-Value parseName(const char* option, const std::string& text, Value preset,
-                std::initializer_list<Value> values)
-{
-    if (text.empty()) {
-        return preset;
-    }
-    std::string allowed;
-    for (const Value value : values) {
-        if (name(value) == text) {
-            return value;
-        }
-        allowed += fmt::format("{}{}", allowed.empty() ? "" : "|", name(value));
-    }
-    Faults faults;
-    faults.add(option, text, allowed);
-    faults.throwIfAny();
-    return preset;
-}
-
 FindOptions parseOptions(const FindCommand& words)
 {
     FindOptions options;
@@ -44,13 +25,13 @@ FindOptions parseOptions(const FindCommand& words)
     if (!words.solver.empty()) {
         options.solver = words.solver;
     }
-    options.formulation = parseName(
-        "--formulation", words.formulation, Formulation::automatic,
-        {Formulation::automatic, Formulation::state, Formulation::reduced, Formulation::lumped});
-    options.objective =
-        parseName("--objective", words.objective, Objective::automatic,
-                  {Objective::any, Objective::minEnergy, Objective::maxEnergy,
-                   Objective::minPeakStrain, Objective::maxImpulse, Objective::nearest});
+    if (!words.formulation.empty()) {
+        options.formulation = parseName("--formulation", words.formulation, formulationNames);
+    }
+    if (!words.objective.empty()) {
+        options.objective =
+            parseName("--objective", words.objective, std::span(objectiveNames).subspan(1));
+    }
     if (!words.energyRatio.empty()) {
         options.energyRatio = parsePositive("--energy-ratio", words.energyRatio, "E_1");
     }

@@ -6,8 +6,10 @@
 #include "continuum_geometric.hpp"
 #include "continuum_programs.hpp"
 #include "continuum_record.hpp"
+#include "echo.hpp"
 #include "energy_section.hpp"
 #include "faults.hpp"
+#include "names.hpp"
 #include "solver.hpp"
 
 namespace signorini {
@@ -16,6 +18,12 @@ namespace {
 
 constexpr std::string_view automatic = "auto";
 constexpr std::string_view closedForm = "closed-form";
+
+constexpr Named<Parameter> parameterNames[] = {
+    {Parameter::arcLength, "arc length"},
+    {Parameter::position, "position"},
+    {Parameter::number, "number"},
+};
 
 void validate(const Schedule& schedule, double energyRatio, const ContinuumOptions& options)
 {
@@ -242,15 +250,7 @@ private:
 
 std::string_view name(Parameter parameter)
 {
-    switch (parameter) {
-        case Parameter::arcLength:
-            return "arc length";
-        case Parameter::position:
-            return "position";
-        case Parameter::number:
-            return "number";
-    }
-    throw std::logic_error("unnamed Parameter");
+    return nameIn(parameterNames, parameter);
 }
 
 Continuum traceContinuum(const Schedule& schedule, double energyRatio,
@@ -278,8 +278,7 @@ std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, s
     if (energyRatio < range.least || energyRatio > range.most) {
         return motions;
     }
-    const double squares = energyRatio * static_cast<double>(reduction.schedule.cells) /
-                           (2.0 * static_cast<double>(reduction.window));
+    const double squares = squaresOf(energyRatio, reduction.cells, reduction.window);
     SectionSampler sampler(reduction.set, squares, seed);
     for (std::int64_t k = 0; k < count; ++k) {
         motions.push_back(motionOf(reduction, sampler.next()));

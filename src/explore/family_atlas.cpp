@@ -8,6 +8,7 @@
 
 #include "family_chains.hpp"
 #include "faults.hpp"
+#include "solution_set.hpp"
 
 namespace signorini {
 
@@ -63,7 +64,6 @@ private:
         v.window = family.order;
         v.contactMembers = family.contactBlocks;
         v.windowSum = family.windowSum;
-        v.set.sum = -static_cast<double>(v.cells) / static_cast<double>(v.windowSum);
         setDimension(v, classes);
         if (!isLowEnough(v)) {  // the top has the least energy of the tent
             return true;
@@ -91,7 +91,6 @@ private:
         v.window = 2 * range_.cells / classes;
         v.windowSum = 1;
         v.contact = Contact::grazing;
-        v.set.sum = v.set.lower = -static_cast<double>(v.cells);
         for (std::int64_t contact = std::max<std::int64_t>(1, n - range_.maxFree); contact <= end;
              ++contact) {
             Phase folded{contact, n - contact};
@@ -108,9 +107,8 @@ private:
 
     static void setDimension(Verdict& v, std::int64_t count)
     {
-        const SetKind kind = v.contact == Contact::pressing ? SetKind::simplex : SetKind::box;
-        v.kernelDimension = v.set.count = count;
-        v.set.kind = count == 1 ? SetKind::point : kind;
+        v.kernelDimension = count;
+        v.set = solutionSet(v);
     }
 
     [[nodiscard]] bool isLowEnough(const Verdict& v) const

@@ -162,27 +162,6 @@ std::span<const double> partOf(const std::vector<double>& values, const ClassTyp
 
 }  // namespace
 
-std::vector<double> meanAmplitudes(const ClassTypes& classes, const State& state)
-{
-    std::vector<double> z(static_cast<std::size_t>(classes.classes), 0.0);
-    const std::int64_t cells = classes.schedule.cells;
-    for (const ClassType& type : classes.types) {
-        if (!type.isLive()) {
-            continue;
-        }
-        for (std::int64_t j = type.first; j < type.first + type.count; ++j) {
-            double& mean = z[static_cast<std::size_t>(j)];
-            for (std::int64_t block = 0; block < classes.window; ++block) {
-                const std::int64_t m = block * classes.classes + j;
-                const double p = m < cells ? state.a[cells - 1 - m] : -state.b[m - cells];
-                mean += type.signs[static_cast<std::size_t>(block % classes.members)] * p;
-            }
-            mean /= static_cast<double>(classes.window);
-        }
-    }
-    return z;
-}
-
 double nearestResidual(const AmplitudeSet& set, std::span<const double> z,
                        std::span<const double> target)
 {
@@ -224,7 +203,7 @@ std::optional<State> nearestMotion(const Reduction& reduction, const State& targ
 std::optional<State> nearestMotion(const LumpedSet& set, const LumpedShape& shape,
                                    const State& target)
 {
-    const std::vector<double> wanted = meanAmplitudes(set.classes, target);
+    const std::vector<double> wanted = amplitudesOf(set.classes, target);
     const bool isFixed = shape.spanning.size() == 1;
     std::vector<double> sums = isFixed ? shape.spanning.front() : std::vector<double>();
     if (!isFixed) {

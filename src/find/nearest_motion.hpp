@@ -26,10 +26,6 @@ namespace signorini {
 /// \pre the set is not empty.
 [[nodiscard]] std::optional<State> nearestMotion(const Reduction& reduction, const State& target);
 
-/// The amplitudes nearest to any state, one per class, 0 on dead and blocked ones: the mean of
-/// epsilon p over the window of 2N steps. O(N).
-[[nodiscard]] std::vector<double> meanAmplitudes(const ClassTypes& classes, const State& state);
-
 /// How far z is from meeting the conditions of the member nearest to t (Karush-Kuhn-Tucker),
 /// relative to the largest bound of the set: of each amplitude (simplex) or partial sum (box), the
 /// step to a bound or of a gradient, whichever is less. Knows nothing of how z was found. O(d).

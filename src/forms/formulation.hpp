@@ -3,7 +3,7 @@
 /// From a schedule to a Program: which unknowns and which rows a solver gets.
 ///
 /// Three formulations of the same set of motions, each a list of unknowns x, rows, and the delay
-/// sequence p (propagation.hpp) as a linear function of x:
+/// sequence p (motion.hpp) as a linear function of x:
 ///
 /// **state**: the paper's own, x = (a_1..a_N, b_1..b_N, y_1..y_m). The prefix sums of (12) enter as
 /// unknowns y_k, so that every row stays sparse:
@@ -11,7 +11,7 @@
 ///     (W - 1)(a, b) = 0,   sum(b - a) = N,   -p_m <= 0 in contact,
 ///     y_k = y_{k-1} + p_k,   -depth <= y_k <= 0 in flight,   y = 0 at the end of a flight
 ///
-/// **reduced**: class amplitudes z (class_types.hpp) satisfy (30) by themselves, and inside a block
+/// **reduced**: class amplitudes z (lumped_set.hpp) satisfy (30) by themselves, and inside a block
 /// of a pressing type the prefix sums are monotone, so that only block ends count. With S the sum
 /// of z over a type, Z_j the partial sums of a grazing type, and P a prefix sum at the end of a
 /// block, an integer combination of the S:

@@ -5,24 +5,13 @@
 #include <limits>
 
 #include "faults.hpp"
+#include "set_kind_names.hpp"
 
 namespace signorini {
 
 std::string_view name(SetKind kind)
 {
-    switch (kind) {
-        case SetKind::empty:
-            return "empty";
-        case SetKind::point:
-            return "point";
-        case SetKind::simplex:
-            return "simplex";
-        case SetKind::box:
-            return "box";
-        case SetKind::polytope:
-            return "polytope";
-    }
-    throw std::logic_error("unnamed SetKind");
+    return nameIn(setKindNames, kind);
 }
 
 double distanceOutside(const AmplitudeSet& set, std::span<const double> z)

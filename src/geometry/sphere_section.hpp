@@ -131,7 +131,7 @@ private:
 /// a simplex, and both members where only two are left. Even in the long run.
 class SectionSampler {
 public:
-    /// `squares` in [least, most] of the set (closed_form.hpp). \throws std::invalid_argument if it
+    /// `squares` in [least, most] of the set (amplitude_set.hpp). \throws std::invalid_argument if it
     /// is not.
     SectionSampler(const AmplitudeSet& set, double squares, std::uint64_t seed);
 

@@ -1,37 +1,27 @@
 #include "signorini/motion.hpp"
 
 #include "compensated_sum.hpp"
-#include "faults.hpp"
 #include "propagation.hpp"
 
 namespace signorini {
 
 Motion::Motion(const State& state, const Schedule& schedule) : cells_(state.cells())
 {
-    validate(schedule);
-    if (state.cells() != schedule.cells) {
-        throw std::invalid_argument(fmt::format("state: {} cells: allowed {}, as in the schedule",
-                                                state.cells(), schedule.cells));
-    }
-    Schedule walked = schedule;
-    fold(walked);
+    const Schedule walked = foldedFor(state, schedule);
     steps_ = signorini::steps(walked);
     const auto count = static_cast<std::size_t>(steps_ + 2 * cells_);
     p_.reserve(count);
-    DelayLine line(state);
-    while (p_.size() < count) {
-        for (const Phase& phase : walked.phases) {
-            for (std::int64_t step = 0; step < phase.contact; ++step) {
-                p_.push_back(line.incoming());
-                line.contactStep();
-            }
-            for (std::int64_t step = 0; step < phase.free; ++step) {
-                p_.push_back(line.incoming());
-                line.freeStep();
-            }
+    const Eigen::VectorXd window = windowOf(state);
+    p_.assign(window.begin(), window.end());
+    auto echo = [this, m = std::size_t{0}](std::int64_t times, int factor) mutable {
+        for (; times > 0; --times) {
+            p_.push_back(factor * p_[m++]);
         }
+    };
+    for (const Phase& phase : walked.phases) {
+        echo(phase.contact, contactFactor);
+        echo(phase.free, flightFactor);
     }
-    p_.resize(count);
     sum_.reserve(count + 1);
     CompensatedSum total;
     sum_.push_back(0.0);

@@ -25,33 +25,6 @@ struct Arrival {
     }
 };
 
-Schedule checked(const State& state, Schedule schedule)
-{
-    validate(schedule);
-    if (state.a.size() != schedule.cells || state.b.size() != schedule.cells) {
-        throw std::invalid_argument(
-            fmt::format("state: {} and {} cells: allowed {}, as in the schedule", state.a.size(),
-                        state.b.size(), schedule.cells));
-    }
-    fold(schedule);
-    return schedule;
-}
-
-/// Calls visit(p_m, is it a contact step?) for a whole period of a folded schedule.
-template <typename Visit>
-void forEachStep(const State& state, const Schedule& schedule, Visit visit)
-{
-    DelayLine bar(state);
-    for (const Phase& phase : schedule.phases) {
-        for (std::int64_t m = 0; m < phase.contact; ++m, bar.contactStep()) {
-            visit(bar.incoming(), true);
-        }
-        for (std::int64_t m = 0; m < phase.free; ++m, bar.freeStep()) {
-            visit(bar.incoming(), false);
-        }
-    }
-}
-
 std::vector<Arrival> ringOf(const State& state, const Schedule& folded)
 {
     std::vector<Arrival> ring;
@@ -120,7 +93,7 @@ bool isNear(const std::vector<double>& first, const std::vector<double>& second,
 
 std::vector<double> arrivals(const State& state, const Schedule& schedule)
 {
-    const Schedule folded = checked(state, schedule);
+    const Schedule folded = foldedFor(state, schedule);
     std::vector<double> result;
     result.reserve(static_cast<std::size_t>(steps(folded)));
     forEachStep(state, folded, [&result](double p, bool) { result.push_back(p); });
@@ -129,15 +102,12 @@ std::vector<double> arrivals(const State& state, const Schedule& schedule)
 
 State orbitRepresentative(const State& state, const Schedule& schedule)
 {
-    const std::vector<Arrival> ring = rotated(ringOf(state, checked(state, schedule)));
-    const std::int64_t cells = schedule.cells;
-    const auto count = static_cast<std::int64_t>(ring.size());
-    State result{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
+    const std::vector<Arrival> ring = rotated(ringOf(state, foldedFor(state, schedule)));
     // A period shorter than 2N repeats in the state.
-    for (std::int64_t m = 0; m < cells; ++m) {
-        result.a[cells - 1 - m] = ring[static_cast<std::size_t>(m % count)].p;
-        result.b[m] = 0.0 - ring[static_cast<std::size_t>((m + cells) % count)].p;
-    }
+    State result = stateOfWaves(schedule.cells, [&ring](std::int64_t m) {
+        return ring[static_cast<std::size_t>(m) % ring.size()].p;
+    });
+    result.b.array() += 0.0;  // -0 + 0 is +0
     return result;
 }
 
@@ -149,8 +119,8 @@ bool isSameOrbit(const State& first, const State& second, const Schedule& schedu
         faults.add("tolerance", tolerance, "finite numbers >= 0");
         faults.throwIfAny();
     }
-    const Schedule folded = checked(first, schedule);
-    (void)checked(second, schedule);
+    const Schedule folded = foldedFor(first, schedule);
+    (void)foldedFor(second, schedule);
     if (tolerance == 0.0) {
         return rotated(ringOf(first, folded)) == rotated(ringOf(second, folded));
     }

@@ -7,6 +7,14 @@
 
 namespace signorini {
 
+Schedule foldedFor(const State& state, Schedule schedule)
+{
+    validate(schedule);
+    requireCells(state, schedule.cells);
+    fold(schedule);
+    return schedule;
+}
+
 DelayLine::DelayLine(const State& state)
 {
     if (state.a.size() != state.b.size() || state.a.size() == 0) {
@@ -14,8 +22,7 @@ DelayLine::DelayLine(const State& state)
             fmt::format("state: a has {} cells and b {}: allowed two arrays of equal length >= 1",
                         state.a.size(), state.b.size()));
     }
-    ring_.resize(2 * state.a.size());
-    ring_ << state.a.reverse(), -state.b;
+    ring_ = windowOf(state);
 }
 
 void DelayLine::contact(std::int64_t count)
@@ -25,19 +32,19 @@ void DelayLine::contact(std::int64_t count)
 
 void DelayLine::free(std::int64_t count)
 {
-    // 2N free steps negate every value and bring the head back.
-    const std::int64_t turns = count / ring_.size();
-    if (turns % 2 != 0) {
-        ring_ = -ring_;
+    // 2N free steps are an echo of every value and bring the head back.
+    const int factor = flightsFactor(count / ring_.size());
+    if (factor != 1) {
+        ring_ *= factor;
     }
-    negate(count % ring_.size());
+    echoFlight(count % ring_.size());
 }
 
-void DelayLine::negate(std::int64_t count)
+void DelayLine::echoFlight(std::int64_t count)
 {
     const std::int64_t beforeWrap = std::min(count, ring_.size() - head_);
-    ring_.segment(head_, beforeWrap) *= -1.0;
-    ring_.head(count - beforeWrap) *= -1.0;
+    ring_.segment(head_, beforeWrap) *= flightFactor;
+    ring_.head(count - beforeWrap) *= flightFactor;
     contact(count);
 }
 
@@ -51,26 +58,15 @@ void DelayLine::period(const Schedule& schedule)
 
 State DelayLine::state() const
 {
-    const Eigen::Index cells = ring_.size() / 2;
-    State state{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
-    for (Eigen::Index m = 0; m < cells; ++m) {
-        state.a[cells - 1 - m] = ahead(m);
-        state.b[m] = -ahead(cells + m);
-    }
-    return state;
+    return stateOfWaves(ring_.size() / 2, [this](Eigen::Index m) { return ahead(m); });
 }
 
 double DelayLine::distance(const State& other) const
 {
-    const Eigen::Index cells = ring_.size() / 2;
-    if (other.a.size() != cells || other.b.size() != cells) {
-        throw std::invalid_argument(
-            fmt::format("state: {} cells: allowed {}", other.a.size(), cells));
-    }
+    requireCells(other, ring_.size() / 2);
     double largest = 0.0;
-    for (Eigen::Index m = 0; m < cells; ++m) {
-        largest = std::max({largest, std::abs(ahead(m) - other.a[cells - 1 - m]),
-                            std::abs(ahead(cells + m) + other.b[m])});
+    for (Eigen::Index m = 0; m < ring_.size(); ++m) {
+        largest = std::max(largest, std::abs(ahead(m) - waveAt(other, m)));
     }
     return largest;
 }

@@ -4,17 +4,13 @@
 ///
 /// Inside the bar a moves one cell right and b one cell left; at the clamp a'_1 = -b_1; at the tip
 /// b'_N = -a_N in contact (DD, equation (19)) and b'_N = +a_N in free flight (DN, equation (17)).
-/// So the bar is a delay line of 2N values read at the tip. With p_m the value of r_1 that reaches
-/// the tip in step m,
-///
-///     a_i = p_{N-i},   b_i = -p_{N+i-1}   (at m = 0),
-///     p_{m+2N} = +p_m in a contact step,  -p_m in a free step.
-///
-/// Values are moved and negated, never added: propagation is exact in floating point.
+/// So the bar is a delay line of 2N values read at the tip, and a step is the echo of one of them
+/// (echo.hpp). Values are moved and negated, never added: propagation is exact in floating point.
 
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "echo.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 
@@ -29,13 +25,14 @@ public:
     /// p_m, the wave about to reach the tip. O(1).
     [[nodiscard]] double incoming() const { return ring_[head_]; }
 
-    /// One contact step. O(1).
+    /// One contact step. O(1): the wave goes on as it is.
+    static_assert(contactFactor == 1);
     void contactStep() { head_ = head_ + 1 == ring_.size() ? 0 : head_ + 1; }
 
     /// One free step. O(1).
     void freeStep()
     {
-        ring_[head_] = -ring_[head_];
+        ring_[head_] *= flightFactor;
         contactStep();
     }
 
@@ -57,7 +54,7 @@ public:
     [[nodiscard]] double distance(const State& other) const;
 
 private:
-    void negate(std::int64_t count);
+    void echoFlight(std::int64_t count);
 
     /// p_{now+m}, 0 <= m < 2N.
     [[nodiscard]] double ahead(Eigen::Index m) const
@@ -69,5 +66,24 @@ private:
     Eigen::VectorXd ring_;
     Eigen::Index head_ = 0;
 };
+
+/// The schedule folded, for a state that fits it. \throws std::invalid_argument on an invalid
+/// schedule or a state with other cells.
+[[nodiscard]] Schedule foldedFor(const State& state, Schedule schedule);
+
+/// Calls visit(p_m, is it a contact step?) for every step of one period. O(n).
+template <typename Visit>
+void forEachStep(const State& state, const Schedule& schedule, Visit visit)
+{
+    DelayLine line(state);
+    for (const Phase& phase : schedule.phases) {
+        for (std::int64_t step = 0; step < phase.contact; ++step, line.contactStep()) {
+            visit(line.incoming(), true);
+        }
+        for (std::int64_t step = 0; step < phase.free; ++step, line.freeStep()) {
+            visit(line.incoming(), false);
+        }
+    }
+}
 
 }  // namespace signorini

@@ -2,7 +2,19 @@
 
 #include <algorithm>
 
+#include "echo.hpp"
+#include "faults.hpp"
+
 namespace signorini {
+
+void requireCells(const State& state, std::int64_t cells)
+{
+    if (state.a.size() != cells || state.b.size() != cells) {
+        throw std::invalid_argument(
+            fmt::format("state: {} and {} cells: allowed {}, as in the schedule", state.a.size(),
+                        state.b.size(), cells));
+    }
+}
 
 Eigen::VectorXd velocity(const State& state)
 {
@@ -27,8 +39,7 @@ Eigen::VectorXd displacement(const State& state)
 
 double energyRatio(const State& state)
 {
-    return 2.0 * (state.a.squaredNorm() + state.b.squaredNorm()) /
-           static_cast<double>(state.cells());
+    return energyOf(state.a.squaredNorm() + state.b.squaredNorm(), state.cells());
 }
 
 State refined(const State& state, std::int64_t factor)

@@ -3,7 +3,7 @@
 /// Equations (27)-(32) of the paper as sparse matrices, written as they stand.
 ///
 /// For readers, for tests, and for the `state` formulation that the solvers receive. Unknowns are
-/// x = (a_1..a_N, b_1..b_N) in scaled units (state.hpp). Nothing here uses the delay form: the
+/// x = (a_1..a_N, b_1..b_N) in scaled units (motion.hpp). Nothing here uses the delay form: the
 /// entries follow from the piecewise extensions (21), (22), (24), (25) of the travelling waves.
 /// All of it costs O(N) memory, except `inequalities`, whose prefix rows have up to 2N entries.
 

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "echo.hpp"
 #include "integers.hpp"
 
 namespace signorini {
@@ -60,10 +61,9 @@ Functional expand(const Combination& combination, const Schedule& schedule)
         f[static_cast<std::size_t>(m.row % size)] -= m.value;
     }
     for (const Multiplier& m : combination.penetration) {
-        // During free flight p_{m+2N} = -p_m: the sign alternates with each turn of the ring.
-        for (std::int64_t k = 0; k <= m.row; ++k) {
-            const std::int64_t sign = (k / size) % 2 == 0 ? 1 : -1;
-            f[static_cast<std::size_t>((phase.contact + k) % size)] += sign * m.value;
+        for (std::int64_t k = 0; k <= m.row; ++k) {  // one more echo with each turn of the ring
+            f[static_cast<std::size_t>((phase.contact + k) % size)] +=
+                flightsFactor(k / size) * m.value;
         }
     }
     return f;
@@ -75,9 +75,7 @@ std::int64_t periodSign(std::int64_t v, const Schedule& schedule)
     const std::int64_t size = 2 * schedule.cells;
     const Phase& phase = schedule.phases.front();
     const std::int64_t firstVisit = ((v - phase.contact) % size + size) % size;
-    const std::int64_t visits =
-        phase.free > firstVisit ? 1 + (phase.free - 1 - firstVisit) / size : 0;
-    return visits % 2 == 0 ? 1 : -1;
+    return flightsFactor(phase.free > firstVisit ? 1 + (phase.free - 1 - firstVisit) / size : 0);
 }
 
 /// y with sum_u y_u (p_{u+n} - p_u) + 2 f = 0. The permutation u -> u + n (mod 2N) has G cycles;
@@ -110,15 +108,14 @@ Functional eliminate(const Functional& f, const Reduction& r)
     return y;
 }
 
-/// Rows of (30) in the order of the unknowns a_1..a_N, b_1..b_N: a_i = p_{N-i}, b_i = -p_{N+i-1}.
+/// Rows of (30) in the order of the unknowns a_1..a_N, b_1..b_N.
 std::vector<Multiplier> inUnknowns(const Functional& y)
 {
     const auto size = static_cast<std::int64_t>(y.size());
-    const std::int64_t cells = size / 2;
     std::vector<Multiplier> rows;
     for (std::int64_t row = 0; row < size; ++row) {
-        const std::int64_t value = row < cells ? y[static_cast<std::size_t>(cells - 1 - row)]
-                                               : -y[static_cast<std::size_t>(row)];
+        const Unknown step = unknownOf(row, size / 2);
+        const std::int64_t value = step.sign * y[static_cast<std::size_t>(step.index)];
         if (value != 0) {
             rows.push_back({row, value});
         }

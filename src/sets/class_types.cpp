@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "echo.hpp"
+
 namespace signorini {
 
 namespace {
@@ -34,7 +36,7 @@ void findKind(ClassType& type, const ClassTypes& all, const std::vector<std::int
             isContactStep(boundaries, alpha * all.classes + type.first);
     }
     type.contactMembers = std::count(held.begin(), held.end(), true);
-    if ((all.members - type.contactMembers) % 2 != 0) {
+    if (flightsFactor(all.members - type.contactMembers) != 1) {
         type.kind = TypeKind::dead;
         return;
     }
@@ -44,7 +46,7 @@ void findKind(ClassType& type, const ClassTypes& all, const std::vector<std::int
     std::int8_t sign = 1;
     for (std::int64_t visited = 0; visited < all.members; ++visited) {
         type.signs[alpha] = sign;
-        sign = static_cast<std::int8_t>(held[alpha] ? sign : -sign);
+        sign = static_cast<std::int8_t>(echoFactor(held[alpha]) * sign);
         alpha = static_cast<std::size_t>((static_cast<std::int64_t>(alpha) + stride) % all.members);
     }
     int pushing = 0;

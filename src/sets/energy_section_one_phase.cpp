@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "echo.hpp"
 #include "energy_section.hpp"
 #include "rational.hpp"
 #include "signorini/amplitude_set.hpp"
@@ -129,8 +130,7 @@ public:
         facts_.largestWave = size * std::min(1.0, (1.0 + spread) / count);
         facts_.isWhole = set.kind != SetKind::box || set.count <= 2;
         facts_.simplex = SphereSection{set.count, ratio};
-        facts_.unit = size * std::sqrt(2.0 * static_cast<double>(reduction_.window) /
-                                       static_cast<double>(reduction_.schedule.cells));
+        facts_.unit = size * std::sqrt(energyOf(1.0, reduction_.cells, reduction_.window));
     }
 
     [[nodiscard]] std::optional<bool> joins(const State& from, const State& to) const override

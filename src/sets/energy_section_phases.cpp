@@ -4,6 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "echo.hpp"
 #include "energy_section.hpp"
 #include "signorini/lumped_set.hpp"
 #include "vertex_graph.hpp"
@@ -93,7 +94,7 @@ public:
 
     [[nodiscard]] std::vector<double> sharesOf(const State& state) const override
     {
-        const std::vector<double> z = amplitudesOf(state);
+        const std::vector<double> z = amplitudesOf(set_.classes, state);
         const ClassType& type = typeOf(*spread_);
         std::vector<double> shares(z.begin() + type.first, z.begin() + type.first + type.count);
         for (double& value : shares) {
@@ -132,14 +133,11 @@ private:
         return set_.classes.types[set_.live[live]];
     }
 
-    /// 2w/N, what one unit of sum z^2 is in E/E_1.
-    [[nodiscard]] double energyUnit() const
+    /// sum z^2.
+    [[nodiscard]] double squares() const
     {
-        return 2.0 * static_cast<double>(set_.classes.window) /
-               static_cast<double>(set_.classes.schedule.cells);
+        return signorini::squaresOf(energy_, set_.classes.schedule.cells, set_.classes.window);
     }
-
-    [[nodiscard]] double squares() const { return energy_ / energyUnit(); }
 
     /// The sums where they are the same for all motions.
     [[nodiscard]] const std::vector<double>& sums() const { return set_.leastSums; }
@@ -192,36 +190,16 @@ private:
             ratio = 0.5;
         }
         facts_.simplex = SphereSection{typeOf(*spread_).count, ratio};
-        facts_.unit = sum * std::sqrt(energyUnit());
+        facts_.unit =
+            sum * std::sqrt(energyOf(1.0, set_.classes.schedule.cells, set_.classes.window));
         facts_.largestWave = std::min(facts_.largestWave, largest);
-    }
-
-    /// One z per class: the mean of epsilon p over the window of 2N steps.
-    [[nodiscard]] std::vector<double> amplitudesOf(const State& state) const
-    {
-        std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
-        const std::int64_t cells = set_.classes.schedule.cells;
-        for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            const ClassType& type = typeOf(t);
-            for (std::int64_t block = 0; block < set_.classes.window; ++block) {
-                const double sign =
-                    type.signs[static_cast<std::size_t>(block % set_.classes.members)];
-                for (std::int64_t j = type.first; j < type.first + type.count; ++j) {
-                    const std::int64_t m = block * set_.classes.classes + j;
-                    const double p = m < cells ? state.a[cells - 1 - m] : -state.b[m - cells];
-                    z[static_cast<std::size_t>(j)] +=
-                        sign * p / static_cast<double>(set_.classes.window);
-                }
-            }
-        }
-        return z;
     }
 
     /// Where an ascent leads: each sum into its largest class, then straight to the vertex to which
     /// Q rises most. Q is convex and does not fall at the start of either way.
     [[nodiscard]] Place placeOf(const State& state) const
     {
-        const std::vector<double> z = amplitudesOf(state);
+        const std::vector<double> z = amplitudesOf(set_.classes, state);
         Place place;
         std::vector<double> sums;
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
@@ -266,7 +244,8 @@ private:
     /// it grows along the way: |c|^2 + 2 t c.(v - c) + t^2 |v - c|^2 = q.
     [[nodiscard]] std::vector<double> lowered(std::vector<double> z) const
     {
-        const std::vector<double> least = amplitudesOf(equalMotion(set_, set_.leastSums));
+        const std::vector<double> least =
+            amplitudesOf(set_.classes, equalMotion(set_, set_.leastSums));
         double along = 0.0;
         double length = 0.0;
         for (std::size_t j = 0; j < z.size(); ++j) {

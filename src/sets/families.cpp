@@ -4,22 +4,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
-#include <utility>
 
+#include "echo.hpp"
 #include "family_chains.hpp"
 #include "faults.hpp"
-#include "rational.hpp"
+#include "integers.hpp"
 
 namespace signorini {
 
 namespace {
-
-void requireWhole(Faults& faults, std::string_view field, std::int64_t value, std::int64_t most)
-{
-    if (value < 1 || value > most) {
-        faults.add(field, value, fmt::format("whole numbers 1..{}", most));
-    }
-}
 
 void check(Faults& faults, const FamilyBounds& bounds)
 {
@@ -83,35 +76,6 @@ std::optional<Family> familyAt(std::int64_t order, std::int64_t blocks, std::int
     return std::nullopt;
 }
 
-/// What Euclid's algorithm on (2a, r), r = -m mod 2a, says of a mode.
-struct ModePattern {
-    std::int64_t numerator = 1;  ///< Q of the right neighbour P/Q of m/2a
-    std::int64_t turns = 0;      ///< c of docs/theory.md: M - (d_1 + d_3 + ...)
-};
-
-/// None unless d_0, d_2, ... are even. \pre gcd(2a, m) = 1.
-std::optional<ModePattern> modePattern(std::int64_t count, std::int64_t order)
-{
-    ModePattern pattern;
-    pattern.turns = order / count + 1;
-    std::int64_t even = count;
-    std::int64_t odd = pattern.turns * count - order;
-    std::int64_t convergent = 0;  // numerators of the convergents of 2a/r, two behind and ...
-    while (odd > 1) {
-        const std::int64_t first = even / odd;
-        if (first % 2 != 0) {
-            return std::nullopt;
-        }
-        even %= odd;
-        const std::int64_t second = odd / even;
-        odd %= even;
-        pattern.turns -= second;
-        convergent += first * pattern.numerator;
-        pattern.numerator += second * convergent;  // ... one behind
-    }
-    return pattern;
-}
-
 }  // namespace
 
 ExactPeriod exactPeriod(const Family& family)
@@ -136,9 +100,9 @@ std::optional<Family> findFamily(std::int64_t order, std::int64_t blocks,
                                  std::int64_t contactBlocks)
 {
     Faults faults;
-    requireWhole(faults, "order", order, maxFamilyOrder);
-    requireWhole(faults, "blocks", blocks, maxSteps);
-    requireWhole(faults, "contactBlocks", contactBlocks, maxSteps);
+    faults.requireWhole("order", order, maxFamilyOrder);
+    faults.requireWhole("blocks", blocks, maxSteps);
+    faults.requireWhole("contactBlocks", contactBlocks, maxSteps);
     faults.throwIfAny();
     return familyAt(order, blocks, contactBlocks);
 }
@@ -146,7 +110,7 @@ std::optional<Family> findFamily(std::int64_t order, std::int64_t blocks,
 bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const FamilyVisitor& visitor)
 {
     Faults faults;
-    requireWhole(faults, "maxOrder", maxOrder, maxFamilyOrder);
+    faults.requireWhole("maxOrder", maxOrder, maxFamilyOrder);
     check(faults, bounds);
     faults.throwIfAny();
     for (std::int64_t order = 1; order <= maxOrder; ++order) {
@@ -171,7 +135,7 @@ bool forEachFamilyOnGrid(std::int64_t cells, const FamilyBounds& bounds,
                          const FamilyVisitor& visitor)
 {
     Faults faults;
-    requireWhole(faults, "cells", cells, maxCells);
+    faults.requireWhole("cells", cells, maxCells);
     check(faults, bounds);
     faults.throwIfAny();
     for (std::int64_t order = 1; order <= 2 * cells; ++order) {
@@ -185,7 +149,7 @@ bool forEachFamilyOnGrid(std::int64_t cells, const FamilyBounds& bounds,
 Schedule scheduleOf(const Family& family, std::int64_t cells)
 {
     Faults faults;
-    requireWhole(faults, "cells", cells, maxCells);
+    faults.requireWhole("cells", cells, maxCells);
     if (family.order < 1 || 2 * cells % family.order != 0) {
         faults.add("cells", cells, fmt::format("multiples of {}/2", family.order));
     }
@@ -211,7 +175,7 @@ std::optional<TentPlace> familyOf(const Schedule& schedule)
     // The multiple of G next to n_c, k = nu (mod 2): live classes have an even number of free
     // steps.
     std::int64_t contactBlocks = contact / place.classes;
-    contactBlocks += (blocks - contactBlocks) % 2 == 0 ? 0 : 1;
+    contactBlocks += flightsFactor(blocks - contactBlocks) == 1 ? 0 : 1;
     place.offset = contact - contactBlocks * place.classes;
     place.amplitudes = place.classes - std::abs(place.offset);
     const auto family = contactBlocks > 0 && place.amplitudes > 0
@@ -224,34 +188,6 @@ std::optional<TentPlace> familyOf(const Schedule& schedule)
     return place;
 }
 
-std::optional<Mode> findMode(std::int64_t a, std::int64_t b)
-{
-    Faults faults;
-    requireWhole(faults, "a", a, maxFamilyOrder);
-    if (b > -1 || b < -maxFamilyOrder) {
-        faults.add("b", b, fmt::format("whole numbers -{}..-1", maxFamilyOrder));
-    }
-    faults.throwIfAny();
-    const std::int64_t count = 2 * a;
-    const std::int64_t order = -b;
-    const auto pattern = std::gcd(count, order) == 1 ? modePattern(count, order) : std::nullopt;
-    if (!pattern) {
-        return std::nullopt;
-    }
-    const std::int64_t q = pattern->numerator;
-    const std::int64_t p = (1 + q * order) / count;
-    const std::int64_t c = pattern->turns;
-    Mode mode;
-    mode.a = a;
-    mode.b = b;
-    mode.kappa = (p + c * order) / 2;
-    mode.mu = q + c * count;
-    mode.lowest = c > 0 ? exactPeriod(mode.mu, mode.kappa) : exactPeriod(2 * q, p);
-    mode.lowestEnd = c < 0 ? ModeEnd::jumpsMeet : ModeEnd::energyInfinite;
-    mode.highest = {2 * count, order};
-    return mode;
-}
-
 Mode modeThrough(const Family& family)
 {
     const auto found = findFamily(family.order, family.blocks, family.contactBlocks);
@@ -261,18 +197,9 @@ Mode modeThrough(const Family& family)
                         "findFamily returns",
                         family.order, family.blocks, family.contactBlocks, family.windowSum));
     }
-    // 2a = k/w (mod nu), between 0 and nu: the inverse of w by Euclid's algorithm.
-    std::int64_t rest = family.blocks;
-    std::int64_t next = family.order % family.blocks;
-    std::int64_t factor = 0;  // factor w = rest (mod nu)
-    std::int64_t nextFactor = 1;
-    while (next != 0) {
-        const std::int64_t quotient = rest / next;
-        rest = std::exchange(next, rest - quotient * next);
-        factor = std::exchange(nextFactor, factor - quotient * nextFactor);
-    }
-    factor += factor < 0 ? family.blocks : 0;
-    const std::int64_t count = family.contactBlocks * factor % family.blocks;
+    // 2a = k/w (mod nu), between 0 and nu.
+    const std::int64_t count =
+        family.contactBlocks * inverseOf(family.order, family.blocks) % family.blocks;
     const std::int64_t b = (family.contactBlocks - count * family.order) / family.blocks;
     return findMode(count / 2, b).value();
 }
@@ -280,7 +207,7 @@ Mode modeThrough(const Family& family)
 std::vector<Family> familiesOf(const Mode& mode, std::int64_t maxOrder)
 {
     Faults faults;
-    requireWhole(faults, "maxOrder", maxOrder, maxFamilyOrder);
+    faults.requireWhole("maxOrder", maxOrder, maxFamilyOrder);
     faults.throwIfAny();
     if (findMode(mode.a, mode.b) != mode) {
         throw std::invalid_argument(fmt::format(

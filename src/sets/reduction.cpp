@@ -1,19 +1,14 @@
 #include "signorini/reduction.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "echo.hpp"
 #include "faults.hpp"
-#include "signorini/amplitude_set.hpp"
+#include "solution_set.hpp"
 
 namespace signorini {
 
 namespace {
-
-/// How far given amplitudes may lie outside the set, relative to |S|.
-constexpr double amplitudeTolerance = 1e-9;
 
 /// Splits the steps into classes and finds the live ones.
 void findLiveClasses(std::int64_t cells, const Phase& phase, Verdict& v)
@@ -27,7 +22,9 @@ void findLiveClasses(std::int64_t cells, const Phase& phase, Verdict& v)
     // Classes j < remainder hold quotient + 1 contact steps, the others quotient.
     const std::int64_t quotient = phase.contact / v.classes;
     const std::int64_t remainder = phase.contact % v.classes;
-    const auto isLive = [&v](std::int64_t contacts) { return (v.members - contacts) % 2 == 0; };
+    const auto isLive = [&v](std::int64_t contacts) {
+        return flightsFactor(v.members - contacts) == 1;
+    };
     if (remainder > 0 && isLive(quotient + 1)) {
         v.firstLive = 0;
         v.kernelDimension = remainder;
@@ -59,7 +56,7 @@ bool findSigns(const Verdict& v, bool stops, std::vector<std::int8_t>& signs)
     for (std::int64_t visited = 0; visited < v.members; ++visited) {
         signs[static_cast<std::size_t>(alpha)] = sign;
         if (alpha >= v.contactMembers) {
-            sign = static_cast<std::int8_t>(-sign);
+            sign = static_cast<std::int8_t>(flightFactor * sign);
         } else if (sign < 0) {
             agree = false;
             if (stops) {
@@ -105,61 +102,25 @@ WorstPrefix findWorstPrefix(const Verdict& v, bool stops, const std::vector<std:
     return worst;
 }
 
-AmplitudeSet solutionSet(const Verdict& v)
+/// The first reason that applies. `contactsAgree`, `worstPrefix` and `windowSum` are asked in this
+/// order, and only as far as needed.
+template <typename Agreement, typename Prefix, typename Sum>
+std::optional<Reason> firstReason(const Verdict& v, Agreement contactsAgree, Prefix worstPrefix,
+                                  Sum windowSum)
 {
-    if (v.reason) {
-        return {};
+    if (v.kernelDimension == 0) {
+        return Reason::noLiveClass;
     }
-    AmplitudeSet set;
-    set.count = v.kernelDimension;
-    set.sum = -static_cast<double>(v.cells) / static_cast<double>(v.windowSum);
-    set.kind = v.contact == Contact::pressing ? SetKind::simplex : SetKind::box;
-    if (set.kind == SetKind::box) {
-        set.lower = set.sum;
-        set.upper = 0.0;
+    if (v.contact == Contact::grazing) {
+        return std::nullopt;
     }
-    if (set.count == 1) {
-        set.kind = SetKind::point;
+    if (!contactsAgree()) {
+        return Reason::contactSign;
     }
-    return set;
-}
-
-void requireMotion(const Verdict& verdict)
-{
-    if (verdict.reason || verdict.set.kind == SetKind::empty) {
-        throw std::invalid_argument("reduction: the schedule has no motion");
+    if (worstPrefix() > 0) {
+        return Reason::penetration;
     }
-}
-
-/// Writes a and b from p_m = value(alpha, j) * epsilon_alpha on live classes and 0 elsewhere.
-/// `fill(segment, sign, firstClass)` writes one run of neighbouring classes inside a segment of
-/// `a` (reversed: a_i = p_{N-i}) or `b` (b_i = -p_{N+i-1}).
-template <typename Fill>
-State writeState(const Reduction& r, Fill fill)
-{
-    const std::int64_t cells = r.schedule.cells;
-    State state{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
-    auto forward = state.a.reverse();
-    if (r.kernelDimension < r.classes) {
-        state.a.setZero();
-        state.b.setZero();
-    }
-    for (std::int64_t block = 0, alpha = 0; block < r.window; ++block, ++alpha) {
-        alpha -= alpha == r.members ? r.members : 0;
-        const double sign = r.signs[static_cast<std::size_t>(alpha)];
-        const std::int64_t begin = block * r.classes + r.firstLive;
-        const std::int64_t end = begin + r.kernelDimension;
-        const std::int64_t split = std::clamp(cells, begin, end);
-        if (begin < split) {
-            auto run = forward.segment(begin, split - begin);
-            fill(run, sign, std::int64_t{0});
-        }
-        if (split < end) {
-            auto run = state.b.segment(split - cells, end - split);
-            fill(run, -sign, split - begin);
-        }
-    }
-    return state;
+    return windowSum() >= 0 ? std::optional(Reason::gap) : std::nullopt;
 }
 
 }  // namespace
@@ -178,19 +139,17 @@ void reduce(const Schedule& schedule, Reduction& result)
     result.signs.clear();
     result.windowSum = result.worstPrefix = 0;
     result.worstBlock = -1;
-    result.reason = Reason::noLiveClass;
+    bool contactsAgree = true;
     if (result.kernelDimension > 0) {
-        const bool contactsAgree = findSigns(result, false, result.signs);
+        contactsAgree = findSigns(result, false, result.signs);
         const WorstPrefix worst = findWorstPrefix(result, false, result.signs);
         result.worstBlock = worst.block;
         result.worstPrefix = worst.sum;
         result.windowSum = windowSumOf(result, result.signs);
-        result.reason = result.contact == Contact::grazing ? std::optional<Reason>()
-                        : !contactsAgree                   ? Reason::contactSign
-                        : worst.sum > 0                    ? Reason::penetration
-                        : result.windowSum >= 0            ? Reason::gap
-                                                           : std::optional<Reason>();
     }
+    result.reason = firstReason(
+        result, [&] { return contactsAgree; }, [&] { return result.worstPrefix; },
+        [&] { return result.windowSum; });
     result.set = solutionSet(result);
 }
 
@@ -199,6 +158,25 @@ Reduction reduce(const Schedule& schedule)
     Reduction result;
     reduce(schedule, result);
     return result;
+}
+
+AmplitudeSet solutionSet(const Verdict& v)
+{
+    if (v.reason) {
+        return {};
+    }
+    AmplitudeSet set;
+    set.count = v.kernelDimension;
+    set.sum = static_cast<double>(gapSum(v.cells)) / static_cast<double>(v.windowSum);
+    set.kind = v.contact == Contact::pressing ? SetKind::simplex : SetKind::box;
+    if (set.kind == SetKind::box) {
+        set.lower = set.sum;
+        set.upper = 0.0;
+    }
+    if (set.count == 1) {
+        set.kind = SetKind::point;
+    }
+    return set;
 }
 
 bool Verdict::isCanonical() const
@@ -214,84 +192,15 @@ Verdict decide(std::int64_t cells, Phase phase, std::vector<std::int8_t>& signs)
     fold(cells, phase);
     Verdict v;
     findLiveClasses(cells, phase, v);
-    if (v.kernelDimension == 0) {
-        v.reason = Reason::noLiveClass;
-    } else if (v.contact == Contact::grazing) {
+    v.reason = firstReason(
+        v, [&] { return findSigns(v, true, signs); },
+        [&] { return findWorstPrefix(v, true, signs).sum; },
+        [&] { return v.windowSum = windowSumOf(v, signs); });
+    if (!v.reason && v.contact == Contact::grazing) {
         v.windowSum = 1;  // epsilon alternates
-    } else if (!findSigns(v, true, signs)) {
-        v.reason = Reason::contactSign;
-    } else if (findWorstPrefix(v, true, signs).sum > 0) {
-        v.reason = Reason::penetration;
-    } else {
-        v.windowSum = windowSumOf(v, signs);
-        if (v.windowSum >= 0) {
-            v.reason = Reason::gap;
-        }
     }
     v.set = solutionSet(v);
     return v;
-}
-
-EnergyRange energyRange(const Verdict& verdict)
-{
-    requireMotion(verdict);
-    // With S = -N/win both ends are rational; integers below 2^53 make their quotient the double
-    // nearest to it.
-    const auto sum = static_cast<double>(verdict.windowSum);
-    const auto count = static_cast<double>(verdict.set.count);
-    const double whole =
-        2.0 * static_cast<double>(verdict.window) * static_cast<double>(verdict.cells);
-    const double squares = verdict.set.sum * verdict.set.sum;
-    const double most = std::round(mostSquares(verdict.set) / squares);  // 1 on a simplex
-    return {whole / (sum * sum * count), whole * most / (sum * sum)};
-}
-
-State motionOf(const Reduction& reduction, std::span<const double> amplitudes)
-{
-    requireMotion(reduction);
-    const double outside = distanceOutside(reduction.set, amplitudes);
-    if (!(outside <= amplitudeTolerance)) {
-        throw std::invalid_argument(
-            fmt::format("amplitudes: outside the solution set by {} |S|: allowed at most {}",
-                        outside, amplitudeTolerance));
-    }
-    const Eigen::Map<const Eigen::VectorXd> z(amplitudes.data(),
-                                              static_cast<Eigen::Index>(amplitudes.size()));
-    return writeState(reduction, [&z](auto& run, double sign, std::int64_t first) {
-        run = sign * z.segment(first, run.size());
-    });
-}
-
-std::vector<double> amplitudesOf(const Reduction& reduction, const State& state)
-{
-    requireMotion(reduction);
-    const std::int64_t cells = reduction.schedule.cells;
-    if (state.a.size() != cells || state.b.size() != cells) {
-        throw std::invalid_argument(
-            fmt::format("state: {} cells: allowed {}, as in the schedule", state.a.size(), cells));
-    }
-    std::vector<double> z(static_cast<std::size_t>(reduction.kernelDimension), 0.0);
-    for (std::int64_t block = 0; block < reduction.window; ++block) {
-        const double sign = reduction.signs[static_cast<std::size_t>(block % reduction.members)];
-        for (std::size_t j = 0; j < z.size(); ++j) {
-            const std::int64_t m =
-                block * reduction.classes + reduction.firstLive + static_cast<std::int64_t>(j);
-            const double p = m < cells ? state.a[cells - 1 - m] : -state.b[m - cells];
-            z[j] += sign * p;
-        }
-    }
-    for (double& value : z) {
-        value /= static_cast<double>(reduction.window);  // last: equal terms cancel without a rest
-    }
-    return z;
-}
-
-State leastEnergyMotion(const Reduction& reduction)
-{
-    requireMotion(reduction);
-    const double z = reduction.set.sum / static_cast<double>(reduction.set.count);
-    return writeState(reduction,
-                      [z](auto& run, double sign, std::int64_t) { run.setConstant(sign * z); });
 }
 
 }  // namespace signorini

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <initializer_list>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include "set_kind_names.hpp"
+#include "verdict_names.hpp"
 
 namespace signorini {
 
@@ -17,18 +20,14 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The value of an enumeration that has the name in a column.
-template <typename Enum>
-Enum readName(const Statement& s, int column, std::initializer_list<Enum> all)
+template <typename Table>
+auto readName(const Statement& s, int column, const Table& table)
 {
-    const std::string text = s.text(column);
-    std::string allowed;
-    for (const Enum value : all) {
-        if (text == name(value)) {
-            return value;
-        }
-        allowed += fmt::format("{}{}", allowed.empty() ? "" : "|", name(value));
+    const auto value = valueIn(table, s.text(column));
+    if (!value) {
+        s.refuse(column, namesIn(table));
     }
-    s.refuse(column, allowed);
+    return *value;
 }
 
 std::int64_t readWhole(const Statement& s, int column, std::int64_t low, std::int64_t high)
@@ -96,9 +95,9 @@ Schedule readSchedule(const Statement& s)
 /// What is known of the motions of a schedule that has some.
 void readSet(const Statement& s, AtlasRow& row)
 {
-    row.kind = readName(s, 6, {SetKind::point, SetKind::simplex, SetKind::box, SetKind::polytope});
+    row.kind = readName(s, 6, std::span(setKindNames).subspan(1));
     row.dimension = readWhole(s, 7, -1, maxSteps);
-    row.contact = readName(s, 8, {Contact::pressing, Contact::grazing});
+    row.contact = readName(s, 8, contactNames);
     row.isCanonical = readWhole(s, 9, 0, 1) != 0;
     row.energy.least = s.real(10);
     row.energy.most = s.isNull(11) ? infinity : s.real(11);
@@ -118,11 +117,9 @@ AtlasEntry readEntry(const Statement& s)
     AtlasRow& row = entry.row;
     row.number = s.whole(0);
     entry.schedule = readSchedule(s);
-    row.status = readName(s, 3, {Status::found, Status::none, Status::undecided});
+    row.status = readName(s, 3, statusNames);
     if (row.status == Status::none) {
-        row.reason = readName(s, 4,
-                              {Reason::noLiveClass, Reason::contactSign, Reason::penetration,
-                               Reason::gap, Reason::constraints});
+        row.reason = readName(s, 4, reasonNames);
     }
     row.kernelDimension = s.isNull(5) ? -1 : readWhole(s, 5, 0, 2 * maxCells);
     if (row.status == Status::found) {

@@ -1,0 +1,12 @@
+#pragma once
+/// \file
+/// From the integers of a verdict to its set.
+
+#include "signorini/reduction.hpp"
+
+namespace signorini {
+
+/// The set in z_j that the other fields of a verdict describe. O(1).
+[[nodiscard]] AmplitudeSet solutionSet(const Verdict& verdict);
+
+}  // namespace signorini
