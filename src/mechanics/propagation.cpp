@@ -35,7 +35,7 @@ void DelayLine::free(std::int64_t count)
 
 void DelayLine::negate(std::int64_t count)
 {
-    const std::int64_t beforeWrap = std::min(count, ring_.size() - head_);
+    const std::int64_t beforeWrap = std::min<std::int64_t>(count, ring_.size() - head_);
     ring_.segment(head_, beforeWrap) *= -1.0;
     ring_.head(count - beforeWrap) *= -1.0;
     contact(count);
