@@ -8,6 +8,8 @@ foreach(library IN ITEMS Eigen3::Eigen Boost::headers fmt::fmt)
     ${SIGNORINI_HEADERS} ${SIGNORINI_HEADERS}/eigen3)
 endforeach()
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+# Steps and cells are 64-bit numbers everywhere; so are indices of Eigen, also where pointers are shorter.
+target_compile_definitions(Eigen3::Eigen INTERFACE EIGEN_DEFAULT_DENSE_INDEX_TYPE=__INT64_TYPE__)
 foreach(library IN ITEMS GLPK IPOPT NLOPT)
   set(SIGNORINI_HAS_${library} 0)
 endforeach()

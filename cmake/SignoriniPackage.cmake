@@ -37,6 +37,8 @@ if(NOT BUILD_SHARED_LIBS)
     string(APPEND pc_requires ", nlopt")
   endif()
 endif()
+# The installed tree may be moved: its prefix is found from where the file lies.
+file(RELATIVE_PATH pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(cmake/signorini.pc.in signorini.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/signorini.pc
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig
@@ -50,6 +52,8 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR})
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS libeigen3-dev)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)

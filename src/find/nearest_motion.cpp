@@ -233,7 +233,7 @@ std::optional<State> nearestMotion(const LumpedSet& set, const LumpedShape& shap
         if (!(nearestResidual(amplitudes, chosen, part) <= residualAllowed)) {
             return std::nullopt;
         }
-        std::copy(chosen.begin(), chosen.end(), z.begin() + type.first);
+        std::copy(chosen.begin(), chosen.end(), z.data() + type.first);
     }
     return motionOf(set.classes, z);
 }

@@ -42,7 +42,7 @@ void DelayLine::free(std::int64_t count)
 
 void DelayLine::echoFlight(std::int64_t count)
 {
-    const std::int64_t beforeWrap = std::min(count, ring_.size() - head_);
+    const std::int64_t beforeWrap = std::min<std::int64_t>(count, ring_.size() - head_);
     ring_.segment(head_, beforeWrap) *= flightFactor;
     ring_.head(count - beforeWrap) *= flightFactor;
     contact(count);

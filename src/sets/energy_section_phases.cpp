@@ -96,7 +96,7 @@ public:
     {
         const std::vector<double> z = amplitudesOf(set_.classes, state);
         const ClassType& type = typeOf(*spread_);
-        std::vector<double> shares(z.begin() + type.first, z.begin() + type.first + type.count);
+        std::vector<double> shares(z.data() + type.first, z.data() + type.first + type.count);
         for (double& value : shares) {
             value /= sums()[*spread_];
         }
@@ -203,7 +203,7 @@ private:
         Place place;
         std::vector<double> sums;
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            const auto first = z.begin() + typeOf(t).first;
+            const auto first = z.data() + typeOf(t).first;
             const auto last = first + typeOf(t).count;
             sums.push_back(std::accumulate(first, last, 0.0));
             place.classes.push_back(std::max_element(first, last) - first);

@@ -65,7 +65,7 @@ std::vector<double> chosenAmplitudes(const LumpedSet& set, const std::vector<dou
     std::vector<double> z(static_cast<std::size_t>(set.classes.classes), 0.0);
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const std::vector<double> chosen = choose(amplitudesAt(set, sums, i));
-        std::copy(chosen.begin(), chosen.end(), z.begin() + set.classes.types[set.live[i]].first);
+        std::copy(chosen.begin(), chosen.end(), z.data() + set.classes.types[set.live[i]].first);
     }
     return z;
 }

@@ -73,7 +73,7 @@ bool findSigns(const Verdict& v, bool stops, std::vector<std::int8_t>& signs)
 std::int64_t windowSumOf(const Verdict& v, const std::vector<std::int8_t>& signs)
 {
     const auto sum = [&signs](std::int64_t end) {
-        return std::accumulate(signs.begin(), signs.begin() + end, std::int64_t{0});
+        return std::accumulate(signs.data(), signs.data() + end, std::int64_t{0});
     };
     const std::int64_t turns = v.window / v.members;
     const std::int64_t rest = sum(v.window % v.members);
