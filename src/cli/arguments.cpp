@@ -196,6 +196,13 @@ std::int64_t CommonOptions::parseThreads() const
     return threads.empty() ? 1 : parseWhole("--threads", threads, 1, maxThreads);
 }
 
+void CommonOptions::useOneThread(std::string_view command) const
+{
+    if (parseThreads() > 1 && !quiet) {
+        tell(fmt::format("signorini {}: one thread is used\n", command));
+    }
+}
+
 std::vector<Phase> parsePhases(const std::vector<std::string>& words)
 {
     if (words.empty() || words.size() % 2 != 0) {

@@ -72,6 +72,8 @@ struct CommonOptions {
     [[nodiscard]] Bar parseBar() const;
     [[nodiscard]] bool wantsJson() const;
     [[nodiscard]] std::int64_t parseThreads() const;
+    /// For a command that works on one thread: says so where more were allowed.
+    void useOneThread(std::string_view command) const;
 };
 
 /// NC NF [NC NF ...]. \throws std::invalid_argument on a wrong value or an odd number of words.

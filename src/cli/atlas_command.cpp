@@ -303,7 +303,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     }
     Pictures pictures;
     stagePictures(pictures);
-    std::optional<Progress> progress(std::in_place, !common.quiet);
+    std::optional<Progress> progress(std::in_place, !common.quiet, "deciding");
     options.progress = [&progress](const AtlasRun& run) {
         progress->show(fmt::format("{} schedules", run.tally.decided),
                        static_cast<double>(firstNumberOf(run.range, run.nextBatch)),

@@ -10,6 +10,7 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
+#include "progress.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
@@ -82,6 +83,12 @@ ContinuumOptions parseOptions(const ContinuumCommand& words)
     return options;
 }
 
+/// No motions have no dimension.
+bool hasDimension(const Continuum& curve)
+{
+    return curve.dimension >= 0 && curve.components != 0;
+}
+
 std::string asText(const Continuum& curve)
 {
     std::string text = fmt::format("{:<12}{}, E = {:.10g} E₁, {} motions by the {} engine\n",
@@ -92,8 +99,10 @@ std::string asText(const Continuum& curve)
                             curve.energyRange->most);
     }
     if (curve.components) {
-        text += fmt::format("set         {} component{} of dimension {} at this energy\n",
-                            *curve.components, *curve.components == 1 ? "" : "s", curve.dimension);
+        text += fmt::format(
+            "set         {} component{}{} at this energy\n", *curve.components,
+            *curve.components == 1 ? "" : "s",
+            hasDimension(curve) ? fmt::format(" of dimension {}", curve.dimension) : "");
     }
     text += fmt::format("connected   {}\n", !curve.connected   ? "not known"
                                             : *curve.connected ? "yes"
@@ -126,25 +135,29 @@ std::string asText(const Continuum& curve)
 
 std::string asJson(const Continuum& curve)
 {
-    Json json{{"status", name(curve.status)},
-              {"energy_ratio", curve.energyRatio},
-              {"connected", nullptr},
-              {"components", nullptr},
-              {"dimension", nullptr},
-              {"energy_ratio_range", nullptr},
-              {"resolution", nullptr},
-              {"engine", name(curve.engine)},
-              {"family", curve.family},
-              {"parameter", name(curve.parameter)},
-              {"reason", nullptr},
-              {"points", Json::array()}};
+    Json json = newAnswer();
+    json.update(Json{{"status", name(curve.status)},
+                     {"cells", curve.schedule.cells},
+                     {"schedule", phasesAsJson(curve.schedule.phases)},
+                     {"bar", barAsJson(curve.bar)},
+                     {"energy_ratio", curve.energyRatio},
+                     {"connected", nullptr},
+                     {"components", nullptr},
+                     {"dimension", nullptr},
+                     {"energy_ratio_range", nullptr},
+                     {"resolution", nullptr},
+                     {"engine", name(curve.engine)},
+                     {"family", curve.family},
+                     {"parameter", name(curve.parameter)},
+                     {"reason", nullptr},
+                     {"points", Json::array()}});
     if (curve.connected) {
         json["connected"] = *curve.connected;
     }
     if (curve.components) {
         json["components"] = *curve.components;
     }
-    if (curve.dimension >= 0) {
+    if (hasDimension(curve)) {
         json["dimension"] = curve.dimension;
     }
     if (curve.energyRange) {
@@ -165,7 +178,7 @@ std::string asJson(const Continuum& curve)
     if (!curve.detail.empty()) {
         json["detail"] = curve.detail;
     }
-    return json.dump() + "\n";
+    return asLine(json);
 }
 
 }  // namespace
@@ -208,7 +221,7 @@ ExitStatus ContinuumCommand::run() const
 {
     const Schedule schedule{common.parseCells(), parsePhases(steps)};
     const bool json = common.wantsJson();
-    (void)common.parseThreads();
+    common.useOneThread("continuum");
     if (energyRatio.empty()) {
         throw std::invalid_argument("--energy-ratio is missing: allowed finite numbers > 0 [E_1]");
     }
@@ -227,7 +240,10 @@ ExitStatus ContinuumCommand::run() const
 
     std::optional<Interrupt> interrupt(std::in_place);
     options.cancel = interrupt->cancel();
+    std::optional<Progress> progress(std::in_place, !common.quiet, "tracing");
+    options.progress = [&progress](double done, double total) { progress->show(done, total); };
     const Continuum curve = traceContinuum(schedule, energy, options);
+    progress.reset();
     interrupt.reset();
     if (!curve.points.empty()) {
         if (!csv.empty()) {

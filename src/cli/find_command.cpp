@@ -6,6 +6,8 @@
 
 #include "faults.hpp"
 #include "files.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
 #include "report.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
@@ -80,6 +82,19 @@ FindOptions parseOptions(const FindCommand& words)
     return options;
 }
 
+/// findPeriodic, with signals listened to and a line on a terminal.
+PeriodicResult search(const Schedule& schedule, FindOptions options, bool isQuiet)
+{
+    const Interrupt interrupt;
+    const Progress progress(!isQuiet, "finding a motion");
+    options.cancel = interrupt.cancel();
+    PeriodicResult result = findPeriodic(schedule, options);
+    if (result.status == Status::undecided && isRequested(options.cancel) && !isQuiet) {
+        tell("signorini find: interrupted\n");
+    }
+    return result;
+}
+
 bool isVtk(const std::string& path)
 {
     return path.ends_with(".vtk");
@@ -137,7 +152,7 @@ ExitStatus FindCommand::run() const
 {
     const Schedule schedule{common.parseCells(), parsePhases(steps)};
     const bool json = common.wantsJson();
-    (void)common.parseThreads();
+    common.useOneThread("find");
     const FindOptions options = parseOptions(*this);
     validate(schedule);
     validateFiles(*this);
@@ -147,7 +162,7 @@ ExitStatus FindCommand::run() const
     const std::string motion = stage(files, {"--motion", motionFile});
     const std::string figure = stage(files, {"--figure", figureFile});
 
-    const PeriodicResult result = findPeriodic(schedule, options);
+    const PeriodicResult result = search(schedule, options, common.quiet);
     const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();
     if (result.status == Status::found) {
         if (!state.empty()) {

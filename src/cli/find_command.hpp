@@ -28,7 +28,8 @@ struct FindCommand {
 
     void addTo(CLI::App& command);
 
-    /// Does the work; the report goes to stdout. Exceptions are for `main` to translate.
+    /// Does the work; the report goes to stdout. SIGINT and SIGTERM end a search that can be
+    /// stopped. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
 };
 

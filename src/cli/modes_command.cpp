@@ -12,6 +12,7 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
+#include "progress.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 
@@ -151,7 +152,7 @@ void ModesCommand::addTo(CLI::App& command)
 ExitStatus ModesCommand::run() const
 {
     (void)common.parseCells();
-    (void)common.parseThreads();
+    common.useOneThread("modes");
     const bool json = common.wantsJson();
     Listing listing{parseBounds(*this), common.parseBar(), {}};
     FrequencyEnergyOptions drawing;
@@ -167,7 +168,11 @@ ExitStatus ModesCommand::run() const
 
     {
         const Interrupt interrupt;
+        Progress progress(!common.quiet, "listing modes");
         listing.bounds.cancel = interrupt.cancel();
+        listing.bounds.progress = [&progress](double done, double total) {
+            progress.show(done, total);
+        };
         listing.modes = findModes(listing.bounds);
         listing.isComplete = !isRequested(interrupt.cancel());
     }

@@ -204,28 +204,30 @@ std::string asText(const PeriodicResult& result)
 std::string asJson(const PeriodicResult& result)
 {
     const bool found = result.status == Status::found;
-    Json json{{"status", name(result.status)},
-              {"cells", result.schedule.cells},
-              {"schedule", phasesAsJson(result.schedule.phases)},
-              {"period", result.period},
-              {"frequency_ratio", result.frequencyRatio},
-              {"kernel_dimension", nullptr},
-              {"solution_set", nullptr},
-              {"contact", nullptr},
-              {"canonical_schedule", nullptr},
-              {"energy", nullptr},
-              {"energy_ratio", nullptr},
-              {"energy_ratio_range", nullptr},
-              {"residuals", nullptr},
-              {"reason", nullptr},
-              {"certificate", nullptr},
-              {"route", result.route},
-              {"route_reason", result.routeReason},
-              {"left_out", result.leftOut},
-              {"solver",
-               {{"name", result.solver.name},
-                {"iterations", result.solver.iterations},
-                {"seconds", result.solver.seconds}}}};
+    Json json = newAnswer();
+    json["bar"] = barAsJson(result.bar);
+    json.update(Json{{"status", name(result.status)},
+                     {"cells", result.schedule.cells},
+                     {"schedule", phasesAsJson(result.schedule.phases)},
+                     {"period", result.period},
+                     {"frequency_ratio", result.frequencyRatio},
+                     {"kernel_dimension", nullptr},
+                     {"solution_set", nullptr},
+                     {"contact", nullptr},
+                     {"canonical_schedule", nullptr},
+                     {"energy", nullptr},
+                     {"energy_ratio", nullptr},
+                     {"energy_ratio_range", nullptr},
+                     {"residuals", nullptr},
+                     {"reason", nullptr},
+                     {"certificate", nullptr},
+                     {"route", result.route},
+                     {"route_reason", result.routeReason},
+                     {"left_out", result.leftOut},
+                     {"solver",
+                      {{"name", result.solver.name},
+                       {"iterations", result.solver.iterations},
+                       {"seconds", result.solver.seconds}}}});
     if (result.kernelDimension) {
         json["kernel_dimension"] = *result.kernelDimension;
     }

@@ -649,12 +649,12 @@ private:
         return isNear;
     }
 
-    [[nodiscard]] SolverOptions solverOptions() const
+    [[nodiscard]] SolverOptions solverOptions(const Solver& solver) const
     {
         return {.tolerance = options_.tolerance,
                 .iterationLimit = options_.iterationLimit,
                 .timeLimit = options_.timeLimit,
-                .cancel = options_.cancel};
+                .cancel = solver.capabilities().cancel ? options_.cancel : Cancel()};
     }
 
     [[nodiscard]] SolverResult solve(Formulated& formulated, const Demands& posed) const
@@ -663,7 +663,7 @@ private:
         if (posed.objective == Objective::maxEnergy) {
             return climb(formulated, *solver);
         }
-        SolverOptions settings = solverOptions();
+        SolverOptions settings = solverOptions(*solver);
         if (posed.energyRatio && solver->capabilities().start) {
             settings.start = startWithEnergy(formulated);
         }
@@ -703,7 +703,7 @@ private:
             }
             double reached = -1.0;
             while (true) {
-                SolverResult next = solver.solve(formulated.program, solverOptions());
+                SolverResult next = solver.solve(formulated.program, solverOptions(solver));
                 if (next.status != SolverStatus::optimal) {
                     return best.status == SolverStatus::optimal ? best : next;
                 }

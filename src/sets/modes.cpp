@@ -174,6 +174,10 @@ std::vector<Mode> findModes(const ModeBounds& bounds)
         if (isRequested(bounds.cancel)) {
             break;
         }
+        if (bounds.progress) {
+            // The work for |b| grows like |b|.
+            bounds.progress(std::pow(order, 2), std::pow(bounds.maxOrder, 2));
+        }
         for (std::int64_t a = 1; a <= order; ++a) {
             if (std::gcd(2 * a, order) != 1) {
                 continue;
