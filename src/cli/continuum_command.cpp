@@ -21,64 +21,31 @@ namespace {
 
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
 
-Engine parseEngine(const std::string& text)
+/// The options with what needs several of them.
+ContinuumOptions completed(const ContinuumCommand& call)
 {
-    for (const Engine engine :
-         {Engine::automatic, Engine::geometric, Engine::ipopt, Engine::nlopt}) {
-        if (text == name(engine)) {
-            return engine;
-        }
-    }
-    Faults faults;
-    faults.add("--engine", text, "auto|geometric|ipopt|nlopt");
-    faults.throwIfAny();
-    return Engine::automatic;
-}
-
-ContinuumOptions parseOptions(const ContinuumCommand& words)
-{
-    ContinuumOptions options;
-    options.bar = words.common.parseBar();
-    if (!words.points.empty()) {
-        options.points = parseWhole("--points", words.points, 2, maxContinuumPoints);
-    }
-    if (!words.seed.empty()) {
-        options.seed = static_cast<std::uint64_t>(parseWhole("--seed", words.seed, 0, maxSeed));
-    }
-    if (!words.engine.empty()) {
-        options.engine = parseEngine(words.engine);
-    }
-    if (!words.strainLimit.empty()) {
-        options.strainLimit = parsePositive("--strain-limit", words.strainLimit, "-");
-    }
-    if (!words.tolerance.empty()) {
-        options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
-    }
-    if (!words.resolution.empty()) {
-        options.resolution = parsePositive("--resolution", words.resolution, "-");
-    }
-    options.sample = words.sample;
-    const int ends = (words.toFile.empty() ? 0 : 1) + (words.directionFile.empty() ? 0 : 1);
-    if ((words.fromFile.empty() ? 0 : 1) != ends) {
+    ContinuumOptions options = call.options;
+    options.bar = call.common.bar();
+    const int ends = (call.toFile.empty() ? 0 : 1) + (call.directionFile.empty() ? 0 : 1);
+    if ((call.fromFile.empty() ? 0 : 1) != ends) {
         throw std::invalid_argument(
             "--from: allowed only together with one of --to and --direction");
     }
-    if (!words.fromFile.empty()) {
-        if (options.seed || words.sample) {
-            throw std::invalid_argument(
-                "--seed and --sample clash with --from: allowed one of them");
-        }
-        const auto read = [&](const char* option, const std::string& path) {
-            return forFile(option, path, [&] {
-                return readStateCsv(path, options.bar, words.common.parseCells());
-            });
-        };
-        options.from = read("--from", words.fromFile);
-        if (!words.toFile.empty()) {
-            options.to = read("--to", words.toFile);
-        } else {
-            options.direction = read("--direction", words.directionFile);
-        }
+    if (call.fromFile.empty()) {
+        return options;
+    }
+    if (options.seed || options.sample) {
+        throw std::invalid_argument("--seed and --sample clash with --from: allowed one of them");
+    }
+    const auto read = [&](const char* option, const std::string& path) {
+        return forFile(option, path,
+                       [&] { return readStateCsv(path, options.bar, call.common.usualCells()); });
+    };
+    options.from = read("--from", call.fromFile);
+    if (!call.toFile.empty()) {
+        options.to = read("--to", call.toFile);
+    } else {
+        options.direction = read("--direction", call.directionFile);
     }
     return options;
 }
@@ -187,29 +154,29 @@ void ContinuumCommand::addTo(CLI::App& command)
 {
     command.add_option("steps", steps, "contact and free steps of each phase")
         ->type_name("NC NF ...");
-    command.add_option("--energy-ratio", energyRatio, "E/E_1 of every motion; required")
-        ->type_name("X");
-    command.add_option("--points", points, "motions along the curve (201)")->type_name("M");
+    addPositive(command, "--energy-ratio", "E_1", energyRatio, "X",
+                "E/E_1 of every motion; required");
+    addWhole(command, "--points", 2, maxContinuumPoints, options.points, "M",
+             "motions along the curve (201)");
     command.add_option("--from", fromFile, "state to start from, as find --state writes it")
         ->type_name("FILE.csv");
     command.add_option("--to", toFile, "state to end at")->type_name("FILE.csv");
     command
         .add_option("--direction", directionFile, "or the way to go from there, as a state file")
         ->type_name("FILE.csv");
-    command.add_flag("--sample", sample, "motions spread over the whole set instead of a curve");
-    command
-        .add_option("--seed", seed, "join two members drawn at random; with --sample, which ones")
-        ->type_name("K");
-    command.add_option("--engine", engine, "who traces (auto)")
-        ->type_name("auto|geometric|ipopt|nlopt");
-    command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")
-        ->type_name("S");
-    command
-        .add_option("--resolution", resolution,
-                    "how far neighbours on a curve by programs may be apart, in √(E/E₁) (0.05)")
-        ->type_name("X");
-    command.add_option("--tolerance", tolerance, "largest relative residual (1e-7)")
-        ->type_name("X");
+    command.add_flag("--sample", options.sample,
+                     "motions spread over the whole set instead of a curve");
+    addWhole(command, "--seed", 0, maxSeed, options.seed, "K",
+             "join two members drawn at random; with --sample, which ones");
+    addName(command, "--engine",
+            {Engine::automatic, Engine::geometric, Engine::ipopt, Engine::nlopt}, options.engine,
+            "who traces (auto)");
+    addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
+                "strain >= -S everywhere, always");
+    addPositive(command, "--resolution", "-", options.resolution, "X",
+                "how far neighbours on a curve by programs may be apart, in √(E/E₁) (0.05)");
+    addPositive(command, "--tolerance", "-", options.tolerance, "X",
+                "largest relative residual (1e-7)");
     command.add_option("--csv", csvFile, "write lambda, a_1..a_N, b_1..b_N, a row per motion")
         ->type_name("FILE.csv");
     command.add_option("--figure", figureFile, "draw the curve (needs gnuplot)")
@@ -219,14 +186,12 @@ void ContinuumCommand::addTo(CLI::App& command)
 
 ExitStatus ContinuumCommand::run() const
 {
-    const Schedule schedule{common.parseCells(), parsePhases(steps)};
-    const bool json = common.wantsJson();
+    const Schedule schedule{common.usualCells(), parsePhases(steps)};
     common.useOneThread("continuum");
-    if (energyRatio.empty()) {
+    if (!energyRatio) {
         throw std::invalid_argument("--energy-ratio is missing: allowed finite numbers > 0 [E_1]");
     }
-    const double energy = parsePositive("--energy-ratio", energyRatio, "E_1");
-    ContinuumOptions options = parseOptions(*this);
+    ContinuumOptions request = completed(*this);
     validate(schedule);
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
@@ -239,10 +204,10 @@ ExitStatus ContinuumCommand::run() const
     const std::string figure = stage(files, figureOption);
 
     std::optional<Interrupt> interrupt(std::in_place);
-    options.cancel = interrupt->cancel();
+    request.cancel = interrupt->cancel();
     std::optional<Progress> progress(std::in_place, !common.quiet, "tracing");
-    options.progress = [&progress](double done, double total) { progress->show(done, total); };
-    const Continuum curve = traceContinuum(schedule, energy, options);
+    request.progress = [&progress](double done, double total) { progress->show(done, total); };
+    const Continuum curve = traceContinuum(schedule, *energyRatio, request);
     progress.reset();
     interrupt.reset();
     if (!curve.points.empty()) {
@@ -257,7 +222,7 @@ ExitStatus ContinuumCommand::run() const
     } else if ((!csv.empty() || !figure.empty()) && !common.quiet) {
         tell("signorini continuum: no motion to write, so no file was written\n");
     }
-    writeOut(json ? asJson(curve) : asText(curve));
+    writeOut(common.wantsJson ? asJson(curve) : asText(curve));
     return exitStatusOf(curve.status);
 }
 

@@ -9,19 +9,12 @@
 
 namespace signorini::cli {
 
-/// The words of one call.
+/// One call.
 struct FindCommand {
     CommonOptions common;
     std::vector<std::string> steps;
-    std::string solver;
-    std::string formulation;
-    std::string objective;
+    FindOptions options;
     std::string targetFile;
-    std::string energyRatio;
-    std::string strainLimit;
-    std::string tipFloor;
-    std::string tolerance;
-    std::string timeLimit;
     std::string stateFile;
     std::string motionFile;
     std::string figureFile;
