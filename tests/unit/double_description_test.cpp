@@ -4,9 +4,11 @@
 
 #include <gmp.h>
 
-#include <array>
-#include <limits>
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -159,7 +161,7 @@ std::vector<ExactRow> randomRows(std::mt19937& generator, std::size_t unknowns)
     return rows;
 }
 
-/// The rows of a program, one at a time: each is broken by a point far on its wrong side.
+/// The rows of a program, read by other code than ProgramRows.
 std::vector<ExactRow> rowsOf(const Program& program)
 {
     std::vector<ExactRow> rows;
