@@ -26,7 +26,7 @@ install(FILES
 set(pc_requires eigen3)
 set(pc_libs)
 if(NOT BUILD_SHARED_LIBS)
-  set(pc_libs "-lfmt -lsqlite3")
+  set(pc_libs "-lfmt -lSQLiteCpp -lsqlite3")
   if(SIGNORINI_HAS_GLPK)
     string(APPEND pc_libs " -lglpk")
   endif()

@@ -19,6 +19,7 @@
 /// Each point is verified before it is kept. A curve takes 16 N bytes per point.
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -82,6 +83,7 @@ struct ContinuumOptions {
     double resolution = 0.05;
     double tolerance = 1e-7;  ///< largest residual of a point
     Cancel cancel = {};       ///< keeps the points found so far
+    std::function<void(double done, double total)> progress = {};  ///< called after each point
 };
 
 /// One motion of the curve.

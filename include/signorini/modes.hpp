@@ -21,6 +21,7 @@
 /// All numbers are integers, nothing is fitted.
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,6 +67,7 @@ struct ModeBounds {
     double maxPeriod = 8.0;        ///< [L/c], > 0; from 4 on it selects nothing
     double maxEnergyRatio = 50.0;  ///< [E_1], > 0
     Cancel cancel = {};            ///< ends the search: what was found so far is returned
+    std::function<void(double done, double total)> progress = {};  ///< called for each |b|
 };
 
 /// All modes within the bounds, by ascending |b|, then a. Integer work O(log a) for each pair with

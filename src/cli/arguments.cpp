@@ -35,14 +35,6 @@ extern "C" void removeStagedAndQuit(int number)
     _exit(128 + number);
 }
 
-[[noreturn]] void refuse(std::string_view name, std::string_view text, std::string_view allowed)
-{
-    Faults faults;
-    faults.add(name, text.empty() ? "''" : text, allowed);
-    faults.throwIfAny();
-    throw std::logic_error("a fault was added");
-}
-
 template <typename Number>
 bool readAll(std::string_view text, Number& value)
 {
@@ -52,6 +44,14 @@ bool readAll(std::string_view text, Number& value)
 }
 
 }  // namespace
+
+void refuse(std::string_view name, std::string_view text, std::string_view allowed)
+{
+    Faults faults;
+    faults.add(name, text.empty() ? "''" : text, allowed);
+    faults.throwIfAny();
+    throw std::logic_error("a fault was added");
+}
 
 ExitStatus exitStatusOf(Status status)
 {
@@ -122,20 +122,32 @@ double parseReal(std::string_view name, std::string_view text, std::string_view 
     return value;
 }
 
+void addWord(CLI::App& command, const char* name, const char* type, const char* help,
+             const std::function<void(const std::string&)>& take)
+{
+    command.add_option_function<std::string>(name, take, help)->type_name(type);
+}
+
 void CommonOptions::addTo(CLI::App& command)
 {
-    command.add_option("--cells", cells, "N, equal cells of the bar (300)")->type_name("N");
-    command.add_option("--length", length, "L (1)")->type_name("M");
-    command.add_option("--wave-speed", waveSpeed, "c (1)")->type_name("M/S");
-    command.add_option("--axial-stiffness", axialStiffness, "EA (1)")->type_name("N");
-    command.add_option("--gap", gap, "g, from the tip at rest to the wall (1e-3)")->type_name("M");
-    command.add_option("--young", young, "E, with --density and --area in place of c and EA")
-        ->type_name("PA");
-    command.add_option("--density", density, "rho")->type_name("KG/M3");
-    command.add_option("--area", area, "cross-section")->type_name("M2");
-    command.add_option("--format", format, "text or json (text)")->type_name("text|json");
+    addWhole(command, "--cells", 1, maxCells, cells, "N", "N, equal cells of the bar (300)");
+    addPositive(command, "--length", "m", bar_.length, "M", "L (1)");
+    addPositive(command, "--wave-speed", "m/s", waveSpeed_, "M/S", "c (1)");
+    addPositive(command, "--axial-stiffness", "N", axialStiffness_, "N", "EA (1)");
+    addPositive(command, "--gap", "m", bar_.gap, "M", "g, from the tip at rest to the wall (1e-3)");
+    addPositive(command, "--young", "Pa", young_, "PA",
+                "E, with --density and --area in place of c and EA");
+    addPositive(command, "--density", "kg/m^3", density_, "KG/M3", "rho");
+    addPositive(command, "--area", "m^2", area_, "M2", "cross-section");
+    addWord(command, "--format", "text|json", "text or json (text)",
+            [this](const std::string& text) {
+                wantsJson = text == "json";
+                if (!wantsJson && text != "text") {
+                    refuse("--format", text, "text|json");
+                }
+            });
     command.add_flag("--quiet", quiet, "no words for people on stderr but errors");
-    command.add_option("--threads", threads, "most threads to use (1)")->type_name("K");
+    addWhole(command, "--threads", 1, maxThreads, threads, "K", "most threads to use (1)");
     for (CLI::Option* option : command.get_options()) {
         if (option->get_name().starts_with("--") && option->get_items_expected_max() > 0) {
             option->check([&command](const std::string& value) {
@@ -148,52 +160,30 @@ void CommonOptions::addTo(CLI::App& command)
     }
 }
 
-std::int64_t CommonOptions::parseCells() const
+Bar CommonOptions::bar() const
 {
-    return cells.empty() ? 300 : parseWhole("--cells", cells, 1, maxCells);
-}
-
-Bar CommonOptions::parseBar() const
-{
-    Bar bar;
-    const auto number = [](const char* name, const std::string& text, const char* unit,
-                           double preset) {
-        return text.empty() ? preset : parsePositive(name, text, unit);
-    };
-    bar.length = number("--length", length, "m", bar.length);
-    bar.waveSpeed = number("--wave-speed", waveSpeed, "m/s", bar.waveSpeed);
-    bar.axialStiffness = number("--axial-stiffness", axialStiffness, "N", bar.axialStiffness);
-    bar.gap = number("--gap", gap, "m", bar.gap);
-    if (young.empty() && density.empty() && area.empty()) {
+    if (!young_ && !density_ && !area_) {
+        Bar bar = bar_;
+        bar.waveSpeed = waveSpeed_.value_or(bar.waveSpeed);
+        bar.axialStiffness = axialStiffness_.value_or(bar.axialStiffness);
         validate(bar);
         return bar;
     }
-    if (!waveSpeed.empty() || !axialStiffness.empty()) {
+    if (waveSpeed_ || axialStiffness_) {
         throw std::invalid_argument(
             "--young/--density/--area clash with --wave-speed/--axial-stiffness: allowed one set");
     }
-    if (young.empty() || density.empty() || area.empty()) {
+    if (!young_ || !density_ || !area_) {
         throw std::invalid_argument("--young, --density, --area: allowed only all three together");
     }
-    return barOfMaterial(bar.length, parsePositive("--young", young, "Pa"),
-                         parsePositive("--density", density, "kg/m^3"),
-                         parsePositive("--area", area, "m^2"), bar.gap);
+    return barOfMaterial(bar_.length, *young_, *density_, *area_, bar_.gap);
 }
 
-bool CommonOptions::wantsJson() const
+void CommonOptions::useOneThread(std::string_view command) const
 {
-    if (format.empty() || format == "text") {
-        return false;
+    if (threads > 1 && !quiet) {
+        tell(fmt::format("signorini {}: one thread is used\n", command));
     }
-    if (format != "json") {
-        refuse("--format", format, "text|json");
-    }
-    return true;
-}
-
-std::int64_t CommonOptions::parseThreads() const
-{
-    return threads.empty() ? 1 : parseWhole("--threads", threads, 1, maxThreads);
 }
 
 std::vector<Phase> parsePhases(const std::vector<std::string>& words)

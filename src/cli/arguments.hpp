@@ -2,7 +2,12 @@
 /// \file
 /// Words of the command line turned into numbers, with one line of text when they are wrong.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +46,14 @@ void tell(std::string_view text) noexcept;
 /// staged later under `path` are removed by the handlers of SIGINT, SIGTERM and SIGHUP.
 void removeOnSignal(const std::string& path);
 
+/// Says that a value cannot be. \throws std::invalid_argument naming argument, value and range.
+[[noreturn]] void refuse(std::string_view name, std::string_view text, std::string_view allowed);
+
+/// Adds an option whose word goes to `take`. Not CLI11's validators: they put words of their own
+/// around a message, and ours shall name argument, value and range in the same way everywhere.
+void addWord(CLI::App& command, const char* name, const char* type, const char* help,
+             const std::function<void(const std::string&)>& take);
+
 /// A whole number in [low, high]. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,
                                       std::int64_t low, std::int64_t high);
@@ -52,42 +65,61 @@ void removeOnSignal(const std::string& path);
 /// A finite number. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] double parseReal(std::string_view name, std::string_view text, std::string_view unit);
 
-/// The enumerator that a table has under that name. \throws std::invalid_argument naming argument,
-/// word and the names allowed.
-template <typename Table>
-[[nodiscard]] auto parseName(std::string_view name, std::string_view text, const Table& table)
+/// Options with a value of one kind: name, range or unit, where it goes, and words for the help.
+/// `Value` is the number or an optional of it.
+template <typename Value>
+void addWhole(CLI::App& command, const char* name, std::int64_t low, std::int64_t high,
+              Value& value, const char* type, const char* help)
 {
-    const auto value = valueIn(table, text);
-    if (!value) {
-        Faults faults;
-        faults.add(name, text, namesIn(table));
-        faults.throwIfAny();
-    }
-    return *value;
+    addWord(command, name, type, help,
+            [=, &value](const std::string& text) { value = parseWhole(name, text, low, high); });
 }
 
-/// The options every command shares, as words; empty means not given.
+template <typename Value>
+void addPositive(CLI::App& command, const char* name, const char* unit, Value& value,
+                 const char* type, const char* help)
+{
+    addWord(command, name, type, help,
+            [=, &value](const std::string& text) { value = parsePositive(name, text, unit); });
+}
+
+/// One of the values of an enumeration, by the name that a table (names.hpp) has for it.
+template <typename Table, typename Value>
+void addName(CLI::App& command, const char* option, const Table& table, Value& value,
+             const char* help)
+{
+    addWord(command, option, namesIn(table).c_str(), help, [=, &value](const std::string& text) {
+        const auto named = valueIn(table, text);
+        if (!named) {
+            refuse(option, text, namesIn(table));
+        }
+        value = *named;
+    });
+}
+
+/// The options every command shares.
 struct CommonOptions {
-    std::string cells;
-    std::string length;
-    std::string waveSpeed;
-    std::string axialStiffness;
-    std::string gap;
-    std::string young;
-    std::string density;
-    std::string area;
-    std::string format;
-    std::string threads;
+    std::optional<std::int64_t> cells;
+    bool wantsJson = false;
     bool quiet = false;
+    std::int64_t threads = 1;
 
     /// Adds them to a command.
     void addTo(CLI::App& command);
 
-    /// \throws std::invalid_argument on a wrong value or a clash.
-    [[nodiscard]] std::int64_t parseCells() const;
-    [[nodiscard]] Bar parseBar() const;
-    [[nodiscard]] bool wantsJson() const;
-    [[nodiscard]] std::int64_t parseThreads() const;
+    [[nodiscard]] std::int64_t usualCells() const { return cells.value_or(300); }
+    /// \throws std::invalid_argument on a clash, or numbers that do not go together.
+    [[nodiscard]] Bar bar() const;
+    /// For a command that works on one thread: says so where more were allowed.
+    void useOneThread(std::string_view command) const;
+
+private:
+    Bar bar_;  ///< length and gap
+    std::optional<double> waveSpeed_;
+    std::optional<double> axialStiffness_;
+    std::optional<double> young_;
+    std::optional<double> density_;
+    std::optional<double> area_;
 };
 
 /// NC NF [NC NF ...]. \throws std::invalid_argument on a wrong value or an odd number of words.

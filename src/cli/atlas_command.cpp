@@ -68,21 +68,21 @@ void AtlasCommand::addTo(CLI::App& command)
 {
     command.add_option("--database", database, "the atlas, made if it does not exist; required")
         ->type_name("FILE.sqlite");
-    command.add_option("--max-contact", maxContact, "contact steps 1..NC (2N)")->type_name("NC");
-    command.add_option("--max-free", maxFree, "free steps 1..NF (4N)")->type_name("NF");
-    command.add_option("--phases", phases, "schedules of 1..K contact phases (1)")->type_name("K");
-    command
-        .add_option("--max-energy-ratio", maxEnergyRatio,
-                    "keep schedules with motions of E <= X E_1 (all)")
-        ->type_name("X");
+    constexpr std::int64_t maxEach = maxSteps / (2 * maxAtlasPhases);
+    addWhole(command, "--max-contact", 1, maxEach, maxContact, "NC", "contact steps 1..NC (2N)");
+    addWhole(command, "--max-free", 1, maxEach, maxFree, "NF", "free steps 1..NF (4N)");
+    addWhole(command, "--phases", 1, maxAtlasPhases, phases, "K",
+             "schedules of 1..K contact phases (1)");
+    addPositive(command, "--max-energy-ratio", "E_1", maxEnergyRatio, "X",
+                "keep schedules with motions of E <= X E_1 (all)");
     command.add_flag("--all", all, "keep the refuted schedules, too");
     command.add_flag("--resume", resume, "go on with an interrupted run");
     command.add_option("--near", near, "ask: all schedules with motions near omega/omega_1, E/E_1")
         ->type_name("W E")
         ->expected(1, 2);
-    command.add_option("--within", within, "how near, relative (0.01)")->type_name("X");
-    command.add_option("--period", period, "ask: all schedules of this period, as 7/2 or 3.5")
-        ->type_name("T");
+    addPositive(command, "--within", "-", within, "X", "how near, relative (0.01)");
+    addWord(command, "--period", "T", "ask: all schedules of this period, as 7/2 or 3.5",
+            [this](const std::string& text) { period = parsePeriod(text); });
     command.add_flag("--twins", twins, "ask: different motions of equal period and energy");
     command.add_option("--figure", figureFile, "draw the frequency-energy plot (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
@@ -93,22 +93,16 @@ void AtlasCommand::addTo(CLI::App& command)
 
 bool AtlasCommand::isQuery() const
 {
-    return !near.empty() || !period.empty() || twins;
+    return !near.empty() || period || twins;
 }
 
-AtlasRange AtlasCommand::parseRange() const
+AtlasRange AtlasCommand::range() const
 {
-    AtlasRange range = usualRange(common.parseCells());
-    const auto whole = [](const char* name, const std::string& text, std::int64_t& value,
-                          std::int64_t most) {
-        value = text.empty() ? value : parseWhole(name, text, 1, most);
-    };
-    whole("--max-contact", maxContact, range.maxContact, maxSteps / (2 * maxAtlasPhases));
-    whole("--max-free", maxFree, range.maxFree, maxSteps / (2 * maxAtlasPhases));
-    whole("--phases", phases, range.maxPhases, maxAtlasPhases);
-    if (!maxEnergyRatio.empty()) {
-        range.maxEnergyRatio = parsePositive("--max-energy-ratio", maxEnergyRatio, "E_1");
-    }
+    AtlasRange range = usualRange(common.usualCells());
+    range.maxContact = maxContact.value_or(range.maxContact);
+    range.maxFree = maxFree.value_or(range.maxFree);
+    range.maxPhases = phases.value_or(range.maxPhases);
+    range.maxEnergyRatio = maxEnergyRatio.value_or(range.maxEnergyRatio);
     range.keepsRefuted = all;
     validate(range);
     return range;
@@ -116,8 +110,12 @@ AtlasRange AtlasCommand::parseRange() const
 
 bool AtlasCommand::namesRange() const
 {
-    return !common.cells.empty() || !maxContact.empty() || !maxFree.empty() || !phases.empty() ||
-           !maxEnergyRatio.empty() || all || resume;
+    return common.cells || makesRange();
+}
+
+bool AtlasCommand::makesRange() const
+{
+    return maxContact || maxFree || phases || maxEnergyRatio || all || resume;
 }
 
 ExitStatus AtlasCommand::run() const
@@ -135,9 +133,7 @@ ExitStatus AtlasCommand::run() const
             throw std::invalid_argument(
                 "--database is missing: allowed the name of an SQLite file");
         }
-        (void)common.parseBar();
-        (void)common.wantsJson();
-        (void)common.parseThreads();
+        (void)common.bar();
         for (const std::string& figure : {figureFile, mapFile}) {
             if (!figure.empty()) {
                 (void)figureFormat(figure);
@@ -148,10 +144,10 @@ ExitStatus AtlasCommand::run() const
         const bool draws = (!figureFile.empty() || !mapFile.empty()) && !namesRange() &&
                            std::filesystem::exists(database);
         if (isQuery() || draws) {
-            const Query query = parseQuery();
-            return !ranks || ranks->rank() == 0 ? answer(query) : exitFound;
+            const Query question = query();
+            return !ranks || ranks->rank() == 0 ? answer(question) : exitFound;
         }
-        return build(parseRange(), ranks.get(), interrupt);
+        return build(range(), ranks.get(), interrupt);
     } catch (const std::invalid_argument&) {
         if (ranks && ranks->rank() != 0) {
             return exitWrongUse;
@@ -160,35 +156,29 @@ ExitStatus AtlasCommand::run() const
     }
 }
 
-AtlasCommand::Query AtlasCommand::parseQuery() const
+AtlasCommand::Query AtlasCommand::query() const
 {
-    const int queries = (near.empty() ? 0 : 1) + (period.empty() ? 0 : 1) + (twins ? 1 : 0);
+    const int queries = (near.empty() ? 0 : 1) + (period ? 1 : 0) + (twins ? 1 : 0);
     if (queries > 1) {
         throw std::invalid_argument("--near, --period, --twins: allowed one of them");
     }
-    if (!maxContact.empty() || !maxFree.empty() || !phases.empty() || !maxEnergyRatio.empty() ||
-        all || resume) {
+    if (makesRange()) {
         throw std::invalid_argument(
             "--near, --period and --twins ask a database and clash with --max-contact, --max-free, "
             "--phases, --max-energy-ratio, --all and --resume, which make one");
     }
-    if (!within.empty() && near.empty()) {
+    if (within && near.empty()) {
         throw std::invalid_argument("--within: allowed only together with --near");
     }
     Query query;
-    query.bar = common.parseBar();
-    if (!common.cells.empty()) {
-        query.cells = common.parseCells();
-    }
-    if (!period.empty()) {
-        query.period = parsePeriod(period);
-    } else if (!near.empty()) {
+    query.bar = common.bar();
+    query.cells = common.cells;
+    query.period = period;
+    if (!near.empty()) {
         if (near.size() != 2) {
-            Faults faults;
-            faults.add("--near", near[0], "two numbers, omega/omega_1 > 0 and E/E_1 > 0");
-            faults.throwIfAny();
+            refuse("--near", near[0], "two numbers, omega/omega_1 > 0 and E/E_1 > 0");
         }
-        query.distance = within.empty() ? usualDistance : parsePositive("--within", within, "-");
+        query.distance = within.value_or(usualDistance);
         query.point = {parsePositive("--near W", near[0], "omega_1"),
                        parsePositive("--near E", near[1], "E_1")};
     }
@@ -253,7 +243,7 @@ ExitStatus AtlasCommand::answer(const Query& query) const
         tell(fmt::format("signorini atlas: {}\n", gaps));
     }
     if (isQuery()) {
-        writeOut(common.wantsJson() ? asJson(answer, gaps.empty()) : asText(answer));
+        writeOut(common.wantsJson ? asJson(answer, gaps.empty()) : asText(answer));
         return answer.isUndecided() ? exitUndecided : exitFound;
     }
     return exitFound;
@@ -281,12 +271,12 @@ void AtlasCommand::fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks,
 ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
                                std::optional<Interrupt>& interrupt) const
 {
-    if (!within.empty()) {
+    if (within) {
         throw std::invalid_argument("--within: allowed only together with --near");
     }
-    const Bar bar = common.parseBar();
+    const Bar bar = common.bar();
     AtlasOptions options;
-    options.threads = common.parseThreads();
+    options.threads = common.threads;
     options.resume = resume;
     options.options = fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}",
                                   range.cells, range.maxContact, range.maxFree, range.maxPhases,
@@ -303,7 +293,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     }
     Pictures pictures;
     stagePictures(pictures);
-    std::optional<Progress> progress(std::in_place, !common.quiet);
+    std::optional<Progress> progress(std::in_place, !common.quiet, "deciding");
     options.progress = [&progress](const AtlasRun& run) {
         progress->show(fmt::format("{} schedules", run.tally.decided),
                        static_cast<double>(firstNumberOf(run.range, run.nextBatch)),
@@ -332,7 +322,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (run.isFinished()) {
         draw(*atlas, range.cells, pictures);
     }
-    writeOut(common.wantsJson() ? asJson(run, database, bar) : asText(run, database));
+    writeOut(common.wantsJson ? asJson(run, database, bar) : asText(run, database));
     if (!run.isFinished()) {
         if (!common.quiet) {
             tell(

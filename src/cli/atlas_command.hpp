@@ -15,19 +15,19 @@
 
 namespace signorini::cli {
 
-/// The words of one call.
+/// One call.
 struct AtlasCommand {
     CommonOptions common;
     std::string database;
-    std::string maxContact;
-    std::string maxFree;
-    std::string phases;
-    std::string maxEnergyRatio;
+    std::optional<std::int64_t> maxContact;
+    std::optional<std::int64_t> maxFree;
+    std::optional<std::int64_t> phases;
+    std::optional<double> maxEnergyRatio;
     bool all = false;
     bool resume = false;
     std::vector<std::string> near;  ///< W E
-    std::string within;
-    std::string period;
+    std::optional<double> within;
+    std::optional<ExactPeriod> period;
     bool twins = false;
     std::string figureFile;
     std::string mapFile;
@@ -56,8 +56,9 @@ private:
 
     [[nodiscard]] bool isQuery() const;
     [[nodiscard]] bool namesRange() const;
-    [[nodiscard]] AtlasRange parseRange() const;
-    [[nodiscard]] Query parseQuery() const;
+    [[nodiscard]] bool makesRange() const;
+    [[nodiscard]] AtlasRange range() const;
+    [[nodiscard]] Query query() const;
     void stagePictures(Pictures& pictures) const;
     [[nodiscard]] ExitStatus answer(const Query& query) const;
     [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,

@@ -12,6 +12,7 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
+#include "progress.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
@@ -40,9 +41,7 @@ std::string parseEngine(const std::string& text)
     if (text != "auto" && std::none_of(table.begin(), table.end(), [&text](const Backend& backend) {
             return backend.name == text;
         })) {
-        Faults faults;
-        faults.add("--engine", text, "auto|geometric|ipopt|nlopt, or a back end");
-        faults.throwIfAny();
+        refuse("--engine", text, "auto|geometric|ipopt|nlopt, or a back end");
     }
     return text;
 }
@@ -57,57 +56,45 @@ std::string engineOf(const Continuum& curve)
     return curve.solver;
 }
 
-Trace parseTrace(const ContinuumCommand& words, const Bar& bar)
+Trace traceOf(const ContinuumCommand& call, const Bar& bar)
 {
-    const int ends = (words.toFile.empty() ? 0 : 1) + (words.directionFile.empty() ? 0 : 1);
-    if ((words.fromFile.empty() ? 0 : 1) != ends) {
+    const int ends = (call.toFile.empty() ? 0 : 1) + (call.directionFile.empty() ? 0 : 1);
+    if ((call.fromFile.empty() ? 0 : 1) != ends) {
         throw std::invalid_argument(
             "--from: allowed only together with one of --to and --direction");
     }
-    std::optional<std::uint64_t> seed;
-    if (!words.seed.empty()) {
-        seed = static_cast<std::uint64_t>(parseWhole("--seed", words.seed, 0, maxSeed));
+    if (call.fromFile.empty()) {
+        return call.sample ? Trace(trace::Sample{call.seed.value_or(trace::Sample{}.seed)})
+               : call.seed ? Trace(trace::RandomPath{*call.seed})
+                           : Trace(trace::Block{});
     }
-    if (words.fromFile.empty()) {
-        return words.sample ? Trace(trace::Sample{seed.value_or(trace::Sample{}.seed)})
-               : seed       ? Trace(trace::RandomPath{*seed})
-                            : Trace(trace::Block{});
-    }
-    if (seed || words.sample) {
+    if (call.seed || call.sample) {
         throw std::invalid_argument("--seed and --sample clash with --from: allowed one of them");
     }
     const auto read = [&](const char* option, const std::string& path) {
         return forFile(option, path,
-                       [&] { return readStateCsv(path, bar, words.common.parseCells()); });
+                       [&] { return readStateCsv(path, bar, call.common.usualCells()); });
     };
-    State from = read("--from", words.fromFile);
-    if (!words.toFile.empty()) {
-        return trace::Path{std::move(from), read("--to", words.toFile)};
+    State from = read("--from", call.fromFile);
+    if (!call.toFile.empty()) {
+        return trace::Path{std::move(from), read("--to", call.toFile)};
     }
-    return trace::Walk{std::move(from), read("--direction", words.directionFile)};
+    return trace::Walk{std::move(from), read("--direction", call.directionFile)};
 }
 
-ContinuumOptions parseOptions(const ContinuumCommand& words)
+/// The options with what needs several of them.
+ContinuumOptions completed(const ContinuumCommand& call)
 {
-    ContinuumOptions options;
-    options.bar = words.common.parseBar();
-    if (!words.points.empty()) {
-        options.points = parseWhole("--points", words.points, 2, maxContinuumPoints);
-    }
-    if (!words.engine.empty()) {
-        options.solver = parseEngine(words.engine);
-    }
-    if (!words.strainLimit.empty()) {
-        options.strainLimit = parsePositive("--strain-limit", words.strainLimit, "-");
-    }
-    if (!words.tolerance.empty()) {
-        options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
-    }
-    if (!words.resolution.empty()) {
-        options.resolution = parsePositive("--resolution", words.resolution, "-");
-    }
-    options.trace = parseTrace(words, options.bar);
+    ContinuumOptions options = call.options;
+    options.bar = call.common.bar();
+    options.trace = traceOf(call, options.bar);
     return options;
+}
+
+/// No motions have no dimension.
+bool hasDimension(const Continuum& curve)
+{
+    return curve.dimension >= 0 && curve.components != 0;
 }
 
 std::string asText(const Continuum& curve)
@@ -120,8 +107,10 @@ std::string asText(const Continuum& curve)
                             curve.energyRange->most);
     }
     if (curve.components) {
-        text += fmt::format("set         {} component{} of dimension {} at this energy\n",
-                            *curve.components, *curve.components == 1 ? "" : "s", curve.dimension);
+        text += fmt::format(
+            "set         {} component{}{} at this energy\n", *curve.components,
+            *curve.components == 1 ? "" : "s",
+            hasDimension(curve) ? fmt::format(" of dimension {}", curve.dimension) : "");
     }
     text += fmt::format("connected   {}\n", !curve.connected   ? "not known"
                                             : *curve.connected ? "yes"
@@ -154,25 +143,29 @@ std::string asText(const Continuum& curve)
 
 std::string asJson(const Continuum& curve)
 {
-    Json json{{"status", name(curve.status)},
-              {"energy_ratio", curve.energyRatio},
-              {"connected", nullptr},
-              {"components", nullptr},
-              {"dimension", nullptr},
-              {"energy_ratio_range", nullptr},
-              {"resolution", nullptr},
-              {"engine", engineOf(curve)},
-              {"family", curve.family},
-              {"parameter", name(curve.parameter)},
-              {"reason", nullptr},
-              {"points", Json::array()}};
+    Json json = newAnswer();
+    json.update(Json{{"status", name(curve.status)},
+                     {"cells", curve.schedule.cells},
+                     {"schedule", phasesAsJson(curve.schedule.phases)},
+                     {"bar", barAsJson(curve.bar)},
+                     {"energy_ratio", curve.energyRatio},
+                     {"connected", nullptr},
+                     {"components", nullptr},
+                     {"dimension", nullptr},
+                     {"energy_ratio_range", nullptr},
+                     {"resolution", nullptr},
+                     {"engine", engineOf(curve)},
+                     {"family", curve.family},
+                     {"parameter", name(curve.parameter)},
+                     {"reason", nullptr},
+                     {"points", Json::array()}});
     if (curve.connected) {
         json["connected"] = *curve.connected;
     }
     if (curve.components) {
         json["components"] = *curve.components;
     }
-    if (curve.dimension >= 0) {
+    if (hasDimension(curve)) {
         json["dimension"] = curve.dimension;
     }
     if (curve.energyRange) {
@@ -193,7 +186,7 @@ std::string asJson(const Continuum& curve)
     if (!curve.detail.empty()) {
         json["detail"] = curve.detail;
     }
-    return json.dump() + "\n";
+    return asLine(json);
 }
 
 }  // namespace
@@ -202,29 +195,28 @@ void ContinuumCommand::addTo(CLI::App& command)
 {
     command.add_option("steps", steps, "contact and free steps of each phase")
         ->type_name("NC NF ...");
-    command.add_option("--energy-ratio", energyRatio, "E/E_1 of every motion; required")
-        ->type_name("X");
-    command.add_option("--points", points, "motions along the curve (201)")->type_name("M");
+    addPositive(command, "--energy-ratio", "E_1", energyRatio, "X",
+                "E/E_1 of every motion; required");
+    addWhole(command, "--points", 2, maxContinuumPoints, options.points, "M",
+             "motions along the curve (201)");
     command.add_option("--from", fromFile, "state to start from, as find --state writes it")
         ->type_name("FILE.csv");
     command.add_option("--to", toFile, "state to end at")->type_name("FILE.csv");
     command
         .add_option("--direction", directionFile, "or the way to go from there, as a state file")
         ->type_name("FILE.csv");
-    command.add_flag("--sample", sample, "motions spread over the whole set instead of a curve");
-    command
-        .add_option("--seed", seed, "join two members drawn at random; with --sample, which ones")
-        ->type_name("K");
-    command.add_option("--engine", engine, "who traces; or a back end (auto)")
-        ->type_name("auto|geometric|ipopt|nlopt");
-    command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")
-        ->type_name("S");
-    command
-        .add_option("--resolution", resolution,
-                    "how far neighbours on a curve by programs may be apart, in √(E/E₁) (0.05)")
-        ->type_name("X");
-    command.add_option("--tolerance", tolerance, "largest relative residual (1e-7)")
-        ->type_name("X");
+    command.add_flag("--sample", sample,
+                     "motions spread over the whole set instead of a curve");
+    addWhole(command, "--seed", 0, maxSeed, seed, "K",
+             "join two members drawn at random; with --sample, which ones");
+    addWord(command, "--engine", "auto|geometric|ipopt|nlopt", "who traces; or a back end (auto)",
+            [this](const std::string& text) { options.solver = parseEngine(text); });
+    addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
+                "strain >= -S everywhere, always");
+    addPositive(command, "--resolution", "-", options.resolution, "X",
+                "how far neighbours on a curve by programs may be apart, in √(E/E₁) (0.05)");
+    addPositive(command, "--tolerance", "-", options.tolerance, "X",
+                "largest relative residual (1e-7)");
     command.add_option("--csv", csvFile, "write lambda, a_1..a_N, b_1..b_N, a row per motion")
         ->type_name("FILE.csv");
     command.add_option("--figure", figureFile, "draw the curve (needs gnuplot)")
@@ -234,14 +226,12 @@ void ContinuumCommand::addTo(CLI::App& command)
 
 ExitStatus ContinuumCommand::run() const
 {
-    const Schedule schedule{common.parseCells(), parsePhases(steps)};
-    const bool json = common.wantsJson();
-    (void)common.parseThreads();
-    if (energyRatio.empty()) {
+    const Schedule schedule{common.usualCells(), parsePhases(steps)};
+    common.useOneThread("continuum");
+    if (!energyRatio) {
         throw std::invalid_argument("--energy-ratio is missing: allowed finite numbers > 0 [E_1]");
     }
-    const double energy = parsePositive("--energy-ratio", energyRatio, "E_1");
-    ContinuumOptions options = parseOptions(*this);
+    ContinuumOptions request = completed(*this);
     validate(schedule);
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
@@ -254,8 +244,11 @@ ExitStatus ContinuumCommand::run() const
     const std::string figure = stage(files, figureOption);
 
     std::optional<Interrupt> interrupt(std::in_place);
-    options.cancel = interrupt->cancel();
-    const Continuum curve = traceContinuum(schedule, energy, options);
+    request.cancel = interrupt->cancel();
+    std::optional<Progress> progress(std::in_place, !common.quiet, "tracing");
+    request.progress = [&progress](double done, double total) { progress->show(done, total); };
+    const Continuum curve = traceContinuum(schedule, *energyRatio, request);
+    progress.reset();
     interrupt.reset();
     if (!curve.points.empty()) {
         if (!csv.empty()) {
@@ -269,7 +262,7 @@ ExitStatus ContinuumCommand::run() const
     } else if ((!csv.empty() || !figure.empty()) && !common.quiet) {
         tell("signorini continuum: no motion to write, so no file was written\n");
     }
-    writeOut(json ? asJson(curve) : asText(curve));
+    writeOut(common.wantsJson ? asJson(curve) : asText(curve));
     return exitStatusOf(curve.status);
 }
 

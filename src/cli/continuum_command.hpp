@@ -2,28 +2,27 @@
 /// \file
 /// signorini continuum NC NF [NC NF ...] --energy-ratio X
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
+#include "signorini/continuum.hpp"
 
 namespace signorini::cli {
 
-/// The words of one call.
+/// One call.
 struct ContinuumCommand {
     CommonOptions common;
     std::vector<std::string> steps;
-    std::string energyRatio;
-    std::string points;
+    std::optional<double> energyRatio;
+    ContinuumOptions options;
+    bool sample = false;
+    std::optional<std::uint64_t> seed;
     std::string fromFile;
     std::string toFile;
     std::string directionFile;
-    bool sample = false;
-    std::string seed;
-    std::string engine;
-    std::string strainLimit;
-    std::string resolution;
-    std::string tolerance;
     std::string csvFile;
     std::string figureFile;
 

@@ -8,6 +8,8 @@
 #include "demand_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
 #include "report.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
@@ -18,54 +20,41 @@ namespace signorini::cli {
 
 namespace {
 
-FindOptions parseOptions(const FindCommand& words)
+/// The options with what needs several of them.
+FindOptions completed(const FindCommand& call)
 {
-    FindOptions options;
-    options.bar = words.common.parseBar();
-    if (!words.solver.empty()) {
-        options.solver = words.solver;
+    FindOptions options = call.options;
+    options.bar = call.common.bar();
+    options.strainLimit /= scales(options.bar).strain;
+    if (!(options.tipFloor < options.bar.gap)) {
+        refuse("--tip-floor", fmt::format("{}", options.tipFloor), "below the gap [m]");
     }
-    if (!words.formulation.empty()) {
-        options.formulation = parseName("--formulation", words.formulation, formulationNames);
-    }
-    if (!words.objective.empty()) {
-        options.objective =
-            parseName("--objective", words.objective, std::span(objectiveNames).subspan(1));
-    }
-    if (!words.energyRatio.empty()) {
-        options.energyRatio = parsePositive("--energy-ratio", words.energyRatio, "E_1");
-    }
-    if (!words.strainLimit.empty()) {
-        options.strainLimit =
-            parsePositive("--strain-limit", words.strainLimit, "-") / scales(options.bar).strain;
-    }
-    if (!words.tipFloor.empty()) {
-        const double floor = parseReal("--tip-floor", words.tipFloor, "m");
-        Faults faults;
-        if (!(floor < options.bar.gap)) {
-            faults.add("tipFloor", floor, "below the gap [m]");
-        }
-        faults.throwIfAny();
-        options.tipFloor = floor / options.bar.gap;
-    }
-    if (options.objective == Objective::nearest && words.targetFile.empty()) {
+    options.tipFloor /= options.bar.gap;
+    if (options.objective == Objective::nearest && call.targetFile.empty()) {
         throw std::invalid_argument("--target is missing: --objective nearest needs a state file");
     }
-    if (!words.targetFile.empty()) {
+    if (!call.targetFile.empty()) {
         if (options.objective != Objective::nearest) {
             throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
         }
-        options.target = forFile("--target", words.targetFile, [&] {
-            return readStateCsv(words.targetFile, options.bar, words.common.parseCells());
+        options.target = forFile("--target", call.targetFile, [&] {
+            return readStateCsv(call.targetFile, options.bar, call.common.usualCells());
         });
     }
-    if (!words.tolerance.empty()) {
-        options.tolerance = parsePositive("--tolerance", words.tolerance, "-");
-    }
-    if (!words.timeLimit.empty()) {
-        options.timeLimit = parsePositive("--time-limit", words.timeLimit, "s");
-    }
     return options;
+}
+
+/// findPeriodic, with signals listened to and a line on a terminal.
+PeriodicResult search(const Schedule& schedule, FindOptions options, bool isQuiet)
+{
+    const Interrupt interrupt;
+    const Progress progress(!isQuiet, "finding a motion");
+    options.cancel = interrupt.cancel();
+    PeriodicResult result = findPeriodic(schedule, options);
+    if (result.status == Status::undecided && isRequested(options.cancel) && !isQuiet) {
+        tell("signorini find: interrupted\n");
+    }
+    return result;
 }
 
 bool isVtk(const std::string& path)
@@ -96,23 +85,27 @@ void FindCommand::addTo(CLI::App& command)
 {
     command.add_option("steps", steps, "contact and free steps of each phase")
         ->type_name("NC NF ...");
-    command.add_option("--solver", solver, "a back end listed by signorini --version (auto)")
+    command
+        .add_option("--solver", options.solver, "a back end listed by signorini --version (auto)")
         ->type_name("NAME");
-    command.add_option("--formulation", formulation, "unknowns of the problem (auto)")
-        ->type_name("auto|state|reduced|lumped");
-    command.add_option("--objective", objective, "which motion of the set (least energy)")
-        ->type_name("any|min-energy|max-energy|min-peak-strain|max-impulse|nearest");
+    addName(command, "--formulation", std::span(formulationNames), options.formulation,
+            "unknowns of the problem (auto)");
+    addName(command, "--objective", std::span(objectiveNames).subspan(1), options.objective,
+            "which motion of the set (least energy)");
     command
         .add_option("--target", targetFile,
                     "state to come nearest to, as --state writes it; may be a pipe")
         ->type_name("FILE.csv");
-    command.add_option("--energy-ratio", energyRatio, "hold E/E_1 = X")->type_name("X");
-    command.add_option("--strain-limit", strainLimit, "strain >= -S everywhere, always")
-        ->type_name("S");
-    command.add_option("--tip-floor", tipFloor, "lowest displacement of the tip")->type_name("M");
-    command.add_option("--tolerance", tolerance, "largest relative residual (1e-7)")
-        ->type_name("X");
-    command.add_option("--time-limit", timeLimit, "for the solver")->type_name("S");
+    addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X", "hold E/E_1 = X");
+    addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
+                "strain >= -S everywhere, always");
+    addWord(command, "--tip-floor", "M", "lowest displacement of the tip",
+            [this](const std::string& text) {
+                options.tipFloor = parseReal("--tip-floor", text, "m");
+            });
+    addPositive(command, "--tolerance", "-", options.tolerance, "X",
+                "largest relative residual (1e-7)");
+    addPositive(command, "--time-limit", "s", options.timeLimit, "S", "for the solver");
     command.add_option("--state", stateFile, "write the state at t = 0")->type_name("FILE.csv");
     command.add_option("--motion", motionFile, "write u, v, s over one period")
         ->type_name("FILE.csv|.vtk");
@@ -123,10 +116,9 @@ void FindCommand::addTo(CLI::App& command)
 
 ExitStatus FindCommand::run() const
 {
-    const Schedule schedule{common.parseCells(), parsePhases(steps)};
-    const bool json = common.wantsJson();
-    (void)common.parseThreads();
-    const FindOptions options = parseOptions(*this);
+    const Schedule schedule{common.usualCells(), parsePhases(steps)};
+    common.useOneThread("find");
+    const FindOptions request = completed(*this);
     validate(schedule);
     validateFiles(*this);
 
@@ -135,12 +127,11 @@ ExitStatus FindCommand::run() const
     const std::string motion = stage(files, {"--motion", motionFile});
     const std::string figure = stage(files, {"--figure", figureFile});
 
-    const PeriodicResult result = findPeriodic(schedule, options);
+    const PeriodicResult result = search(schedule, request, common.quiet);
     const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();
     if (result.status == Status::found) {
         if (!state.empty()) {
-            forFile("--state", stateFile,
-                    [&] { writeStateCsv(state, result.motion->state, options.bar); });
+            forFile("--state", stateFile, [&] { writeStateCsv(state, result.motion->state, request.bar); });
         }
         if (!motion.empty()) {
             const Motion field(result.motion->state, schedule);
@@ -151,7 +142,7 @@ ExitStatus FindCommand::run() const
                                 field.steps(), signorini::steps(schedule)));
             }
             forFile("--motion", motionFile, [&] {
-                (isVtk(motionFile) ? writeMotionVtk : writeMotionCsv)(motion, field, options.bar);
+                (isVtk(motionFile) ? writeMotionVtk : writeMotionCsv)(motion, field, request.bar);
             });
         }
         if (!figure.empty()) {
@@ -162,7 +153,7 @@ ExitStatus FindCommand::run() const
     } else if (wantsFiles && !common.quiet) {
         tell("signorini find: no motion to write, so no file was written\n");
     }
-    writeOut(json ? asJson(result) : asText(result));
+    writeOut(common.wantsJson ? asJson(result) : asText(result));
     return exitStatusOf(result.status);
 }
 

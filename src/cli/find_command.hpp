@@ -9,26 +9,20 @@
 
 namespace signorini::cli {
 
-/// The words of one call.
+/// One call.
 struct FindCommand {
     CommonOptions common;
     std::vector<std::string> steps;
-    std::string solver;
-    std::string formulation;
-    std::string objective;
+    FindOptions options;
     std::string targetFile;
-    std::string energyRatio;
-    std::string strainLimit;
-    std::string tipFloor;
-    std::string tolerance;
-    std::string timeLimit;
     std::string stateFile;
     std::string motionFile;
     std::string figureFile;
 
     void addTo(CLI::App& command);
 
-    /// Does the work; the report goes to stdout. Exceptions are for `main` to translate.
+    /// Does the work; the report goes to stdout. SIGINT and SIGTERM end a search that can be
+    /// stopped. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
 };
 

@@ -1,5 +1,6 @@
 #include "interrupt.hpp"
 
+#include <chrono>
 #include <ctime>
 
 namespace signorini::cli {
@@ -10,14 +11,7 @@ Interrupt::Interrupt()
     sigaddset(&signals_, SIGINT);
     sigaddset(&signals_, SIGTERM);
     pthread_sigmask(SIG_BLOCK, &signals_, &before_);
-    waiter_ = std::thread([this] {
-        constexpr timespec pause{0, 20'000'000};  // how long the end of a run may have to wait
-        while (!isOver_) {
-            if (sigtimedwait(&signals_, nullptr, &pause) > 0) {
-                hasCome_ = true;
-            }
-        }
-    });
+    waiter_ = std::thread([this] { wait(); });
 }
 
 Interrupt::~Interrupt()
@@ -25,6 +19,32 @@ Interrupt::~Interrupt()
     isOver_ = true;
     waiter_.join();
     pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+    if (first_ > 0 && !isHeard_) {
+        (void)std::raise(first_);
+    }
+}
+
+void Interrupt::wait()
+{
+    using Clock = std::chrono::steady_clock;
+    constexpr timespec pause{0, 20'000'000};  // how long the end of a run may have to wait
+    constexpr std::chrono::seconds patience{2};
+    constexpr std::chrono::milliseconds same{500};  // some senders tell process and group
+    Clock::time_point came;
+    while (!isOver_) {
+        const int number = sigtimedwait(&signals_, nullptr, &pause);
+        const Clock::time_point now = Clock::now();
+        if (number > 0 && first_ == 0) {
+            first_ = number;
+            came = now;
+            hasCome_ = true;
+        }
+        const bool isAgain = number > 0 && now - came > same;
+        if (isAgain || (first_ > 0 && !isHeard_ && now - came > patience)) {
+            pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
+            (void)std::raise(first_);
+        }
+    }
 }
 
 }  // namespace signorini::cli

@@ -12,6 +12,7 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
+#include "progress.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 
@@ -26,21 +27,6 @@ struct Listing {
     std::vector<Mode> modes;
     bool isComplete = true;
 };
-
-ModeBounds parseBounds(const ModesCommand& words)
-{
-    ModeBounds bounds;
-    if (!words.maxEnergyRatio.empty()) {
-        bounds.maxEnergyRatio = parsePositive("--max-energy-ratio", words.maxEnergyRatio, "E_1");
-    }
-    if (!words.maxOrder.empty()) {
-        bounds.maxOrder = parseWhole("--max-order", words.maxOrder, 1, maxModeOrder);
-    }
-    if (!words.maxPeriod.empty()) {
-        bounds.maxPeriod = parsePositive("--max-period", words.maxPeriod, "L/c");
-    }
-    return bounds;
-}
 
 std::string asText(const ExactPeriod& period)
 {
@@ -131,14 +117,12 @@ std::string asJson(const Listing& listing)
 
 void ModesCommand::addTo(CLI::App& command)
 {
-    command
-        .add_option("--max-energy-ratio", maxEnergyRatio,
-                    "only modes with a motion of E/E_1 <= X (50)")
-        ->type_name("X");
-    command.add_option("--max-order", maxOrder, "only contact times 4a + b T with |b| <= B (25)")
-        ->type_name("B");
-    command.add_option("--max-period", maxPeriod, "only modes with a motion of T <= X, in L/c (8)")
-        ->type_name("T");
+    addPositive(command, "--max-energy-ratio", "E_1", bounds.maxEnergyRatio, "X",
+                "only modes with a motion of E/E_1 <= X (50)");
+    addWhole(command, "--max-order", 1, maxModeOrder, bounds.maxOrder, "B",
+             "only contact times 4a + b T with |b| <= B (25)");
+    addPositive(command, "--max-period", "L/c", bounds.maxPeriod, "T",
+                "only modes with a motion of T <= X, in L/c (8)");
     command
         .add_option("--figure", figureFile, "draw them, energy against frequency (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
@@ -150,10 +134,8 @@ void ModesCommand::addTo(CLI::App& command)
 
 ExitStatus ModesCommand::run() const
 {
-    (void)common.parseCells();
-    (void)common.parseThreads();
-    const bool json = common.wantsJson();
-    Listing listing{parseBounds(*this), common.parseBar(), {}};
+    common.useOneThread("modes");
+    Listing listing{bounds, common.bar(), {}};
     FrequencyEnergyOptions drawing;
     if (!figureFile.empty()) {
         drawing.format = figureFormat(figureFile);
@@ -167,7 +149,11 @@ ExitStatus ModesCommand::run() const
 
     {
         const Interrupt interrupt;
+        Progress progress(!common.quiet, "listing modes");
         listing.bounds.cancel = interrupt.cancel();
+        listing.bounds.progress = [&progress](double done, double total) {
+            progress.show(done, total);
+        };
         listing.modes = findModes(listing.bounds);
         listing.isComplete = !isRequested(interrupt.cancel());
     }
@@ -180,7 +166,7 @@ ExitStatus ModesCommand::run() const
                 [&] { writeFrequencyEnergyFigure(figure, listing.modes, {}, drawing); });
         files.commit();
     }
-    writeOut(json ? asJson(listing) : asText(listing));
+    writeOut(common.wantsJson ? asJson(listing) : asText(listing));
     return listing.isComplete ? exitFound : exitUndecided;
 }
 

@@ -5,15 +5,14 @@
 #include <string>
 
 #include "arguments.hpp"
+#include "signorini/modes.hpp"
 
 namespace signorini::cli {
 
-/// The words of one call.
+/// One call.
 struct ModesCommand {
     CommonOptions common;
-    std::string maxEnergyRatio;
-    std::string maxOrder;
-    std::string maxPeriod;
+    ModeBounds bounds;
     std::string figureFile;
 
     void addTo(CLI::App& command);

@@ -225,7 +225,9 @@ std::string asText(const PeriodicResult& result)
 
 std::string asJson(const PeriodicResult& result)
 {
-    Json json{{"status", name(result.status)},
+    Json json = newAnswer();
+    json["bar"] = barAsJson(result.bar);
+    json.update(Json{{"status", name(result.status)},
               {"cells", result.schedule.cells},
               {"schedule", phasesAsJson(result.schedule.phases)},
               {"period", result.period},
@@ -246,7 +248,7 @@ std::string asJson(const PeriodicResult& result)
               {"solver",
                {{"name", result.how.solver.name},
                 {"iterations", result.how.solver.iterations},
-                {"seconds", result.how.solver.seconds}}}};
+                {"seconds", result.how.solver.seconds}}}});
     if (result.set.kernelDimension) {
         json["kernel_dimension"] = *result.set.kernelDimension;
     }

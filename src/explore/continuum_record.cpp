@@ -91,6 +91,9 @@ bool ContinuumRecord::keep(double lambda, State state)
     ContinuumPoint& point = result.points.back();
     point.energyRatio = signorini::energyRatio(point.state);
     point.peakStrain = peakStrainOf(point.state);
+    if (options.progress) {
+        options.progress(static_cast<double>(number), static_cast<double>(options.points));
+    }
     return true;
 }
 

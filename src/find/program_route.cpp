@@ -79,7 +79,8 @@ Solved solved(const Request& request)
     const SolverOptions settings{.tolerance = options.tolerance,
                                  .iterationLimit = options.iterationLimit,
                                  .timeLimit = options.timeLimit,
-                                 .cancel = options.cancel};
+                                 .cancel = solver->capabilities().cancel ? options.cancel
+                                                                         : Cancel()};
     s.answer = solve(s.formulated, posed.objective, *solver, settings);
     if (isWithout(s.answer) &&
         (std::isfinite(posed.strainLimit) || std::isfinite(posed.tipFloor))) {

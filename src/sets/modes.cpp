@@ -111,6 +111,10 @@ std::vector<Mode> findModes(const ModeBounds& bounds)
         if (isRequested(bounds.cancel)) {
             break;
         }
+        if (bounds.progress) {
+            // The work for |b| grows like |b|.
+            bounds.progress(std::pow(order, 2), std::pow(bounds.maxOrder, 2));
+        }
         for (std::int64_t a = 1; a <= order; ++a) {
             const std::optional<Mode> mode = findMode(a, -order);
             if (mode && isWithin(*mode, bounds)) {

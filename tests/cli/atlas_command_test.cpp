@@ -2,32 +2,13 @@
 
 #include <random>
 
+#include "database.hpp"
 #include "program.hpp"
-#include "sqlite.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
 
 namespace {
-
-/// Every row of table schedules, with its rowid, after a check of the whole file.
-std::vector<std::string> dump(const fs::path& path)
-{
-    Connection connection(path.string(), DatabaseMode::read);
-    Statement check(connection, "PRAGMA integrity_check");
-    REQUIRE(check.step());
-    REQUIRE(check.text(0) == "ok");
-    Statement s(connection, "SELECT rowid, * FROM schedules ORDER BY rowid");
-    std::vector<std::string> rows;
-    while (s.step()) {
-        std::string row;
-        for (int column = 0; column < 15; ++column) {
-            row += s.text(column) + "|";
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
 
 /// About half a second of work in eleven batches.
 const std::string pairs = "atlas --cells 5 --phases 2 --all --quiet";
@@ -45,24 +26,26 @@ TEST_CASE("cli atlas: the default range of N = 12 in JSON and in the tables of t
     CHECK(r["decided"] == 24 * 48);
     CHECK(r["found"].get<int>() == r["pressing"].get<int>() + r["grazing"].get<int>());
     CHECK(r["refuted"].get<int>() + r["found"].get<int>() == 24 * 48);
-    Connection plain(program.file("a.sqlite").string(), DatabaseMode::read);
-    CHECK(plain.number("SELECT COUNT(*) FROM schedules") == r["found"]);
-    CHECK(plain.number(
-              "SELECT COUNT(*) FROM schedules WHERE cells = 12 AND phases = '6:36' AND period = "
-              "3.5 AND frequency_ratio = 8.0/7.0 AND status = 'found' AND reason IS NULL AND "
-              "kernel_dimension = 6 AND kind = 'simplex' AND dimension = 5 AND contact = "
-              "'pressing' AND energy_ratio_min = 4 AND energy_ratio_max = 24") == 1);
-    CHECK(plain.number("SELECT COUNT(*) FROM runs WHERE version <> '' AND options <> '' AND "
-                       "started <> '' AND finished <> ''") == 1);
+    const fs::path plain = program.file("a.sqlite");
+    CHECK(number(plain, "SELECT COUNT(*) FROM schedules") == r["found"]);
+    CHECK(number(plain,
+                 "SELECT COUNT(*) FROM schedules WHERE cells = 12 AND phases = '6:36' AND period = "
+                 "3.5 AND frequency_ratio = 8.0/7.0 AND status = 'found' AND reason IS NULL AND "
+                 "kernel_dimension = 6 AND kind = 'simplex' AND dimension = 5 AND contact = "
+                 "'pressing' AND energy_ratio_min = 4 AND energy_ratio_max = 24") == 1);
+    CHECK(number(plain,
+                 "SELECT COUNT(*) FROM runs WHERE version <> '' AND options <> '' AND "
+                 "started <> '' AND finished <> ''") == 1);
     CHECK(program.files() == 1);
 
     // The same again is done already; --all keeps the refuted ones, too.
     CHECK(program.run("atlas --database a.sqlite --cells 12").status == 0);
     REQUIRE(program.run("atlas --database b.sqlite --cells 12 --all").status == 0);
-    Connection all(program.file("b.sqlite").string(), DatabaseMode::read);
-    CHECK(all.number("SELECT COUNT(*) FROM schedules") == 24 * 48);
-    CHECK(all.number("SELECT COUNT(*) FROM schedules WHERE status = 'none' AND reason IN "
-                     "('no-live-class', 'contact-sign', 'penetration', 'gap')") == r["refuted"]);
+    const fs::path all = program.file("b.sqlite");
+    CHECK(number(all, "SELECT COUNT(*) FROM schedules") == 24 * 48);
+    CHECK(number(all,
+                 "SELECT COUNT(*) FROM schedules WHERE status = 'none' AND reason IN "
+                 "('no-live-class', 'contact-sign', 'penetration', 'gap')") == r["refuted"]);
 }
 
 TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same rows")
@@ -156,10 +139,8 @@ TEST_CASE("cli atlas: a full disk or a file that is no atlas is status 4, nothin
     CHECK(contentOf(program.file("text.sqlite")) == "words, and more words, that are no database");
     CHECK(program.run(pairs + " --database .").status == 4);
     CHECK(program.run(pairs + " --database no/such.sqlite").status == 4);
-    {
-        Connection other(program.file("other.sqlite").string(), DatabaseMode::write);
-        other.run("PRAGMA journal_mode = WAL; CREATE TABLE mine(x)");
-    }
+    opened(program.file("other.sqlite"), SQLite::OPEN_CREATE)
+        .exec("PRAGMA journal_mode = WAL; CREATE TABLE mine(x)");
     const std::string mine = contentOf(program.file("other.sqlite"));
     CHECK(program.run(pairs + " --database other.sqlite").status == 4);
     CHECK(contentOf(program.file("other.sqlite")) == mine);

@@ -2,8 +2,8 @@
 
 #include <chrono>
 
+#include "database.hpp"
 #include "program.hpp"
-#include "sqlite.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -17,7 +17,7 @@ void edit(const Program& program, const std::string& sql)
 {
     fs::copy_file(program.file("a.sqlite"), program.file("e.sqlite"),
                   fs::copy_options::overwrite_existing);
-    Connection(program.file("e.sqlite").string(), DatabaseMode::write).run(sql.c_str());
+    opened(program.file("e.sqlite")).exec(sql);
 }
 
 /// Status 4 and one line that names the file.
@@ -35,19 +35,19 @@ TEST_CASE("cli atlas: Ctrl-C ends the wait for a locked database within a second
 {
     const Program program;
     REQUIRE(program.run(build).status == 0);
-    const Connection lock(program.file("a.sqlite").string(), DatabaseMode::write);
-    lock.run("BEGIN EXCLUSIVE");
+    SQLite::Database lock = opened(program.file("a.sqlite"));
+    lock.exec("BEGIN EXCLUSIVE");
     const auto start = std::chrono::steady_clock::now();
     const auto stopped =
         program.run("atlas --database a.sqlite --cells 7", "timeout --preserve-status -s INT 1");
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    lock.run("ROLLBACK");
+    lock.exec("ROLLBACK");
     INFO(stopped.err);
     CHECK(stopped.status == 3);
     CHECK_THAT(stopped.err, containsText("interrupted") && containsText("a.sqlite"));
     CHECK(lines(stopped.err) == 1);
     CHECK(spent.count() < 20.0);  // it waited for a minute
-    CHECK(lock.number("SELECT COUNT(*) FROM runs") == 1);
+    CHECK(number(program.file("a.sqlite"), "SELECT COUNT(*) FROM runs") == 1);
 }
 
 TEST_CASE("cli atlas: a database whose name is not UTF-8 is reported in valid JSON")
@@ -72,11 +72,10 @@ TEST_CASE("cli atlas: threads that cannot start leave the work to the others")
     REQUIRE(outcome.status == 0);
     CHECK_THAT(outcome.err, containsText("of 1024 threads"));
     REQUIRE(program.run("atlas --database b.sqlite --cells 6").status == 0);
-    const Connection few(program.file("a.sqlite").string(), DatabaseMode::read);
-    const Connection one(program.file("b.sqlite").string(), DatabaseMode::read);
+    const fs::path few = program.file("a.sqlite");
     constexpr const char* count = "SELECT COUNT(*) FROM schedules";
-    CHECK(few.number(count) == one.number(count));
-    CHECK(few.number("SELECT COUNT(*) FROM runs WHERE finished IS NOT NULL") == 1);
+    CHECK(number(few, count) == number(program.file("b.sqlite"), count));
+    CHECK(number(few, "SELECT COUNT(*) FROM runs WHERE finished IS NOT NULL") == 1);
 }
 
 TEST_CASE("cli atlas: an edited database is status 4 with the column, never a wrong answer")

@@ -236,3 +236,102 @@ TEST_CASE("cli: no name of a folder or file is a command of gnuplot")
     }
     CHECK(program.files() == 0);
 }
+
+TEST_CASE("cli: files are written whole, together, and replace old ones")
+{
+    const Program program;
+    std::ofstream(program.file("state.csv")) << "old";
+    const auto outcome = program.run(
+        "find 5 23 --cells 8 --state state.csv --motion motion.csv --figure figure.svg");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    CHECK(program.files() == 3);
+    CHECK_THAT(contentOf(program.file("state.csv")),
+               containsText("x,a,b,velocity,strain,displacement\n"));
+    CHECK(lines(contentOf(program.file("state.csv"))) == 9);
+    CHECK(lines(contentOf(program.file("motion.csv"))) == 1 + 29 * 9);
+    CHECK_THAT(contentOf(program.file("figure.svg")), containsText("</svg>"));
+    CHECK(program.run("find 5 23 --cells 8 --motion m.vtk").status == 0);
+    CHECK_THAT(contentOf(program.file("m.vtk")), containsText("RECTILINEAR_GRID"));
+}
+
+TEST_CASE("cli: without a motion no file is written, and old ones stay")
+{
+    const Program program;
+    std::ofstream(program.file("state.csv")) << "old";
+    const auto outcome = program.run("find 2 4 --cells 2 --state state.csv --figure f.png");
+    CHECK(outcome.status == 1);
+    CHECK_THAT(outcome.err, containsText("no file was written"));
+    CHECK(contentOf(program.file("state.csv")) == "old");
+    CHECK(program.files() == 1);
+}
+
+TEST_CASE("cli: files that cannot be written are exit status 4, and nothing is left behind")
+{
+    const Program program;
+    for (const char* arguments :
+         {"--state /no/such/folder/x.csv", "--state .", "--state /dev/full",
+          "--motion good.csv --state /dev/full", "--figure /no/such/folder/x.png"}) {
+        const auto outcome = program.run(std::string("find 5 23 --cells 8 ") + arguments);
+        INFO(arguments << " -> " << outcome.err);
+        CHECK(outcome.status == 4);
+        CHECK(outcome.out.empty());
+        CHECK(lines(outcome.err) == 1);
+        CHECK(program.files() == 0);
+    }
+    const auto full = program.run("find 5 23 --cells 8 >/dev/full; exit $?; #");
+    CHECK(full.status == 4);
+}
+
+TEST_CASE("cli: a file size limit is a full disk: exit status 4 and nothing left behind")
+{
+    const Program program;
+    for (const char* arguments : {"find 150 900 --figure f.svg", "find 150 900 --figure f.png",
+                                  "find 150 900 --state s.csv", "find 150 900 --motion m.vtk"}) {
+        const auto outcome = program.run(arguments, "ulimit -f 16;");
+        INFO(arguments << " -> " << outcome.err);
+        CHECK(outcome.status == 4);
+        CHECK(program.files() == 0);
+    }
+}
+
+TEST_CASE("cli: links are followed, modes kept, read-only and looping targets refused")
+{
+    const Program program;
+    std::ofstream(program.file("private.csv")) << "old";
+    fs::permissions(program.file("private.csv"), fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("private.csv", program.file("link.csv"));
+    fs::create_symlink("new.csv", program.file("dangling.csv"));
+    fs::create_symlink("loop2.csv", program.file("loop1.csv"));
+    fs::create_symlink("loop1.csv", program.file("loop2.csv"));
+    CHECK(program.run("find 5 23 --cells 8 --state link.csv").status == 0);
+    CHECK(fs::is_symlink(program.file("link.csv")));
+    CHECK(lines(contentOf(program.file("private.csv"))) == 9);
+    CHECK(fs::status(program.file("private.csv")).permissions() ==
+          (fs::perms::owner_read | fs::perms::owner_write));
+    CHECK(program.run("find 5 23 --cells 8 --state dangling.csv").status == 0);
+    CHECK(lines(contentOf(program.file("new.csv"))) == 9);
+    CHECK(program.run("find 5 23 --cells 8 --state loop1.csv").status == 4);
+    CHECK(program.run("find 5 23 --cells 8 --figure f.svg", "TMPDIR=/no/such/folder").status == 4);
+}
+
+TEST_CASE("cli: standard output is for the report alone")
+{
+    const Program program;
+    CHECK(program.run("find 5 23 --cells 8 --state /dev/stdout").status == 2);
+    CHECK(program.run("--version >/dev/full; exit $?; #").status == 4);
+    const auto large =
+        program.run("find 2000 10901 --cells 4000 --format json >/dev/full; exit $?; #");
+    CHECK(large.status == 4);
+}
+
+TEST_CASE("cli: a signal removes what was begun")
+{
+    const Program program;
+    const auto outcome =
+        program.run("find 1 39999999 --cells 10000000 --state s.csv", "timeout --signal=INT 0.7");
+    if (outcome.status == 0) {
+        return;  // a machine fast enough to finish first
+    }
+    CHECK(program.files() == 0);
+}

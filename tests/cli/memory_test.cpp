@@ -58,3 +58,14 @@ TEST_CASE("cli: no back end ends the process when memory is short")
         }
     }
 }
+
+TEST_CASE("cli: a million cells stay under three states of memory")
+{
+    const Program program;
+    const auto outcome = program.run("find 500000 3000000 --cells 1000000 --quiet");
+    REQUIRE(outcome.status == 0);
+#if !defined(__SANITIZE_ADDRESS__)
+    const double stateKilobytes = 2e6 * sizeof(double) / 1024.0;
+    CHECK(outcome.peakKilobytes < 3.0 * stateKilobytes);
+#endif
+}

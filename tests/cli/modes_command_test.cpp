@@ -52,3 +52,92 @@ TEST_CASE("cli modes: a number without an option is no step count")
     }
     CHECK_THAT(program.run("find -5 3").err, containsText("= -5"));
 }
+
+TEST_CASE("cli: modes in JSON, every field of the contract")
+{
+    const Program program;
+    const auto outcome = program.run("modes --format json");
+    REQUIRE(outcome.status == 0);
+    CHECK(outcome.err.empty());
+    const json r = json::parse(outcome.out);
+    CHECK(r["complete"] == true);
+    REQUIRE(r["modes"].size() == 29);
+    CHECK(r["modes"][0]["contact"] == json({4, -1}));
+    CHECK(r["modes"][0]["period_range"] == json::parse("[[3, 1], [4, 1]]"));
+    CHECK(r["modes"][0]["inverse_sqrt_energy"] == json({1, 3}));
+    CHECK(r["modes"][0]["family"] == "main");
+    CHECK(r["modes"][0]["energy_ratio_range"] == json({1.0, nullptr}));
+    const auto odd = std::find_if(r["modes"].begin(), r["modes"].end(), [](const json& mode) {
+        return mode["contact"] == json({24, -7});
+    });
+    REQUIRE(odd != r["modes"].end());
+    CHECK((*odd)["period_range"] == json::parse("[[10, 3], [24, 7]]"));
+    CHECK((*odd)["inverse_sqrt_energy"] == json({-2, -7}));
+    CHECK((*odd)["ends"] == json({"jumps-meet", "contact-vanishes"}));
+    CHECK((*odd)["energy_ratio_range"] == json({9.0, 49.0}));
+    CHECK((*odd)["family"].is_null());
+}
+
+TEST_CASE("cli: modes in words, within bounds, none being an answer too")
+{
+    const Program program;
+    const auto few = program.run("modes --max-energy-ratio 10 --max-order 3");
+    CHECK(few.status == 0);
+    CHECK(lines(few.out) == 2 + 1 + 3);
+    CHECK_THAT(few.out, containsText("3 modes") && containsText("4 - T") &&
+                            containsText("]3, 4[") && containsText("subharmonic 2") &&
+                            containsText("]5/4, 4/3["));
+    const auto none = program.run("modes --max-period 0.001");
+    CHECK(none.status == 0);
+    CHECK(lines(none.out) == 1);
+    CHECK_THAT(none.out, containsText("0 modes"));
+    CHECK(json::parse(program.run("modes --max-period 3 --format json").out)["modes"].size() == 9);
+}
+
+TEST_CASE("cli: a wrong call of modes is exit status 2, one line, and no file")
+{
+    const Program program;
+    for (const auto& [arguments, text] :
+         {std::pair{"--max-order 0", "--max-order = 0"}, std::pair{"--max-order 10002", "1..10001"},
+          std::pair{"--max-order 2.5", "--max-order = 2.5"},
+          std::pair{"--max-period 0", "--max-period = 0"},
+          std::pair{"--max-period inf", "--max-period = inf"},
+          std::pair{"--max-energy-ratio nan", "--max-energy-ratio = nan"},
+          std::pair{"--max-energy-ratio=-1", "--max-energy-ratio = -1"},
+          std::pair{"--format xml", "--format = xml"}, std::pair{"--cells 0", "--cells = 0"},
+          std::pair{"7", "7"}}) {
+        const auto outcome = program.run(std::string("modes --figure f.svg ") + arguments);
+        INFO(arguments << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK(outcome.out.empty());
+        CHECK_THAT(outcome.err, containsText(text));
+    }
+    CHECK(program.run("modes --figure a.gif").status == 2);
+    CHECK(program.run("modes --figure no/such/f.svg").status == 4);
+    CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli: an interrupted listing of modes says that it is not complete")
+{
+    const Program program;
+    const auto outcome = program.run("modes --max-order 10001 --format json", "timeout -s INT 0.5");
+    // timeout itself answers 124; what the program wrote counts.
+    const json r = json::parse(outcome.out);
+    CHECK(r["complete"] == false);
+    CHECK(!r["modes"].empty());
+}
+
+TEST_CASE("cli: modes draws its figure")
+{
+    const Program program;
+    const auto outcome = program.run("modes --figure f.svg --quiet");
+    if (outcome.status == 4) {
+        return;  // no gnuplot here
+    }
+    CHECK(outcome.status == 0);
+    const std::string figure = contentOf(program.file("f.svg"));
+    for (const char* label : {"frequency", "energy", "main", "subharmonic", "higher"}) {
+        CHECK_THAT(figure, containsText(label));
+    }
+}

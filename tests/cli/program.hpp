@@ -2,15 +2,18 @@
 /// \file
 /// Runs the program signorini as people and scripts do.
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
 
 #include "catch.hpp"
 
@@ -41,6 +44,7 @@ public:
         int status;
         std::string out;
         std::string err;
+        double peakKilobytes;  ///< most memory that this one call held
     };
 
     [[nodiscard]] Outcome run(const std::string& arguments, const std::string& prefix = "") const
@@ -49,8 +53,8 @@ public:
         const std::string command = "cd '" + folder_.string() + "' && " + prefix + " '" +
                                     SIGNORINI_PROGRAM + "' " + arguments + " >" + base + "out 2>" +
                                     base + "err </dev/null";
-        const int status = std::system(command.c_str());
-        Outcome outcome{WEXITSTATUS(status), contentOf(base + "out"), contentOf(base + "err")};
+        const auto [status, peak] = shell(command);
+        Outcome outcome{status, contentOf(base + "out"), contentOf(base + "err"), peak};
         fs::remove(base + "out");
         fs::remove(base + "err");
         return outcome;
@@ -71,6 +75,24 @@ public:
     }
 
 private:
+    /// Exit status and peak memory [kB] of one command.
+    static std::pair<int, double> shell(const std::string& command)
+    {
+        malloc_trim(0);  // a child's peak begins with the heap it is forked with
+        const pid_t child = fork();
+        if (child == 0) {
+            execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+            _exit(127);
+        }
+        int status = 0;
+        rusage usage{};
+        if (child < 0 || wait4(child, &status, 0, &usage) != child) {
+            throw std::system_error(errno, std::generic_category(), "sh");
+        }
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status),
+                static_cast<double>(usage.ru_maxrss)};
+    }
+
     fs::path folder_;
 };
 

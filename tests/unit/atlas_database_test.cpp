@@ -8,13 +8,14 @@
 #include <fstream>
 
 #include "catch.hpp"
+#include "database.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 #include "signorini/verification.hpp"
-#include "sqlite.hpp"
 #include "support.hpp"
 
 using namespace signorini;
+using namespace signorini::test;
 
 namespace {
 
@@ -36,22 +37,6 @@ public:
 private:
     fs::path path_;
 };
-
-/// Every row of table schedules, with its rowid.
-std::vector<std::string> dump(const std::string& path)
-{
-    Connection connection(path, DatabaseMode::read);
-    Statement s(connection, "SELECT rowid, * FROM schedules ORDER BY rowid");
-    std::vector<std::string> rows;
-    while (s.step()) {
-        std::string row;
-        for (int column = 0; column < 15; ++column) {
-            row += s.text(column) + "|";
-        }
-        rows.push_back(row);
-    }
-    return rows;
-}
 
 AtlasRange pairsRange()
 {
@@ -87,20 +72,16 @@ TEST_CASE("atlas database: rows read back as they were decided")
         ++found;
     });
     CHECK(found == run.tally.pressing + run.tally.grazing);
-    Connection plain(folder.file("a.sqlite"), DatabaseMode::read);
-    CHECK(plain.number("SELECT COUNT(*) FROM schedules WHERE status = 'none' AND reason IS NULL") ==
-          0);
-    CHECK(plain.number("SELECT COUNT(*) FROM runs WHERE options = 'as tested' AND finished IS NOT "
-                       "NULL AND version <> ''") == 1);
-    Statement one(plain,
-                  "SELECT period, frequency_ratio, energy_ratio_min, energy_ratio_max, kind "
-                  "FROM schedules WHERE phases = '2:12'");
-    REQUIRE(one.step());
-    CHECK(one.real(0) == 3.5);
-    CHECK(one.real(1) == 8.0 / 7.0);
-    CHECK(one.real(2) == 4.0);
-    CHECK(one.real(3) == 8.0);
-    CHECK(one.text(4) == "simplex");
+    const std::string plain = folder.file("a.sqlite");
+    CHECK(number(plain,
+                 "SELECT COUNT(*) FROM schedules WHERE status = 'none' AND reason IS NULL") == 0);
+    CHECK(number(plain,
+                 "SELECT COUNT(*) FROM runs WHERE options = 'as tested' AND finished IS NOT "
+                 "NULL AND version <> ''") == 1);
+    CHECK(number(plain,
+                 "SELECT COUNT(*) FROM schedules WHERE phases = '2:12' AND period = 3.5 AND "
+                 "frequency_ratio = 8.0/7.0 AND energy_ratio_min = 4 AND energy_ratio_max = 8 AND "
+                 "kind = 'simplex'") == 1);
 }
 
 TEST_CASE("atlas database: interrupted at every batch and resumed, the rows are the same")
@@ -224,14 +205,11 @@ TEST_CASE("atlas database: what cannot be used is refused and left as it is")
     CHECK_THROWS_AS(AtlasDatabase::open(folder.file("missing.sqlite")), FileError);
     CHECK_FALSE(fs::exists(folder.file("missing.sqlite")));
     CHECK_THROWS_AS(AtlasDatabase::create(folder.file("no/such/folder.sqlite")), FileError);
-    {
-        Connection other(folder.file("other.sqlite"), DatabaseMode::write);
-        other.run("CREATE TABLE mine(x); INSERT INTO mine VALUES(1)");
-    }
+    opened(folder.file("other.sqlite"), SQLite::OPEN_CREATE)
+        .exec("CREATE TABLE mine(x); INSERT INTO mine VALUES(1)");
     CHECK_THROWS_WITH(AtlasDatabase::create(folder.file("other.sqlite")),
                       containsText("no atlas of signorini"));
-    Connection other(folder.file("other.sqlite"), DatabaseMode::read);
-    CHECK(other.number("SELECT COUNT(*) FROM sqlite_master") == 1);
+    CHECK(number(folder.file("other.sqlite"), "SELECT COUNT(*) FROM sqlite_master") == 1);
 
     AtlasDatabase database = AtlasDatabase::create(folder.file("a.sqlite"));
     AtlasRange range = pairsRange();

@@ -1,0 +1,75 @@
+// Decides a range into a database, batch by batch.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "atlas_batches.hpp"
+#include "signorini/atlas_database.hpp"
+
+namespace signorini {
+
+AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const AtlasOptions& options)
+{
+    validate(range);
+    const std::vector<AtlasRun> runs = database.runs();
+    const auto before = std::find_if(runs.begin(), runs.end(),
+                                     [&range](const AtlasRun& run) { return run.range == range; });
+    if (before == runs.end()) {
+        const bool othersWait = std::any_of(runs.begin(), runs.end(),
+                                            [](const AtlasRun& run) { return !run.isFinished(); });
+        if (options.resume && othersWait) {
+            throw std::invalid_argument(
+                "resume (--resume): the unfinished run in the database is of another range: "
+                "allowed the same bounds and choice of what to keep");
+        }
+        return database.start(range, options.options);
+    }
+    if (before->batches != batchesOf(range)) {
+        throw FileError("run " + std::to_string(before->id),
+                        "cannot use: another version divided the range differently");
+    }
+    if (!before->isFinished() && !options.resume) {
+        throw std::invalid_argument(fmt::format(
+            "the database has decided {} of {} batches of this range: allowed only with "
+            "resume (--resume), or another file",
+            before->nextBatch, before->batches));
+    }
+    return *before;
+}
+
+void fillAtlas(AtlasDatabase& database, AtlasRun& run, BatchSource& source,
+               std::string_view workers, const AtlasOptions& options)
+{
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point last = Clock::now();
+    while (const std::optional<AtlasBatch> batch = source.next()) {
+        const Clock::time_point here = Clock::now();
+        database.write(run, *batch, std::chrono::duration<double>(here - last).count(), workers);
+        last = here;
+        if (options.progress) {
+            options.progress(run);
+        }
+    }
+}
+
+AtlasRun buildAtlas(AtlasDatabase& database, const AtlasRange& range, const AtlasOptions& options)
+{
+    AtlasRun run = beginAtlas(database, range, options);
+    LocalBatches source(range, options.threads, options.cancel, run.nextBatch);
+    fillAtlas(database, run, source, fmt::format("{} threads", source.threads()), options);
+    return run;
+}
+
+std::string phasesText(const std::vector<Phase>& phases)
+{
+    std::string text;
+    for (const Phase& phase : phases) {
+        text += fmt::format("{}{}:{}", text.empty() ? "" : ",", phase.contact, phase.free);
+    }
+    return text;
+}
+
+}  // namespace signorini

@@ -1,0 +1,181 @@
+// signorini continuum: the curve in JSON, text, tables and figures, and what ends it.
+
+#include "program.hpp"
+
+using namespace signorini::test;
+
+TEST_CASE("cli: continuum in JSON, every field of the contract, and its table")
+{
+    const Program program;
+    const auto outcome =
+        program.run("continuum 150 900 --energy-ratio 20 --points 5 --csv k.csv --format json");
+    REQUIRE(outcome.status == 0);
+    const json r = json::parse(outcome.out);
+    CHECK(r["status"] == "found");
+    CHECK(r["schema"] == 2);
+    CHECK(r["version"].is_string());
+    CHECK(r["cells"] == 300);
+    CHECK(r["schedule"] == json({{150, 900}}));
+    CHECK(r["bar"]["gap"] == 1e-3);
+    CHECK(r["energy_ratio"] == 20.0);
+    CHECK(r["connected"] == true);
+    CHECK(r["dimension"] == 148);
+    REQUIRE(r["points"].size() == 5);
+    CHECK(r["points"][0]["lambda"] == 15.0);
+    for (const json& point : r["points"]) {
+        CHECK(std::abs(point["energy_ratio"].get<double>() / 20.0 - 1.0) < 1e-12);
+        CHECK(point["residual"].get<double>() < 1e-12);
+        CHECK(point["peak_strain"].get<double>() > 0.0);
+    }
+    const std::string table = contentOf(program.file("k.csv"));
+    CHECK(table.starts_with("lambda,a_1,a_2,"));
+    CHECK(lines(table) == 6);
+    CHECK(std::count(table.begin(), table.end(), ',') == 6 * 600);
+}
+
+TEST_CASE("cli: continuum joins two states of files, or proves that it cannot")
+{
+    const Program program;
+    const std::string small = " --cells 12 --gap 0.01";
+    REQUIRE(program.run("find 6 36 --energy-ratio 8 --state from.csv" + small).status == 0);
+    REQUIRE(program.run("find 6 36 --energy-ratio 16 --state high.csv" + small).status == 0);
+    const auto joined = program.run(
+        "continuum 6 36 --energy-ratio 8 --from from.csv --to from.csv --points 3" + small);
+    CHECK(joined.status == 0);
+    CHECK_THAT(joined.out, containsText("connected   yes"));
+    const auto wrong =
+        program.run("continuum 6 36 --energy-ratio 8 --from from.csv --to high.csv" + small);
+    CHECK(wrong.status == 2);
+    CHECK_THAT(wrong.err, containsText("to = a motion") && containsText("E/E_1 = 8"));
+    // Two random members share their dominant amplitude, one of six, or not.
+    int apart = 0;
+    for (int seed = 1; seed <= 8; ++seed) {
+        const auto outcome = program.run("continuum 6 36 --energy-ratio 16 --points 3 --seed " +
+                                         std::to_string(seed) + small);
+        CHECK_THAT(outcome.out, containsText("6 components") && containsText("connected   no"));
+        if (outcome.status == 1) {
+            ++apart;
+            CHECK_THAT(outcome.out, containsText("different components"));
+        }
+    }
+    CHECK(apart > 0);
+}
+
+TEST_CASE("cli: continuum outside the range is exit status 1 with the range, and no file")
+{
+    const Program program;
+    for (const char* energy : {"3.99999", "600.001", "1e300"}) {
+        const auto outcome =
+            program.run(std::string("continuum 150 900 --csv k.csv --energy-ratio ") + energy +
+                        " --format json");
+        CHECK(outcome.status == 1);
+        const json r = json::parse(outcome.out);
+        CHECK(r["status"] == "none");
+        CHECK(r["reason"] == "constraints");
+        CHECK_THAT(r["detail"].get<std::string>(), containsText("[4, 600]"));
+        CHECK(r["points"].empty());
+        CHECK(r["components"] == 0);
+        CHECK(r["dimension"].is_null());
+    }
+    CHECK(program.run("continuum 2 4 --cells 2 --energy-ratio 4").status == 1);
+    CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli: a wrong call of continuum is exit status 2, one line, and no file")
+{
+    const Program program;
+    for (const auto& [arguments, text] :
+         {std::pair{"150 900", "--energy-ratio is missing"},
+          std::pair{"150 900 --energy-ratio 0", "--energy-ratio = 0"},
+          std::pair{"150 900 --energy-ratio nan", "--energy-ratio = nan"},
+          std::pair{"150 --energy-ratio 20", "NC NF"},
+          std::pair{"150 900 --energy-ratio 20 --points 1", "--points = 1"},
+          std::pair{"150 900 --energy-ratio 20 --seed -1", "seed"},
+          std::pair{"150 900 --energy-ratio 20 --engine magic", "--engine = magic"},
+          std::pair{"150 900 --energy-ratio 20 --from a.csv", "--from"},
+          std::pair{"150 900 --energy-ratio 20 --direction a.csv", "--direction"},
+          std::pair{"150 900 --energy-ratio 20 --sample --from a.csv --to a.csv", "--sample"},
+          std::pair{"150 900 --energy-ratio 20 --sample --engine ipopt", "engine"},
+          std::pair{"150 900 --energy-ratio 20 --figure a.gif", "a.gif"},
+          std::pair{"150 900 --energy-ratio 20 --csv a.png --figure ./a.png", "two different"}}) {
+        const auto outcome = program.run(std::string("continuum ") + arguments);
+        INFO(arguments << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK(outcome.out.empty());
+        CHECK_THAT(outcome.err, containsText(text));
+    }
+    CHECK(program.files() == 0);
+    CHECK(program.run("continuum 150 900 --energy-ratio 20 --from no.csv --to no.csv").status == 4);
+}
+
+TEST_CASE("cli: an interrupted continuum reports and writes what it found")
+{
+    const Program program;
+    const auto outcome = program.run(
+        "continuum 150 900 --energy-ratio 20 --points 1000000 --csv k.csv "
+        "--format json",
+        "timeout -s INT 0.5");
+    // timeout itself answers 124; what the program wrote counts.
+    const json r = json::parse(outcome.out);
+    CHECK(r["status"] == "undecided");
+    CHECK_THAT(r["detail"].get<std::string>(), containsText("interrupted after"));
+    CHECK(!r["points"].empty());
+    CHECK(lines(contentOf(program.file("k.csv"))) ==
+          static_cast<std::ptrdiff_t>(r["points"].size()) + 1);
+}
+
+TEST_CASE("cli: continuum: who traces may be named as an engine or as a back end")
+{
+    const Program program;
+    const auto traced = [&program](const std::string& engine) {
+        const auto outcome = program.run(
+            "continuum 6 36 --cells 12 --energy-ratio 8 --points 5 --format json --engine " +
+            engine);
+        INFO(engine << "\n" << outcome.err);
+        CHECK(outcome.status == 0);
+        return outcome.out;
+    };
+    CHECK(traced("closed-form") == traced("geometric"));
+    CHECK(json::parse(traced("closed-form"))["engine"] == "geometric");
+    if (signorini::findBackend("nlopt-auglag").available()) {
+        CHECK(traced("nlopt-auglag") == traced("nlopt"));
+        CHECK(json::parse(traced("nlopt"))["engine"] == "nlopt");
+        CHECK(json::parse(traced("nlopt-slsqp"))["engine"] == "nlopt-slsqp");
+    }
+}
+
+TEST_CASE("cli: continuum draws its figure")
+{
+    const Program program;
+    const auto outcome =
+        program.run("continuum 6 36 --cells 12 --energy-ratio 8 --figure k.svg --quiet");
+    if (outcome.status == 4) {
+        return;  // no gnuplot here
+    }
+    CHECK(outcome.status == 0);
+    const std::string figure = contentOf(program.file("k.svg"));
+    for (const char* label : {"strain", "velocity", "position", "time", "displacement", "E/E"}) {
+        CHECK_THAT(figure, containsText(label));
+    }
+}
+
+TEST_CASE("cli: continuum: motions spread over the set, and a walk in a direction")
+{
+    const Program program;
+    const auto sampled = program.run(
+        "continuum 150 900 --energy-ratio 20 --sample --points 10 --csv members.csv --format json");
+    REQUIRE(sampled.status == 0);
+    const json members = json::parse(sampled.out);
+    CHECK(members["points"].size() == 10);
+    CHECK(members["parameter"] == "number");
+    CHECK(lines(contentOf(program.file("members.csv"))) == 11);
+
+    REQUIRE(program.run("find 6 36 --cells 12 --energy-ratio 8 --state from.csv").status == 0);
+    REQUIRE(program.run("find 6 36 --cells 12 --state towards.csv").status == 0);
+    const auto walked = program.run(
+        "continuum 6 36 --cells 12 --energy-ratio 8 --from from.csv --direction towards.csv "
+        "--format json");
+    REQUIRE(walked.status == 0);
+    CHECK(json::parse(walked.out)["points"].size() >= 1);
+}

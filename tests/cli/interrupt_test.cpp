@@ -1,0 +1,100 @@
+// Long calls: Ctrl-C, the line on a terminal, and threads that a command does not use.
+
+#include <chrono>
+#include <csignal>
+
+#include "program.hpp"
+#include "solver.hpp"
+
+using namespace signorini::test;
+
+namespace {
+
+/// Too slow to end by itself before it is interrupted: `solver` on the paper's equations.
+std::string slowCall(const std::string& cells, const std::string& solver)
+{
+    const int n = std::stoi(cells);
+    return "find " + std::to_string(n / 2) + " " + std::to_string(3 * n) + " --cells " + cells +
+           " --formulation state --state s.csv --solver " + solver;
+}
+
+/// What a terminal shows of a call whose report goes elsewhere.
+std::string shownBy(const Program& program, const std::string& arguments)
+{
+    const std::string call = std::string("'") + SIGNORINI_PROGRAM + "' " + arguments;
+    (void)program.run("", "script -qec \"" + call + " >out.txt\" screen.txt >screen.copy;:");
+    return contentOf(program.file("screen.txt"));
+}
+
+}  // namespace
+
+TEST_CASE("cli: Ctrl-C ends a search by a solver that can be stopped with status 3 and words")
+{
+    for (const std::string& call :
+         {slowCall("6000", "ipopt --objective min-energy"),
+          slowCall("700", "nlopt-auglag --energy-ratio 20 --tolerance 1e-12")}) {
+        const Program program;
+        const auto outcome = program.run(call, "timeout --preserve-status -s INT 1");
+        INFO(call << "\n" << outcome.out << outcome.err);
+        if (outcome.status == 4) {
+            continue;  // not in this build
+        }
+        CHECK(outcome.status == 3);
+        CHECK_THAT(outcome.err, containsText("interrupted"));
+        CHECK_THAT(outcome.out, containsText("cancelled"));
+        CHECK(program.files() == 0);
+    }
+}
+
+TEST_CASE("cli: Ctrl-C ends a program whose solver cannot be stopped, and leaves nothing behind")
+{
+    if (!signorini::findBackend("glpk-exact").available()) {
+        return;
+    }
+    const Program program;
+    const auto start = std::chrono::steady_clock::now();
+    const auto outcome =
+        program.run(slowCall("60000", "glpk-exact"), "timeout --preserve-status -s INT 1");
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    INFO(outcome.out << outcome.err);
+    CHECK(outcome.status == 128 + SIGINT);
+    CHECK(outcome.out.empty());
+    CHECK(program.files() == 0);
+    CHECK(spent.count() < 20.0);
+}
+
+TEST_CASE("cli: long work shows a line on a terminal, and only there")
+{
+    const Program program;
+    if (program.run("--version", "command -v script >/dev/null || exit 77;").status == 77) {
+        return;
+    }
+    const std::string find = "find 1000 6000 --cells 2000 --formulation state --solver ";
+    if (signorini::findBackend("ipopt").available()) {
+        CHECK_THAT(shownBy(program, find + "ipopt --objective min-energy"),
+                   containsText("\rfinding a motion, 1 s"));
+    }
+    const std::string trace = "continuum 150 900 --energy-ratio 20 --points 20000";
+    const std::string shown = shownBy(program, trace);
+    CHECK_THAT(shown, containsText(" %, tracing, ") && containsText(" s left"));
+    CHECK_THAT(shownBy(program, "modes --max-order 2001"), containsText(" %, listing modes, "));
+    CHECK(shownBy(program, trace + " --quiet").find("tracing") == std::string::npos);
+    CHECK(program.run(trace).err.empty());
+}
+
+TEST_CASE("cli: a command that works on one thread says so when more are allowed")
+{
+    const Program program;
+    for (const char* call : {"find 5 23 --cells 8", "modes --max-order 1",
+                             "continuum 6 36 --cells 12 --energy-ratio 8 --points 2"}) {
+        const auto one = program.run(std::string(call) + " --threads 1");
+        CHECK(one.status == 0);
+        CHECK(one.err.empty());
+        const auto more = program.run(std::string(call) + " --threads 2");
+        INFO(call << "\n" << more.err);
+        CHECK(more.status == 0);
+        CHECK_THAT(more.err, containsText("one thread is used"));
+        CHECK(lines(more.err) == 1);
+        CHECK(program.run(std::string(call) + " --threads 2 --quiet").err.empty());
+    }
+}
