@@ -27,8 +27,8 @@ struct March {
 ///
 /// `tolerance` says how near the wall counts as being there, relative to g, and how strong a push
 /// counts as pressing, relative to the amplitude. A flight of 4N steps restores the state exactly,
-/// so longer flights are not walked to their end. O(N + min(count, contact steps + 4N)); one copy
-/// of the state. \throws std::invalid_argument on a malformed state or a negative count.
+/// so longer flights are not walked to their end. O(N + min(count, contact steps + 4N)). \throws
+/// std::invalid_argument on a malformed state or a negative count.
 [[nodiscard]] March march(const State& state, std::int64_t count, double tolerance = 1e-9);
 
 /// Violations of the problem by a state, relative, 0 when there are none; all infinite when the
@@ -48,6 +48,7 @@ struct Residuals {
 /// What can be said of a state without knowing how it was found.
 struct Verification {
     Residuals residuals;           ///< of (30)-(32) and the march
+    double peakStrain = 0.0;       ///< [g/L], deepest compression: -min s over all x and t
     std::vector<Phase> canonical;  ///< the schedule with contact exactly where the wall is pressed,
                                    ///< seen by the march over the shortest period after which
                                    ///< the state is back; empty for a grazing motion
@@ -57,7 +58,8 @@ struct Verification {
 
 /// Recomputes (30)-(32) for a state and a schedule by stepping, and marches the bar over a period;
 /// where the pressed phases repeat, also over the shorter periods they suggest.
-/// O(N + min(n, 12N)) time per phase, one copy of the state.
+/// The march decides by itself; as long as it does what the schedule says, both are one walk.
+/// O(N + min(n, 12N)) time per phase, no copy of the state.
 /// \throws std::invalid_argument if the state does not have the schedule's cells.
 [[nodiscard]] Verification verify(const State& state, const Schedule& schedule,
                                   double tolerance = 1e-9);

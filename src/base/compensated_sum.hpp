@@ -17,6 +17,13 @@ public:
         sum_ = next;
     }
 
+    /// Adds another sum, times +-1.
+    void add(const CompensatedSum& other, double sign)
+    {
+        add(sign * other.sum_);
+        lost_ += sign * other.lost_;
+    }
+
     [[nodiscard]] double value() const { return sum_ + lost_; }
 
 private:

@@ -205,8 +205,7 @@ void ContinuumCommand::addTo(CLI::App& command)
     command
         .add_option("--direction", directionFile, "or the way to go from there, as a state file")
         ->type_name("FILE.csv");
-    command.add_flag("--sample", sample,
-                     "motions spread over the whole set instead of a curve");
+    command.add_flag("--sample", sample, "motions spread over the whole set instead of a curve");
     addWhole(command, "--seed", 0, maxSeed, seed, "K",
              "join two members drawn at random; with --sample, which ones");
     addWord(command, "--engine", "auto|geometric|ipopt|nlopt", "who traces; or a back end (auto)",

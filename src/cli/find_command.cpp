@@ -131,7 +131,8 @@ ExitStatus FindCommand::run() const
     const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();
     if (result.status == Status::found) {
         if (!state.empty()) {
-            forFile("--state", stateFile, [&] { writeStateCsv(state, result.motion->state, request.bar); });
+            forFile("--state", stateFile,
+                    [&] { writeStateCsv(state, result.motion->state, request.bar); });
         }
         if (!motion.empty()) {
             const Motion field(result.motion->state, schedule);

@@ -56,7 +56,6 @@ public:
         }
         const Scales unit = scales(request_.options.bar);
         const double energy = energyRatio(state);
-        const double peak = extremesOf(state, request_.schedule).peakStrain;
         result_.status = Status::found;
         result_.motion =
             FoundMotion{.state = std::move(state),
@@ -66,7 +65,7 @@ public:
                         .pressing = std::move(seen.pressing),
                         .energy = energy * unit.energy,
                         .energyRatio = energy,
-                        .peakStrain = peak * unit.strain,
+                        .peakStrain = seen.peakStrain * unit.strain,
                         .residuals = seen.residuals};
     }
 

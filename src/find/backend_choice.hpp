@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which back end a request gets: the only place of this floor that knows them by name.
+/// Which back end a request gets; the table of back ends (solver.hpp) knows their order.
 
 #include <memory>
 #include <string>
@@ -17,12 +17,6 @@ inline constexpr std::string_view closedForm = "closed-form";
 /// \throws std::invalid_argument for an unknown name, BackendUnavailable for one that is not in
 /// this build.
 void requireBackend(std::string_view solver);
-
-/// Has this build a back end for quadratic objectives?
-[[nodiscard]] bool canMinimiseSquares();
-
-/// Has this build a back end that holds an energy?
-[[nodiscard]] bool canHoldEnergy();
 
 /// `solver`, or if that is "auto" the first suited to the program that this build contains.
 /// \throws BackendUnavailable if there is none.

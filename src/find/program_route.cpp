@@ -20,7 +20,7 @@ Demands posedDemands(const Request& request)
 {
     Demands posed = request.demands;
     if (posed.objective == Objective::automatic && request.options.solver == automaticChoice &&
-        !posed.energyRatio && canMinimiseSquares()) {
+        !posed.energyRatio && preferred({.quadraticObjective = true}) != nullptr) {
         posed.objective = Objective::minEnergy;
     }
     return posed;
@@ -76,11 +76,11 @@ Solved solved(const Request& request)
     s.how.reason = reasonFor(s.formulated.program, request);
 
     const auto solver = makeSolver(s.how.solver.name);
-    const SolverOptions settings{.tolerance = options.tolerance,
-                                 .iterationLimit = options.iterationLimit,
-                                 .timeLimit = options.timeLimit,
-                                 .cancel = solver->capabilities().cancel ? options.cancel
-                                                                         : Cancel()};
+    const SolverOptions settings{
+        .tolerance = options.tolerance,
+        .iterationLimit = options.iterationLimit,
+        .timeLimit = options.timeLimit,
+        .cancel = solver->capabilities().cancel ? options.cancel : Cancel()};
     s.answer = solve(s.formulated, posed.objective, *solver, settings);
     if (isWithout(s.answer) &&
         (std::isfinite(posed.strainLimit) || std::isfinite(posed.tipFloor))) {
@@ -172,7 +172,7 @@ Claim claimWithoutMotion(const Request& request, Solved& s)
 
 std::optional<Claim> programRoute(const Request& request)
 {
-    if (!canHoldEnergy() && holdsEnergyInSums(request)) {
+    if (preferred({.energyEquality = true}) == nullptr && holdsEnergyInSums(request)) {
         return std::nullopt;
     }
     Solved s = solved(request);

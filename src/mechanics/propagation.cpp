@@ -15,13 +15,18 @@ Schedule foldedFor(const State& state, Schedule schedule)
     return schedule;
 }
 
-DelayLine::DelayLine(const State& state)
+void requireWaves(const State& state)
 {
     if (state.a.size() != state.b.size() || state.a.size() == 0) {
         throw std::invalid_argument(
             fmt::format("state: a has {} cells and b {}: allowed two arrays of equal length >= 1",
                         state.a.size(), state.b.size()));
     }
+}
+
+DelayLine::DelayLine(const State& state)
+{
+    requireWaves(state);
     ring_ = windowOf(state);
 }
 

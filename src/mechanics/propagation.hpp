@@ -16,6 +16,9 @@
 
 namespace signorini {
 
+/// \throws std::invalid_argument if a and b differ in length or are empty.
+void requireWaves(const State& state);
+
 /// The bar as a ring of the 2N values p_m ... p_{m+2N-1}, next to arrive first.
 class DelayLine {
 public:

@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "arrivals.hpp"
 #include "equations.hpp"
 #include "propagation.hpp"
+#include "signorini/demands.hpp"
 #include "signorini/reduction.hpp"
 #include "support.hpp"
 
@@ -136,4 +138,55 @@ TEST_CASE("verification: wrong use is refused")
     CHECK_THROWS_AS(march(test::randomState(2), -1), std::invalid_argument);
     CHECK_THROWS_AS(verify(test::randomState(2), onePhase(3, 1, 1)), std::invalid_argument);
     CHECK_THROWS_AS(isProof({}, onePhase(0, 1, 1)), std::invalid_argument);
+}
+
+TEST_CASE("verification: the echo sends what a delay line sends, piece by piece")
+{
+    std::mt19937_64 generator(4);
+    for (const std::int64_t cells : {1, 2, 7, 40}) {
+        const State state = test::randomState(cells, 3);
+        Echo echo(state);
+        DelayLine line(state);
+        for (int piece = 0; piece < 400; ++piece) {
+            const Arrivals next = echo.ahead(1 + static_cast<std::int64_t>(generator() % 13));
+            const bool isContact = generator() % 2 == 0;
+            double low = next.at(0);
+            double high = low;
+            double sum = 0.0;
+            REQUIRE(next.count() >= 1);
+            for (std::int64_t k = 0; k < next.count(); ++k) {
+                REQUIRE(next.at(k) == line.incoming());
+                low = std::min(low, next.at(k));
+                high = std::max(high, next.at(k));
+                sum += next.at(k);
+                isContact ? line.contactStep() : line.freeStep();
+            }
+            REQUIRE(next.low() == low);
+            REQUIRE(next.high() == high);
+            REQUIRE(next.sum().value() == Approx(sum).margin(1e-14));
+            echo.advance(next.count(), isContact);
+            REQUIRE(echo.distance() == line.distance(state));
+        }
+    }
+}
+
+TEST_CASE("verification: beside the schedule or alone, the march sees the same")
+{
+    // Motions agree with their schedules; other states part from them, at once or later.
+    for (const Schedule& schedule : {onePhase(2000, 1000, 6000), onePhase(8, 5, 23),
+                                     onePhase(300, 700, 4000), Schedule{4, {{1, 12}, {3, 12}}}}) {
+        const State other = test::randomState(schedule.cells, 5);
+        std::vector<State> states{other, {0.01 * other.a, 0.01 * other.b}};
+        if (schedule.phases.size() == 1 && !reduce(schedule).reason) {
+            states.push_back(leastEnergyMotion(reduce(schedule)));
+        }
+        for (const State& state : states) {
+            INFO(describe(schedule));
+            const March alone = march(state, steps(schedule));
+            const Verification seen = verify(state, schedule);
+            CHECK(seen.residuals.march == alone.residual);
+            CHECK((seen.repetitions > 1 || seen.canonical == alone.phases));
+            CHECK(seen.peakStrain == extremesOf(state, schedule).peakStrain);
+        }
+    }
 }

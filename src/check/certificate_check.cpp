@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include "integers.hpp"
+#include "signorini/verification.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// The 2N unknowns as seen by the tip, with signs only: which unknown arrives, and how often it
+/// has been negated. Independent of the code that constructs certificates.
+class SignLine {
+public:
+    explicit SignLine(std::int64_t cells)
+        : cells_(cells), signs_(static_cast<std::size_t>(2 * cells), 1)
+    {
+    }
+
+    [[nodiscard]] std::int64_t size() const { return 2 * cells_; }
+
+    /// Index of the m-th arriving value among the unknowns (a, b), and its sign: the initial state
+    /// sends a_N, ..., a_1 and then -b_1, ..., -b_N to the tip.
+    [[nodiscard]] std::size_t unknown(std::int64_t m) const
+    {
+        const std::int64_t k = (head_ + m) % size();
+        return static_cast<std::size_t>(k < cells_ ? cells_ - 1 - k : k);
+    }
+
+    [[nodiscard]] std::int64_t sign(std::int64_t m) const
+    {
+        const std::int64_t k = (head_ + m) % size();
+        const std::int64_t sign = signs_[static_cast<std::size_t>(k)];
+        return k < cells_ ? sign : -sign;
+    }
+
+    void contact(std::int64_t count) { head_ = (head_ + count % size()) % size(); }
+
+    void free(std::int64_t count)
+    {
+        for (std::int64_t step = count % (2 * size()); step > 0; --step) {
+            auto& flipped = signs_[static_cast<std::size_t>(head_)];
+            flipped = -flipped;
+            contact(1);
+        }
+    }
+
+private:
+    std::int64_t cells_;
+    std::int64_t head_ = 0;
+    std::vector<std::int32_t> signs_;
+};
+
+/// The coefficients of a combination of rows over the 2N unknowns.
+class IntegerRow {
+public:
+    explicit IntegerRow(std::int64_t size) : values_(static_cast<std::size_t>(size), 0) {}
+
+    void add(std::size_t unknown, std::int64_t coefficient, std::int64_t multiplier)
+    {
+        values_[unknown] = checkedAdd(values_[unknown], checkedMultiply(coefficient, multiplier));
+    }
+
+    [[nodiscard]] bool isZero() const
+    {
+        return std::all_of(values_.begin(), values_.end(), [](auto v) { return v == 0; });
+    }
+
+private:
+    std::vector<std::int64_t> values_;
+};
+
+bool areMultipliers(const std::vector<Multiplier>& rows, std::int64_t rowCount, bool signedRows)
+{
+    std::int64_t previous = -1;
+    return std::all_of(rows.begin(), rows.end(), [&](const Multiplier& m) {
+        const bool fine = m.row > previous && m.row < rowCount && (signedRows || m.value >= 0);
+        previous = m.row;
+        return fine;
+    });
+}
+
+/// Adds the rows (12) of one phase, `first` being the number of its first row.
+void addPenetration(const std::vector<Multiplier>& rows, std::int64_t first, std::int64_t count,
+                    SignLine line, IntegerRow& total)
+{
+    const auto inPhase = [&](const Multiplier& m) {
+        return m.row >= first && m.row < first + count;
+    };
+    if (std::none_of(rows.begin(), rows.end(), inPhase)) {
+        return;
+    }
+    // Prefix sums repeat after 4N steps of flight; the row at 4N - 1 itself is zero.
+    const std::int64_t repeat = 2 * line.size();
+    std::vector<std::int64_t> weight(static_cast<std::size_t>(std::min(count, repeat)), 0);
+    for (const Multiplier& m : rows) {
+        if (inPhase(m)) {
+            auto& entry = weight[static_cast<std::size_t>((m.row - first) % repeat)];
+            entry = checkedAdd(entry, m.value);
+        }
+    }
+    // p of step k stands in every prefix row from k on.
+    std::int64_t remaining = 0;
+    for (const std::int64_t w : weight) {
+        remaining = checkedAdd(remaining, w);
+    }
+    for (const std::int64_t w : weight) {
+        if (remaining == 0) {
+            break;
+        }
+        total.add(line.unknown(0), line.sign(0), remaining);
+        remaining -= w;
+        line.free(1);
+    }
+}
+
+bool combinesToContradiction(const FarkasCertificate& certificate, const Schedule& schedule)
+{
+    const std::int64_t cells = schedule.cells;
+    SignLine line(cells);
+    IntegerRow total(2 * cells);
+    for (std::int64_t i = 0; i < cells; ++i) {  // (31): sum(b - a)
+        total.add(static_cast<std::size_t>(i), -1, certificate.gap);
+        total.add(static_cast<std::size_t>(cells + i), 1, certificate.gap);
+    }
+    std::int64_t firstContact = 0;
+    std::int64_t firstFree = 0;
+    for (const Phase& phase : schedule.phases) {
+        for (const Multiplier& m : certificate.pressure) {  // (10): -p_m
+            if (m.row >= firstContact && m.row < firstContact + phase.contact) {
+                const std::int64_t step = m.row - firstContact;
+                total.add(line.unknown(step), -line.sign(step), m.value);
+            }
+        }
+        line.contact(phase.contact);
+        addPenetration(certificate.penetration, firstFree, phase.free, line, total);
+        line.free(phase.free);
+        firstContact += phase.contact;
+        firstFree += phase.free;
+    }
+    // (30): x at the end minus x at the start, row by row in the order of arrival at the tip.
+    const SignLine start(cells);
+    std::vector<std::int64_t> y(static_cast<std::size_t>(2 * cells), 0);
+    for (const Multiplier& m : certificate.periodicity) {
+        y[static_cast<std::size_t>(m.row)] = m.value;
+    }
+    for (std::int64_t m = 0; m < 2 * cells; ++m) {
+        const std::size_t row = start.unknown(m);
+        total.add(line.unknown(m), start.sign(m) * line.sign(m), y[row]);
+        total.add(row, -1, y[row]);
+    }
+    return total.isZero();
+}
+
+}  // namespace
+
+bool isProof(const FarkasCertificate& certificate, const Schedule& schedule)
+{
+    validate(schedule);
+    std::int64_t contactRows = 0;
+    std::int64_t freeRows = 0;
+    for (const Phase& phase : schedule.phases) {
+        contactRows += phase.contact;
+        freeRows += phase.free;
+    }
+    if (certificate.gap >= 0 ||
+        !areMultipliers(certificate.periodicity, 2 * schedule.cells, true) ||
+        !areMultipliers(certificate.pressure, contactRows, false) ||
+        !areMultipliers(certificate.penetration, freeRows, false)) {
+        return false;
+    }
+    try {
+        return combinesToContradiction(certificate, schedule);
+    } catch (const std::overflow_error&) {
+        return false;
+    }
+}
+
+}  // namespace signorini
