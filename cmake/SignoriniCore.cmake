@@ -32,3 +32,7 @@ add_executable(core-program tests/core/core_program.cpp)
 target_link_libraries(core-program PRIVATE signorini_core signorini_warnings)
 enable_testing()
 add_test(NAME "core: finds, proves, verifies" COMMAND core-program)
+if(EMSCRIPTEN)
+  # One file, for Node fetches no other one from a disk; and the status of main.
+  target_link_options(core-program PRIVATE -sSINGLE_FILE=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1)
+endif()
