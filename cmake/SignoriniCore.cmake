@@ -10,6 +10,10 @@ endforeach()
 target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
 # Steps and cells are 64-bit numbers everywhere; so are indices of Eigen, also where pointers are shorter.
 target_compile_definitions(Eigen3::Eigen INTERFACE EIGEN_DEFAULT_DENSE_INDEX_TYPE=__INT64_TYPE__)
+if(CMAKE_SIZEOF_VOID_P EQUAL 4)
+  target_compile_options(Eigen3::Eigen INTERFACE
+    "SHELL:-include ${PROJECT_SOURCE_DIR}/cmake/eigen_wide_index.hpp")
+endif()
 foreach(library IN ITEMS GLPK IPOPT NLOPT)
   set(SIGNORINI_HAS_${library} 0)
 endforeach()
@@ -32,3 +36,7 @@ add_executable(core-program tests/core/core_program.cpp)
 target_link_libraries(core-program PRIVATE signorini_core signorini_warnings)
 enable_testing()
 add_test(NAME "core: finds, proves, verifies" COMMAND core-program)
+if(EMSCRIPTEN)
+  # One file, for Node fetches no other one from a disk; and the status of main.
+  target_link_options(core-program PRIVATE -sSINGLE_FILE=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1)
+endif()
