@@ -83,7 +83,7 @@ void Progress::write()
     bool isDirty = false;
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, pause, [this] { return isOver_; })) {
-        tell("\r" + line() + "\033[K");
+        tell(fmt::format("\r{}\033[K", line()));
         isDirty = true;
     }
     if (isDirty) {

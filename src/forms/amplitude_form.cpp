@@ -3,8 +3,8 @@
 #include <map>
 #include <utility>
 
+#include "builders.hpp"
 #include "echo.hpp"
-#include "forms.hpp"
 #include "row_list.hpp"
 #include "signorini/lumped_set.hpp"
 

@@ -2,9 +2,9 @@
 
 #include <stdexcept>
 
+#include "builders.hpp"
 #include "demand_names.hpp"
 #include "echo.hpp"
-#include "forms.hpp"
 
 namespace signorini {
 

@@ -1,6 +1,6 @@
+#include "builders.hpp"
 #include "echo.hpp"
 #include "equations.hpp"
-#include "forms.hpp"
 #include "row_list.hpp"
 
 namespace signorini {

@@ -131,8 +131,8 @@ private:
 /// a simplex, and both members where only two are left. Even in the long run.
 class SectionSampler {
 public:
-    /// `squares` in [least, most] of the set (amplitude_set.hpp). \throws std::invalid_argument if it
-    /// is not.
+    /// `squares` in [least, most] of the set (amplitude_set.hpp). \throws std::invalid_argument if
+    /// it is not.
     SectionSampler(const AmplitudeSet& set, double squares, std::uint64_t seed);
 
     /// The member reached after `moves` more moves. O(moves d log d).

@@ -188,8 +188,11 @@ const Backend& choose(const Capabilities& needs)
     for (const Backend* backend : candidates(needs)) {
         names.push_back(backend->name);
     }
-    throw BackendUnavailable(fmt::format(
-        "this request needs one of the solvers {}: none is in this build", fmt::join(names, ", ")));
+    throw BackendUnavailable(
+        names.empty()
+            ? "no solver can do all that this request needs"
+            : fmt::format("this request needs one of the solvers {}: none is in this build",
+                          fmt::join(names, ", ")));
 }
 
 std::unique_ptr<Solver> makeSolver(const Backend& backend)

@@ -155,7 +155,7 @@ TEST_CASE("cli: wrong use is exit status 2, one line naming argument, value and 
         {"3 9 --energy-ratio nan", "--energy-ratio = nan"},
         {"3 9 --strain-limit -1", "--strain-limit = -1"},
         {"3 9 --tip-floor x", "--tip-floor = x"},
-        {"3 9 --tip-floor 0.001", "tipFloor = 0.001"},
+        {"3 9 --tip-floor 0.001", "--tip-floor = 0.001"},
         {"3 9 --objective nearest", "--target"},
         {"3 9 --target s.csv", "--objective"},
         {"3 9 --objective min-energy --energy-ratio 9", "objective = min-energy"},

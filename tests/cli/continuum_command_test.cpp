@@ -1,6 +1,7 @@
 // signorini continuum: the curve in JSON, text, tables and figures, and what ends it.
 
 #include "program.hpp"
+#include "solver.hpp"
 
 using namespace signorini::test;
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "catch.hpp"
 #include "arrivals.hpp"
+#include "catch.hpp"
 #include "equations.hpp"
 #include "propagation.hpp"
 #include "signorini/demands.hpp"
