@@ -32,7 +32,7 @@ TEST_CASE("cli: Ctrl-C ends a search by a solver that can be stopped with status
 {
     for (const std::string& call :
          {slowCall("6000", "ipopt --objective min-energy"),
-          slowCall("700", "nlopt-auglag --energy-ratio 20 --tolerance 1e-12")}) {
+          slowCall("4000", "nlopt-auglag --energy-ratio 20 --tolerance 1e-12")}) {
         const Program program;
         const auto outcome = program.run(call, "timeout --preserve-status -s INT 1");
         INFO(call << "\n" << outcome.out << outcome.err);
