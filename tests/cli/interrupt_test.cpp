@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <utility>
 
 #include "program.hpp"
 #include "solver.hpp"
@@ -30,11 +31,12 @@ std::string shownBy(const Program& program, const std::string& arguments)
 
 TEST_CASE("cli: Ctrl-C ends a search by a solver that can be stopped with status 3 and words")
 {
-    for (const std::string& call :
-         {slowCall("6000", "ipopt --objective min-energy"),
-          slowCall("4000", "nlopt-auglag --energy-ratio 20 --tolerance 1e-12")}) {
+    for (const auto& [call, seconds] :
+         {std::pair{slowCall("6000", "ipopt --objective min-energy"), "1"},
+          std::pair{slowCall("800", "nlopt-auglag --energy-ratio 20 --tolerance 1e-12"), "0.3"}}) {
         const Program program;
-        const auto outcome = program.run(call, "timeout --preserve-status -s INT 1");
+        const auto outcome =
+            program.run(call, std::string("timeout --preserve-status -s INT ") + seconds);
         INFO(call << "\n" << outcome.out << outcome.err);
         if (outcome.status == 4) {
             continue;  // not in this build
