@@ -27,6 +27,13 @@ extern "C" {
 
 using namespace signorini;
 
+/// cddlib keeps some numbers of GMP for itself when it converts a polyhedron: no leak of ours.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions()
+{
+    return "leak:__gmp_default_allocate\n";
+}
+
 namespace {
 
 /// Coordinates in lowest terms: of a vertex behind "1", of a direction, up to a factor > 0, "0".
