@@ -110,7 +110,8 @@ struct CommonOptions {
     [[nodiscard]] std::int64_t usualCells() const { return cells.value_or(300); }
     /// \throws std::invalid_argument on a clash, or numbers that do not go together.
     [[nodiscard]] Bar bar() const;
-    /// For a command that works on one thread: says so where more were allowed.
+    /// For a command that works on one thread: says so where more were allowed. Said last, so that
+    /// a wrong call stays one line.
     void useOneThread(std::string_view command) const;
 
 private:

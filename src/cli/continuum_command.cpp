@@ -226,7 +226,6 @@ void ContinuumCommand::addTo(CLI::App& command)
 ExitStatus ContinuumCommand::run() const
 {
     const Schedule schedule{common.usualCells(), parsePhases(steps)};
-    common.useOneThread("continuum");
     if (!energyRatio) {
         throw std::invalid_argument("--energy-ratio is missing: allowed finite numbers > 0 [E_1]");
     }
@@ -262,6 +261,7 @@ ExitStatus ContinuumCommand::run() const
         tell("signorini continuum: no motion to write, so no file was written\n");
     }
     writeOut(common.wantsJson ? asJson(curve) : asText(curve));
+    common.useOneThread("continuum");
     return exitStatusOf(curve.status);
 }
 

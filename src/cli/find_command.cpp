@@ -117,7 +117,6 @@ void FindCommand::addTo(CLI::App& command)
 ExitStatus FindCommand::run() const
 {
     const Schedule schedule{common.usualCells(), parsePhases(steps)};
-    common.useOneThread("find");
     const FindOptions request = completed(*this);
     validate(schedule);
     validateFiles(*this);
@@ -155,6 +154,7 @@ ExitStatus FindCommand::run() const
         tell("signorini find: no motion to write, so no file was written\n");
     }
     writeOut(common.wantsJson ? asJson(result) : asText(result));
+    common.useOneThread("find");
     return exitStatusOf(result.status);
 }
 

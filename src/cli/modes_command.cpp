@@ -134,7 +134,6 @@ void ModesCommand::addTo(CLI::App& command)
 
 ExitStatus ModesCommand::run() const
 {
-    common.useOneThread("modes");
     Listing listing{bounds, common.bar(), {}};
     FrequencyEnergyOptions drawing;
     if (!figureFile.empty()) {
@@ -167,6 +166,7 @@ ExitStatus ModesCommand::run() const
         files.commit();
     }
     writeOut(common.wantsJson ? asJson(listing) : asText(listing));
+    common.useOneThread("modes");
     return listing.isComplete ? exitFound : exitUndecided;
 }
 
