@@ -75,7 +75,7 @@ TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same r
 TEST_CASE("cli atlas: Ctrl-C ends with status 3 and words, --resume goes on")
 {
     const Program program;
-    const std::string call = "atlas --database a.sqlite --cells 9 --phases 2 --all";
+    const std::string call = "atlas --database a.sqlite --cells 6 --phases 2 --all";
     // A busy machine may take a moment to begin.
     auto stopped = program.run(call, "timeout -s INT 0.15");
     for (const char* later : {"timeout -s INT 0.25", "timeout -s INT 0.4"}) {
