@@ -39,10 +39,15 @@ inline Json barAsJson(const Bar& bar)
             {"gap", bar.gap}};
 }
 
-/// One line. Bytes of a file name that are not UTF-8 become U+FFFD: JSON has no other way.
+/// One line. Bytes of a file name that are not UTF-8 become U+FFFD: JSON has no other way. DEL, the
+/// one control character that JSON lets stand in a string, is escaped like the others.
 inline std::string asLine(const Json& json)
 {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    std::string line = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    for (auto at = line.find('\x7f'); at != std::string::npos; at = line.find('\x7f', at)) {
+        line.replace(at, 1, "\\u007f");
+    }
+    return line;
 }
 
 }  // namespace signorini::cli

@@ -278,7 +278,7 @@ std::string asJson(const PeriodicResult& result)
     if (!result.detail.empty()) {
         json["detail"] = result.detail;
     }
-    return json.dump() + "\n";
+    return asLine(json);
 }
 
 }  // namespace signorini::cli
