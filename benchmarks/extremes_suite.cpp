@@ -11,7 +11,7 @@
 #include "judge.hpp"
 #include "propagation.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "solving.hpp"
 #include "suites.hpp"
 #include "timing.hpp"
@@ -133,7 +133,7 @@ private:
              {std::pair{150, 899}, {150, 901}, {149, 900}, {151, 900}, {149, 902}, {151, 898}}) {
             Problem problem{.name = fmt::format("one step off: {}:{} N=300", contact, free),
                             .schedule = {300, {{contact, free}}}};
-            problem.exists = !reduce(problem.schedule).reason;
+            problem.exists = !onePhaseSet(problem.schedule).reason;
             addOurs(problem, "any");
             if (isFull_ || contact == 150) {
                 addRivals(problem, "any", linearBackEnds(),
@@ -162,7 +162,7 @@ private:
     {
         const Problem base = familyA(isFull_ ? 100 : 30);
         const double least =
-            extremesOf(leastEnergyMotion(reduce(base.schedule)), base.schedule).peakStrain;
+            extremesOf(leastEnergyMotion(onePhaseSet(base.schedule)), base.schedule).peakStrain;
         for (const double margin : {1e-3, 1e-6, 1e-9}) {
             for (const bool exists : {true, false}) {
                 Problem problem = base;
@@ -181,7 +181,7 @@ private:
     void addEndsOfEnergy()
     {
         const Problem base = familyA(30);
-        const EnergyRange range = energyRange(reduce(base.schedule));
+        const EnergyRange range = energyRange(onePhaseSet(base.schedule));
         const auto add = [&](const char* where, double energy, bool exists, bool withRivals) {
             Problem problem = withEnergy(base, energy);
             problem.name = fmt::format("energy {}: {}", where, base.name);
@@ -297,7 +297,7 @@ private:
         for (std::int64_t contact = 1; contact <= 2 * cells; ++contact) {
             for (std::int64_t free = 1; free <= 6 * cells; ++free) {
                 Problem problem{.name = "", .schedule = {cells, {{contact, free}}}};
-                problem.exists = !reduce(problem.schedule).reason;
+                problem.exists = !onePhaseSet(problem.schedule).reason;
                 check(problem, ask, 5188.0, 1e-6, sweep);
             }
         }
@@ -344,7 +344,7 @@ private:
                                          "signorini", "-", "march");
         cases_.push_back({record, "", [periods](Record& row) {
                               const Schedule schedule = familyA(300).schedule;
-                              const State state = leastEnergyMotion(reduce(schedule));
+                              const State state = leastEnergyMotion(onePhaseSet(schedule));
                               DelayLine line(state);
                               bench::record(timeOf([&] {
                                                 for (int k = 0; k < periods; ++k) {

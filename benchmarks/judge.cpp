@@ -6,7 +6,7 @@
 
 #include "signorini/amplitude_set.hpp"
 #include "signorini/lumped_set.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 
 namespace signorini::bench {
@@ -17,7 +17,7 @@ namespace {
 /// the set in amplitudes, or away from every state with such amplitudes.
 double distanceToSet(const Schedule& schedule, const State& state)
 {
-    const Reduction exact = reduce(schedule);
+    const OnePhaseSet exact = onePhaseSet(schedule);
     const std::vector<double> z = amplitudesOf(exact, state);
     const ClassTypes classes = classTypes(schedule);
     std::vector<double> all(static_cast<std::size_t>(classes.classes), 0.0);

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "signorini/lumped_set.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 
 namespace signorini::bench {
 
@@ -20,7 +20,8 @@ Problem family(const char* letter, std::int64_t cells, std::int64_t free, bool e
 
 bool hasMotion(const Schedule& schedule)
 {
-    return schedule.phases.size() == 1 ? !reduce(schedule).reason : !lumpedSet(schedule).absence;
+    return schedule.phases.size() == 1 ? !onePhaseSet(schedule).reason
+                                       : !lumpedSet(schedule).absence;
 }
 
 /// Draws until as many exist as do not.

@@ -14,8 +14,8 @@
 #include "equations.hpp"
 #include "judge.hpp"
 #include "signorini/motion.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/output.hpp"
-#include "signorini/reduction.hpp"
 #include "solver.hpp"
 #include "solving.hpp"
 #include "suites.hpp"
@@ -37,7 +37,7 @@ void findNullSpace(std::int64_t cells, Record& record)
                       dimension = 2 * cells - svd.rank();
                   }),
                   record);
-    const std::int64_t exact = reduce(schedule).kernelDimension;
+    const std::int64_t exact = onePhaseSet(schedule).kernelDimension;
     record.figures["checked"] = static_cast<double>(exact);
     record.figures["wrong"] = std::abs(static_cast<double>(dimension - exact));
     record.claim = "found";
@@ -175,11 +175,11 @@ void compareWithExact(const TimeSteps& steps, const State& state, const Schedule
 void marchOurs(std::int64_t cells, int periods, Record& record)
 {
     const Schedule schedule = familyA(cells).schedule;
-    const State state = leastEnergyMotion(reduce(schedule));
+    const State state = leastEnergyMotion(onePhaseSet(schedule));
     TimeSteps steps;
     bench::record(
         timeOf([&] {
-            const State fresh = leastEnergyMotion(reduce(schedule));
+            const State fresh = leastEnergyMotion(onePhaseSet(schedule));
             const Motion motion(fresh, schedule);
             const double energy = 0.5 * energyRatio(fresh);
             steps.samples.clear();
@@ -193,7 +193,7 @@ void marchOurs(std::int64_t cells, int periods, Record& record)
                         static_cast<int>(record.figure("repeats"))};
     // Against the motion on 300 cells, which is the same for every N.
     const Schedule reference = familyA(300).schedule;
-    compareWithExact(steps, leastEnergyMotion(reduce(reference)), reference, record);
+    compareWithExact(steps, leastEnergyMotion(onePhaseSet(reference)), reference, record);
     bench::record(timing, record);
     judgeFound(leastEnergyOf(familyA(cells), 4.0), state, 1e-6, record);
 }
@@ -220,7 +220,7 @@ std::vector<Case> rivalsSuite(Extent extent)
             cases.push_back(
                 {siconos, fmt::format("siconos {}", periods), [cells, periods](Record& row) {
                      const Schedule schedule = familyA(300).schedule;
-                     const State state = leastEnergyMotion(reduce(schedule));
+                     const State state = leastEnergyMotion(onePhaseSet(schedule));
                      compareWithExact(runSiconos(state, cells, periods), state, schedule, row);
                  }});
             Record ours = identified("rivals", "main mode T=3.5", "signorini", "-", setting);

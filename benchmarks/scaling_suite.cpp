@@ -66,9 +66,9 @@ private:
     {
         add("verdict", cells, [](std::int64_t n, Record& row) {
             const Schedule schedule = familyA(n).schedule;
-            Reduction workspace;
+            OnePhaseSet workspace;
             record(timeOf([&] {
-                       reduce(schedule, workspace);
+                       onePhaseSet(schedule, workspace);
                        keep(&workspace);
                    }),
                    row);
@@ -76,9 +76,9 @@ private:
         });
         add("longest verdict", cells, [](std::int64_t n, Record& row) {
             const Schedule schedule = longestWalk(n);
-            Reduction workspace;
+            OnePhaseSet workspace;
             record(timeOf([&] {
-                       reduce(schedule, workspace);
+                       onePhaseSet(schedule, workspace);
                        keep(&workspace);
                    }),
                    row);
@@ -92,10 +92,10 @@ private:
         });
         add("verdict and state", cells, [](std::int64_t n, Record& row) {
             const Schedule schedule = familyA(n).schedule;
-            Reduction workspace;
+            OnePhaseSet workspace;
             State state;
             record(timeOf([&] {
-                       reduce(schedule, workspace);
+                       onePhaseSet(schedule, workspace);
                        state = leastEnergyMotion(workspace);
                        keep(state.a.data());
                    }),
@@ -114,7 +114,7 @@ private:
         });
         add("verification", cells, [](std::int64_t n, Record& row) {
             const Schedule schedule = familyA(n).schedule;
-            const State state = leastEnergyMotion(reduce(schedule));
+            const State state = leastEnergyMotion(onePhaseSet(schedule));
             Verification seen;
             record(timeOf([&] { seen = verify(state, schedule); }), row);
             setOutcome(seen.residuals.worst() < 1e-12, row);

@@ -11,7 +11,7 @@
 #include "judge.hpp"
 #include "signorini/amplitude_set.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "timing.hpp"
 
 namespace signorini::bench {
@@ -179,30 +179,30 @@ Case libraryCase(const CaseName& name, const Problem& problem, double tolerance)
 
 Case closedFormCase(const CaseName& name, const Problem& problem, double tolerance)
 {
-    return caseOf(
-        name, identify(name, problem, "closed-form", "-", tolerance),
-        [problem, tolerance](Record& record) {
-            Reduction reduction;
-            State state;
-            bench::record(
-                timeOf([&] {
-                    reduce(problem.schedule, reduction);
-                    if (!reduction.reason && problem.demands.energyRatio) {
-                        const double squares = *problem.demands.energyRatio *
-                                               static_cast<double>(reduction.schedule.cells) /
-                                               (2.0 * static_cast<double>(reduction.window));
-                        state = motionOf(reduction, amplitudesWithSquares(reduction.set, squares));
-                    } else if (!reduction.reason) {
-                        state = leastEnergyMotion(reduction);
-                    }
-                }),
-                record);
-            if (reduction.reason) {
-                judgeNone(problem, record);
-            } else {
-                judgeFound(problem, state, tolerance, record);
-            }
-        });
+    return caseOf(name, identify(name, problem, "closed-form", "-", tolerance),
+                  [problem, tolerance](Record& record) {
+                      OnePhaseSet whole;
+                      State state;
+                      bench::record(timeOf([&] {
+                                        onePhaseSet(problem.schedule, whole);
+                                        if (!whole.reason && problem.demands.energyRatio) {
+                                            const double squares =
+                                                *problem.demands.energyRatio *
+                                                static_cast<double>(whole.schedule.cells) /
+                                                (2.0 * static_cast<double>(whole.window));
+                                            state = motionOf(
+                                                whole, amplitudesWithSquares(whole.set, squares));
+                                        } else if (!whole.reason) {
+                                            state = leastEnergyMotion(whole);
+                                        }
+                                    }),
+                                    record);
+                      if (whole.reason) {
+                          judgeNone(problem, record);
+                      } else {
+                          judgeFound(problem, state, tolerance, record);
+                      }
+                  });
 }
 
 }  // namespace signorini::bench

@@ -3,7 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "signorini/find_periodic.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 
 namespace {
@@ -19,9 +19,9 @@ Schedule paperCase(std::int64_t cells)
 void verdict(benchmark::State& bench)
 {
     const Schedule schedule = paperCase(bench.range(0));
-    Reduction workspace;
+    OnePhaseSet workspace;
     for (auto _ : bench) {
-        reduce(schedule, workspace);
+        onePhaseSet(schedule, workspace);
         benchmark::DoNotOptimize(workspace.set.sum);
     }
 }
@@ -32,9 +32,9 @@ void verdictLongestWalk(benchmark::State& bench)
 {
     const std::int64_t cells = bench.range(0);
     const Schedule schedule{cells, {{cells / 2 + 1, 3 * cells + cells % 2}}};
-    Reduction workspace;
+    OnePhaseSet workspace;
     for (auto _ : bench) {
-        reduce(schedule, workspace);
+        onePhaseSet(schedule, workspace);
         benchmark::DoNotOptimize(workspace.windowSum);
     }
     bench.counters["members"] = static_cast<double>(workspace.members);
@@ -65,9 +65,9 @@ BENCHMARK(atlasVerdicts)->Arg(300)->Unit(benchmark::kMillisecond);
 void verdictAndLeastEnergyState(benchmark::State& bench)
 {
     const Schedule schedule = paperCase(bench.range(0));
-    Reduction workspace;
+    OnePhaseSet workspace;
     for (auto _ : bench) {
-        reduce(schedule, workspace);
+        onePhaseSet(schedule, workspace);
         State state = leastEnergyMotion(workspace);
         benchmark::DoNotOptimize(state.a.data());
     }
@@ -90,7 +90,7 @@ BENCHMARK(write2NDoubles)->Arg(300)->Arg(3'000)->Arg(1'000'000);
 void verification(benchmark::State& bench)
 {
     const Schedule schedule = paperCase(bench.range(0));
-    const State state = leastEnergyMotion(reduce(schedule));
+    const State state = leastEnergyMotion(onePhaseSet(schedule));
     for (auto _ : bench) {
         benchmark::DoNotOptimize(verify(state, schedule).residuals.march);
     }

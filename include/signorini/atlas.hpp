@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "signorini/control.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/verdict.hpp"
 

@@ -3,7 +3,7 @@
 /// Continua k(lambda): curves of motions of one schedule and one energy, the paper's Fig. 2.
 ///
 /// The motions of energy E form the part of the solution set that lies on a sphere, since
-/// E/E_1 = (2w/N) sum z^2 (reduction.hpp). Two ways, one answer:
+/// E/E_1 = (2w/N) sum z^2 (one_phase_set.hpp). Two ways, one answer:
 ///
 /// - geometry (solver "closed-form"): motions that differ in one simplex of amplitudes, and what
 ///   lies of a box inside such a simplex. Exact paths (sphere_section.hpp), O(N) per point
@@ -31,7 +31,7 @@
 #include "signorini/control.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/schedule.hpp"
 
 namespace signorini {
@@ -148,7 +148,7 @@ struct Continuum {
 
 /// The number of components of the motions with E/E_1 = energyRatio, decided in rational numbers: 0
 /// outside the range. Empty if it exceeds 64 bits.
-[[nodiscard]] std::optional<std::int64_t> componentsAt(const Reduction& reduction,
+[[nodiscard]] std::optional<std::int64_t> componentsAt(const OnePhaseSet& whole,
                                                        double energyRatio);
 
 }  // namespace signorini

@@ -2,8 +2,8 @@
 /// \file
 /// Families: all motions with one contact phase that press the wall, each once, on no grid.
 ///
-/// A schedule's class pattern (reduction.hpp) depends on three integers alone: w = 2N/G blocks in
-/// a window of 2L/c, nu = n/G blocks in a period, k blocks of contact; w and nu have no common
+/// A schedule's class pattern (one_phase_set.hpp) depends on three integers alone: w = 2N/G blocks
+/// in a window of 2L/c, nu = n/G blocks in a period, k blocks of contact; w and nu have no common
 /// factor. A triple whose pattern is that of motions is a *family*:
 ///
 ///     T = 2 nu/w,   least E/E_1 = (w/win)^2,   longest contact 2k/w,   win = windowSum < 0.

@@ -54,8 +54,8 @@ struct FindOptions {
     Cancel cancel = {};  ///< stops a solver that can be stopped
 };
 
-/// The set of all motions of a schedule, as far as the route knows it; `reduce` and `lumpedSet`
-/// describe it in full.
+/// The set of all motions of a schedule, as far as the route knows it; `onePhaseSet` and
+/// `lumpedSet` describe it in full.
 struct MotionSet {
     std::optional<std::int64_t> kernelDimension;  ///< dim ker(W - 1)
     std::optional<SetKind> kind;                  ///< its shape

@@ -23,8 +23,9 @@
 ///
 /// Classes and types for any number of contact phases: the unknowns that are left of (30).
 ///
-/// As in reduction.hpp the n steps of a period fall into G = gcd(2N, n) classes m = alpha G + j.
-/// Cut 0..G-1 at every phase boundary modulo G: at most 2K runs of neighbouring classes remain, the
+/// As in one_phase_set.hpp the n steps of a period fall into G = gcd(2N, n) classes m = alpha G +
+/// j. Cut 0..G-1 at every phase boundary modulo G: at most 2K runs of neighbouring classes remain,
+/// the
 /// **types**. All classes of a type meet contact and free flight in the same alpha, so they share
 /// one sign pattern, p_{alpha G + j} = epsilon_alpha z_j. A type is
 ///
@@ -42,7 +43,7 @@
 #include "signorini/amplitude_set.hpp"
 #include "signorini/certificate.hpp"
 #include "signorini/motion.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/schedule.hpp"
 
 namespace signorini {

@@ -27,7 +27,7 @@
 #include <vector>
 
 #include "signorini/control.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/schedule.hpp"
 
 namespace signorini {

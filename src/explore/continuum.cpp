@@ -263,7 +263,7 @@ Continuum traceContinuum(const Schedule& schedule, double energyRatio,
 std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, std::int64_t count,
                                  std::uint64_t seed)
 {
-    const Reduction reduction = reduce(schedule);
+    const OnePhaseSet whole = onePhaseSet(schedule);
     if (count < 1 || count > maxContinuumPoints || !(energyRatio > 0.0)) {
         Faults faults;
         faults.add("count and energyRatio", fmt::format("{} and {}", count, energyRatio),
@@ -271,31 +271,31 @@ std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, s
         faults.throwIfAny();
     }
     std::vector<State> motions;
-    if (reduction.reason) {
+    if (whole.reason) {
         return motions;
     }
-    const EnergyRange range = energyRange(reduction);
+    const EnergyRange range = energyRange(whole);
     if (energyRatio < range.least || energyRatio > range.most) {
         return motions;
     }
-    const double squares = squaresOf(energyRatio, reduction.cells, reduction.window);
-    SectionSampler sampler(reduction.set, squares, seed);
+    const double squares = squaresOf(energyRatio, whole.cells, whole.window);
+    SectionSampler sampler(whole.set, squares, seed);
     for (std::int64_t k = 0; k < count; ++k) {
-        motions.push_back(motionOf(reduction, sampler.next()));
+        motions.push_back(motionOf(whole, sampler.next()));
     }
     return motions;
 }
 
-std::optional<std::int64_t> componentsAt(const Reduction& reduction, double energyRatio)
+std::optional<std::int64_t> componentsAt(const OnePhaseSet& whole, double energyRatio)
 {
-    if (reduction.reason) {
+    if (whole.reason) {
         return 0;
     }
-    const EnergyRange range = energyRange(reduction);
+    const EnergyRange range = energyRange(whole);
     if (!(energyRatio >= range.least && energyRatio <= range.most)) {
         return 0;
     }
-    return connectivityOf(reduction, energyRatio).components;
+    return connectivityOf(whole, energyRatio).components;
 }
 
 }  // namespace signorini

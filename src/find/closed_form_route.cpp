@@ -26,25 +26,23 @@ Provenance provenanceOf(const Request& request)
 
 /// The motion that fits the objective. Equal amplitudes have the least energy and the least peak
 /// strain, and the impulse is the same for all amplitudes. Empty where rounding spoils it.
-std::optional<State> candidate(const Reduction& reduction, const Demands& demands)
+std::optional<State> candidate(const OnePhaseSet& whole, const Demands& demands)
 {
     if (demands.objective == Objective::maxEnergy) {
-        return motionOf(reduction, mostAmplitudes(reduction.set));
+        return motionOf(whole, mostAmplitudes(whole.set));
     }
     if (demands.objective == Objective::nearest) {
-        return nearestMotion(reduction, *demands.target);
+        return nearestMotion(whole, *demands.target);
     }
     if (demands.energyRatio) {
-        const double squares = *demands.energyRatio *
-                               static_cast<double>(reduction.schedule.cells) /
-                               (2.0 * static_cast<double>(reduction.window));
+        const double squares = *demands.energyRatio * static_cast<double>(whole.schedule.cells) /
+                               (2.0 * static_cast<double>(whole.window));
         // Within the tolerance an energy beyond an end is met by the end.
         return motionOf(
-            reduction,
-            amplitudesWithSquares(reduction.set, std::clamp(squares, leastSquares(reduction.set),
-                                                            mostSquares(reduction.set))));
+            whole, amplitudesWithSquares(whole.set, std::clamp(squares, leastSquares(whole.set),
+                                                               mostSquares(whole.set))));
     }
-    return leastEnergyMotion(reduction);
+    return leastEnergyMotion(whole);
 }
 
 /// Limits on strain and tip are met by equal amplitudes or by none.

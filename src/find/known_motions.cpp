@@ -66,12 +66,11 @@ bool isBetter(const Demands& demands, const State& known, const State& claimed,
     return gain > allowed * std::abs(knownMeasure.value);
 }
 
-std::vector<State> motionsOf(const Reduction& reduction, const Demands& demands)
+std::vector<State> motionsOf(const OnePhaseSet& whole, const Demands& demands)
 {
-    std::vector<State> known{leastEnergyMotion(reduction),
-                             motionOf(reduction, mostAmplitudes(reduction.set))};
+    std::vector<State> known{leastEnergyMotion(whole), motionOf(whole, mostAmplitudes(whole.set))};
     if (demands.target) {
-        if (auto nearest = nearestMotion(reduction, *demands.target)) {
+        if (auto nearest = nearestMotion(whole, *demands.target)) {
             known.push_back(std::move(*nearest));
         }
     }

@@ -190,14 +190,14 @@ double nearestResidual(const AmplitudeSet& set, std::span<const double> z,
     return std::max(worst, std::abs(sum - set.sum)) / size;
 }
 
-std::optional<State> nearestMotion(const Reduction& reduction, const State& target)
+std::optional<State> nearestMotion(const OnePhaseSet& whole, const State& target)
 {
-    const std::vector<double> wanted = amplitudesOf(reduction, target);
-    const std::vector<double> z = nearestAmplitudes(reduction.set, wanted);
-    if (!(nearestResidual(reduction.set, z, wanted) <= residualAllowed)) {
+    const std::vector<double> wanted = amplitudesOf(whole, target);
+    const std::vector<double> z = nearestAmplitudes(whole.set, wanted);
+    if (!(nearestResidual(whole.set, z, wanted) <= residualAllowed)) {
         return std::nullopt;
     }
-    return motionOf(reduction, z);
+    return motionOf(whole, z);
 }
 
 std::optional<State> nearestMotion(const LumpedSet& set, const LumpedShape& shape,

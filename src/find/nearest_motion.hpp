@@ -24,7 +24,7 @@ namespace signorini {
 
 /// The same for one phase, by the closed form; empty where rounding spoils it. O(N log N).
 /// \pre the set is not empty.
-[[nodiscard]] std::optional<State> nearestMotion(const Reduction& reduction, const State& target);
+[[nodiscard]] std::optional<State> nearestMotion(const OnePhaseSet& whole, const State& target);
 
 /// How far z is from meeting the conditions of the member nearest to t (Karush-Kuhn-Tucker),
 /// relative to the largest bound of the set: of each amplitude (simplex) or partial sum (box), the

@@ -41,8 +41,8 @@ Demands demandsOf(const FindOptions& options)
 Known knownOfOnePhase(const Schedule& schedule)
 {
     Known known;
-    known.onePhase = reduce(schedule);
-    const Reduction& r = *known.onePhase;
+    known.onePhase = onePhaseSet(schedule);
+    const OnePhaseSet& r = *known.onePhase;
     known.set = {r.kernelDimension, r.set.kind, r.set.dimension(), r.set, std::nullopt};
     if (!r.reason) {
         known.set.energy = energyRange(r);

@@ -26,9 +26,9 @@ private:
 /// What is known of a schedule whichever route answers.
 struct Known {
     MotionSet set;
-    std::optional<Reduction> onePhase;  ///< one phase
-    std::optional<LumpedSet> sums;      ///< several phases, if within exact arithmetic
-    LumpedShape shape;                  ///< of the sums
+    std::optional<OnePhaseSet> onePhase;  ///< one phase
+    std::optional<LumpedSet> sums;        ///< several phases, if within exact arithmetic
+    LumpedShape shape;                    ///< of the sums
     Reason reason =
         Reason::penetration;  ///< several phases: why there is no motion, if there is none
     std::string outOfReach;   ///< why no route can answer; empty if one can

@@ -10,7 +10,7 @@
 
 #include "infeasibility.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 
 namespace signorini {
 

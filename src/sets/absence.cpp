@@ -1,4 +1,4 @@
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -23,7 +23,7 @@ struct Combination {
 
 /// On the kernel the gap row is -windowSum * sum z, a pressure row of block alpha is
 /// -epsilon_alpha z_j, and the prefix row at the end of block alpha is prefix_alpha * sum z.
-Combination combine(const Reduction& r)
+Combination combine(const OnePhaseSet& r)
 {
     if (*r.reason == Reason::noLiveClass) {
         return {.gap = -1, .pressure = {}, .penetration = {}};
@@ -81,7 +81,7 @@ std::int64_t periodSign(std::int64_t v, const Schedule& schedule)
 /// y with sum_u y_u (p_{u+n} - p_u) + 2 f = 0. The permutation u -> u + n (mod 2N) has G cycles;
 /// along one, y_v = sign_v y_u + 2 f_v with v = u + n, and the cycle closes because f vanishes on
 /// the kernel (even cycles) or because 2 f is even (odd cycles).
-Functional eliminate(const Functional& f, const Reduction& r)
+Functional eliminate(const Functional& f, const OnePhaseSet& r)
 {
     const auto size = static_cast<std::int64_t>(f.size());
     const std::int64_t stride =
@@ -142,14 +142,14 @@ void divideByCommonFactor(FarkasCertificate& certificate)
 
 }  // namespace
 
-FarkasCertificate proveAbsence(const Reduction& reduction)
+FarkasCertificate proveAbsence(const OnePhaseSet& whole)
 {
-    if (!reduction.reason) {
+    if (!whole.reason) {
         throw std::invalid_argument(
-            "reduction: the schedule has motions, their absence has no proof");
+            "one phase: the schedule has motions, their absence has no proof");
     }
-    Combination combination = combine(reduction);
-    const Functional y = eliminate(expand(combination, reduction.schedule), reduction);
+    Combination combination = combine(whole);
+    const Functional y = eliminate(expand(combination, whole.schedule), whole);
     FarkasCertificate certificate{.gap = 2 * combination.gap,
                                   .periodicity = inUnknowns(y),
                                   .pressure = std::move(combination.pressure),

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "signorini/motion.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/schedule.hpp"
 #include "sphere_section.hpp"
 
@@ -81,6 +81,6 @@ struct Connectivity {
 };
 
 /// Of a simplex, point or box with motions, at an energy in the range.
-[[nodiscard]] Connectivity connectivityOf(const Reduction& reduction, double energyRatio);
+[[nodiscard]] Connectivity connectivityOf(const OnePhaseSet& whole, double energyRatio);
 
 }  // namespace signorini

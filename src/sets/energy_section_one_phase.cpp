@@ -11,11 +11,11 @@ namespace signorini {
 namespace {
 
 /// rho = sum z^2/S^2 = E win^2/(2 w N), exactly.
-Rational ratioOf(const Reduction& reduction, double energyRatio)
+Rational ratioOf(const OnePhaseSet& whole, double energyRatio)
 {
-    const Rational windowSum = reduction.windowSum;
+    const Rational windowSum = whole.windowSum;
     return Rational(energyRatio) * windowSum * windowSum /
-           (2 * Rational(reduction.window) * Rational(reduction.schedule.cells));
+           (2 * Rational(whole.window) * Rational(whole.schedule.cells));
 }
 
 /// n over k, or empty if it does not fit.
@@ -44,9 +44,9 @@ struct BoxVertices {
     std::int64_t least;   ///< least odd number of jumps >= rho
     bool slides;          ///< may vertices with the least number move a jump?
 
-    BoxVertices(const Reduction& reduction, double energyRatio) : places(reduction.set.count)
+    BoxVertices(const OnePhaseSet& whole, double energyRatio) : places(whole.set.count)
     {
-        const Rational rho = ratioOf(reduction, energyRatio);
+        const Rational rho = ratioOf(whole, energyRatio);
         least = 1;
         while (rho > least && least + 2 <= places) {
             least += 2;
@@ -107,16 +107,15 @@ std::vector<bool> jumpsAbove(const std::vector<double>& shares)
 
 class OnePhase final : public EnergySection {
 public:
-    OnePhase(Reduction reduction, double energyRatio)
-        : reduction_(std::move(reduction)), energy_(energyRatio)
+    OnePhase(OnePhaseSet whole, double energyRatio) : whole_(std::move(whole)), energy_(energyRatio)
     {
-        const AmplitudeSet& set = reduction_.set;
-        facts_.range = energyRange(reduction_);
+        const AmplitudeSet& set = whole_.set;
+        facts_.range = energyRange(whole_);
         if (!(energy_ >= facts_.range.least && energy_ <= facts_.range.most)) {
             facts_.components = 0;
             return;
         }
-        const Connectivity connectivity = connectivityOf(reduction_, energy_);
+        const Connectivity connectivity = connectivityOf(whole_, energy_);
         facts_.isConnected = connectivity.isConnected;
         facts_.components = connectivity.components;
         const bool isEnd = energy_ == facts_.range.least || energy_ == facts_.range.most;
@@ -124,13 +123,13 @@ public:
         facts_.isFinite = isEnd || set.count <= 2;
 
         const auto count = static_cast<double>(set.count);
-        const double ratio = static_cast<double>(ratioOf(reduction_, energy_));
+        const double ratio = static_cast<double>(ratioOf(whole_, energy_));
         const double spread = std::sqrt(std::max(0.0, (count - 1.0) * (count * ratio - 1.0)));
         const double size = std::abs(set.sum);
         facts_.largestWave = size * std::min(1.0, (1.0 + spread) / count);
         facts_.isWhole = set.kind != SetKind::box || set.count <= 2;
         facts_.simplex = SphereSection{set.count, ratio};
-        facts_.unit = size * std::sqrt(energyOf(1.0, reduction_.cells, reduction_.window));
+        facts_.unit = size * std::sqrt(energyOf(1.0, whole_.cells, whole_.window));
     }
 
     [[nodiscard]] std::optional<bool> joins(const State& from, const State& to) const override
@@ -143,7 +142,7 @@ public:
         if (facts_.isWhole) {
             return dominant(start) == dominant(end);
         }
-        const BoxVertices vertices(reduction_, energy_);
+        const BoxVertices vertices(whole_, energy_);
         const std::vector<bool> first = jumpsAbove(start);
         const std::vector<bool> last = jumpsAbove(end);
         return first == last || (!vertices.isStuck(first) && !vertices.isStuck(last));
@@ -153,12 +152,12 @@ public:
     {
         std::vector<State> motions;
         if (facts_.components == 1) {
-            motions.push_back(signorini::motionOf(
-                reduction_, energy_ == facts_.range.least ? leastAmplitudes(reduction_.set)
-                                                          : mostAmplitudes(reduction_.set)));
+            motions.push_back(signorini::motionOf(whole_, energy_ == facts_.range.least
+                                                              ? leastAmplitudes(whole_.set)
+                                                              : mostAmplitudes(whole_.set)));
             return motions;
         }
-        for (std::int64_t j = 0; j < std::min(most, reduction_.set.count); ++j) {
+        for (std::int64_t j = 0; j < std::min(most, whole_.set.count); ++j) {
             motions.push_back(motionOf(isolatedShares(j)));
         }
         return motions;
@@ -166,9 +165,9 @@ public:
 
     [[nodiscard]] std::vector<double> sharesOf(const State& state) const override
     {
-        std::vector<double> shares = amplitudesOf(reduction_, state);
+        std::vector<double> shares = amplitudesOf(whole_, state);
         for (double& value : shares) {
-            value /= reduction_.set.sum;
+            value /= whole_.set.sum;
         }
         return shares;
     }
@@ -177,16 +176,16 @@ public:
     {
         std::vector<double> z = shares;
         for (double& value : z) {
-            value *= reduction_.set.sum;
+            value *= whole_.set.sum;
         }
-        return signorini::motionOf(reduction_, z);
+        return signorini::motionOf(whole_, z);
     }
 
     [[nodiscard]] AmplitudeSet sampled() const override
     {
-        AmplitudeSet set = reduction_.set;
-        set.lower = reduction_.set.upper / set.sum;
-        set.upper = reduction_.set.lower / set.sum;
+        AmplitudeSet set = whole_.set;
+        set.lower = whole_.set.upper / set.sum;
+        set.upper = whole_.set.lower / set.sum;
         set.sum = 1.0;
         return set;
     }
@@ -196,7 +195,7 @@ private:
     /// simplex, or the vertex of a box with a jump everywhere but at j.
     [[nodiscard]] std::vector<double> isolatedShares(std::int64_t j) const
     {
-        const std::int64_t count = reduction_.set.count;
+        const std::int64_t count = whole_.set.count;
         std::vector<double> shares(static_cast<std::size_t>(count), 0.0);
         if (count == 2) {
             const double ratio = std::clamp(facts_.simplex->ratio, 0.5, 1.0);
@@ -217,31 +216,31 @@ private:
         return shares;
     }
 
-    Reduction reduction_;
+    OnePhaseSet whole_;
     double energy_;
 };
 
 }  // namespace
 
-Connectivity connectivityOf(const Reduction& reduction, double energyRatio)
+Connectivity connectivityOf(const OnePhaseSet& whole, double energyRatio)
 {
-    if (energyRatio <= energyRange(reduction).least || reduction.set.count == 1) {
+    if (energyRatio <= energyRange(whole).least || whole.set.count == 1) {
         return {};
     }
-    if (reduction.set.kind == SetKind::box && reduction.set.count > 2) {
-        return BoxVertices(reduction, energyRatio).connectivity();
+    if (whole.set.kind == SetKind::box && whole.set.count > 2) {
+        return BoxVertices(whole, energyRatio).connectivity();
     }
-    const bool isOne = ratioOf(reduction, energyRatio) <= Rational(1, 2);
-    return {isOne, isOne ? 1 : reduction.set.count};
+    const bool isOne = ratioOf(whole, energyRatio) <= Rational(1, 2);
+    return {isOne, isOne ? 1 : whole.set.count};
 }
 
 std::unique_ptr<EnergySection> sectionOfOnePhase(const Schedule& schedule, double energyRatio)
 {
-    Reduction reduction = reduce(schedule);
-    if (reduction.reason) {
+    OnePhaseSet whole = onePhaseSet(schedule);
+    if (whole.reason) {
         return nullptr;
     }
-    return std::make_unique<OnePhase>(std::move(reduction), energyRatio);
+    return std::make_unique<OnePhase>(std::move(whole), energyRatio);
 }
 
 }  // namespace signorini

@@ -2,7 +2,7 @@
 /// \file
 /// From the integers of a verdict to its set.
 
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 
 namespace signorini {
 

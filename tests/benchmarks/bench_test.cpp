@@ -13,7 +13,7 @@
 #include "judge.hpp"
 #include "record.hpp"
 #include "runner.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "solver.hpp"
 #include "statistics.hpp"
 
@@ -167,7 +167,7 @@ TEST_CASE("bench: whatever happens to a case is a row")
 TEST_CASE("bench: the judge takes neither x = 0 nor a wrong verdict")
 {
     const Problem problem = leastEnergyOf(familyA(30), 4.0);
-    const State right = leastEnergyMotion(reduce(problem.schedule));
+    const State right = leastEnergyMotion(onePhaseSet(problem.schedule));
     const auto outcomeOf = [&](const State& state, double tolerance = 1e-6) {
         Record record;
         judgeFound(problem, state, tolerance, record);
@@ -179,7 +179,7 @@ TEST_CASE("bench: the judge takes neither x = 0 nor a wrong verdict")
     CHECK(outcomeOf({1.0001 * right.a, 1.0001 * right.b}, 1e-3) == "right");
     CHECK(outcomeOf({-right.a, -right.b}) == "wrong");
     State spike = right;  // a motion, but not the one of least energy
-    const Reduction exact = reduce(problem.schedule);
+    const OnePhaseSet exact = onePhaseSet(problem.schedule);
     std::vector<double> z(static_cast<std::size_t>(exact.set.count), 0.0);
     z.front() = exact.set.sum;
     spike = motionOf(exact, z);

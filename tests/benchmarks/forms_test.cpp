@@ -6,7 +6,7 @@
 #include "program.hpp"
 #include "propagation.hpp"
 #include "signorini/lumped_set.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 #include "solver.hpp"
 #include "support.hpp"
@@ -92,7 +92,7 @@ TEST_CASE("forms: solvers give every form the verdict of the closed form")
     const auto solver = makeSolver("glpk-simplex");
     int found = 0;
     test::forAllSchedules(3, 2, [&](const Schedule& schedule) {
-        const bool exists = !reduce(schedule).reason;
+        const bool exists = !onePhaseSet(schedule).reason;
         found += exists ? 1 : 0;
         for (const std::string_view form : allForms) {
             for (const bool isUnfolded : {false, true}) {
@@ -122,7 +122,7 @@ TEST_CASE("forms: a strain limit as rows decides as a limit on single waves does
     }
     const auto solver = makeSolver("glpk-simplex");
     const Schedule schedule{6, {{3, 18}}};
-    const double least = extremesOf(leastEnergyMotion(reduce(schedule)), schedule).peakStrain;
+    const double least = extremesOf(leastEnergyMotion(onePhaseSet(schedule)), schedule).peakStrain;
     for (const std::string_view form : {"sd", "sy", "dy", "ky", "kd"}) {
         for (const double share : {0.99, 1.01}) {
             const Demands demands{.objective = Objective::any, .strainLimit = share * least};

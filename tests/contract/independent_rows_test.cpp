@@ -7,7 +7,7 @@
 #include "catch.hpp"
 #include "common/condensed.hpp"
 #include "formulation.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -61,7 +61,7 @@ TEST_CASE("independent rows: periodicity and gap have rank 2N - dim ker(W - 1) +
     for (const Schedule& schedule :
          {test::onePhase(8, 5, 23), test::onePhase(30, 15, 90), test::onePhase(300, 150, 900)}) {
         const Program program = formulate(schedule, Formulation::state).program;
-        const auto lost = static_cast<std::size_t>(reduce(schedule).kernelDimension);
+        const auto lost = static_cast<std::size_t>(onePhaseSet(schedule).kernelDimension);
         CHECK(independentRows(program.equalities).rows.size() + lost ==
               static_cast<std::size_t>(program.equalities.rows()));
     }

@@ -13,7 +13,7 @@
 
 #include "catch.hpp"
 #include "formulation.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "solver.hpp"
 #include "support.hpp"
 
@@ -140,7 +140,7 @@ Program withCosts(const Schedule& schedule)
 /// The least cost over a simplex, or point, of motions is that of a vertex: one class carries all.
 double leastCost(const Schedule& schedule, const Program& program)
 {
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     REQUIRE((r.set.kind == SetKind::simplex || r.set.kind == SetKind::point));
     double least = infinity;
     for (std::int64_t j = 0; j < r.set.count; ++j) {
@@ -251,7 +251,7 @@ TEST_CASE("contract: small schedules: what is claimed is true without exception"
 {
     forEachBackend([](const Expected&, const Solver& solver) {
         test::forAllSchedules(3, 2, [&](const Schedule& schedule) {
-            const bool exists = !reduce(schedule).reason;
+            const bool exists = !onePhaseSet(schedule).reason;
             const SolverResult result = solver.solve(programOf(schedule));
             INFO(describe(schedule) << ": " << result.detail);
             CHECK((result.status == SolverStatus::optimal) == exists);
@@ -266,7 +266,7 @@ TEST_CASE("contract: degenerate: grazing motions, whose set may have no interior
         for (const Schedule& schedule :
              {onePhase(3, 4, 20), onePhase(4, 1, 31), onePhase(6, 1, 31), onePhase(6, 10, 38)}) {
             INFO(describe(schedule));
-            const Reduction r = reduce(schedule);
+            const OnePhaseSet r = onePhaseSet(schedule);
             REQUIRE_FALSE(r.reason);
             REQUIRE(r.set.kind == SetKind::box);
             const Program program = programOf(schedule);
@@ -285,7 +285,7 @@ TEST_CASE("contract: boundary: one cell more or less decides")
                 INFO(describe(schedule));
                 const Program program = programOf(schedule);
                 const SolverResult result = solver.solve(program);
-                if (reduce(schedule).reason) {
+                if (onePhaseSet(schedule).reason) {
                     checkNotOptimal(result);
                 } else {
                     checkOptimal(result, program);

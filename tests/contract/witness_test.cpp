@@ -3,7 +3,7 @@
 #include "catch.hpp"
 #include "formulation.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "solver.hpp"
 #include "support.hpp"
 
@@ -29,7 +29,7 @@ TEST_CASE("witness: LP back ends agree with the closed form on every schedule up
             int found = 0;
             int total = 0;
             test::forAllSchedules(8, 2, [&](const Schedule& schedule) {
-                const Reduction exact = reduce(schedule);
+                const OnePhaseSet exact = onePhaseSet(schedule);
                 const Formulated formulated = formulate(schedule, form);
                 const SolverResult answer = engine->solve(formulated.program);
                 INFO(solver << " " << name(form) << " " << describe(schedule) << " "

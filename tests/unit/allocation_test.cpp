@@ -5,7 +5,7 @@
 #include <new>
 
 #include "catch.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 namespace {
@@ -44,15 +44,15 @@ using namespace signorini;
 TEST_CASE("allocation: deciding 20,000 schedules with one workspace allocates nothing")
 {
     Schedule schedule = test::onePhase(300, 1, 1);
-    Reduction workspace;
-    reduce(test::onePhase(300, 599, 2400), workspace);
+    OnePhaseSet workspace;
+    onePhaseSet(test::onePhase(300, 599, 2400), workspace);
     workspace.signs.reserve(3600);
     long found = 0;
     const long before = allocations;
     for (std::int64_t contact = 1; contact <= 200; ++contact) {
         for (std::int64_t free = 1000; free < 1100; ++free) {
             schedule.phases[0] = {contact, free};
-            reduce(schedule, workspace);
+            onePhaseSet(schedule, workspace);
             found += workspace.reason ? 0 : 1;
         }
     }

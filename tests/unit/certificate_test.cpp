@@ -49,7 +49,7 @@ TEST_CASE("certificate: every absence up to N = 6 is proved over the paper's own
 {
     std::set<Reason> seen;
     test::forAllSchedules(6, 3, [&](const Schedule& schedule) {
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         if (!r.reason) {
             return;
         }
@@ -67,7 +67,7 @@ TEST_CASE("certificate: the proof over the folded schedule holds for the long on
 {
     for (std::int64_t free = 17; free < 60; ++free) {
         const Schedule schedule = onePhase(2, 9, free);
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         if (r.reason) {
             INFO(describe(schedule));
             CHECK(isProof(proveAbsence(r), schedule));
@@ -75,14 +75,14 @@ TEST_CASE("certificate: the proof over the folded schedule holds for the long on
         }
     }
     const Schedule huge = onePhase(1, 1'000'000'000'000, 1'000'000'000'000'000);
-    CHECK(isProof(proveAbsence(reduce(huge)), huge));
+    CHECK(isProof(proveAbsence(onePhaseSet(huge)), huge));
 }
 
 TEST_CASE("certificate: large schedules are proved too")
 {
     for (const Schedule& schedule : {onePhase(300, 150, 1200), onePhase(10'000, 5'000, 40'000),
                                      onePhase(99'991, 1'000, 300'007)}) {
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         INFO(describe(schedule));
         REQUIRE(r.reason);
         CHECK(isProof(proveAbsence(r), schedule));
@@ -92,7 +92,7 @@ TEST_CASE("certificate: large schedules are proved too")
 TEST_CASE("certificate: what is no proof is not accepted")
 {
     const Schedule none = onePhase(10, 23, 42);
-    const Reduction r = reduce(none);
+    const OnePhaseSet r = onePhaseSet(none);
     REQUIRE(r.reason);
     const FarkasCertificate proof = proveAbsence(r);
     REQUIRE(isProof(proof, none));
@@ -147,7 +147,7 @@ TEST_CASE("certificate: what is no proof is not accepted")
 
 TEST_CASE("certificate: there is none where motions exist")
 {
-    CHECK_THROWS_AS(proveAbsence(reduce(onePhase(300, 150, 900))), std::invalid_argument);
+    CHECK_THROWS_AS(proveAbsence(onePhaseSet(onePhase(300, 150, 900))), std::invalid_argument);
 }
 
 TEST_CASE("integers: sums and products that do not fit are refused")

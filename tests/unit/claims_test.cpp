@@ -27,7 +27,7 @@ bool isVerifiedRange(const PeriodicResult& result)
 TEST_CASE("claims: every extreme is refuted by a better known motion, and by no other")
 {
     const Schedule schedule = onePhase(8, 5, 23);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     const State least = leastEnergyMotion(r);
     const State most = motionOf(r, mostAmplitudes(r.set));
     const auto isRefuted = [&](Objective objective, const State& claimed, const State& known,
@@ -103,7 +103,7 @@ TEST_CASE("claims: a held energy at an end of the range is found with several ph
 TEST_CASE("claims: between the least and the most a straight way holds every energy")
 {
     for (const Schedule& schedule : {onePhase(8, 5, 23), onePhase(20, 1, 79), onePhase(9, 3, 20)}) {
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         const EnergyRange range = energyRange(r);
         for (const double share : {0.0, 1e-9, 0.3, 0.7, 1.0}) {
             const double wanted = range.least + share * (range.most - range.least);

@@ -5,15 +5,15 @@
 
 #include "catch.hpp"
 #include "equations.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
 
-TEST_CASE("class types: for one phase they are the live block of the reduction")
+TEST_CASE("class types: for one phase they are the live block of the set")
 {
     test::forAllSchedules(7, 3, [](const Schedule& schedule) {
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         const ClassTypes classes = classTypes(schedule);
         INFO(describe(schedule));
         REQUIRE(classes.kernelDimension == r.kernelDimension);

@@ -38,17 +38,17 @@ std::vector<std::string> solvers()
 }
 
 /// A motion of one phase from shares of the sum.
-State motionWith(const Reduction& reduction, std::vector<double> shares)
+State motionWith(const OnePhaseSet& whole, std::vector<double> shares)
 {
     for (double& value : shares) {
-        value *= reduction.set.sum;
+        value *= whole.set.sum;
     }
-    return motionOf(reduction, shares);
+    return motionOf(whole, shares);
 }
 
-double energyAt(const Reduction& reduction, double ratio)
+double energyAt(const OnePhaseSet& whole, double ratio)
 {
-    return ratio * static_cast<double>(reduction.set.count) * energyRange(reduction).least;
+    return ratio * static_cast<double>(whole.set.count) * energyRange(whole).least;
 }
 
 double distance(const State& first, const State& second)
@@ -68,11 +68,11 @@ std::vector<double> spike(std::size_t count, std::size_t apex, double rho)
 
 Pair spikes(const Schedule& schedule, double rho, std::size_t first, std::size_t last)
 {
-    const Reduction reduction = reduce(schedule);
-    const auto count = static_cast<std::size_t>(reduction.set.count);
-    return {describe(schedule), schedule, energyAt(reduction, rho),
-            motionWith(reduction, spike(count, first, rho)),
-            motionWith(reduction, spike(count, last, rho))};
+    const OnePhaseSet whole = onePhaseSet(schedule);
+    const auto count = static_cast<std::size_t>(whole.set.count);
+    return {describe(schedule), schedule, energyAt(whole, rho),
+            motionWith(whole, spike(count, first, rho)),
+            motionWith(whole, spike(count, last, rho))};
 }
 
 /// (1, 12)(3, 12), N = 4: p = +-2 on one class and z >= 0 of sum 2 on three; docs/theory.md, 10.
@@ -104,12 +104,12 @@ Pair ofExample(double energy, std::size_t first, std::size_t last)
 /// Members of a grazing set, given as shares of S; the energy is that of the first.
 Pair inBox(const Schedule& schedule, const std::vector<double>& from, const std::vector<double>& to)
 {
-    const Reduction reduction = reduce(schedule);
-    REQUIRE(reduction.contact == Contact::grazing);
-    REQUIRE(reduction.set.kind == SetKind::box);
-    const State first = motionWith(reduction, from);
+    const OnePhaseSet whole = onePhaseSet(schedule);
+    REQUIRE(whole.contact == Contact::grazing);
+    REQUIRE(whole.set.kind == SetKind::box);
+    const State first = motionWith(whole, from);
     return {"box of " + describe(schedule), schedule, energyRatio(first), first,
-            motionWith(reduction, to)};
+            motionWith(whole, to)};
 }
 
 const Schedule boxOfTwo = onePhase(6, 2, 30);
@@ -204,16 +204,16 @@ TEST_CASE("continuum: a limit that parts motions parts them for programs, too, o
     // Shares <= 0.8 of three: vertices (0.8, 0.2, 0) and so on, of rho = 0.68; at (0.8, 0.1, 0.1)
     // rho = 0.66. So (0.8, x, 0.2 - x) and its mirror image are apart where rho > 0.66.
     const Schedule schedule = onePhase(6, 3, 18);
-    const Reduction reduction = reduce(schedule);
-    REQUIRE(reduction.set.count == 3);
-    const double limit = 2.0 * 0.8 * reduction.set.sum * 1e-3;
+    const OnePhaseSet whole = onePhaseSet(schedule);
+    REQUIRE(whole.set.count == 3);
+    const double limit = 2.0 * 0.8 * whole.set.sum * 1e-3;
     const auto answer = [&](double rho, double resolution, const std::string& solver,
                             const std::vector<double>& shares) {
         return traceContinuum(
-            schedule, energyAt(reduction, rho),
+            schedule, energyAt(whole, rho),
             {.points = 21,
-             .trace = trace::Path{motionWith(reduction, shares),
-                                  motionWith(reduction, {shares[0], shares[2], shares[1]})},
+             .trace = trace::Path{motionWith(whole, shares),
+                                  motionWith(whole, {shares[0], shares[2], shares[1]})},
              .solver = solver,
              .strainLimit = limit,
              .resolution = resolution});
@@ -278,13 +278,13 @@ TEST_CASE("continuum: walks in a direction stay in the set, from anywhere to the
     int walks = 0;
     for (const std::int64_t cells : {4, 10, 20, 300}) {
         const Schedule schedule = onePhase(cells, cells / 2, 3 * cells);
-        const Reduction reduction = reduce(schedule);
-        REQUIRE(reduction.set.count == cells / 2);
+        const OnePhaseSet whole = onePhaseSet(schedule);
+        REQUIRE(whole.set.count == cells / 2);
         for (const double rho : {0.2, 0.5, 0.8}) {
             if (rho * static_cast<double>(cells) < 2.0 - 1e-12) {
                 continue;
             }
-            const double energy = energyAt(reduction, rho);
+            const double energy = energyAt(whole, rho);
             const std::vector<State> members = sampleMotions(schedule, energy, 101, 7);
             for (std::size_t k = 0; k + 1 < members.size(); ++k, ++walks) {
                 INFO("d = " << cells / 2 << ", rho = " << rho << ", walk " << k);
@@ -306,7 +306,7 @@ TEST_CASE("continuum: walks in a direction stay in the set, from anywhere to the
 TEST_CASE("continuum: both members of a pair are drawn, evenly")
 {
     for (const Schedule& schedule : {boxOfTwo, onePhase(2, 2, 6)}) {
-        const EnergyRange range = energyRange(reduce(schedule));
+        const EnergyRange range = energyRange(onePhaseSet(schedule));
         const double energy = 1.3 * range.least;
         const auto count = [](const std::vector<State>& members) {
             return std::count_if(members.begin(), members.end(), [&members](const State& member) {

@@ -21,24 +21,24 @@ const Schedule paper = onePhase(300, 150, 900);
 /// The motion with equal amplitudes on classes first .. first + count - 1.
 State blockMotion(const Schedule& schedule, std::size_t first, std::size_t count)
 {
-    const Reduction reduction = reduce(schedule);
-    std::vector<double> z(static_cast<std::size_t>(reduction.set.count), 0.0);
+    const OnePhaseSet whole = onePhaseSet(schedule);
+    std::vector<double> z(static_cast<std::size_t>(whole.set.count), 0.0);
     for (std::size_t j = first; j < first + count; ++j) {
-        z[j] = reduction.set.sum / static_cast<double>(count);
+        z[j] = whole.set.sum / static_cast<double>(count);
     }
-    return motionOf(reduction, z);
+    return motionOf(whole, z);
 }
 
 /// A motion of the paper's case at 400 E_1 with the given dominant amplitude.
 State spikeMotion(std::size_t apex)
 {
-    const Reduction reduction = reduce(paper);
+    const OnePhaseSet whole = onePhaseSet(paper);
     const double rho = 400.0 / 600.0;
     const double top = 0.5 * (1.0 + std::sqrt(2.0 * rho - 1.0));
     std::vector<double> z(150, 0.0);
-    z[apex] = top * reduction.set.sum;
-    z[apex + 1] = (1.0 - top) * reduction.set.sum;
-    return motionOf(reduction, z);
+    z[apex] = top * whole.set.sum;
+    z[apex + 1] = (1.0 - top) * whole.set.sum;
+    return motionOf(whole, z);
 }
 
 void requirePoints(const Continuum& curve, std::size_t count, double accuracy)
@@ -114,13 +114,13 @@ TEST_CASE("continuum: at 400 E_1 the motions of the paper's case fall into 150 c
 
 TEST_CASE("continuum: connectivity is decided exactly at rho = 1/2")
 {
-    const Reduction reduction = reduce(paper);
-    CHECK(componentsAt(reduction, 300.0) == 1);
-    CHECK(componentsAt(reduction, beyond(300.0, 1e9)) == 150);
-    CHECK(componentsAt(reduction, beyond(300.0, 0.0)) == 1);
-    CHECK(componentsAt(reduction, 3.9) == 0);
-    CHECK(componentsAt(reduction, 601.0) == 0);
-    const Reduction pair = reduce(onePhase(4, 2, 12));
+    const OnePhaseSet whole = onePhaseSet(paper);
+    CHECK(componentsAt(whole, 300.0) == 1);
+    CHECK(componentsAt(whole, beyond(300.0, 1e9)) == 150);
+    CHECK(componentsAt(whole, beyond(300.0, 0.0)) == 1);
+    CHECK(componentsAt(whole, 3.9) == 0);
+    CHECK(componentsAt(whole, 601.0) == 0);
+    const OnePhaseSet pair = onePhaseSet(onePhase(4, 2, 12));
     REQUIRE(pair.set.count == 2);
     const EnergyRange range = energyRange(pair);
     CHECK(componentsAt(pair, range.least) == 1);
@@ -137,7 +137,7 @@ TEST_CASE("continuum: both ends of the range, and beyond them by more than the t
 {
     for (const Schedule& schedule :
          {paper, onePhase(8, 5, 23), onePhase(9, 3, 20), onePhase(7, 3, 23), onePhase(12, 6, 36)}) {
-        const EnergyRange range = energyRange(reduce(schedule));
+        const EnergyRange range = energyRange(onePhaseSet(schedule));
         INFO(describe(schedule) << " " << range.least << " " << range.most);
         const auto statusAt = [&schedule](double energy) {
             const Status found = traceContinuum(schedule, energy).status;
@@ -192,9 +192,9 @@ TEST_CASE("continuum: samples are motions of the energy and repeat with the seed
 TEST_CASE("continuum: grazing motions of one sign travel as a block")
 {
     const Schedule grazing = onePhase(9, 3, 33);
-    const Reduction reduction = reduce(grazing);
-    REQUIRE(reduction.set.kind == SetKind::box);
-    const EnergyRange range = energyRange(reduction);
+    const OnePhaseSet whole = onePhaseSet(grazing);
+    REQUIRE(whole.set.kind == SetKind::box);
+    const EnergyRange range = energyRange(whole);
     const Continuum curve = traceContinuum(grazing, 2.0 * range.least);
     requirePoints(curve, 201, 1e-12);
     CHECK(curve.solver == "closed-form");
@@ -271,7 +271,7 @@ TEST_CASE("continuum: programs trace what the geometry traces")
         }
         INFO(solver);
         const Schedule schedule = onePhase(12, 6, 36);
-        const double energy = 2.0 * energyRange(reduce(schedule)).least;
+        const double energy = 2.0 * energyRange(onePhaseSet(schedule)).least;
         ContinuumOptions options;
         options.points = 21;
         options.solver = solver;

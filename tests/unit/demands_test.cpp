@@ -47,7 +47,7 @@ TEST_CASE("demands: the deepest compression over all x and t is 2 max p, not see
 {
     // One spike: at the instants t_m of its own grid the largest -s is p, inside a step it is 2p.
     const Schedule schedule = onePhase(8, 5, 23);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     std::vector<double> z(3, 0.0);
     z[1] = r.set.sum;
     const State spike = motionOf(r, z);
@@ -66,7 +66,7 @@ TEST_CASE("demands: the deepest compression over all x and t is 2 max p, not see
 TEST_CASE("demands: extremes are those of the field")
 {
     const Schedule schedule = onePhase(7, 3, 23);
-    const State state = leastEnergyMotion(reduce(schedule));
+    const State state = leastEnergyMotion(onePhaseSet(schedule));
     const Motion motion(state, schedule);
     double lowest = 1.0;
     for (std::int64_t m = 0; m <= motion.steps(); ++m) {
@@ -165,7 +165,7 @@ TEST_CASE("demands: least energy by a quadratic program agrees with the closed f
 TEST_CASE("demands: the nearest motion to a motion is that motion, to another state its projection")
 {
     const Schedule schedule = onePhase(8, 5, 23);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     std::mt19937_64 generator(6);
     const State member = motionOf(r, drawAmplitudes(r.set, generator));
     for (const std::string solver : {"auto", "ipopt"}) {
@@ -205,7 +205,7 @@ TEST_CASE("demands: the nearest motion to a state far beyond all motions is on t
     // Of z >= 0 with sum S, (S, 0, ...) is nearest to (x, 0, ...), and to (-x, 0, ...) the motion
     // with equal amplitudes in the other classes: whatever x >= S is.
     const Schedule schedule = onePhase(8, 5, 23);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     const auto count = static_cast<std::size_t>(r.set.count);
     REQUIRE(count >= 3);
     std::vector<double> vertex(count, 0.0);
@@ -274,7 +274,7 @@ TEST_CASE("demands: prescribed parts of the initial state are kept, contradictor
         return;
     }
     const Schedule schedule = onePhase(8, 5, 23);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     std::mt19937_64 generator(2);
     const State member = motionOf(r, drawAmplitudes(r.set, generator));
     const std::vector<FixedValue> fixed{{Wave::a, 8, member.a[7]}, {Wave::b, 2, member.b[1]}};

@@ -95,9 +95,9 @@ Schedule boxOf(std::int64_t places)
     for (std::int64_t cells = places; cells <= 4 * places; ++cells) {
         for (std::int64_t contact = 1; contact <= cells; ++contact) {
             for (std::int64_t free = 1; free <= 8 * cells; ++free) {
-                const Reduction reduction = reduce(onePhase(cells, contact, free));
-                if (!reduction.reason && reduction.contact == Contact::grazing &&
-                    reduction.set.count == places) {
+                const OnePhaseSet whole = onePhaseSet(onePhase(cells, contact, free));
+                if (!whole.reason && whole.contact == Contact::grazing &&
+                    whole.set.count == places) {
                     return onePhase(cells, contact, free);
                 }
             }
@@ -112,8 +112,8 @@ TEST_CASE("energy section: boxes have as many components as a grid shows")
 {
     for (const std::size_t places : {2, 3, 4, 5}) {
         const Schedule schedule = boxOf(static_cast<std::int64_t>(places));
-        const Reduction reduction = reduce(schedule);
-        const EnergyRange range = energyRange(reduction);
+        const OnePhaseSet whole = onePhaseSet(schedule);
+        const EnergyRange range = energyRange(whole);
         const auto count = static_cast<double>(places);
         const int steps = places == 5 ? 24 : 40;
         int several = 0;
@@ -123,7 +123,7 @@ TEST_CASE("energy section: boxes have as many components as a grid shows")
             }
             INFO("d = " << places << ", rho = " << rho);
             const int counted = GridAbove(places, steps, rho).components();
-            CHECK(componentsAt(reduction, rho * count * range.least) == counted);
+            CHECK(componentsAt(whole, rho * count * range.least) == counted);
             several += counted > 1 ? 1 : 0;
         }
         CHECK(several > 0);

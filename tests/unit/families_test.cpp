@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -286,7 +286,7 @@ TEST_CASE("families: on a grid each is one whole simplex, of the energies it say
         }));
         CHECK(families == expected);
         for (const Family& family : families) {
-            const Reduction whole = reduce(scheduleOf(family, cells));
+            const OnePhaseSet whole = onePhaseSet(scheduleOf(family, cells));
             REQUIRE(!whole.reason);
             CHECK(whole.kernelDimension == 2 * cells / family.order);
             const EnergyRange energy = energyRange(whole);
@@ -343,11 +343,11 @@ TEST_CASE("families: the sets of a tent are faces of one simplex, state by state
     for (const Family& family : {Family{4, 7, 1, -2}, Family{5, 8, 2, -1}, Family{7, 11, 3, -1}}) {
         const std::int64_t cells = 3 * family.order;  // G = 6
         const Schedule top = scheduleOf(family, cells);
-        const Reduction whole = reduce(top);
+        const OnePhaseSet whole = onePhaseSet(top);
         const std::int64_t n = steps(top);
         for (std::int64_t offset = -5; offset <= 5; ++offset) {
             const std::int64_t contact = top.phases.front().contact + offset;
-            const Reduction face = reduce(onePhase(cells, contact, n - contact));
+            const OnePhaseSet face = onePhaseSet(onePhase(cells, contact, n - contact));
             REQUIRE(!face.reason);
             const std::vector<double> z = drawAmplitudes(face.set, generator);
             std::vector<double> padded(6, 0.0);
@@ -361,7 +361,7 @@ TEST_CASE("families: all grazing motions of a grid lie in one box, and repeat af
 {
     std::mt19937_64 generator(7);
     constexpr std::int64_t cells = 15;
-    const Reduction largest = reduce(onePhase(cells, 1, 4 * cells - 1));  // G = 2N
+    const OnePhaseSet largest = onePhaseSet(onePhase(cells, 1, 4 * cells - 1));  // G = 2N
     REQUIRE(largest.contact == Contact::grazing);
     std::vector<std::int8_t> signs;
     std::size_t motions = 0;
@@ -371,7 +371,7 @@ TEST_CASE("families: all grazing motions of a grid lie in one box, and repeat af
             if (verdict.reason || verdict.contact == Contact::pressing) {
                 continue;
             }
-            const Reduction set = reduce(onePhase(cells, contact, free));
+            const OnePhaseSet set = onePhaseSet(onePhase(cells, contact, free));
             const State state = motionOf(set, drawAmplitudes(set.set, generator));
             const std::vector<double> z = amplitudesOf(largest, state);
             REQUIRE(distanceOutside(largest.set, z) < 1e-14);

@@ -154,7 +154,7 @@ TEST_CASE("family atlas: motions of least energy repeat after their own steps, a
     for (const std::int64_t cells : {6, 9, 14, 15}) {
         for (const auto& [phase, verdict] : visitAll(rangeOf(cells, 2 * cells, 6 * cells))) {
             const Schedule schedule{cells, {phase}};
-            std::vector<double> p = arrivals(leastEnergyMotion(reduce(schedule)), schedule);
+            std::vector<double> p = arrivals(leastEnergyMotion(onePhaseSet(schedule)), schedule);
             const std::vector<double> start = p;
             std::int64_t count = 0;
             do {
@@ -167,7 +167,7 @@ TEST_CASE("family atlas: motions of least energy repeat after their own steps, a
     }
     // A grazing member that repeats sooner: p is antiperiodic after 6 steps, G = 18.
     const Schedule schedule{9, {{1, 35}}};
-    const Reduction set = reduce(schedule);
+    const OnePhaseSet set = onePhaseSet(schedule);
     REQUIRE(set.classes == 18);
     std::vector<double> z{0, 0, 0, 0, -9, 0, 0, 0, 0, 0, 9, 0, 0, 0, 0, 0, -9};
     const std::vector<double> p = arrivals(motionOf(set, z), schedule);

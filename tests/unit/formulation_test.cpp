@@ -5,7 +5,7 @@
 #include "catch.hpp"
 #include "equations.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 #include "solver.hpp"
 #include "support.hpp"
@@ -33,7 +33,7 @@ TEST_CASE("formulation: exactly the motions of a schedule satisfy the state prog
     const Formulated formulated = formulate(schedule, Formulation::state);
     const Program& program = formulated.program;
     validate(program);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     std::mt19937_64 generator(3);
     for (int k = 0; k < 50; ++k) {
         const State motion = motionOf(r, drawAmplitudes(r.set, generator));

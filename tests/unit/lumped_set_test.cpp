@@ -179,7 +179,7 @@ TEST_CASE("lumped set: one phase gives the closed form's verdict, set and energi
 {
     int found = 0;
     test::forAllSchedules(8, 2, [&found](const Schedule& schedule) {
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         const LumpedSet set = lumpedSet(schedule);
         INFO(describe(schedule));
         REQUIRE(set.absence.has_value() == r.reason.has_value());

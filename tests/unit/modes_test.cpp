@@ -232,7 +232,7 @@ TEST_CASE("modes: on grids each is the one motion of its schedules, with its ene
         const std::size_t stride = std::max<std::size_t>(1, all.size() / 7);
         for (std::size_t k = 0; k < all.size(); k += stride) {
             const Schedule schedule = scheduleOf(mode, cells, all[k]);
-            const Reduction r = reduce(schedule);
+            const OnePhaseSet r = onePhaseSet(schedule);
             INFO(mode.a << " " << mode.b << ": " << describe(schedule));
             REQUIRE_FALSE(r.reason);
             REQUIRE(r.contact == Contact::pressing);
@@ -247,14 +247,14 @@ TEST_CASE("modes: on grids each is the one motion of its schedules, with its ene
 TEST_CASE("modes: at a common divisor a mode is the motion of least energy of a simplex")
 {
     const std::vector<Mode> modes = findModes();
-    const Reduction paper = reduce(scheduleOf(find(modes, 1, -1), 300, 1050));
+    const OnePhaseSet paper = onePhaseSet(scheduleOf(find(modes, 1, -1), 300, 1050));
     CHECK(paper.schedule == onePhase(300, 150, 900));
     CHECK(paper.set.dimension() == 149);
     for (const Mode& mode : modes) {
         for (const std::int64_t cells : {720, 5040}) {
             std::int64_t n = mode.lowest.numerator * cells / mode.lowest.denominator + 1;
             for (; n * mode.highest.denominator < mode.highest.numerator * cells; ++n) {
-                const Reduction r = reduce(scheduleOf(mode, cells, n));
+                const OnePhaseSet r = onePhaseSet(scheduleOf(mode, cells, n));
                 INFO(mode.a << " " << mode.b << ": " << n << " steps on " << cells);
                 REQUIRE_FALSE(r.reason);
                 REQUIRE(r.contact == Contact::pressing);
@@ -283,7 +283,7 @@ TEST_CASE("modes: just outside the interval the same contact time has no motion"
                     REQUIRE(contact <= 0);
                     ++above;
                 } else if (std::gcd(2 * cells, n) == 1) {
-                    const Reduction r = reduce(onePhase(cells, contact, n - contact));
+                    const OnePhaseSet r = onePhaseSet(onePhase(cells, contact, n - contact));
                     REQUIRE((r.reason || r.contact == Contact::grazing));
                     ++below;
                 }
@@ -299,13 +299,13 @@ TEST_CASE("modes: complete: the pressing schedules with gcd(2N, n) = 1 are those
     // Prime and composite: powers, products of small primes.
     const std::int64_t cells = GENERATE(31, 101, 211, 12, 30, 64, 81, 105);
     std::set<std::pair<std::int64_t, std::int64_t>> found;
-    Reduction r;
+    OnePhaseSet r;
     for (std::int64_t n = 2; n <= 8 * cells; ++n) {
         if (std::gcd(2 * cells, n) != 1) {
             continue;
         }
         for (std::int64_t contact = 1; contact < n; ++contact) {
-            reduce(onePhase(cells, contact, n - contact), r);
+            onePhaseSet(onePhase(cells, contact, n - contact), r);
             if (!r.reason && r.contact == Contact::pressing) {
                 found.emplace(contact, n);
             }
@@ -448,7 +448,7 @@ TEST_CASE("modes: a motion at a grid period is the state of its schedule, and th
         const Verification verification = verify(state, schedule);
         REQUIRE(verification.residuals.worst() < 1e-10);
         REQUIRE(verification.canonical == schedule.phases);
-        const State solved = leastEnergyMotion(reduce(schedule));
+        const State solved = leastEnergyMotion(onePhaseSet(schedule));
         REQUIRE((solved.a - state.a).cwiseAbs().maxCoeff() < 1e-10 * motion.amplitude());
         REQUIRE((solved.b - state.b).cwiseAbs().maxCoeff() < 1e-10 * motion.amplitude());
         const Motion field(solved, schedule);

@@ -2,7 +2,7 @@
 
 #include "catch.hpp"
 #include "propagation.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -14,7 +14,7 @@ TEST_CASE("motion: the field equals step-by-step propagation at every cell and i
                                        Schedule{4, {{1, 12}, {3, 12}}});
     State state = test::randomState(schedule.cells);
     if (schedule.phases.size() == 1) {
-        state = leastEnergyMotion(reduce(schedule));
+        state = leastEnergyMotion(onePhaseSet(schedule));
     }
     const Motion motion(state, schedule);
     DelayLine line(state);
@@ -44,7 +44,7 @@ TEST_CASE("motion: the field equals step-by-step propagation at every cell and i
 
 TEST_CASE("motion: the paper's tip is held at the wall in contact and never passes it")
 {
-    const Motion motion(leastEnergyMotion(reduce(onePhase(300, 150, 900))),
+    const Motion motion(leastEnergyMotion(onePhaseSet(onePhase(300, 150, 900))),
                         onePhase(300, 150, 900));
     for (std::int64_t m = 0; m <= 150; ++m) {
         CHECK(motion.displacement(300, m) == Approx(1.0).epsilon(1e-14));
@@ -58,7 +58,7 @@ TEST_CASE("motion: the paper's tip is held at the wall in contact and never pass
 TEST_CASE("motion: huge periods are folded to the time after which the motion repeats")
 {
     const Schedule schedule = onePhase(2, 1, 4'000'000'007);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     REQUIRE_FALSE(r.reason);
     CHECK(Motion(leastEnergyMotion(r), schedule).steps() < 24);
 }

@@ -8,7 +8,7 @@
 
 #include "catch.hpp"
 #include "propagation.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 #include "support.hpp"
 
@@ -22,15 +22,15 @@ const Schedule paper = onePhase(12, 6, 36);  // family (4, 7, 1), G = 6
 /// A motion of `schedule` with amplitudes in given proportions.
 State motion(const Schedule& schedule, std::vector<double> z)
 {
-    const Reduction reduction = reduce(schedule);
+    const OnePhaseSet whole = onePhaseSet(schedule);
     double total = 0.0;
     for (const double value : z) {
         total += value;
     }
     for (double& value : z) {
-        value *= reduction.set.sum / total;
+        value *= whole.set.sum / total;
     }
-    return motionOf(reduction, z);
+    return motionOf(whole, z);
 }
 
 /// By trying all rotations.
@@ -80,7 +80,7 @@ TEST_CASE("orbit: leading zeros moved to the end are the same orbit later")
 TEST_CASE("orbit: members with a first amplitude above 0 are different orbits")
 {
     for (const Schedule& schedule : {paper, onePhase(15, 12, 36), onePhase(14, 12, 32)}) {
-        const std::int64_t count = reduce(schedule).kernelDimension;
+        const std::int64_t count = onePhaseSet(schedule).kernelDimension;
         REQUIRE(count >= 4);
         std::mt19937_64 generator(3);
         std::uniform_int_distribution<int> small(0, 2);
@@ -108,7 +108,7 @@ TEST_CASE("orbit: the ring comparison agrees with trying every rotation")
     std::mt19937_64 generator(17);
     std::uniform_int_distribution<int> small(0, 1);
     const Schedule schedule = onePhase(15, 12, 36);  // k = 2: zeros leave several contacts
-    const auto count = static_cast<std::size_t>(reduce(schedule).kernelDimension);
+    const auto count = static_cast<std::size_t>(onePhaseSet(schedule).kernelDimension);
     int same = 0;
     int different = 0;
     for (int i = 0; i < 300; ++i) {
@@ -134,8 +134,8 @@ TEST_CASE("orbit: the ring comparison agrees with trying every rotation")
 TEST_CASE("orbit: the mirrored schedules of a tent have the same orbits")
 {
     for (std::int64_t offset = 1; offset < 6; ++offset) {
-        const Reduction shorter = reduce(onePhase(12, 6 - offset, 36 + offset));
-        const Reduction longer = reduce(onePhase(12, 6 + offset, 36 - offset));
+        const OnePhaseSet shorter = onePhaseSet(onePhase(12, 6 - offset, 36 + offset));
+        const OnePhaseSet longer = onePhaseSet(onePhase(12, 6 + offset, 36 - offset));
         std::mt19937_64 generator(static_cast<unsigned>(offset));
         const std::vector<double> z = drawAmplitudes(shorter.set, generator);
         REQUIRE(longer.set.count == shorter.set.count);
@@ -146,9 +146,9 @@ TEST_CASE("orbit: the mirrored schedules of a tent have the same orbits")
 TEST_CASE("orbit: the representative is a state of the orbit in which contact begins")
 {
     std::mt19937_64 generator(23);
-    const Reduction reduction = reduce(paper);
+    const OnePhaseSet whole = onePhaseSet(paper);
     for (int i = 0; i < 20; ++i) {
-        const State state = motionOf(reduction, drawAmplitudes(reduction.set, generator));
+        const State state = motionOf(whole, drawAmplitudes(whole.set, generator));
         const State representative = orbitRepresentative(state, paper);
         CHECK(representative == state);  // z_1 > 0: it begins with the one contact
         CHECK(verify(representative, paper).residuals.worst() < 1e-12);
@@ -184,7 +184,7 @@ TEST_CASE("orbit: long flights cost no more than folded ones")
     const std::int64_t far = 4 * 12 * 1'000'000'000'000'000;
     const Schedule grazing = onePhase(12, 1, 47);  // G = 24
     const Schedule longer = onePhase(12, 1, 47 + far);
-    const State state = leastEnergyMotion(reduce(grazing));
+    const State state = leastEnergyMotion(onePhaseSet(grazing));
     CHECK(isSameOrbit(state, state, longer));
     CHECK(arrivals(state, grazing).size() == 48);
     CHECK(arrivals(state, longer).size() == 96);

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -210,7 +210,7 @@ TEST_CASE("output: the state file holds SI values that read back exactly")
     const Folder folder;
     const Bar steel = barOfMaterial(2.0, 210e9, 7800.0, 1e-4, 1e-6);
     const Scales unit = scales(steel);
-    const State state = leastEnergyMotion(reduce(onePhase(7, 3, 23)));
+    const State state = leastEnergyMotion(onePhaseSet(onePhase(7, 3, 23)));
     writeStateCsv(folder.file("state.csv"), state, steel);
     const std::string text = contentOf(folder.file("state.csv"));
     CHECK(text.starts_with("x,a,b,velocity,strain,displacement\n"));
@@ -231,7 +231,7 @@ TEST_CASE("output: motion files hold every node and instant of a small case")
 {
     const Folder folder;
     const Schedule schedule = onePhase(5, 3, 14);
-    const Motion motion(leastEnergyMotion(reduce(schedule)), schedule);
+    const Motion motion(leastEnergyMotion(onePhaseSet(schedule)), schedule);
     writeMotionCsv(folder.file("m.csv"), motion, Bar{});
     const auto rows = rowsOf(contentOf(folder.file("m.csv")));
     REQUIRE(rows.size() == 18 * 6);

@@ -2,7 +2,7 @@
 
 #include "catch.hpp"
 #include "equations.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -71,9 +71,9 @@ TEST_CASE("propagation: energy is conserved exactly in sum")
 TEST_CASE("propagation: 10^6 periods bring a periodic state back bit for bit")
 {
     const Schedule schedule = test::onePhase(8, 5, 23);
-    const Reduction reduction = reduce(schedule);
+    const OnePhaseSet whole = onePhaseSet(schedule);
     std::mt19937_64 generator(7);
-    const State start = motionOf(reduction, drawAmplitudes(reduction.set, generator));
+    const State start = motionOf(whole, drawAmplitudes(whole.set, generator));
     DelayLine line(start);
     for (int period = 0; period < 1'000'000; ++period) {
         line.period(schedule);

@@ -8,7 +8,7 @@
 #include "equations.hpp"
 #include "propagation.hpp"
 #include "signorini/find_periodic.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -57,7 +57,7 @@ TEST_CASE("property: the kernel dimension equals the rank computation")
         const Eigen::Index size = 2 * schedule.cells;
         const Eigen::MatrixXd matrix =
             Eigen::MatrixXd(periodMap(schedule)) - Eigen::MatrixXd::Identity(size, size);
-        RC_ASSERT(reduce(schedule).kernelDimension ==
+        RC_ASSERT(onePhaseSet(schedule).kernelDimension ==
                   size - Eigen::FullPivLU<Eigen::MatrixXd>(matrix).rank());
     }));
 }
@@ -66,7 +66,7 @@ TEST_CASE("property: every motion drawn from a set passes the residuals and the 
 {
     CHECK(rc::check([] {
         const Schedule schedule = oftenFeasible(60);
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         RC_PRE(!r.reason);
         std::mt19937_64 generator(*rc::gen::arbitrary<std::uint64_t>());
         const State state = motionOf(r, drawAmplitudes(r.set, generator));
@@ -137,8 +137,8 @@ TEST_CASE("property: refining the grid keeps the verdict on motions and E_min")
         const Schedule fine =
             test::onePhase(coarse.cells * factor, coarse.phases[0].contact * factor,
                            coarse.phases[0].free * factor);
-        const Reduction a = reduce(coarse);
-        const Reduction b = reduce(fine);
+        const OnePhaseSet a = onePhaseSet(coarse);
+        const OnePhaseSet b = onePhaseSet(fine);
         RC_ASSERT(a.reason == b.reason);
         if (!a.reason && a.contact == Contact::pressing) {
             RC_ASSERT(close(energyRange(b).least, energyRange(a).least, 1e-12));

@@ -7,7 +7,7 @@
 #include "equations.hpp"
 #include "propagation.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -32,7 +32,7 @@ TEST_CASE("verification: residuals are those of the paper's matrices, for any st
 TEST_CASE("verification: found motions leave residuals at rounding, and the march agrees")
 {
     test::forAllSchedules(7, 3, [](const Schedule& schedule) {
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         if (!r.reason) {
             INFO(describe(schedule));
             const Verification v = verify(leastEnergyMotion(r), schedule);
@@ -45,7 +45,7 @@ TEST_CASE("verification: found motions leave residuals at rounding, and the marc
 TEST_CASE("verification: each violation shows in its own residual")
 {
     const Schedule schedule = onePhase(8, 5, 23);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     const State good = leastEnergyMotion(r);
     const auto scaledBy = [&good](double factor) {
         return State{factor * good.a, factor * good.b};
@@ -61,7 +61,7 @@ TEST_CASE("verification: each violation shows in its own residual")
 
 TEST_CASE("verification: a state that is not finite never passes")
 {
-    State state = leastEnergyMotion(reduce(onePhase(8, 5, 23)));
+    State state = leastEnergyMotion(onePhaseSet(onePhase(8, 5, 23)));
     state.b[3] = GENERATE(std::nan(""), INFINITY);
     CHECK(std::isinf(verify(state, onePhase(8, 5, 23)).residuals.worst()));
     CHECK(std::isinf(march(state, 28).residual));
@@ -70,7 +70,7 @@ TEST_CASE("verification: a state that is not finite never passes")
 TEST_CASE("verification: the march finds the contact phases without being told")
 {
     const Schedule schedule = onePhase(300, 150, 900);
-    const March seen = march(leastEnergyMotion(reduce(schedule)), 1050);
+    const March seen = march(leastEnergyMotion(onePhaseSet(schedule)), 1050);
     CHECK(seen.residual == 0.0);
     CHECK(seen.firstFault == -1);
     CHECK(seen.phases == schedule.phases);
@@ -79,7 +79,7 @@ TEST_CASE("verification: the march finds the contact phases without being told")
 TEST_CASE("verification: the canonical schedule leaves out contact steps without pressure")
 {
     const Schedule schedule = onePhase(8, 5, 23);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     REQUIRE(r.set.count == 3);
     std::vector<double> z(3, 0.0);
     z[1] = r.set.sum;
@@ -107,7 +107,8 @@ TEST_CASE("verification: a coarse tolerance never loses a motion")
     for (const double tolerance : {1e-2, 1e-7, 1e-12}) {
         for (std::int64_t contact = 1; contact < 300; ++contact) {
             const Schedule schedule = onePhase(300, contact, 1200 - 2 * contact);
-            const Verification v = verify(leastEnergyMotion(reduce(schedule)), schedule, tolerance);
+            const Verification v =
+                verify(leastEnergyMotion(onePhaseSet(schedule)), schedule, tolerance);
             INFO(describe(schedule) << ", tolerance " << tolerance);
             REQUIRE(v.residuals.worst() < 1e-12);
         }
@@ -117,7 +118,7 @@ TEST_CASE("verification: a coarse tolerance never loses a motion")
 TEST_CASE("verification: a march over 10^6 periods returns exactly")
 {
     const Schedule schedule = onePhase(5, 3, 14);
-    const State start = leastEnergyMotion(reduce(schedule));
+    const State start = leastEnergyMotion(onePhaseSet(schedule));
     const March seen = march(start, 17'000'000);
     CHECK(seen.residual == 0.0);
     CHECK(seen.firstFault == -1);
@@ -177,8 +178,8 @@ TEST_CASE("verification: beside the schedule or alone, the march sees the same")
                                      onePhase(300, 700, 4000), Schedule{4, {{1, 12}, {3, 12}}}}) {
         const State other = test::randomState(schedule.cells, 5);
         std::vector<State> states{other, {0.01 * other.a, 0.01 * other.b}};
-        if (schedule.phases.size() == 1 && !reduce(schedule).reason) {
-            states.push_back(leastEnergyMotion(reduce(schedule)));
+        if (schedule.phases.size() == 1 && !onePhaseSet(schedule).reason) {
+            states.push_back(leastEnergyMotion(onePhaseSet(schedule)));
         }
         for (const State& state : states) {
             INFO(describe(schedule));

@@ -1,4 +1,4 @@
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 
 #include <numeric>
 
@@ -125,7 +125,7 @@ std::optional<Reason> firstReason(const Verdict& v, Agreement contactsAgree, Pre
 
 }  // namespace
 
-void reduce(const Schedule& schedule, Reduction& result)
+void onePhaseSet(const Schedule& schedule, OnePhaseSet& result)
 {
     validate(schedule);
     if (schedule.phases.size() != 1) {
@@ -153,10 +153,10 @@ void reduce(const Schedule& schedule, Reduction& result)
     result.set = solutionSet(result);
 }
 
-Reduction reduce(const Schedule& schedule)
+OnePhaseSet onePhaseSet(const Schedule& schedule)
 {
-    Reduction result;
-    reduce(schedule, result);
+    OnePhaseSet result;
+    onePhaseSet(schedule, result);
     return result;
 }
 

@@ -1,4 +1,4 @@
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 
 #include <Eigen/Dense>
 #include <map>
@@ -12,9 +12,9 @@
 using namespace signorini;
 using test::onePhase;
 
-TEST_CASE("reduction: the paper's case is a simplex of dimension 149 with E/E_1 in [4, 600]")
+TEST_CASE("one phase: the paper's case is a simplex of dimension 149 with E/E_1 in [4, 600]")
 {
-    const Reduction r = reduce(onePhase(300, 150, 900));
+    const OnePhaseSet r = onePhaseSet(onePhase(300, 150, 900));
     CHECK_FALSE(r.reason);
     CHECK(r.kernelDimension == 150);
     CHECK(r.set.kind == SetKind::simplex);
@@ -24,7 +24,7 @@ TEST_CASE("reduction: the paper's case is a simplex of dimension 149 with E/E_1 
     CHECK(energyRange(r).most == 600.0);
 }
 
-TEST_CASE("reduction: least energies known from theory")
+TEST_CASE("one phase: least energies known from theory")
 {
     struct Known {
         std::int64_t cells, contact, free;
@@ -37,7 +37,7 @@ TEST_CASE("reduction: least energies known from theory")
                                                {7, 3, 23, 3.92},
                                                {8, 5, 23, 16.0 / 3.0},
                                                {9, 3, 20, 81.0}}));
-    const Reduction r = reduce(onePhase(known.cells, known.contact, known.free));
+    const OnePhaseSet r = onePhaseSet(onePhase(known.cells, known.contact, known.free));
     INFO(known.cells << " " << known.contact << " " << known.free);
     REQUIRE_FALSE(r.reason);
     CHECK(r.contact == Contact::pressing);
@@ -45,20 +45,20 @@ TEST_CASE("reduction: least energies known from theory")
     CHECK(energyRatio(leastEnergyMotion(r)) == Approx(known.energy).epsilon(1e-14));
 }
 
-TEST_CASE("reduction: schedules known to have no motion, and why")
+TEST_CASE("one phase: schedules known to have no motion, and why")
 {
-    CHECK(reduce(onePhase(2, 2, 4)).reason == Reason::gap);
-    CHECK(reduce(onePhase(4, 2, 13)).reason == Reason::noLiveClass);
-    CHECK(reduce(onePhase(3, 1, 8)).reason.has_value());
-    CHECK(reduce(onePhase(40, 20, 109)).reason == Reason::noLiveClass);
+    CHECK(onePhaseSet(onePhase(2, 2, 4)).reason == Reason::gap);
+    CHECK(onePhaseSet(onePhase(4, 2, 13)).reason == Reason::noLiveClass);
+    CHECK(onePhaseSet(onePhase(3, 1, 8)).reason.has_value());
+    CHECK(onePhaseSet(onePhase(40, 20, 109)).reason == Reason::noLiveClass);
 }
 
 TEST_CASE(
-    "reduction: main branch E_min/E_1 = (N/(N - n_c))^2 = 1/(4 w_1/w - 3)^2 for every n_c < N")
+    "one phase: main branch E_min/E_1 = (N/(N - n_c))^2 = 1/(4 w_1/w - 3)^2 for every n_c < N")
 {
     for (std::int64_t contact = 1; contact < 300; ++contact) {
         const Schedule schedule = onePhase(300, contact, 1200 - 2 * contact);
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         INFO("n_c = " << contact);
         REQUIRE_FALSE(r.reason);
         const double root = 300.0 / static_cast<double>(300 - contact);
@@ -68,21 +68,21 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("reduction: E_min depends on the times only, E_max = d E_min grows with the grid")
+TEST_CASE("one phase: E_min depends on the times only, E_max = d E_min grows with the grid")
 {
     for (const std::int64_t factor : {1, 2, 7, 100}) {
-        const Reduction r = reduce(onePhase(6 * factor, 3 * factor, 18 * factor));
+        const OnePhaseSet r = onePhaseSet(onePhase(6 * factor, 3 * factor, 18 * factor));
         CHECK(energyRange(r).least == Approx(4.0).epsilon(1e-14));
         CHECK(energyRange(r).most ==
               Approx(4.0 * static_cast<double>(r.kernelDimension)).epsilon(1e-14));
     }
 }
 
-TEST_CASE("reduction: 7,900 schedules up to N = 10 give 451 motions, 154 pressing, 297 grazing")
+TEST_CASE("one phase: 7,900 schedules up to N = 10 give 451 motions, 154 pressing, 297 grazing")
 {
     std::map<std::string, int> count;
     test::forAllSchedules(10, 3, [&](const Schedule& schedule) {
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         ++count[std::string(r.reason ? "none" : name(r.contact))];
     });
     CHECK(count["pressing"] == 154);
@@ -90,11 +90,11 @@ TEST_CASE("reduction: 7,900 schedules up to N = 10 give 451 motions, 154 pressin
     CHECK(count["none"] == 7900 - 451);
 }
 
-TEST_CASE("reduction: the verdict alone agrees with the full reduction on every schedule N <= 8")
+TEST_CASE("one phase: the verdict alone agrees with the full set on every schedule N <= 8")
 {
     std::vector<std::int8_t> signs;
     test::forAllSchedules(8, 3, [&signs](const Schedule& schedule) {
-        const Reduction full = reduce(schedule);
+        const OnePhaseSet full = onePhaseSet(schedule);
         const Verdict verdict = decide(schedule.cells, schedule.phases.front(), signs);
         INFO(describe(schedule));
         REQUIRE(verdict.reason == full.reason);
@@ -113,7 +113,7 @@ TEST_CASE("reduction: the verdict alone agrees with the full reduction on every 
     });
 }
 
-TEST_CASE("reduction: at N = 12, T <= 8 exactly 36 schedules press at every contact step")
+TEST_CASE("one phase: at N = 12, T <= 8 exactly 36 schedules press at every contact step")
 {
     int pressing = 0;
     std::vector<std::int8_t> signs;
@@ -125,22 +125,22 @@ TEST_CASE("reduction: at N = 12, T <= 8 exactly 36 schedules press at every cont
     CHECK(pressing == 36);
 }
 
-TEST_CASE("reduction: the kernel dimension is 2N - rank(W - 1)")
+TEST_CASE("one phase: the kernel dimension is 2N - rank(W - 1)")
 {
     test::forAllSchedules(4, 2, [](const Schedule& schedule) {
         const Eigen::Index size = 2 * schedule.cells;
         const Eigen::MatrixXd matrix =
             Eigen::MatrixXd(periodMap(schedule)) - Eigen::MatrixXd::Identity(size, size);
         INFO(describe(schedule));
-        REQUIRE(reduce(schedule).kernelDimension ==
+        REQUIRE(onePhaseSet(schedule).kernelDimension ==
                 size - Eigen::FullPivLU<Eigen::MatrixXd>(matrix).rank());
     });
 }
 
-TEST_CASE("reduction: every vertex of a simplex is a motion, a step beyond is none")
+TEST_CASE("one phase: every vertex of a simplex is a motion, a step beyond is none")
 {
     const Schedule schedule = onePhase(12, 6, 36);
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     REQUIRE(r.set.kind == SetKind::simplex);
     for (std::size_t k = 0; k < 6; ++k) {
         std::vector<double> z(6, 0.0);
@@ -152,10 +152,10 @@ TEST_CASE("reduction: every vertex of a simplex is a motion, a step beyond is no
     }
 }
 
-TEST_CASE("reduction: grazing boxes with d near 2N hold motions at both ends")
+TEST_CASE("one phase: grazing boxes with d near 2N hold motions at both ends")
 {
     const Schedule schedule = onePhase(50, 1, 199);  // n = 4N: linear motion, d = 2N - 1
-    const Reduction r = reduce(schedule);
+    const OnePhaseSet r = onePhaseSet(schedule);
     REQUIRE(r.contact == Contact::grazing);
     CHECK(r.set.kind == SetKind::box);
     CHECK(r.kernelDimension == 99);
@@ -169,21 +169,22 @@ TEST_CASE("reduction: grazing boxes with d near 2N hold motions at both ends")
     CHECK_THROWS_AS(motionOf(r, jump), std::invalid_argument);
 }
 
-TEST_CASE("reduction: feasible by one cell, infeasible by one cell")
+TEST_CASE("one phase: feasible by one cell, infeasible by one cell")
 {
     const std::int64_t cells = 1000;
-    CHECK_FALSE(reduce(onePhase(cells, cells - 1, 4 * cells - 2 * (cells - 1))).reason);
-    CHECK(reduce(onePhase(cells, cells, 2 * cells)).reason.has_value());
-    CHECK(reduce(onePhase(cells, cells - 1, 4 * cells - 2 * (cells - 1) - 1)).reason ==
+    CHECK_FALSE(onePhaseSet(onePhase(cells, cells - 1, 4 * cells - 2 * (cells - 1))).reason);
+    CHECK(onePhaseSet(onePhase(cells, cells, 2 * cells)).reason.has_value());
+    CHECK(onePhaseSet(onePhase(cells, cells - 1, 4 * cells - 2 * (cells - 1) - 1)).reason ==
           Reason::gap);
-    CHECK(reduce(onePhase(cells, cells - 1, 4 * cells - 2 * (cells - 1) + 2)).reason.has_value());
+    CHECK(onePhaseSet(onePhase(cells, cells - 1, 4 * cells - 2 * (cells - 1) + 2))
+              .reason.has_value());
 }
 
-TEST_CASE("reduction: extremes answer at once and without overflow")
+TEST_CASE("one phase: extremes answer at once and without overflow")
 {
     SECTION("n_c = N - 1 at N = 10^5: E/E_1 = 10^10")
     {
-        const Reduction r = reduce(onePhase(100'000, 99'999, 200'002));
+        const OnePhaseSet r = onePhaseSet(onePhase(100'000, 99'999, 200'002));
         REQUIRE_FALSE(r.reason);
         CHECK(energyRange(r).least == Approx(1e10).epsilon(1e-12));
         CHECK(verify(leastEnergyMotion(r), onePhase(100'000, 99'999, 200'002)).residuals.worst() <
@@ -191,31 +192,32 @@ TEST_CASE("reduction: extremes answer at once and without overflow")
     }
     SECTION("n_f = 10^9 and beyond at N = 1")
     {
-        CHECK(reduce(onePhase(1, 1, 1'000'000'000)).reason.has_value());
-        CHECK(reduce(onePhase(1, 1, 1'000'000'001)).reason.has_value());
-        CHECK(reduce(onePhase(1, 1, maxSteps - 1)).signs.size() <= 12);
+        CHECK(onePhaseSet(onePhase(1, 1, 1'000'000'000)).reason.has_value());
+        CHECK(onePhaseSet(onePhase(1, 1, 1'000'000'001)).reason.has_value());
+        CHECK(onePhaseSet(onePhase(1, 1, maxSteps - 1)).signs.size() <= 12);
     }
     SECTION("n_f = 10^18 grazing: the motion is marched exactly")
     {
         const std::int64_t free = 4'000'000'000'000'000'000 - 1;
         const Schedule schedule = onePhase(2, 1, free);
-        const Reduction r = reduce(schedule);
+        const OnePhaseSet r = onePhaseSet(schedule);
         REQUIRE_FALSE(r.reason);
         CHECK(verify(leastEnergyMotion(r), schedule).residuals.worst() < 1e-15);
     }
     SECTION("products beyond 32 bits")
     {
-        const Reduction r = reduce(onePhase(50'000'000, 25'000'000, 150'000'000));
+        const OnePhaseSet r = onePhaseSet(onePhase(50'000'000, 25'000'000, 150'000'000));
         CHECK(energyRange(r).least == Approx(4.0).epsilon(1e-14));
         CHECK(r.kernelDimension == 25'000'000);
     }
 }
 
-TEST_CASE("reduction: what it cannot do is refused")
+TEST_CASE("one phase: what it cannot do is refused")
 {
-    CHECK_THROWS_AS(reduce(Schedule{4, {{1, 10}, {1, 14}}}), std::invalid_argument);
-    CHECK_THROWS_AS(reduce(onePhase(0, 1, 1)), std::invalid_argument);
-    CHECK_THROWS_AS(energyRange(reduce(onePhase(2, 2, 4))), std::invalid_argument);
-    CHECK_THROWS_AS(leastEnergyMotion(reduce(onePhase(2, 2, 4))), std::invalid_argument);
-    CHECK_THROWS_AS(motionOf(reduce(onePhase(8, 5, 23)), std::vector{1.0}), std::invalid_argument);
+    CHECK_THROWS_AS(onePhaseSet(Schedule{4, {{1, 10}, {1, 14}}}), std::invalid_argument);
+    CHECK_THROWS_AS(onePhaseSet(onePhase(0, 1, 1)), std::invalid_argument);
+    CHECK_THROWS_AS(energyRange(onePhaseSet(onePhase(2, 2, 4))), std::invalid_argument);
+    CHECK_THROWS_AS(leastEnergyMotion(onePhaseSet(onePhase(2, 2, 4))), std::invalid_argument);
+    CHECK_THROWS_AS(motionOf(onePhaseSet(onePhase(8, 5, 23)), std::vector{1.0}),
+                    std::invalid_argument);
 }

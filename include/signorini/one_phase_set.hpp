@@ -55,7 +55,7 @@ struct Verdict {
 };
 
 /// The verdict and everything needed to write down each motion, or to prove that there is none.
-struct Reduction : Verdict {
+struct OnePhaseSet : Verdict {
     Schedule schedule;               ///< the folded schedule that all counts refer to
     std::vector<std::int8_t> signs;  ///< epsilon_alpha, alpha = 0..nu-1 (empty if d = 0)
     std::int64_t worstBlock = -1;    ///< alpha of the largest prefix sum, when it is > 0
@@ -65,10 +65,10 @@ struct Reduction : Verdict {
 /// Decides a schedule. O(min(n, 12N)/G) steps on integers, one array of that many bytes; no heap
 /// use at all when `result` is used again for a schedule that needs no more room. \throws
 /// std::invalid_argument on an invalid schedule or more than one phase.
-void reduce(const Schedule& schedule, Reduction& result);
+void onePhaseSet(const Schedule& schedule, OnePhaseSet& result);
 
 /// The same, returning a fresh object.
-[[nodiscard]] Reduction reduce(const Schedule& schedule);
+[[nodiscard]] OnePhaseSet onePhaseSet(const Schedule& schedule);
 
 /// The verdict alone, for those who ask about millions of schedules: the walk along a class ends
 /// at the first contradiction, which most schedules show within a few steps. `signs` is room to
@@ -83,22 +83,22 @@ void reduce(const Schedule& schedule, Reduction& result);
 /// The state at t = 0 of the motion with the given amplitudes. O(N).
 /// \throws std::invalid_argument if the set is empty, z has the wrong length, or z lies outside
 /// the set by more than 1e-9 |S|.
-[[nodiscard]] State motionOf(const Reduction& reduction, std::span<const double> amplitudes);
+[[nodiscard]] State motionOf(const OnePhaseSet& whole, std::span<const double> amplitudes);
 
 /// The amplitudes nearest to any state: for each live class the mean of epsilon p over its w steps
 /// in the window of 2N; those of a motion give it back. O(N).
 /// \throws std::invalid_argument if the set is empty or the state has other cells.
-[[nodiscard]] std::vector<double> amplitudesOf(const Reduction& reduction, const State& state);
+[[nodiscard]] std::vector<double> amplitudesOf(const OnePhaseSet& whole, const State& state);
 
 /// The state at t = 0 of the motion of least energy, z = S/d throughout. O(N), the time needed to
 /// write 2N numbers. \throws std::invalid_argument if the set is empty.
-[[nodiscard]] State leastEnergyMotion(const Reduction& reduction);
+[[nodiscard]] State leastEnergyMotion(const OnePhaseSet& whole);
 
 /// The certificate that the closed form gives for a schedule without motion, in least integers. Its
 /// rows exist in the original schedule as well as in the folded one. O(N + n/G).
 /// `reason` names the first condition that fails; where several do, the certificate uses the rows
 /// that prove absence most directly.
-/// \throws std::invalid_argument if the reduction found motions.
-[[nodiscard]] FarkasCertificate proveAbsence(const Reduction& reduction);
+/// \throws std::invalid_argument if there are motions.
+[[nodiscard]] FarkasCertificate proveAbsence(const OnePhaseSet& whole);
 
 }  // namespace signorini

@@ -4,7 +4,7 @@
 #include "echo.hpp"
 #include "faults.hpp"
 #include "signorini/amplitude_set.hpp"
-#include "signorini/reduction.hpp"
+#include "signorini/one_phase_set.hpp"
 
 namespace signorini {
 
@@ -16,14 +16,14 @@ constexpr double amplitudeTolerance = 1e-9;
 void requireMotion(const Verdict& verdict)
 {
     if (verdict.reason || verdict.set.kind == SetKind::empty) {
-        throw std::invalid_argument("reduction: the schedule has no motion");
+        throw std::invalid_argument("one phase: the schedule has no motion");
     }
 }
 
 /// Writes p_m = epsilon_alpha z_j on live classes and 0 elsewhere: fill(run, sign, firstClass) sets
 /// a run of neighbouring classes to sign z.
 template <typename Fill>
-State writeState(const Reduction& r, Fill fill)
+State writeState(const OnePhaseSet& r, Fill fill)
 {
     const std::int64_t cells = r.schedule.cells;
     State state{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
@@ -58,10 +58,10 @@ EnergyRange energyRange(const Verdict& verdict)
     return {whole / (sum * sum * count), whole * most / (sum * sum)};
 }
 
-State motionOf(const Reduction& reduction, std::span<const double> amplitudes)
+State motionOf(const OnePhaseSet& whole, std::span<const double> amplitudes)
 {
-    requireMotion(reduction);
-    const double outside = distanceOutside(reduction.set, amplitudes);
+    requireMotion(whole);
+    const double outside = distanceOutside(whole.set, amplitudes);
     if (!(outside <= amplitudeTolerance)) {
         throw std::invalid_argument(
             fmt::format("amplitudes: outside the solution set by {} |S|: allowed at most {}",
@@ -69,35 +69,35 @@ State motionOf(const Reduction& reduction, std::span<const double> amplitudes)
     }
     const Eigen::Map<const Eigen::VectorXd> z(amplitudes.data(),
                                               static_cast<Eigen::Index>(amplitudes.size()));
-    return writeState(reduction, [&z](auto& run, double sign, std::int64_t first) {
+    return writeState(whole, [&z](auto& run, double sign, std::int64_t first) {
         run = sign * z.segment(first, run.size());
     });
 }
 
-std::vector<double> amplitudesOf(const Reduction& reduction, const State& state)
+std::vector<double> amplitudesOf(const OnePhaseSet& whole, const State& state)
 {
-    requireMotion(reduction);
-    requireCells(state, reduction.schedule.cells);
-    std::vector<double> z(static_cast<std::size_t>(reduction.kernelDimension), 0.0);
-    for (std::int64_t block = 0; block < reduction.window; ++block) {
-        const double sign = reduction.signs[static_cast<std::size_t>(block % reduction.members)];
+    requireMotion(whole);
+    requireCells(state, whole.schedule.cells);
+    std::vector<double> z(static_cast<std::size_t>(whole.kernelDimension), 0.0);
+    for (std::int64_t block = 0; block < whole.window; ++block) {
+        const double sign = whole.signs[static_cast<std::size_t>(block % whole.members)];
         for (std::size_t j = 0; j < z.size(); ++j) {
             const std::int64_t m =
-                block * reduction.classes + reduction.firstLive + static_cast<std::int64_t>(j);
+                block * whole.classes + whole.firstLive + static_cast<std::int64_t>(j);
             z[j] += sign * waveAt(state, m);
         }
     }
     for (double& value : z) {
-        value /= static_cast<double>(reduction.window);  // last: equal terms cancel without a rest
+        value /= static_cast<double>(whole.window);  // last: equal terms cancel without a rest
     }
     return z;
 }
 
-State leastEnergyMotion(const Reduction& reduction)
+State leastEnergyMotion(const OnePhaseSet& whole)
 {
-    requireMotion(reduction);
-    const double z = reduction.set.sum / static_cast<double>(reduction.set.count);
-    return writeState(reduction,
+    requireMotion(whole);
+    const double z = whole.set.sum / static_cast<double>(whole.set.count);
+    return writeState(whole,
                       [z](auto& run, double sign, std::int64_t) { run.setConstant(sign * z); });
 }
 
