@@ -55,7 +55,8 @@ OPTIONS = {
               "--figure": PICTURES},
     "atlas": {"--database": DATABASES, "--max-contact": COUNTS, "--max-free": COUNTS,
               "--phases": ["1", "2"], "--max-energy-ratio": REALS, "--all": None,
-              "--resume": None, "--near": REALS, "--within": REALS,
+              "--families-only": None, "--resume": None,
+              "--near": [*REALS, "8/7", "1/0"], "--within": REALS, "--schedules": None,
               "--period": ["7/2", "3.5", "4", "10/3", "1/1000000007"], "--twins": None,
               "--figure": PICTURES, "--map": PICTURES},
 }
@@ -66,8 +67,11 @@ TOGETHER = [(MATERIAL, MATERIAL, {"--wave-speed", "--axial-stiffness"}),
             ({"--time-limit"}, {"--solver"}, set()),
             ({"--from"}, {"--to"}, {"--direction", "--sample"}),
             ({"--within"}, {"--near"}, {"--period", "--twins"}),
+            ({"--families-only"}, set(), {"--all", "--phases"}),
+            ({"--schedules"}, {"--near"}, {"--period", "--twins"}),
             ({"--near", "--period", "--twins"}, set(),
-             {"--max-contact", "--max-free", "--phases", "--max-energy-ratio", "--all", "--resume"})]
+             {"--max-contact", "--max-free", "--phases", "--max-energy-ratio", "--all",
+              "--families-only", "--resume"})]
 OUTPUTS = {"--state", "--motion", "--figure", "--csv", "--map", "--database"}
 STATUS_OF = {"found": FOUND, "done": FOUND, "none": NONE, "undecided": UNDECIDED,
              "interrupted": UNDECIDED}
