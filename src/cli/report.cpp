@@ -83,7 +83,7 @@ std::string energyAsText(const FoundMotion& motion, const std::optional<EnergyRa
     if (range && std::isinf(range->most)) {
         text += fmt::format("   (the set reaches from {:.10g} E₁ without bound)", range->least);
     } else if (range && range->most > range->least) {
-        text += fmt::format("   (the set reaches {:.10g} … {:.10g} E₁)", range->least, range->most);
+        text += fmt::format("   (the set reaches {:.10g} … {:.10g} E₁ on this grid)", range->least, range->most);
     }
     return text;
 }
