@@ -8,6 +8,7 @@
 #include "formulation.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "solver.hpp"
 #include "support.hpp"
 

@@ -9,6 +9,7 @@
 
 #include "atlas_batches.hpp"
 #include "catch.hpp"
+#include "signorini/find_periodic.hpp"
 #include "support.hpp"
 
 using namespace signorini;

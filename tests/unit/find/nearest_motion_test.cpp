@@ -6,6 +6,7 @@
 #include "formulation.hpp"
 #include "signorini/amplitude_set.hpp"
 #include "signorini/find_periodic.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "solver.hpp"
 #include "support.hpp"
 

@@ -9,7 +9,6 @@
 
 #include "catch.hpp"
 #include "database.hpp"
-#include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 #include "signorini/verification.hpp"
 #include "support.hpp"
@@ -227,19 +226,4 @@ TEST_CASE("atlas database: what cannot be used is refused and left as it is")
     CHECK_THROWS_WITH(database.write(second, decideBatch(range, 0, signs).value(), 0.0, ""),
                       containsText("another process"));
     CHECK(dump(folder.file("a.sqlite")) == rows);
-}
-
-TEST_CASE("atlas database: both pictures are drawn, of an empty atlas, too")
-{
-    const Folder folder;
-    AtlasDatabase database = AtlasDatabase::create(folder.file("a.sqlite"));
-    drawExistenceMap(database, {}, FigureFormat::svg, folder.file("none.svg"));
-    CHECK(fs::file_size(folder.file("none.svg")) > 1000);
-    (void)buildAtlas(database, usualRange(12));
-    drawExistenceMap(database, 12, FigureFormat::svg, folder.file("map.svg"));
-    drawFrequencyEnergyPlot(database, 12, FigureFormat::svg, folder.file("plot.svg"));
-    std::ifstream map(folder.file("map.svg"));
-    const std::string text{std::istreambuf_iterator<char>(map), {}};
-    CHECK_THAT(text, containsText("contact time"));
-    CHECK(fs::file_size(folder.file("plot.svg")) > 2000);
 }

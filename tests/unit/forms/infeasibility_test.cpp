@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "formulation.hpp"
 #include "signorini/demands.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -8,6 +8,7 @@
 #include "catch.hpp"
 #include "equations.hpp"
 #include "integers.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 #include "support.hpp"
 
