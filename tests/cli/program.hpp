@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "catch.hpp"
+#include "folder.hpp"
 
 namespace signorini::test {
 
@@ -31,15 +32,6 @@ inline std::string contentOf(const fs::path& path)
 /// Runs the program in a folder of its own.
 class Program {
 public:
-    Program() : folder_(fs::temp_directory_path() / ("signorini-cli-" + std::to_string(getpid())))
-    {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    Program(const Program&) = delete;
-    Program& operator=(const Program&) = delete;
-    ~Program() { fs::remove_all(folder_); }
-
     struct Outcome {
         int status;
         std::string out;
@@ -49,8 +41,8 @@ public:
 
     [[nodiscard]] Outcome run(const std::string& arguments, const std::string& prefix = "") const
     {
-        const std::string base = folder_.string() + "-std";
-        const std::string command = "cd '" + folder_.string() + "' && " + prefix + " '" +
+        const std::string base = folder_.path().string() + "-std";
+        const std::string command = "cd '" + folder_.path().string() + "' && " + prefix + " '" +
                                     SIGNORINI_PROGRAM + "' " + arguments + " >" + base + "out 2>" +
                                     base + "err </dev/null";
         const auto [status, peak] = shell(command);
@@ -68,11 +60,8 @@ public:
         return json::parse(outcome.out);
     }
 
-    [[nodiscard]] fs::path file(const char* name) const { return folder_ / name; }
-    [[nodiscard]] std::ptrdiff_t files() const
-    {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-    }
+    [[nodiscard]] fs::path file(const char* name) const { return folder_.path() / name; }
+    [[nodiscard]] std::ptrdiff_t files() const { return folder_.files(); }
 
 private:
     /// Exit status and peak memory [kB] of one command.
@@ -93,7 +82,7 @@ private:
                 static_cast<double>(usage.ru_maxrss)};
     }
 
-    fs::path folder_;
+    Folder folder_;
 };
 
 inline std::ptrdiff_t lines(const std::string& text)

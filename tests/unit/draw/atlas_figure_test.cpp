@@ -1,37 +1,15 @@
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
 #include "catch.hpp"
+#include "folder.hpp"
 #include "signorini/atlas_database.hpp"
 #include "signorini/figures.hpp"
 
 using namespace signorini;
-
-namespace {
+using test::Folder;
 
 namespace fs = std::filesystem;
-
-/// A folder for one test.
-class Folder {
-public:
-    Folder()
-        : path_(fs::temp_directory_path() / ("signorini-atlas-figure-" + std::to_string(getpid())))
-    {
-        fs::remove_all(path_);
-        fs::create_directories(path_);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { fs::remove_all(path_); }
-    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
-
-private:
-    fs::path path_;
-};
-
-}  // namespace
 
 TEST_CASE("atlas figures: both are drawn, of an empty atlas, too")
 {

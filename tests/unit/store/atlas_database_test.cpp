@@ -1,6 +1,5 @@
 #include "signorini/atlas_database.hpp"
 
-#include <unistd.h>
 #include <atomic>
 
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "catch.hpp"
 #include "database.hpp"
+#include "folder.hpp"
 #include "signorini/output.hpp"
 #include "signorini/verification.hpp"
 #include "support.hpp"
@@ -19,23 +19,6 @@ using namespace signorini::test;
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder for one test.
-class Folder {
-public:
-    Folder() : path_(fs::temp_directory_path() / ("signorini-atlas-" + std::to_string(getpid())))
-    {
-        fs::remove_all(path_);
-        fs::create_directories(path_);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { fs::remove_all(path_); }
-    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
-
-private:
-    fs::path path_;
-};
 
 AtlasRange pairsRange()
 {

@@ -1,42 +1,22 @@
 #include "signorini/output.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "catch.hpp"
+#include "folder.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
+using test::Folder;
 using test::onePhase;
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// An empty folder that vanishes with the test.
-class Folder {
-public:
-    Folder() : path_(fs::temp_directory_path() / ("signorini-test-" + std::to_string(getpid())))
-    {
-        fs::create_directories(path_);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() { fs::remove_all(path_); }
-    [[nodiscard]] std::string file(const char* name) const { return (path_ / name).string(); }
-    [[nodiscard]] std::ptrdiff_t files() const
-    {
-        return std::distance(fs::directory_iterator(path_), fs::directory_iterator());
-    }
-
-private:
-    fs::path path_;
-};
 
 std::string contentOf(const std::string& path)
 {
