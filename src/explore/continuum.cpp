@@ -19,11 +19,11 @@ namespace {
 constexpr std::string_view automatic = "auto";
 constexpr std::string_view closedForm = "closed-form";
 
-constexpr Named<Parameter> parameterNames[] = {
+constexpr auto parameterNames = std::to_array<Named<Parameter>>({
     {Parameter::arcLength, "arc length"},
     {Parameter::position, "position"},
     {Parameter::number, "number"},
-};
+});
 
 void validate(const Schedule& schedule, double energyRatio, const ContinuumOptions& options)
 {

@@ -75,12 +75,15 @@ bool isChosenFor(const Backend& backend, const Capabilities& needs)
                                       : choice.linear;
 }
 
-constexpr Named<SolverStatus> statusNames[] = {
-    {SolverStatus::notRun, "not run"},        {SolverStatus::optimal, "optimal"},
-    {SolverStatus::infeasible, "infeasible"}, {SolverStatus::unbounded, "unbounded"},
-    {SolverStatus::limit, "limit"},           {SolverStatus::cancelled, "cancelled"},
+constexpr auto statusNames = std::to_array<Named<SolverStatus>>({
+    {SolverStatus::notRun, "not run"},
+    {SolverStatus::optimal, "optimal"},
+    {SolverStatus::infeasible, "infeasible"},
+    {SolverStatus::unbounded, "unbounded"},
+    {SolverStatus::limit, "limit"},
+    {SolverStatus::cancelled, "cancelled"},
     {SolverStatus::failed, "failed"},
-};
+});
 
 }  // namespace
 
