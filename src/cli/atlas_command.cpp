@@ -24,44 +24,6 @@ namespace {
 
 constexpr double usualDistance = 0.01;
 
-/// "7/2", "3.5" or "4" as an exact fraction. \throws std::invalid_argument.
-ExactPeriod parsePeriod(const std::string& text)
-{
-    constexpr std::size_t mostDigits = 9;
-    const auto refuse = [&text]() {
-        Faults faults;
-        faults.add("--period", text, "a fraction like 7/2 or a decimal number > 0 [L/c]",
-                   "at most 9 digits, in a fraction 9 on each side");
-        faults.throwIfAny();
-    };
-    const auto isWhole = [](std::string_view word) {
-        return !word.empty() && word.size() <= mostDigits &&
-               std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-    };
-    ExactPeriod period;
-    if (const std::size_t slash = text.find('/'); slash != std::string::npos) {
-        if (!isWhole(text.substr(0, slash)) || !isWhole(text.substr(slash + 1))) {
-            refuse();
-        }
-        period = {std::stoll(text.substr(0, slash)), std::stoll(text.substr(slash + 1))};
-    } else {
-        const std::size_t point = text.find('.');
-        const std::string fraction = point == std::string::npos ? "" : text.substr(point + 1);
-        const std::string digits = text.substr(0, point) + fraction;
-        if (!isWhole(digits)) {
-            refuse();
-        }
-        period.numerator = std::stoll(digits);
-        for (std::size_t k = 0; k < fraction.size(); ++k) {
-            period.denominator *= 10;
-        }
-    }
-    if (period.numerator == 0 || period.denominator == 0) {
-        refuse();
-    }
-    return exactPeriod(period.numerator, period.denominator);
-}
-
 }  // namespace
 
 void AtlasCommand::addTo(CLI::App& command)
@@ -82,7 +44,7 @@ void AtlasCommand::addTo(CLI::App& command)
         ->expected(1, 2);
     addPositive(command, "--within", "-", within, "X", "how near, relative (0.01)");
     addWord(command, "--period", "T", "ask: all schedules of this period, as 7/2 or 3.5",
-            [this](const std::string& text) { period = parsePeriod(text); });
+            [this](const std::string& text) { period = parseFraction("--period", text, "L/c"); });
     command.add_flag("--twins", twins, "ask: different motions of equal period and energy");
     command.add_option("--figure", figureFile, "draw the frequency-energy plot (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
