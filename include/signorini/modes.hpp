@@ -137,6 +137,8 @@ public:
     [[nodiscard]] double tipGap(double t) const { return 1.0 - displacement(1.0, t); }
     /// Force on the wall, 2h in contact and 0 in flight [EA g/L].
     [[nodiscard]] double wallForce(double t) const;
+    /// What one period reaches. O(a).
+    [[nodiscard]] Extremes extremes() const;
 
 private:
     struct Place {

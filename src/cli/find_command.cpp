@@ -10,6 +10,7 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "question_report.hpp"
 #include "report.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
@@ -25,6 +26,17 @@ FindOptions completed(const FindCommand& call)
 {
     FindOptions options = call.options;
     options.bar = call.common.bar();
+    if (call.energy) {
+        if (options.energyRatio) {
+            throw std::invalid_argument(
+                "--energy clashes with --energy-ratio: allowed one of them");
+        }
+        options.energyRatio = *call.energy / scales(options.bar).energy;
+    }
+    if (call.yieldStress && !options.bar.young) {
+        throw std::invalid_argument(
+            "--yield-stress: allowed only with --young, --density and --area");
+    }
     options.strainLimit /= scales(options.bar).strain;
     if (!(options.tipFloor < options.bar.gap)) {
         refuse("--tip-floor", fmt::format("{}", options.tipFloor), "below the gap [m]");
@@ -62,22 +74,81 @@ bool isVtk(const std::string& path)
     return path.ends_with(".vtk");
 }
 
-/// Names that are wrong before any work is done.
-void validateFiles(const FindCommand& words)
-{
-    if (!words.figureFile.empty()) {
-        (void)figureFormat(words.figureFile);
+/// The files that a call names: checked before any work, staged, and written together.
+class MotionFiles {
+public:
+    explicit MotionFiles(const FindCommand& words) : words_(words)
+    {
+        if (!words.figureFile.empty()) {
+            (void)figureFormat(words.figureFile);
+        }
+        Faults faults;
+        if (!words.motionFile.empty() && !words.motionFile.ends_with(".csv") &&
+            !isVtk(words.motionFile)) {
+            faults.add("--motion", words.motionFile, "a name ending in .csv or .vtk");
+        }
+        faults.throwIfAny();
+        const OutputOption stateOption{"--state", words.stateFile};
+        const OutputOption motionOption{"--motion", words.motionFile};
+        const OutputOption figureOption{"--figure", words.figureFile};
+        validateOutputs({stateOption, motionOption, figureOption});
+        state_ = stage(files_, stateOption);
+        motion_ = stage(files_, motionOption);
+        figure_ = stage(files_, figureOption);
     }
-    Faults faults;
-    if (!words.motionFile.empty() && !words.motionFile.ends_with(".csv") &&
-        !isVtk(words.motionFile)) {
-        faults.add("--motion", words.motionFile, "a name ending in .csv or .vtk");
+
+    [[nodiscard]] bool areWanted() const
+    {
+        return !state_.empty() || !motion_.empty() || !figure_.empty();
     }
-    faults.throwIfAny();
-    validateOutputs({{"--state", words.stateFile},
-                     {"--motion", words.motionFile},
-                     {"--figure", words.figureFile}});
-}
+
+    void sayNone() const
+    {
+        if (areWanted() && !words_.common.quiet) {
+            tell("signorini find: no motion to write, so no file was written\n");
+        }
+    }
+
+    /// \pre a motion was found.
+    void write(const PeriodicResult& result)
+    {
+        if (!state_.empty()) {
+            forFile("--state", words_.stateFile,
+                    [&] { writeStateCsv(state_, result.motion->state, result.bar); });
+        }
+        if (!motion_.empty()) {
+            writeMotion(result);
+        }
+        if (!figure_.empty()) {
+            forFile("--figure", words_.figureFile,
+                    [&] { drawMotion(result, figureFormat(words_.figureFile), figure_); });
+        }
+        files_.commit();
+    }
+
+private:
+    void writeMotion(const PeriodicResult& result) const
+    {
+        const Motion field(result.motion->state, result.schedule);
+        const std::int64_t all = signorini::steps(result.schedule);
+        if (field.steps() < all && !words_.common.quiet) {
+            tell(
+                fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
+                            "free oscillations\n",
+                            field.steps(), all));
+        }
+        forFile("--motion", words_.motionFile, [&] {
+            (isVtk(words_.motionFile) ? writeMotionVtk : writeMotionCsv)(motion_, field,
+                                                                         result.bar);
+        });
+    }
+
+    const FindCommand& words_;
+    OutputFiles files_;
+    std::string state_;
+    std::string motion_;
+    std::string figure_;
+};
 
 }  // namespace
 
@@ -91,14 +162,19 @@ void FindCommand::addTo(CLI::App& command)
     addName(command, "--formulation", std::span(formulationNames), options.formulation,
             "unknowns of the problem (auto)");
     addName(command, "--objective", std::span(objectiveNames).subspan(1), options.objective,
-            "which motion of the set (least energy)");
+            "which motion of the set (least energy; of an energy to hold, least peak strain)");
     command
         .add_option("--target", targetFile,
                     "state to come nearest to, as --state writes it; may be a pipe")
         ->type_name("FILE.csv");
-    addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X", "hold E/E_1 = X");
+    question.addTo(command);
+    addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X",
+                "hold E/E_1 = X: the motion of least peak compression");
+    addPositive(command, "--energy", "J", energy, "J", "hold the energy, in joules");
     addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
                 "strain >= -S everywhere, always");
+    addPositive(command, "--yield-stress", "Pa", yieldStress, "PA",
+                "warn where the stress exceeds it (needs --young)");
     addWord(command, "--tip-floor", "M", "lowest displacement of the tip",
             [this](const std::string& text) {
                 options.tipFloor = parseReal("--tip-floor", text, "m");
@@ -114,48 +190,93 @@ void FindCommand::addTo(CLI::App& command)
     common.addTo(command);
 }
 
+/// Where a motion is not what a bar could do.
+void FindCommand::warn(const Physical& physical) const
+{
+    if (common.quiet) {
+        return;
+    }
+    if (!physical.isAdmissible()) {
+        tell(
+            fmt::format("signorini find: not admissible: the strain reaches {:.6g}, and the paper "
+                        "demands s > -1 everywhere\n",
+                        -physical.peakCompression));
+    }
+    if (yieldStress && *physical.peakStress > *yieldStress) {
+        tell(fmt::format(
+            "signorini find: the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} "
+            "Pa\n",
+            *physical.peakStress, *yieldStress));
+    }
+}
+
 ExitStatus FindCommand::run() const
 {
-    const Schedule schedule{common.usualCells(), parsePhases(steps)};
-    const FindOptions request = completed(*this);
-    validate(schedule);
-    validateFiles(*this);
-
-    OutputFiles files;
-    const std::string state = stage(files, {"--state", stateFile});
-    const std::string motion = stage(files, {"--motion", motionFile});
-    const std::string figure = stage(files, {"--figure", figureFile});
-
-    const PeriodicResult result = search(schedule, request, common.quiet);
-    const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();
-    if (result.status == Status::found) {
-        if (!state.empty()) {
-            forFile("--state", stateFile,
-                    [&] { writeStateCsv(state, result.motion->state, request.bar); });
-        }
-        if (!motion.empty()) {
-            const Motion field(result.motion->state, schedule);
-            if (field.steps() < signorini::steps(schedule) && !common.quiet) {
-                tell(
-                    fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
-                                "free oscillations\n",
-                                field.steps(), signorini::steps(schedule)));
-            }
-            forFile("--motion", motionFile, [&] {
-                (isVtk(motionFile) ? writeMotionVtk : writeMotionCsv)(motion, field, request.bar);
-            });
-        }
-        if (!figure.empty()) {
-            forFile("--figure", figureFile,
-                    [&] { drawMotion(result, figureFormat(figureFile), figure); });
-        }
-        files.commit();
-    } else if (wantsFiles && !common.quiet) {
-        tell("signorini find: no motion to write, so no file was written\n");
+    if (question.isAsked() && !steps.empty()) {
+        throw std::invalid_argument(
+            "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     }
-    writeOut(common.wantsJson ? asJson(result) : asText(result));
+    ExitStatus status = exitUndecided;
+    if (question.isAsked()) {
+        const AskedPeriod asked = question.on(common.usualCells(), common.bar());
+        status = answerQuestion(asked, completed(*this));
+    } else {
+        const Schedule schedule{common.usualCells(), parsePhases(steps)};
+        status = answerSchedule(schedule, completed(*this));
+    }
     common.useOneThread("find");
+    return status;
+}
+
+ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindOptions& request) const
+{
+    validate(schedule);
+    MotionFiles files(*this);
+    const PeriodicResult result = search(schedule, request, common.quiet);
+    if (result.motion) {
+        files.write(result);
+    } else {
+        files.sayNone();
+    }
+    writeOut(common.wantsJson ? asLine(answerOf(result)) : asText(result));
+    if (result.motion) {
+        warn(result.motion->physical);
+    }
     return exitStatusOf(result.status);
+}
+
+ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindOptions& request) const
+{
+    const std::int64_t cells = common.usualCells();
+    MotionFiles files(*this);
+    QuestionReport report(asked, cells, request);
+    std::optional<PeriodicResult> first;
+    std::vector<Physical> measured;
+    for (const Schedule& schedule : setsOfPeriod(cells, asked.steps)) {
+        PeriodicResult result = search(schedule, request, common.quiet);
+        report.add(result);
+        if (result.motion) {
+            measured.push_back(result.motion->physical);
+        }
+        if (result.motion && !first) {
+            first = std::move(result);
+        }
+    }
+    if (files.areWanted() && measured.size() > 1) {
+        throw std::invalid_argument(
+            fmt::format("--state, --motion, --figure: {} motions answer: allowed one, by its NC NF",
+                        measured.size()));
+    }
+    if (first) {
+        files.write(*first);
+    } else {
+        files.sayNone();
+    }
+    writeOut(common.wantsJson ? asLine(report.json()) : report.text());
+    for (const Physical& physical : measured) {
+        warn(physical);
+    }
+    return exitStatusOf(report.status());
 }
 
 }  // namespace signorini::cli

@@ -1,11 +1,13 @@
 #pragma once
 /// \file
-/// signorini find NC NF [NC NF ...]
+/// signorini find NC NF [NC NF ...], or --period|--frequency|--hertz in place of the steps.
 
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
+#include "question.hpp"
+#include "signorini/output.hpp"
 
 namespace signorini::cli {
 
@@ -13,7 +15,10 @@ namespace signorini::cli {
 struct FindCommand {
     CommonOptions common;
     std::vector<std::string> steps;
+    PeriodQuestion question;
     FindOptions options;
+    std::optional<double> energy;       ///< [J]
+    std::optional<double> yieldStress;  ///< [Pa]
     std::string targetFile;
     std::string stateFile;
     std::string motionFile;
@@ -24,6 +29,13 @@ struct FindCommand {
     /// Does the work; the report goes to stdout. SIGINT and SIGTERM end a search that can be
     /// stopped. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
+
+private:
+    void warn(const Physical& physical) const;
+    [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
+                                            const FindOptions& request) const;
+    [[nodiscard]] ExitStatus answerQuestion(const AskedPeriod& asked,
+                                            const FindOptions& request) const;
 };
 
 }  // namespace signorini::cli

@@ -56,16 +56,23 @@ std::string asText(const Listing& listing)
     if (listing.modes.empty()) {
         return text;
     }
-    text += fmt::format("\n{:<14}{:<18}{:<20}{:<14}{:<22}{:<17}{}\n", "t_c [L/c]", "T in [L/c]",
-                        "ω/ω₁ in", "1/√(E/E₁)", "E/E₁ in", "lowest T", "family");
+    const Scales unit = scales(listing.bar);
+    text += fmt::format("\n{:<14}{:<18}{:<20}{:<24}{:<14}{:<22}{:<26}{:<17}{}\n", "t_c [L/c]",
+                        "T in [L/c]", "ω/ω₁ in", "frequency in [Hz]", "1/√(E/E₁)", "E/E₁ in",
+                        "energy in [J]", "lowest T", "family");
     for (const Mode& mode : listing.modes) {
         const EnergyRange energy = energyRange(mode);
+        const auto hertz = [&unit](const ExactPeriod& period) {
+            return 1.0 / (period.value() * unit.time);
+        };
         text += fmt::format(
-            "{:<14}{:<18}{:<20}{:<14}{:<22}{:<17}{}\n",
+            "{:<14}{:<18}{:<20}{:<24}{:<14}{:<22}{:<26}{:<17}{}\n",
             fmt::format("{} - {}", 4 * mode.a, timesT(-mode.b)),
             fmt::format("]{}, {}[", asText(mode.lowest), asText(mode.highest)),
             fmt::format("]{:.6g}, {:.6g}[", 4.0 / mode.highest.value(), 4.0 / mode.lowest.value()),
+            fmt::format("]{:.6g}, {:.6g}[", hertz(mode.highest), hertz(mode.lowest)),
             rootAsText(mode), fmt::format("]{:.6g}, {:.6g}[", energy.least, energy.most),
+            fmt::format("]{:.6g}, {:.6g}[", energy.least * unit.energy, energy.most * unit.energy),
             name(mode.lowestEnd), familyName(mode));
     }
     return text;

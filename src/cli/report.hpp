@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "json.hpp"
 #include "signorini/find_periodic.hpp"
 
 namespace signorini::cli {
@@ -11,7 +12,11 @@ namespace signorini::cli {
 /// Several lines for people, with a final newline.
 [[nodiscard]] std::string asText(const PeriodicResult& result);
 
-/// The JSON of the contract, with a final newline.
-[[nodiscard]] std::string asJson(const PeriodicResult& result);
+/// The JSON of the contract.
+[[nodiscard]] Json answerOf(const PeriodicResult& result);
+
+/// Said of a range that has no proof.
+inline constexpr const char* rangeNote =
+    "this end of the range is computed, not checked by other code";
 
 }  // namespace signorini::cli

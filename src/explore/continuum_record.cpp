@@ -33,7 +33,7 @@ ContinuumRecord::ContinuumRecord(const Schedule& schedule, double energyRatio,
 
 double ContinuumRecord::peakStrainOf(const State& state) const
 {
-    return extremesOf(state, result.schedule).peakStrain * scales(options.bar).strain;
+    return extremesOf(state, result.schedule).peakCompression * scales(options.bar).strain;
 }
 
 const State* ContinuumRecord::from() const

@@ -123,4 +123,19 @@ double ModeMotion::wallForce(double t) const
     return locate(t).time < contactTime() ? 2.0 * amplitude_ : 0.0;
 }
 
+Extremes ModeMotion::extremes() const
+{
+    // The tip turns where p jumps.
+    const double most = 2.0 * amplitude_;
+    const double least = *std::min_element(integrals_.begin(), integrals_.end());
+    return {.period = period_,
+            .contactTime = contactTime(),
+            .peakForce = most,
+            .impulse = most * contactTime(),
+            .approachSpeed = most,
+            .peakCompression = most,
+            .peakTension = most,
+            .lowestTip = 1.0 + most * (least - integrals_.front())};
+}
+
 }  // namespace signorini

@@ -52,7 +52,7 @@ TEST_CASE("claims: every extreme is refuted by a better known motion, and by no 
     // Equal for all amplitudes of one phase.
     CHECK_FALSE(isRefuted(Objective::maxImpulse, least, most));
     // A better motion that breaks a limit says nothing.
-    const double limit = 1.01 * extremesOf(least, schedule).peakStrain;
+    const double limit = 1.01 * extremesOf(least, schedule).peakCompression;
     CHECK_FALSE(isRefuted(Objective::maxEnergy, least, most, limit));
 }
 

@@ -52,7 +52,7 @@ TEST_CASE("demands: the deepest compression over all x and t is 2 max p, not see
     std::vector<double> z(3, 0.0);
     z[1] = r.set.sum;
     const State spike = motionOf(r, z);
-    CHECK(extremesOf(spike, schedule).peakStrain == Approx(2.0 * r.set.sum));
+    CHECK(extremesOf(spike, schedule).peakCompression == Approx(2.0 * r.set.sum));
     CHECK(sampledPeak(spike, schedule, 1) < 1.5 * r.set.sum);
     CHECK(sampledPeak(spike, schedule, 2) == Approx(2.0 * r.set.sum));
     CHECK(sampledPeak(spike, schedule, 5) == Approx(2.0 * r.set.sum));
@@ -60,7 +60,8 @@ TEST_CASE("demands: the deepest compression over all x and t is 2 max p, not see
     std::mt19937_64 generator(8);
     for (int k = 0; k < 20; ++k) {
         const State state = motionOf(r, drawAmplitudes(r.set, generator));
-        CHECK(extremesOf(state, schedule).peakStrain == Approx(sampledPeak(state, schedule, 2)));
+        CHECK(extremesOf(state, schedule).peakCompression ==
+              Approx(sampledPeak(state, schedule, 2)));
     }
 }
 
@@ -81,7 +82,7 @@ TEST_CASE("demands: a strain limit just met is met, one just missed is proved im
 {
     for (const Schedule& schedule : {onePhase(300, 150, 900), onePhase(5, 1, 12)}) {
         const PeriodicResult least = findPeriodic(schedule);
-        const double peak = extremesOf(least.motion->state, schedule).peakStrain;
+        const double peak = extremesOf(least.motion->state, schedule).peakCompression;
         const PeriodicResult met = findPeriodic(schedule, {.strainLimit = peak * (1 + 1e-12)});
         CHECK(met.status == Status::found);
         CHECK(met.how.route == "closed-form");
@@ -245,7 +246,8 @@ TEST_CASE("demands: least peak strain and most impulse by linear programs")
         INFO(name(form));
         const PeriodicResult peak = solve(Objective::minPeakStrain, form);
         REQUIRE(peak.status == Status::found);
-        CHECK(peak.motion->peakStrain == Approx(least.motion->peakStrain).epsilon(1e-7));
+        CHECK(peak.motion->physical.peakCompression ==
+              Approx(least.motion->physical.peakCompression).epsilon(1e-7));
         const PeriodicResult impulse = solve(Objective::maxImpulse, form);
         REQUIRE(impulse.status == Status::found);
         CHECK(extremesOf(impulse.motion->state, schedule).impulse ==
@@ -321,7 +323,7 @@ TEST_CASE("demands: what no back end of a build can do is said")
         return;
     }
     // Within a limit that the nearest motion breaks it is a quadratic program.
-    const double limit = 1.0001 * findPeriodic(1, 79, 20).motion->peakStrain / 1e-3;
+    const double limit = 1.0001 * findPeriodic(1, 79, 20).motion->physical.peakCompression / 1e-3;
     CHECK_THROWS_AS(findPeriodic(1, 79, 20,
                                  {.objective = Objective::nearest,
                                   .target = test::randomState(20),

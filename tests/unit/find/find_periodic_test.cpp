@@ -303,7 +303,7 @@ TEST_CASE("findPeriodic: a proof of absence does not survive a change of what it
     REQUIRE(isProof(paper));
     CHECK_FALSE(changed(paper, [](auto& p) { std::get<FarkasCertificate>(p).gap = 1; }));
 
-    const double peak = extremesOf(findPeriodic(schedule).motion->state, schedule).peakStrain;
+    const double peak = extremesOf(findPeriodic(schedule).motion->state, schedule).peakCompression;
     const PeriodicResult strain = findPeriodic(schedule, {.strainLimit = 0.5 * peak});
     REQUIRE(isProof(strain));
     const auto strainProof = [&](auto change) {

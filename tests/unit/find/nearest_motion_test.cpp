@@ -240,7 +240,7 @@ TEST_CASE("nearest: within a strain limit a solver's motion is off by no more th
     }
     int compared = 0;
     for (const Schedule& schedule : {onePhase(2, 1, 7), onePhase(4, 1, 14), onePhase(8, 5, 23)}) {
-        const double least = findPeriodic(schedule).motion->peakStrain / 1e-3;
+        const double least = findPeriodic(schedule).motion->physical.peakCompression / 1e-3;
         for (const unsigned seed : {1u, 2u, 3u}) {
             const State target = test::randomState(schedule.cells, seed);
             const Demands demands{

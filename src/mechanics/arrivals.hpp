@@ -6,10 +6,12 @@
 /// negated if its last step was free. So what arrives is the state with signs, and the signs come
 /// in runs as long as the phases: those are kept, the values are read where they are.
 
+#include <algorithm>
 #include <deque>
 
 #include "compensated_sum.hpp"
 #include "signorini/motion.hpp"
+#include "signorini/schedule.hpp"
 
 namespace signorini {
 
@@ -76,5 +78,20 @@ private:
     std::int64_t head_ = 0;
     std::deque<Run> runs_;
 };
+
+/// Arrivals are looked at in pieces of this many: they stay in the nearest cache.
+inline constexpr std::int64_t pieceSize = 1024;
+
+/// Calls visit(arrivals) for `count` steps of one kind, a piece at a time, and takes them.
+template <typename Visit>
+void forEachPiece(Echo& echo, std::int64_t count, bool isContact, Visit visit)
+{
+    while (count > 0) {
+        const Arrivals next = echo.ahead(std::min(count, pieceSize));
+        visit(next);
+        echo.advance(next.count(), isContact);
+        count -= next.count();
+    }
+}
 
 }  // namespace signorini
