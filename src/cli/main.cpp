@@ -15,6 +15,7 @@
 
 #include "atlas_command.hpp"
 #include "continuum_command.hpp"
+#include "families_command.hpp"
 #include "faults.hpp"
 #include "find_command.hpp"
 #include "modes_command.hpp"
@@ -146,6 +147,10 @@ int run(int argc, char** argv)
     CLI::App& modesApp =
         *app.add_subcommand("modes", "the continuous families of motions, exact, for any grid");
     modes.addTo(modesApp);
+    FamiliesCommand families;
+    CLI::App& familiesApp = *app.add_subcommand(
+        "families", "the families of motions by order: each set of orbits once, for any grid");
+    families.addTo(familiesApp);
     AtlasCommand atlas;
     CLI::App& atlasApp =
         *app.add_subcommand("atlas", "every schedule of a range decided, into a database");
@@ -182,8 +187,9 @@ int run(int argc, char** argv)
             argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";
         return complain(
             exitWrongUse,
-            fmt::format("command{}: allowed find|continuum|modes|atlas; see signorini --help",
-                        given));
+            fmt::format(
+                "command{}: allowed find|continuum|modes|families|atlas; see signorini --help",
+                given));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         text = text.substr(0, text.find('\n'));
@@ -197,6 +203,9 @@ int run(int argc, char** argv)
     }
     if (modesApp.parsed()) {
         return modes.run();
+    }
+    if (familiesApp.parsed()) {
+        return families.run();
     }
     return continuumApp.parsed() ? continuum.run() : find.run();
 }

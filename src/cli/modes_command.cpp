@@ -169,7 +169,7 @@ ExitStatus ModesCommand::run() const
     }
     if (!figure.empty() && listing.isComplete) {
         forFile("--figure", figureFile,
-                [&] { writeFrequencyEnergyFigure(figure, listing.modes, {}, drawing); });
+                [&] { writeFrequencyEnergyFigure(figure, {.modes = listing.modes}, drawing); });
         files.commit();
     }
     writeOut(common.wantsJson ? asJson(listing) : asText(listing));

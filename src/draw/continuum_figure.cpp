@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gnuplot.hpp"
+#include "palette.hpp"
 #include "signorini/motion.hpp"
 #include "text.hpp"
 
@@ -172,7 +173,7 @@ void printMotions(Text& script, const Continuum& curve, const Choice& choice)
     print(script,
           "{}set cbrange [{}:1]\nset cblabel 'displacement  u/g'\nset yrange [0:{}]\n"
           "set tmargin at screen 0.41\nset bmargin at screen 0.08\n",
-          viridis(), lowest, time);
+          palette::sequential(), lowest, time);
     for (std::size_t k = 0; k < 2; ++k) {
         const ContinuumPoint& point = curve.points[choice.members[choice.black[k]]];
         const double left = k == 0 ? 0.11 : 0.51;

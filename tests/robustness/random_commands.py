@@ -19,8 +19,9 @@ NASTY = ["", " ", "0", "-1", "-0", "nan", "-nan", "inf", "-inf", "1e400", "1e-40
          "+3", " 3", "3 ", "3x", "3,5", "1/0", "0/0", "7/", "/2", "٣", "½", "−5", "NaN", "true",
          "null", "--", "-", "---", "-x", "--cells", "=", "a=b", "%s%n", "\n", "\t3", "\x1b[31m",
          "\x7f", "x\ny", "é.csv", b"\xff\xfe", b"\xc3", "a" * 5000, "9" * 400, "1e9999999999"]
-WORDS = ["find", "continuum", "modes", "atlas", "help", "", "--help", "-h", "--version", "-V",
-         "--frobnicate", "--cell", "--formatt=json", "-5", "7", "--quiet=no", "--quiet", "@file"]
+WORDS = ["find", "continuum", "modes", "families", "atlas", "help", "", "--help", "-h",
+         "--version", "-V", "--frobnicate", "--cell", "--formatt=json", "-5", "7",
+         "--quiet=no", "--quiet", "@file"]
 
 COUNTS = ["1", "2", "3", "4", "5", "7", "8", "12"]
 REALS = ["1", "0.5", "2", "1e-3", "4", "20", "1e6", "3.25", "1e-12", "1e300", "5e-324"]
@@ -56,6 +57,8 @@ OPTIONS = {
                   "--figure": PICTURES},
     "modes": {"--max-energy-ratio": REALS, "--max-order": COUNTS, "--max-period": REALS,
               "--figure": PICTURES},
+    "families": {"--max-energy-ratio": REALS, "--max-order": [*COUNTS, "60"], "--csv": TABLES,
+                 "--figure": PICTURES},
     "atlas": {"--database": DATABASES, "--max-contact": COUNTS, "--max-free": COUNTS,
               "--phases": ["1", "2"], "--max-energy-ratio": REALS, "--all": None,
               "--resume": None, "--near": REALS, "--within": REALS,
@@ -142,7 +145,8 @@ def spoil(case, words):
 
 
 def command_line(case):
-    command = case.random.choice(["find", "find", "continuum", "modes", "atlas", "atlas"])
+    command = case.random.choice(["find", "find", "continuum", "modes", "families",
+                                  "atlas", "atlas"])
     nasty = case.random.choice([0.0, 0.0, 0.05, 0.3])
     groups = options_of(case, command, nasty)
     asks = any(group[0] in ("--period", "--frequency", "--hertz") for group in groups)

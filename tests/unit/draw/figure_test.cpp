@@ -52,8 +52,9 @@ TEST_CASE("figure: each format is written, with labels and units in the vector o
         const std::string content = contentOf(path);
         CHECK(content.starts_with(c.start));
         if (c.format == FigureFormat::svg) {
-            for (const char* label : {"position", "x/L", "time", "displacement", "u/g", "wall",
-                                      "strain", "velocity", "contact phase", "L = 1 m"}) {
+            for (const char* label :
+                 {"position", "[m]", "time", "[s]", "displacement", "[mm]", "wall force", "[mN]",
+                  "s(x, 0)", "v(x, 0)", "[mm/s]", "the wall presses", "L = 1 m"}) {
                 CHECK_THAT(content, containsText(label));
             }
         }
