@@ -3,7 +3,9 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "demand_names.hpp"
 #include "faults.hpp"
@@ -20,8 +22,8 @@ namespace signorini::cli {
 
 namespace {
 
-/// The options with what needs several of them.
-FindOptions completed(const FindCommand& call)
+/// The options with what needs several of them, and how the target was read.
+FindOptions completed(const FindCommand& call, std::string& how)
 {
     FindOptions options = call.options;
     options.bar = call.common.bar();
@@ -37,9 +39,11 @@ FindOptions completed(const FindCommand& call)
         if (options.objective != Objective::nearest) {
             throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
         }
-        options.target = forFile("--target", call.targetFile, [&] {
-            return readStateCsv(call.targetFile, options.bar, call.common.usualCells());
+        StateReading read = forFile("--target", call.targetFile, [&] {
+            return readState(call.targetFile, options.bar, call.common.usualCells());
         });
+        options.target = std::move(read.state);
+        how = std::move(read.how);
     }
     return options;
 }
@@ -57,26 +61,15 @@ PeriodicResult search(const Schedule& schedule, FindOptions options, bool isQuie
     return result;
 }
 
-bool isVtk(const std::string& path)
-{
-    return path.ends_with(".vtk");
-}
-
 /// Names that are wrong before any work is done.
 void validateFiles(const FindCommand& words)
 {
     if (!words.figureFile.empty()) {
         (void)figureFormat(words.figureFile);
     }
-    Faults faults;
-    if (!words.motionFile.empty() && !words.motionFile.ends_with(".csv") &&
-        !isVtk(words.motionFile)) {
-        faults.add("--motion", words.motionFile, "a name ending in .csv or .vtk");
-    }
-    faults.throwIfAny();
-    validateOutputs({{"--state", words.stateFile},
-                     {"--motion", words.motionFile},
-                     {"--figure", words.figureFile}});
+    words.motionFile.validate();
+    validateOutputs(
+        {{"--state", words.stateFile}, words.motionFile.option(), {"--figure", words.figureFile}});
 }
 
 }  // namespace
@@ -94,7 +87,8 @@ void FindCommand::addTo(CLI::App& command)
             "which motion of the set (least energy)");
     command
         .add_option("--target", targetFile,
-                    "state to come nearest to, as --state writes it; may be a pipe")
+                    "state to come nearest to: as --state writes it, or measured (columns x, "
+                    "velocity and strain or displacement); may be a pipe")
         ->type_name("FILE.csv");
     addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X", "hold E/E_1 = X");
     addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
@@ -107,8 +101,7 @@ void FindCommand::addTo(CLI::App& command)
                 "largest relative residual (1e-7)");
     addPositive(command, "--time-limit", "s", options.timeLimit, "S", "for the solver");
     command.add_option("--state", stateFile, "write the state at t = 0")->type_name("FILE.csv");
-    command.add_option("--motion", motionFile, "write u, v, s over one period")
-        ->type_name("FILE.csv|.vtk");
+    motionFile.addTo(command);
     command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
     common.addTo(command);
@@ -117,43 +110,45 @@ void FindCommand::addTo(CLI::App& command)
 ExitStatus FindCommand::run() const
 {
     const Schedule schedule{common.usualCells(), parsePhases(steps)};
-    const FindOptions request = completed(*this);
+    std::string how;
+    const FindOptions request = completed(*this, how);
     validate(schedule);
     validateFiles(*this);
 
     OutputFiles files;
     const std::string state = stage(files, {"--state", stateFile});
-    const std::string motion = stage(files, {"--motion", motionFile});
+    MotionFile::Staged moving(motionFile, files);
     const std::string figure = stage(files, {"--figure", figureFile});
 
     const PeriodicResult result = search(schedule, request, common.quiet);
-    const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();
+    const bool wantsFiles = !state.empty() || motionFile.isWanted() || !figure.empty();
     if (result.status == Status::found) {
         if (!state.empty()) {
             forFile("--state", stateFile,
                     [&] { writeStateCsv(state, result.motion->state, request.bar); });
         }
-        if (!motion.empty()) {
-            const Motion field(result.motion->state, schedule);
-            if (field.steps() < signorini::steps(schedule) && !common.quiet) {
-                tell(
-                    fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
-                                "free oscillations\n",
-                                field.steps(), signorini::steps(schedule)));
-            }
-            forFile("--motion", motionFile, [&] {
-                (isVtk(motionFile) ? writeMotionVtk : writeMotionCsv)(motion, field, request.bar);
-            });
-        }
         if (!figure.empty()) {
             forFile("--figure", figureFile,
                     [&] { drawMotion(result, figureFormat(figureFile), figure); });
         }
+        std::optional<Motion> field;
+        if (motionFile.isWanted()) {
+            field.emplace(result.motion->state, schedule);
+            if (field->steps() < signorini::steps(schedule) && !common.quiet) {
+                tell(
+                    fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
+                                "free oscillations\n",
+                                field->steps(), signorini::steps(schedule)));
+            }
+        }
+        moving.write([&](std::int64_t most) { return MotionSamples(*field, request.bar, most); });
         files.commit();
     } else if (wantsFiles && !common.quiet) {
         tell("signorini find: no motion to write, so no file was written\n");
     }
-    writeOut(common.wantsJson ? asJson(result) : asText(result));
+    const std::optional<TargetReport> target =
+        request.target ? std::optional<TargetReport>({*request.target, how}) : std::nullopt;
+    writeOut(common.wantsJson ? asJson(result, target) : asText(result, target));
     common.useOneThread("find");
     return exitStatusOf(result.status);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "motion_file.hpp"
 
 namespace signorini::cli {
 
@@ -16,7 +17,7 @@ struct FindCommand {
     FindOptions options;
     std::string targetFile;
     std::string stateFile;
-    std::string motionFile;
+    MotionFile motionFile;
     std::string figureFile;
 
     void addTo(CLI::App& command);

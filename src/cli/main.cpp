@@ -17,6 +17,7 @@
 #include "continuum_command.hpp"
 #include "faults.hpp"
 #include "find_command.hpp"
+#include "mode_command.hpp"
 #include "modes_command.hpp"
 #include "ranks.hpp"
 #include "signorini/config.hpp"
@@ -146,6 +147,9 @@ int run(int argc, char** argv)
     CLI::App& modesApp =
         *app.add_subcommand("modes", "the continuous families of motions, exact, for any grid");
     modes.addTo(modesApp);
+    ModeCommand mode;
+    CLI::App& modeApp = *app.add_subcommand("mode", "the motion of one mode at any period");
+    mode.addTo(modeApp);
     AtlasCommand atlas;
     CLI::App& atlasApp =
         *app.add_subcommand("atlas", "every schedule of a range decided, into a database");
@@ -158,6 +162,7 @@ int run(int argc, char** argv)
         app.parse(std::vector<std::string>(words.before.rbegin(), words.before.rend()));
         std::vector<std::string>* steps = findApp.parsed()        ? &find.steps
                                           : continuumApp.parsed() ? &continuum.steps
+                                          : modeApp.parsed()      ? &mode.contact
                                                                   : nullptr;
         if (steps == nullptr && !words.after.empty()) {
             return complain(exitWrongUse, explainExtras(words.after, false));
@@ -182,7 +187,7 @@ int run(int argc, char** argv)
             argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";
         return complain(
             exitWrongUse,
-            fmt::format("command{}: allowed find|continuum|modes|atlas; see signorini --help",
+            fmt::format("command{}: allowed find|continuum|modes|mode|atlas; see signorini --help",
                         given));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
@@ -197,6 +202,9 @@ int run(int argc, char** argv)
     }
     if (modesApp.parsed()) {
         return modes.run();
+    }
+    if (modeApp.parsed()) {
+        return mode.run();
     }
     return continuumApp.parsed() ? continuum.run() : find.run();
 }
