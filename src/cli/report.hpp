@@ -2,6 +2,7 @@
 /// \file
 /// A PeriodicResult in words and in JSON.
 
+#include <optional>
 #include <string>
 
 #include "json.hpp"
@@ -9,11 +10,22 @@
 
 namespace signorini::cli {
 
+/// What a motion was to be near, and how it was read.
+struct TargetReport {
+    const State& state;
+    const std::string& how;
+
+    /// [-], of a state, in the norm of the energy, relative to the target's.
+    [[nodiscard]] double distanceTo(const State& other) const;
+};
+
 /// Several lines for people, with a final newline.
-[[nodiscard]] std::string asText(const PeriodicResult& result);
+[[nodiscard]] std::string asText(const PeriodicResult& result,
+                                 const std::optional<TargetReport>& target = {});
 
 /// The JSON of the contract.
-[[nodiscard]] Json answerOf(const PeriodicResult& result);
+[[nodiscard]] Json answerOf(const PeriodicResult& result,
+                            const std::optional<TargetReport>& target = {});
 
 /// Said of a range that has no proof.
 inline constexpr const char* rangeNote =

@@ -12,8 +12,10 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "catch.hpp"
 #include "folder.hpp"
@@ -84,6 +86,19 @@ private:
 
     Folder folder_;
 };
+
+/// The numbers of a table with a header, one array a row.
+inline std::vector<json> rowsOf(const std::string& csv)
+{
+    std::vector<json> rows;
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        rows.push_back(json::parse("[" + line + "]"));
+    }
+    return rows;
+}
 
 inline std::ptrdiff_t lines(const std::string& text)
 {

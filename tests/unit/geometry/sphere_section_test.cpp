@@ -174,45 +174,63 @@ TEST_CASE("sphere section: above 1/2 a component is left by no path")
     CHECK_THROWS_AS(SectionPath({4, rho}, first, same), std::invalid_argument);
 }
 
-TEST_CASE("sphere section: the travelling block has its energy at every position")
+TEST_CASE("sphere section: two pulses have their energy at every pause, and begin at the front")
 {
     for (const std::int64_t count : {2, 3, 5, 150}) {
         for (const double rho : {1.0 / static_cast<double>(count), 1.0 / 30.0, 0.27, 0.4, 0.5}) {
             if (rho * static_cast<double>(count) < 1.0) {
                 continue;
             }
-            const TravellingBlock block({count, rho});
-            REQUIRE(block.first() <= block.last());
-            std::vector<double> previous = block.at(block.first());
+            const PulsePair pulses({count, rho});
+            CHECK(pulses.longestPause() ==
+                  Approx(static_cast<double>(count) - 1.0 / rho).margin(1e-12));
+            std::vector<double> previous = pulses.at(0.0);
             for (int k = 0; k <= 1000; ++k) {
-                const std::vector<double> z =
-                    block.at(block.first() + k * (block.last() - block.first()) / 1000.0);
+                const double pause = k * pulses.longestPause() / 1000.0;
+                const std::vector<double> z = pulses.at(pause);
                 REQUIRE(outside(z, rho) < 1e-12);
-                CHECK(distance(previous, z) < 2.5e-3 * (block.last() - block.first()) + 1e-7);
+                CHECK(z.front() > 0.0);
+                // The ideal shape: height rho on [0, w] and [w + pause, 2w + pause], w = 1/(2 rho).
+                double off = 0.0;
+                for (std::size_t j = 0; j < z.size(); ++j) {
+                    const auto left = static_cast<double>(j);
+                    const auto in = [&](double low, double high) {
+                        return std::max(0.0, std::min(high, left + 1.0) - std::max(low, left));
+                    };
+                    const double w = 0.5 / rho;
+                    off += std::abs(z[j] - rho * (in(0.0, w) + in(w + pause, 2.0 * w + pause)));
+                }
+                CHECK(off < 2.0 * rho);  // two cells' worth
+                // Like a root where a pulse begins to cover a cell.
+                const double step = pulses.longestPause() / 1000.0;
+                CHECK(distance(previous, z) < rho * (1.2 * std::sqrt(step) + 2.0 * step) + 1e-7);
                 previous = z;
             }
-            CHECK(block.at(block.first()).front() > 0.0);
-            CHECK(block.at(block.last()).back() > 0.0);
+            CHECK(pulses.at(pulses.longestPause()).back() > 0.0);
         }
     }
+    // Whole cells are taken as they are.
+    const std::vector<double> apart = PulsePair({6, 0.25}).at(1.0);
+    CHECK(distance(apart, {0.25, 0.25, 0.0, 0.25, 0.25, 0.0}) < 1e-15);
 }
 
-TEST_CASE("sphere section: above 1/2 a companion travels beside the first amplitude")
+TEST_CASE("sphere section: above 1/2 the second pulse is smaller and one cell wide")
 {
     for (const std::int64_t count : {1, 2, 3, 40}) {
         for (const double rho : {0.51, 0.8, 1.0}) {
             if (count == 1 && rho < 1.0) {
                 continue;
             }
-            const TravellingBlock block({count, rho});
+            const PulsePair pulses({count, rho});
             for (int k = 0; k <= 40; ++k) {
-                const std::vector<double> z =
-                    block.at(block.first() + k * (block.last() - block.first()) / 40.0);
+                const std::vector<double> z = pulses.at(k * pulses.longestPause() / 40.0);
                 CHECK(outside(z, rho) < 1e-14);
                 CHECK(dominant(z) == 0);
             }
         }
     }
+    const std::vector<double> z = PulsePair({5, 0.68}).at(2.0);
+    CHECK(distance(z, {0.8, 0.0, 0.0, 0.2, 0.0}) < 1e-15);
 }
 
 TEST_CASE("sphere section: samples lie in the set, spread, and repeat with the seed")

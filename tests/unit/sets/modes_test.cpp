@@ -524,3 +524,38 @@ TEST_CASE("modes: at irrational periods the motion obeys the wave equation and t
         REQUIRE(motion.velocity(1.0, period - soon) == 2.0 * h);
     }
 }
+
+TEST_CASE("modes: the state on cells is exact where the grid has the period")
+{
+    const std::vector<Mode> modes = findModes(upTo(7));
+    for (const Mode& mode : modes) {
+        for (const std::int64_t steps : coprimeSteps(mode, 30)) {
+            const ModeMotion motion(mode, static_cast<double>(steps) / 30.0);
+            const State state = cellMeans(motion, 30);
+            const State exact = leastEnergyMotion(onePhaseSet(scheduleOf(mode, 30, steps)));
+            INFO(mode.a << " " << mode.b << " " << steps);
+            CHECK(amplitude({state.a - exact.a, state.b - exact.b}) < 1e-9 * amplitude(exact));
+        }
+    }
+}
+
+TEST_CASE("modes: the state on cells holds the mean of velocity and strain, and u at their ends")
+{
+    const Mode& mode = find(findModes(upTo(5)), 2, -3);
+    const ModeMotion motion(mode, 0.5 * (mode.lowest.value() + mode.highest.value()) + 1e-3 / 3.0);
+    constexpr std::int64_t cells = 17;
+    const State state = cellMeans(motion, cells);
+    const Eigen::VectorXd u = displacement(state);
+    const Eigen::VectorXd v = velocity(state);
+    constexpr int points = 20'000;
+    for (std::int64_t i = 1; i <= cells; ++i) {
+        const double left = static_cast<double>(i - 1) / cells;
+        CHECK(u[i - 1] == Approx(motion.displacement(static_cast<double>(i) / cells, 0.0)));
+        double mean = 0.0;
+        for (int k = 0; k < points; ++k) {
+            mean += motion.velocity(left + (k + 0.5) / (points * cells), 0.0) / points;
+        }
+        CHECK(v[i - 1] == Approx(mean).margin(1e-3));
+    }
+    CHECK_THROWS_WITH(cellMeans(motion, 0), containsText("cells = 0"));
+}

@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "folder.hpp"
+#include "signorini/families.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
@@ -212,14 +213,14 @@ TEST_CASE("output: motion files hold every node and instant of a small case")
     const Folder folder;
     const Schedule schedule = onePhase(5, 3, 14);
     const Motion motion(leastEnergyMotion(onePhaseSet(schedule)), schedule);
-    writeMotionCsv(folder.file("m.csv"), motion, Bar{});
+    writeMotionCsv(folder.file("m.csv"), MotionSamples(motion, Bar{}));
     const auto rows = rowsOf(contentOf(folder.file("m.csv")));
     REQUIRE(rows.size() == 18 * 6);
     CHECK(rows.front() == std::vector<double>{0, 0, 0, rows[1][3], rows[1][4]});
     CHECK(rows.back()[0] == Approx(3.4));
     CHECK(rows.back()[2] == Approx(1e-3));
 
-    writeMotionVtk(folder.file("m.vtk"), motion, Bar{});
+    writeMotionVtk(folder.file("m.vtk"), MotionSamples(motion, Bar{}));
     std::istringstream vtk(contentOf(folder.file("m.vtk")));
     std::string line;
     std::getline(vtk, line);
@@ -233,4 +234,62 @@ TEST_CASE("output: motion files hold every node and instant of a small case")
     CHECK(words[static_cast<std::size_t>(at("POINT_DATA") + 1)] == "108");
     CHECK(std::count(words.begin(), words.end(), "SCALARS") == 3);
     CHECK(words.size() - static_cast<std::size_t>(at("POINT_DATA")) == 2 + 3 * (4 + 2 + 108));
+}
+
+TEST_CASE("output: a mode is sampled over its own period")
+{
+    const Folder folder;
+    const ModeMotion motion(*findMode(1, -1), 3.14159265358979);
+    const Bar bar{2.0, 5000.0, 2e7, 1e-6};
+    writeMotionCsv(folder.file("m.csv"), MotionSamples(motion, bar, 5));
+    const auto rows = rowsOf(contentOf(folder.file("m.csv")));
+    REQUIRE(rows.size() == 6 * 17);  // round(5 T) steps
+    const Scales unit = scales(bar);
+    CHECK(rows.back()[0] == Approx(motion.period() * unit.time));
+    for (const auto& row : rows) {
+        CHECK(row[2] == Approx(unit.displacement *
+                               motion.displacement(row[1] / bar.length, row[0] / unit.time))
+                            .margin(1e-15));
+        CHECK(std::abs(row[3]) + bar.waveSpeed * std::abs(row[4]) ==
+              Approx(2.0 * motion.amplitude() * unit.velocity));
+    }
+}
+
+TEST_CASE("output: a time series appears with its folder, and takes the place of an older one")
+{
+    const Folder folder;
+    const Schedule schedule = onePhase(5, 3, 14);
+    const Motion motion(leastEnergyMotion(onePhaseSet(schedule)), schedule);
+    const std::string series = folder.file("m_files");
+    for (const std::int64_t instants : {18, 3}) {
+        OutputFiles files;
+        const std::string staged = files.stage(folder.file("m.pvd"));
+        const std::string members = files.stageFolder(series, ".vtu");
+        writeMotionSeries(staged, members, "m_files", MotionSamples(motion, Bar{}, instants));
+        files.commit();
+        CHECK(folder.files() == 2);
+        CHECK(std::distance(fs::directory_iterator(series), fs::directory_iterator()) ==
+              instants + 1);
+    }
+    const std::string collection = contentOf(folder.file("m.pvd"));
+    CHECK_THAT(collection, containsText("file=\"m_files/bar_0002.vtu\""));
+
+    // What is not ours is not replaced.
+    writeText(series + "/thesis.txt", "dear");
+    {
+        OutputFiles files;
+        CHECK_THROWS_WITH(files.stageFolder(series, ".vtu"), containsText("more than .vtu files"));
+        CHECK_THROWS_AS(files.stageFolder(folder.file("m.pvd"), ".vtu"), FileError);
+    }
+    fs::remove(series + "/thesis.txt");
+    // All or none: the last file cannot be put into place, and the old folder is back.
+    {
+        OutputFiles files;
+        writeText(files.stageFolder(series, ".vtu") + "/new.vtu", "new");
+        writeText(files.stage(folder.file("bad.txt")), "never");
+        fs::create_directory(folder.file("bad.txt"));
+        CHECK_THROWS_AS(files.commit(), FileError);
+    }
+    CHECK(std::distance(fs::directory_iterator(series), fs::directory_iterator()) == 4);
+    CHECK(folder.files() == 3);
 }
