@@ -100,7 +100,7 @@ struct ForcedSet {
 /// Decides a schedule. O(n). Undecided: classes of steps that nothing damps (their flights are 0,
 /// or there is no damping and they are even in number), and conditions that rounding could turn.
 /// \throws std::invalid_argument on an invalid schedule or damping, more than one phase, more than
-/// maxForcedSteps steps, cycles not in 1..n/2, or a shape whose length does not divide n, that is
+/// maxForcedSteps steps, cycles unless 1 <= K < n/2, or a shape whose length does not divide n, that is
 /// not finite, or 0 throughout.
 [[nodiscard]] ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping,
                                       const Forcing& forcing);
@@ -151,7 +151,7 @@ struct ResponseControl {
     std::function<void(double done, double total)> progress = {};
 };
 
-/// The n of a range, ascending: 4NK/most <= n <= 4NK/least, n >= 2K and 2.
+/// The n of a range, ascending: 4NK/most <= n <= 4NK/least, n > 2K.
 /// \throws std::invalid_argument naming each field that is out of range, or if there is no such n.
 [[nodiscard]] std::vector<std::int64_t> stepsOf(const ResponseRange& range);
 

@@ -283,7 +283,7 @@ private:
         double impulse = 0.0;
         std::int64_t contacts = 0;
     };
-    [[nodiscard]] bool isAlike(const Period& one, const Period& other) const;
+    [[nodiscard]] bool repeats(std::size_t length, double tolerance) const;
 
     double tolerance_;
     std::int64_t repeats_;

@@ -110,7 +110,7 @@ ForcedWalk walkForced(const State& state, std::int64_t contact, const Damping& d
     constexpr double infinity = std::numeric_limits<double>::infinity();
     ForcedWalk seen;
     const double size = amplitude(state);
-    if (!(size > 0.0 && std::isfinite(size))) {
+    if (!(size > 0.0) || !state.a.allFinite() || !state.b.allFinite()) {
         seen.periodicity = infinity;
         return seen;
     }

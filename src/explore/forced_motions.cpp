@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -31,9 +32,9 @@ void validate(const Schedule& schedule, const Forcing& forcing)
         faults.add("steps", n, fmt::format("at most {}", maxForcedSteps));
     }
     if (forcing.shape.empty()) {
-        if (forcing.cycles < 1 || forcing.cycles > n / 2) {
+        if (const std::int64_t most = (n - 1) / 2; forcing.cycles < 1 || forcing.cycles > most) {
             faults.add("cycles", forcing.cycles,
-                       fmt::format("whole numbers 1..{}, half of the steps", n / 2));
+                       fmt::format("whole numbers 1..{}, below half of the steps", most));
         }
         faults.throwIfAny();
         return;
@@ -56,7 +57,10 @@ void validate(const Schedule& schedule, const Forcing& forcing)
 std::vector<ForcedRow> rowsOf(const ForcedLine& line, std::int64_t contact)
 {
     std::vector<ForcedRow> rows;
-    for (const std::int64_t step : {line.lowRow, line.highRow}) {
+    const bool isShape = line.low == 0.0 && line.high == 0.0;
+    const auto steps = isShape ? std::array{line.blocking, std::int64_t{-1}}
+                               : std::array{line.lowRow, line.highRow};
+    for (const std::int64_t step : steps) {
         if (step >= 0) {
             rows.push_back({step < contact, step});
         }
@@ -71,7 +75,11 @@ void explainAbsence(ForcedSet& set, const ForcedLine& line, std::span<const Exci
     const auto proves = [&](std::span<const ForcedRow> some) {
         return forbidsContact(set.schedule.cells, phase.contact, set.damping.rho(), shapes, some);
     };
-    if (!line.hasLine || !proves(rows)) {
+    if (!line.hasLine) {
+        set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
+        return;
+    }
+    if (!proves(rows)) {
         set.detail = "two conditions exclude each other by no more than rounding can do";
         return;
     }

@@ -43,7 +43,7 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
         Faults faults;
         faults.add("frequency ratios",
                    fmt::format("{}..{}", range.leastFrequencyRatio, range.mostFrequencyRatio),
-                   fmt::format("4NK/n for some whole n >= 2K, 2 <= n <= {}", maxForcedSteps));
+                   fmt::format("4NK/n for some whole n, 2K < n <= {}", maxForcedSteps));
         faults.throwIfAny();
     }
     std::vector<std::int64_t> all;

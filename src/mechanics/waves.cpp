@@ -85,38 +85,43 @@ void SettlingWatch::see(const BarSimulation& simulation)
     }
 }
 
-bool SettlingWatch::isAlike(const Period& one, const Period& other) const
+bool SettlingWatch::repeats(std::size_t length, double tolerance) const
 {
-    return std::abs(one.tip - other.tip) <= tolerance_ * std::max(1.0, std::abs(other.tip)) &&
-           std::abs(one.impulse - other.impulse) <= tolerance_ * std::max(1.0, other.impulse);
+    const std::size_t compared = length * static_cast<std::size_t>(repeats_);
+    const auto isAlike = [tolerance](const Period& one, const Period& other) {
+        return std::abs(one.tip - other.tip) <= tolerance * std::max(1.0, std::abs(other.tip)) &&
+               std::abs(one.impulse - other.impulse) <= tolerance * std::max(1.0, other.impulse);
+    };
+    const auto last = periods_.end() - static_cast<std::ptrdiff_t>(compared);
+    return compared + length <= periods_.size() &&
+           std::equal(last, periods_.end(), last - static_cast<std::ptrdiff_t>(length), isAlike);
 }
 
 std::optional<Settled> SettlingWatch::settled() const
 {
     constexpr std::size_t longest = 16;
-    const auto repeats = static_cast<std::size_t>(repeats_);
-    for (std::size_t length = 1; length <= longest; ++length) {
-        const std::size_t needed = length * (repeats + 1);
-        if (periods_.size() < needed) {
+    // On the way to a short period deviations may take turns: such a one is not yet a long period.
+    constexpr double turns = 1e3;
+    std::size_t length = 1;
+    while (length <= longest && !repeats(length, tolerance_)) {
+        if (repeats(length, turns * tolerance_)) {
             return std::nullopt;
         }
-        const auto last = periods_.end() - static_cast<std::ptrdiff_t>(length * repeats);
-        const auto before = last - static_cast<std::ptrdiff_t>(length);
-        if (!std::equal(last, periods_.end(), before,
-                        [this](const Period& a, const Period& b) { return isAlike(a, b); })) {
-            continue;
-        }
-        Settled result{static_cast<std::int64_t>(length), 0, 0.0};
-        for (auto period = last; period != periods_.end(); ++period) {
-            result.contacts += period->contacts;
-            result.impulse += period->impulse;
-        }
-        // A contact is counted when it ends, so single periods may be one off.
-        result.contacts = (2 * result.contacts + repeats_) / (2 * repeats_);
-        result.impulse /= static_cast<double>(repeats_);
-        return result;
+        ++length;
     }
-    return std::nullopt;
+    if (length > longest) {
+        return std::nullopt;
+    }
+    Settled result{static_cast<std::int64_t>(length), 0, 0.0};
+    const auto compared = static_cast<std::ptrdiff_t>(length) * repeats_;
+    for (auto period = periods_.end() - compared; period != periods_.end(); ++period) {
+        result.contacts += period->contacts;
+        result.impulse += period->impulse;
+    }
+    // A contact is counted when it ends, so single periods may be one off.
+    result.contacts = (2 * result.contacts + repeats_) / (2 * repeats_);
+    result.impulse /= static_cast<double>(repeats_);
+    return result;
 }
 
 }  // namespace signorini

@@ -13,6 +13,11 @@ constexpr double farAway = 1e9;
 // Rows that are 0 but for rounding, relative to the largest.
 constexpr double roundOff = 1e-13;
 
+double size(Plane x)
+{
+    return std::abs(x.c) + std::abs(x.s);
+}
+
 }  // namespace
 
 /// The line while rows cut it.
@@ -20,10 +25,12 @@ struct ForcedWaves::Cut {
     ForcedLine line;
     double limit;
 
-    Cut(Plane gap, bool isPlane)
+    double missed = 0.0;  ///< by the blocking row
+
+    Cut(Plane gap, double size, bool isPlane)
     {
         const double squares = gap.dot(gap);
-        line.hasLine = squares > 0.0 && std::isfinite(1.0 / squares);
+        line.hasLine = squares > roundOff * roundOff * size * size && std::isfinite(1.0 / squares);
         if (!line.hasLine) {
             return;
         }
@@ -44,7 +51,11 @@ struct ForcedWaves::Cut {
             return true;
         }
         if (std::abs(slope) * limit <= std::abs(offset)) {
-            line.isBlocked = line.isBlocked || offset < 0.0;
+            if (const double lack = -offset / std::sqrt(row.dot(row)); lack > missed) {
+                missed = lack;
+                line.isBlocked = true;
+                line.blocking = step;
+            }
             return !line.isEmpty();
         }
         const double t = -offset / slope;
@@ -171,7 +182,12 @@ Plane ForcedWaves::tip(std::int64_t m) const
 
 ForcedLine ForcedWaves::line(bool isHasty)
 {
-    Cut cut(tip(0), isPlane_);
+    // A sample of the waves tells how large numbers are.
+    double scale = size(wave(0));
+    for (std::int64_t m = 0; m < steps_; m += 1 + steps_ / 16) {
+        scale = std::max(scale, size(wave(m)) + size(place_[static_cast<std::size_t>(m)]));
+    }
+    Cut cut(tip(0), scale, isPlane_);
     if (!cut.line.hasLine) {
         return cut.line;
     }
@@ -196,7 +212,6 @@ ForcedLine ForcedWaves::line(bool isHasty)
         }
     }
     // The last prefix is 0 for every motion, and others may be: what is left of them is rounding.
-    const auto size = [](Plane x) { return std::abs(x.c) + std::abs(x.s); };
     double largest = 0.0;
     for (std::int64_t m = contact_; m < steps_; ++m) {
         largest = std::max(largest, size(wave(m)));
