@@ -23,46 +23,7 @@ namespace {
 /// Finer than the periods of a grid up to N = 280, so that one of its frequencies is meant.
 constexpr double usualDistance = 0.001;
 
-/// "7/2", "3.5" or "4" as an exact fraction. \throws std::invalid_argument.
-ExactPeriod parseFraction(const char* name, const std::string& text, const char* unit)
-{
-    constexpr std::size_t mostDigits = 9;
-    const auto refuse = [&]() {
-        Faults faults;
-        faults.add(name, text,
-                   fmt::format("a fraction like 7/2 or a decimal number > 0 [{}]", unit),
-                   "at most 9 digits, in a fraction 9 on each side");
-        faults.throwIfAny();
-    };
-    const auto isWhole = [](std::string_view word) {
-        return !word.empty() && word.size() <= mostDigits &&
-               std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-    };
-    ExactPeriod period;
-    if (const std::size_t slash = text.find('/'); slash != std::string::npos) {
-        if (!isWhole(text.substr(0, slash)) || !isWhole(text.substr(slash + 1))) {
-            refuse();
-        }
-        period = {std::stoll(text.substr(0, slash)), std::stoll(text.substr(slash + 1))};
-    } else {
-        const std::size_t point = text.find('.');
-        const std::string fraction = point == std::string::npos ? "" : text.substr(point + 1);
-        const std::string digits = text.substr(0, point) + fraction;
-        if (!isWhole(digits)) {
-            refuse();
-        }
-        period.numerator = std::stoll(digits);
-        for (std::size_t k = 0; k < fraction.size(); ++k) {
-            period.denominator *= 10;
-        }
-    }
-    if (period.numerator == 0 || period.denominator == 0) {
-        refuse();
-    }
-    return exactPeriod(period.numerator, period.denominator);
-}
-
-/// The same where any number will do.
+/// "8/7" or any number.
 double parseRatio(const char* name, const std::string& text, const char* unit)
 {
     return text.find('/') == std::string::npos ? parsePositive(name, text, unit)
