@@ -119,7 +119,8 @@ public:
                        const std::function<void(const AtlasFamily&)>& action) const;
     /// Every row of `schedules` with status found, in order. \throws FileError.
     void forEachFound(std::optional<std::int64_t> cells,
-                      const std::function<void(const AtlasEntry&)>& action) const;
+                      const std::function<void(const AtlasEntry&)>& action,
+                      AtlasSchedules which = AtlasSchedules::all) const;
     /// Families with motions near a point of the frequency-energy plot, nearest first: the
     /// distance is that of omega/omega_1, relative, and of the energy range, relative, as one
     /// Euclidean norm; at most `distance`. \throws FileError.

@@ -69,6 +69,14 @@ TEST_CASE("cli atlas: --families-only writes the same families and no schedules"
     const auto near = program.run("atlas --database few.sqlite --near 8/7 20 --format json");
     CHECK(near.status == 0);
     CHECK(json::parse(near.out)["families"].size() == 1);
+    // Its frequency-energy plot is the same.
+    for (const char* name : {"whole", "few"}) {
+        REQUIRE(
+            program
+                .run(std::string("atlas --database ") + name + ".sqlite --figure " + name + ".svg")
+                .status == 0);
+    }
+    CHECK(contentOf(program.file("whole.svg")) == contentOf(program.file("few.svg")));
     const auto rows = program.run("atlas --database few.sqlite --near 8/7 20 --schedules");
     CHECK(rows.status == 0);
     CHECK_THAT(rows.err, containsText("no schedules"));
@@ -297,6 +305,7 @@ TEST_CASE("cli atlas: wrong use is status 2, one line, and no file")
                                   "--database a --schedules",
                                   "--database a --twins --schedules",
                                   "--database a --all --families-only",
+                                  "--database a --families-only --map m.svg",
                                   "--database a --phases 2 --families-only",
                                   "--database a --twins --families-only",
                                   "--database a --near 8/0 5",
@@ -333,7 +342,9 @@ TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
     REQUIRE(program.run("atlas --database a.sqlite --cells 12 --figure plot.svg --map map.svg")
                 .status == 0);
     CHECK_THAT(contentOf(program.file("plot.svg")), containsText("</svg>"));
-    CHECK_THAT(contentOf(program.file("map.svg")), containsText("</svg>"));
+    CHECK_THAT(contentOf(program.file("map.svg")),
+               containsText("</svg>") && containsText("(3, 5, 1)") && containsText("(4, 7, 1)") &&
+                   !containsText("(5, 9, 1)") && containsText("[L/c]"));  // 5 does not divide 24
     REQUIRE(program.run("atlas --database a.sqlite --twins --map again.svg").status == 0);
     CHECK(program.files() == 4);
     // Of an atlas that exists pictures need no range, and nothing is decided for them.
