@@ -230,8 +230,8 @@ void printFamilies(Text& script, const FrequencyEnergyPlot& plot, const Frame& f
     for (const Family& family : plot.families) {
         const auto at = foot(family);
         if (at && family.order <= maxNamedOrder && at->second < 0.8 * frame.top) {
-            print(script, "{:.7g} {:.6g} \"{{/*0.8 ({}, {}, {})}}\"\n", at->first, at->second, family.order,
-                  family.blocks, family.contactBlocks);
+            print(script, "{:.7g} {:.6g} \"{{/*0.8 ({}, {}, {})}}\"\n", at->first, at->second,
+                  family.order, family.blocks, family.contactBlocks);
         }
     }
     print(script, "{}EOD\n$dots << EOD\n", offThePlot);
