@@ -333,7 +333,9 @@ TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
     REQUIRE(program.run("atlas --database a.sqlite --cells 12 --figure plot.svg --map map.svg")
                 .status == 0);
     CHECK_THAT(contentOf(program.file("plot.svg")), containsText("</svg>"));
-    CHECK_THAT(contentOf(program.file("map.svg")), containsText("</svg>"));
+    CHECK_THAT(contentOf(program.file("map.svg")),
+               containsText("</svg>") && containsText("(3, 5, 1)") && containsText("(4, 7, 1)") &&
+                   !containsText("(5, 9, 1)") && containsText("[L/c]"));  // 5 does not divide 24
     REQUIRE(program.run("atlas --database a.sqlite --twins --map again.svg").status == 0);
     CHECK(program.files() == 4);
     // Of an atlas that exists pictures need no range, and nothing is decided for them.
