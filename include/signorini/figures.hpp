@@ -32,9 +32,10 @@ enum class FigureFormat { svg, png, pdf };
 /// missing or fails, FileError if `path` cannot be written.
 void drawMotion(const PeriodicResult& result, FigureFormat format, const std::string& path);
 
-/// Draws a curve of motions: strain and velocity at t = 0 along the bar, members stacked upwards by
-/// lambda (the paper's Fig. 2), and below the displacement u(x, t) of two members, drawn in black
-/// above (its Fig. 3). Long curves are thinned to what print can show.
+/// Draws a curve of motions, in SI units: its members stacked upwards by lambda, as the force of
+/// the wall against time, which tells orbits apart, and as strain and velocity at t = 0 along the
+/// bar (the paper's Fig. 2); below, the displacement u(x, t) of the first, the middle and the last
+/// member, drawn in black above (its Fig. 3). Long curves are thinned to what print can show.
 /// \throws std::invalid_argument if the curve has no points, BackendUnavailable if gnuplot is
 /// missing or fails, FileError if `path` cannot be written.
 void drawContinuum(const Continuum& curve, FigureFormat format, const std::string& path);
@@ -93,8 +94,9 @@ void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int6
                              FigureFormat format, const std::string& path);
 
 /// The existence map: a dot at (t_c, t_f) = (n_c/N, n_f/N), in L/c, for each schedule of one phase
-/// that has motions, coloured by its least energy; grazing ones grey. An atlas without any leaves
-/// an empty map. Errors as above.
+/// that has motions, coloured by its least energy; grazing ones grey. Schedules of one family are a
+/// line, its tent; those of order 7 at most have their names. Flights beyond 4 L/c, which only
+/// repeat linear motions, are left out. An atlas without any leaves an empty map. Errors as above.
 void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                       FigureFormat format, const std::string& path);
 

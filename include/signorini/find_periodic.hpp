@@ -103,12 +103,14 @@ struct EnergyExclusion {
     double energyRatio = 0.0;  ///< E/E_1 to hold
     EnergyRange range = {};    ///< of the set, by the route
     double tolerance = 0.0;    ///< relative
+    /// [g/L], if it narrows the range: that of the motions whose strain stays within it.
+    double strainLimit = std::numeric_limits<double>::infinity();
     /// Has code that did not find the range proved it, in rationals? (Not where several phases
     /// limit it from above.)
     bool isVerified = false;
 };
 
-/// "E/E_1 = 3 is outside the range [4, 600] of the schedule".
+/// "E/E_1 = 3 is outside the range [4, 600] of the schedule", or of its motions within the limit.
 [[nodiscard]] std::string describe(const EnergyExclusion& exclusion);
 
 /// Why there is no motion.

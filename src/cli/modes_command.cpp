@@ -30,6 +30,11 @@ struct Listing {
     bool isComplete = true;
 };
 
+double hertz(const ExactPeriod& period, const Scales& unit)
+{
+    return 1.0 / (period.value() * unit.time);
+}
+
 std::string asText(const Listing& listing)
 {
     std::string text = fmt::format(
@@ -45,14 +50,11 @@ std::string asText(const Listing& listing)
                         "energy in [J]", "lowest T", "family");
     for (const Mode& mode : listing.modes) {
         const EnergyRange energy = energyRange(mode);
-        const auto hertz = [&unit](const ExactPeriod& period) {
-            return 1.0 / (period.value() * unit.time);
-        };
         text += fmt::format(
             "{:<14}{:<18}{:<20}{:<24}{:<14}{:<22}{:<26}{:<17}{}\n", contactAsText(mode),
             fmt::format("]{}, {}[", fractionAsText(mode.lowest), fractionAsText(mode.highest)),
             fmt::format("]{:.6g}, {:.6g}[", 4.0 / mode.highest.value(), 4.0 / mode.lowest.value()),
-            fmt::format("]{:.6g}, {:.6g}[", hertz(mode.highest), hertz(mode.lowest)),
+            fmt::format("]{:.6g}, {:.6g}[", hertz(mode.highest, unit), hertz(mode.lowest, unit)),
             rootAsText(mode), fmt::format("]{:.6g}, {:.6g}[", energy.least, energy.most),
             fmt::format("]{:.6g}, {:.6g}[", energy.least * unit.energy, energy.most * unit.energy),
             name(mode.lowestEnd), familyName(mode));
@@ -69,10 +71,7 @@ Json asJson(const Mode& mode, const Scales& unit)
     if (std::isfinite(energy.most)) {
         json["energy_ratio_range"][1] = energy.most;
     }
-    const auto hertz = [&unit](const ExactPeriod& period) {
-        return 1.0 / (period.value() * unit.time);
-    };
-    json["frequency_range"] = {hertz(mode.highest), hertz(mode.lowest)};
+    json["frequency_range"] = {hertz(mode.highest, unit), hertz(mode.lowest, unit)};
     json["energy_range"] = {energy.least * unit.energy, energy.most * unit.energy};
     return json;
 }

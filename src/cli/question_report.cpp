@@ -102,6 +102,9 @@ Json QuestionReport::json() const
         json["question"]["energy"] = *energyRatio_ * scales(bar_).energy;
         json["question"]["energy_ratio"] = *energyRatio_;
     }
+    if (asked_.option == "hertz") {
+        json["question"]["nearest"] = 1.0 / seconds;
+    }
     if (status() == Status::none) {
         json["reason"] = sets_.empty() ? "period" : "constraints";
         json["detail"] = reason();

@@ -103,20 +103,6 @@ std::string energyAsText(const FoundMotion& motion, const std::optional<EnergyRa
     return text;
 }
 
-std::string physicalAsText(const Physical& p)
-{
-    return fmt::format(
-               "frequency   {:.6g} Hz\n"
-               "wall        pressed for {:.6g} s per period, force at most {:.6g} N, impulse "
-               "{:.6g} N s; "
-               "met at {:.6g} m/s\n"
-               "tip         {:.6g} m at the lowest\n"
-               "strain      at most {:.6g} in compression, {:.6g} in tension",
-               p.frequency, p.contactTime, p.peakForce, p.impulse, p.approachSpeed, p.tipLowest,
-               p.peakCompression, p.peakTension) +
-           (p.peakStress ? fmt::format("; stress {:.6g} Pa\n", *p.peakStress) : "\n");
-}
-
 /// What else has the energy that was held.
 std::string heldAsText(const HeldEnergy& held)
 {
@@ -149,7 +135,7 @@ std::string motionAsText(const PeriodicResult& result)
     if (motion.pressing.size() > 1 && motion.contact == Contact::pressing) {
         text += fmt::format("phases      {}\n", pressingAsText(motion.pressing));
     }
-    text += physicalAsText(motion.physical);
+    text += signorini::cli::asText(motion.physical);
     text += fmt::format(
         "residuals   periodicity {:.3g}, gap {:.3g}, pressure {:.3g}, penetration {:.3g}, march "
         "{:.3g}, demands {:.3g}\n",
@@ -192,6 +178,20 @@ std::string absenceAsText(const Absence& absence)
 double TargetReport::distanceTo(const State& other) const
 {
     return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
+}
+
+std::string asText(const Physical& p)
+{
+    return fmt::format(
+               "frequency   {:.6g} Hz\n"
+               "wall        pressed for {:.6g} s per period, force at most {:.6g} N, impulse "
+               "{:.6g} N s; "
+               "met at {:.6g} m/s\n"
+               "tip         {:.6g} m at the lowest\n"
+               "strain      at most {:.6g} in compression, {:.6g} in tension",
+               p.frequency, p.contactTime, p.peakForce, p.impulse, p.approachSpeed, p.tipLowest,
+               p.peakCompression, p.peakTension) +
+           (p.peakStress ? fmt::format("; stress {:.6g} Pa\n", *p.peakStress) : "\n");
 }
 
 std::string asText(const PeriodicResult& result, const std::optional<TargetReport>& target)

@@ -27,6 +27,12 @@ struct TargetReport {
 [[nodiscard]] Json answerOf(const PeriodicResult& result,
                             const std::optional<TargetReport>& target = {});
 
+/// "physical" of an answer.
+[[nodiscard]] Json physicalAsJson(const Physical& physical);
+
+/// The same in lines for people.
+[[nodiscard]] std::string asText(const Physical& physical);
+
 /// Said of a range that has no proof.
 inline constexpr const char* rangeNote =
     "this end of the range is computed, not checked by other code";

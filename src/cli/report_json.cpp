@@ -58,19 +58,6 @@ Json familyAsJson(const TentPlace& place)
             {"offset", place.offset}};
 }
 
-Json physicalAsJson(const Physical& p)
-{
-    return {{"frequency", p.frequency},
-            {"contact_time", p.contactTime},
-            {"peak_force", p.peakForce},
-            {"impulse", p.impulse},
-            {"approach_speed", p.approachSpeed},
-            {"peak_compression", p.peakCompression},
-            {"peak_tension", p.peakTension},
-            {"peak_stress", p.peakStress ? Json(*p.peakStress) : Json()},
-            {"tip_lowest", p.tipLowest}};
-}
-
 void addMotion(const FoundMotion& motion, Json& json)
 {
     const Residuals& r = motion.residuals;
@@ -89,6 +76,19 @@ void addMotion(const FoundMotion& motion, Json& json)
 }
 
 }  // namespace
+
+Json physicalAsJson(const Physical& p)
+{
+    return {{"frequency", p.frequency},
+            {"contact_time", p.contactTime},
+            {"peak_force", p.peakForce},
+            {"impulse", p.impulse},
+            {"approach_speed", p.approachSpeed},
+            {"peak_compression", p.peakCompression},
+            {"peak_tension", p.peakTension},
+            {"peak_stress", p.peakStress ? Json(*p.peakStress) : Json()},
+            {"tip_lowest", p.tipLowest}};
+}
 
 Json answerOf(const PeriodicResult& result, const std::optional<TargetReport>& target)
 {

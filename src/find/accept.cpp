@@ -31,7 +31,8 @@ bool holds(const EnergyExclusion& proof, const Schedule& schedule)
            isOutOfRange(wanted, proof.range, proof.tolerance) &&
            (wanted < proof.range.least
                 ? exceedEnergy(schedule, wanted * (1.0 + proof.tolerance))
-                : stayBelowEnergy(schedule, wanted * (1.0 - proof.tolerance)));
+                : stayBelowEnergy(schedule, wanted * (1.0 - proof.tolerance),
+                                  proof.strainLimit * (1.0 + proof.tolerance)));
 }
 
 /// The motions of the energy to hold; one beyond an end, within the tolerance, is met by the end.

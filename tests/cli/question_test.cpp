@@ -67,7 +67,8 @@ TEST_CASE("cli question: period, frequency and hertz are one question")
     }
     const json hertz = program.find("--hertz 0.28575 --energy-ratio 20", 0)["question"];
     CHECK(hertz["asked"] == json{{"hertz", "0.28575"}});
-    CHECK(hertz["frequency"].get<double>() == Approx(2.0 / 7.0));
+    CHECK(hertz["nearest"].get<double>() == Approx(2.0 / 7.0));
+    CHECK(hertz["frequency"] == hertz["nearest"]);
     CHECK_THAT(program.run("find --hertz 0.28575 --energy-ratio 20").out,
                containsText("asked 0.28575 Hz"));
     CHECK(program.find("150 900 --energy 1e-5", 0)["energy_ratio"].get<double>() == Approx(20.0));

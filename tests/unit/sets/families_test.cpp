@@ -1,6 +1,7 @@
 #include "signorini/families.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -137,6 +138,24 @@ std::optional<Mode> walkedMode(std::int64_t a, std::int64_t order)
 }
 
 }  // namespace
+
+TEST_CASE("families: those of one period are those of the list")
+{
+    const std::vector<Family> all = findFamilies(24);
+    for (std::int64_t order = 1; order <= 24; ++order) {
+        for (std::int64_t blocks = 1; blocks <= 3 * order; ++blocks) {
+            if (std::gcd(order, blocks) != 1) {
+                CHECK_THROWS_AS(familiesAt(order, blocks), std::invalid_argument);
+                continue;
+            }
+            std::vector<Family> expected;
+            std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+                         [&](const Family& f) { return f.order == order && f.blocks == blocks; });
+            CHECK(familiesAt(order, blocks) == expected);
+        }
+    }
+    CHECK_THROWS_AS(familiesAt(0, 1), std::invalid_argument);
+}
 
 TEST_CASE("families: Euclid's algorithm finds the triples of the definition, exhaustively")
 {
