@@ -19,11 +19,12 @@
 /// the frequency of its motions.
 ///
 /// Table `runs`, one row for each range: version, options, its bounds, next_batch of batches, the
-/// tally so far, started, finished, seconds, workers. A batch and the progress it means are one
-/// transaction, so that a process killed at any moment loses the batches in flight, nothing else.
+/// tally so far (schedules, and the families of those with one phase), started, finished, seconds,
+/// workers. A batch and the progress it means are one transaction, so that a process killed at any
+/// moment loses the batches in flight, nothing else.
 ///
 /// This is version 2 of the tables (user_version). An atlas of version 1, without `families`, is
-/// refused: its range is decided anew in less time than reading it would take.
+/// refused: decide its range anew.
 
 #include <cstdint>
 #include <functional>

@@ -27,6 +27,7 @@ TEST_CASE("cli atlas: the default range of N = 12 in JSON and in the tables of t
     CHECK(r["found"].get<int>() == r["pressing"].get<int>() + r["grazing"].get<int>());
     CHECK(r["refuted"].get<int>() + r["found"].get<int>() == 24 * 48);
     const fs::path plain = program.file("a.sqlite");
+    CHECK(number(plain, "SELECT COUNT(*) FROM families") == r["family_count"]);
     CHECK(number(plain, "SELECT COUNT(*) FROM schedules") == r["found"]);
     CHECK(number(plain,
                  "SELECT COUNT(*) FROM schedules WHERE cells = 12 AND phases = '6:36' AND period = "
