@@ -67,9 +67,15 @@ void validateFiles(const FindCommand& words)
     if (!words.figureFile.empty()) {
         (void)figureFormat(words.figureFile);
     }
+    if (!words.animationFile.empty()) {
+        (void)animationFormat(words.animationFile);
+    }
     words.motionFile.validate();
-    validateOutputs(
-        {{"--state", words.stateFile}, words.motionFile.option(), {"--figure", words.figureFile}});
+    validateOutputs({{"--state", words.stateFile},
+                     words.motionFile.option(),
+                     words.motionFile.folderOption(),
+                     {"--figure", words.figureFile},
+                     {"--animate", words.animationFile}});
 }
 
 }  // namespace
@@ -104,6 +110,10 @@ void FindCommand::addTo(CLI::App& command)
     motionFile.addTo(command);
     command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
     common.addTo(command);
 }
 
@@ -119,9 +129,11 @@ ExitStatus FindCommand::run() const
     const std::string state = stage(files, {"--state", stateFile});
     MotionFile::Staged moving(motionFile, files);
     const std::string figure = stage(files, {"--figure", figureFile});
+    const std::string animation = stage(files, {"--animate", animationFile});
 
     const PeriodicResult result = search(schedule, request, common.quiet);
-    const bool wantsFiles = !state.empty() || motionFile.isWanted() || !figure.empty();
+    const bool wantsFiles =
+        !state.empty() || motionFile.isWanted() || !figure.empty() || !animation.empty();
     if (result.status == Status::found) {
         if (!state.empty()) {
             forFile("--state", stateFile,
@@ -131,9 +143,17 @@ ExitStatus FindCommand::run() const
             forFile("--figure", figureFile,
                     [&] { drawMotion(result, figureFormat(figureFile), figure); });
         }
-        std::optional<Motion> field;
-        if (motionFile.isWanted()) {
+        std::optional<Motion> field;  // as large as several states
+        if (motionFile.isWanted() || !animation.empty()) {
             field.emplace(result.motion->state, schedule);
+        }
+        if (!animation.empty()) {
+            forFile("--animate", animationFile, [&] {
+                animateMotion(MotionSamples(*field, request.bar), animationFormat(animationFile),
+                              animation);
+            });
+        }
+        if (motionFile.isWanted()) {
             if (field->steps() < signorini::steps(schedule) && !common.quiet) {
                 tell(
                     fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "

@@ -217,6 +217,10 @@ void ModeCommand::addTo(CLI::App& command)
     motionFile.addTo(command);
     command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
     common.addTo(command);
 }
 
@@ -234,15 +238,21 @@ ExitStatus ModeCommand::run() const
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
     }
+    if (!animationFile.empty()) {
+        (void)animationFormat(animationFile);
+    }
     motionFile.validate();
     const OutputOption stateOption{"--state", stateFile};
     const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({stateOption, motionFile.option(), figureOption});
+    const OutputOption animationOption{"--animate", animationFile};
+    validateOutputs({stateOption, motionFile.option(), motionFile.folderOption(), figureOption,
+                     animationOption});
 
     OutputFiles files;
     const std::string state = stage(files, stateOption);
     MotionFile::Staged moving(motionFile, files);
     const std::string figure = stage(files, figureOption);
+    const std::string animation = stage(files, animationOption);
     const std::int64_t cells = common.usualCells();
     std::string notes;
     if (!state.empty()) {
@@ -273,6 +283,12 @@ ExitStatus ModeCommand::run() const
                 fmt::format("figure      shows T = {:.10g} L/c, {:.1e} from the one asked for\n",
                             shown, std::abs(shown - motion.period()));
         }
+    }
+    if (!animation.empty()) {
+        forFile("--animate", animationFile, [&] {
+            animateMotion(MotionSamples(motion, bar, cells), animationFormat(animationFile),
+                          animation);
+        });
     }
     moving.write([&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
     files.commit();

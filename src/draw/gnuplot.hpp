@@ -15,6 +15,9 @@ namespace signorini {
 void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
                 const std::string& path);
 
+/// The same for a moving picture of all that the script plots, 20 frames a second.
+void runGnuplot(const std::string& script, AnimationFormat format, const std::string& path);
+
 /// Sets the sequential map "viridis", even in lightness and safe for colour-blind readers, to its
 /// first `stops` of nine; the last ones are too light for dots on paper.
 [[nodiscard]] std::string viridis(std::size_t stops = 9);
