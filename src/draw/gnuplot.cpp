@@ -201,9 +201,10 @@ void runGnuplot(const std::string& script, AnimationFormat format, const std::st
         writeWhole(path, gif, isComplete);
         return;
     }
+    // By its name the input can be searched, which reading a GIF needs, as "pipe:0" cannot.
     const std::string mp4 = outputOf(
-        {"ffmpeg", "-v", "error", "-f", "gif", "-i", "pipe:0", "-pix_fmt", "yuv420p", "-movflags",
-         "frag_keyframe+empty_moov", "-f", "mp4", "pipe:1"},
+        {"ffmpeg", "-nostdin", "-v", "error", "-f", "gif", "-i", "/dev/stdin", "-pix_fmt",
+         "yuv420p", "-movflags", "frag_keyframe+empty_moov", "-f", "mp4", "pipe:1"},
         gif,
         ".mp4 needs the program ffmpeg, which was not found: install it (Debian: ffmpeg), or ask "
         "for a .gif");

@@ -1,6 +1,7 @@
 // signorini mode: one motion of a continuous family, at any period.
 
 #include <cmath>
+#include <cstdlib>
 
 #include "program.hpp"
 
@@ -140,6 +141,11 @@ TEST_CASE("cli: moving pictures of a motion and of a continuum")
         const auto wrong = program.run(std::string(call) + " --animate a.avi");
         CHECK(wrong.status == 2);
         CHECK_THAT(wrong.err, containsText("a.avi") && containsText(".gif or .mp4"));
+    }
+    if (std::system("command -v ffmpeg >/dev/null") == 0) {
+        REQUIRE(program.run("mode 4 -1 --period 3.3 --cells 5 --animate a.mp4").status == 0);
+        CHECK(contentOf(program.file("a.mp4")).substr(4, 4) == "ftyp");
+        fs::remove(program.file("a.mp4"));
     }
     // Without ffmpeg there is no film, and no other file of the call.
     const auto film = program.run("mode 4 -1 --period 3.3 --cells 5 --animate a.mp4 --state s.csv",
