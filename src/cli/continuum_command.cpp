@@ -167,7 +167,8 @@ std::string asText(const Continuum& curve, const std::optional<Member>& member)
             member->point.peakStrain);
     }
     if (!curve.detail.empty()) {
-        text += fmt::format("why         {}\n", curve.detail);
+        text +=
+            fmt::format("{:<12}{}\n", curve.status == Status::found ? "note" : "why", curve.detail);
     }
     return text;
 }
