@@ -14,6 +14,7 @@
 #include "signorini/families.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/modes.hpp"
+#include "signorini/output.hpp"
 
 namespace signorini {
 
@@ -48,6 +49,23 @@ void drawContinuum(const Continuum& curve, FigureFormat format, const std::strin
 /// written.
 void drawFamilies(std::span<const Family> families, std::int64_t maxOrder, FigureFormat format,
                   const std::string& path);
+
+/// What a moving picture is.
+enum class AnimationFormat { gif, mp4 };
+
+/// By the ending of the name: .gif or .mp4. \throws std::invalid_argument for any other ending.
+[[nodiscard]] AnimationFormat animationFormat(const std::string& path);
+
+/// A motion over one period: the bar at the wall, displacements magnified and coloured by strain
+/// (compression red), and u, s, v along it. At most 120 frames, 20 a second. Gnuplot draws them;
+/// .mp4 needs ffmpeg besides.
+/// \throws BackendUnavailable if a program is missing or fails, FileError if `path` cannot be
+/// written.
+void animateMotion(const MotionSamples& samples, AnimationFormat format, const std::string& path);
+
+/// A curve of motions over lambda: force on the wall and path of the tip over a period, strain and
+/// velocity at t = 0. \throws as above, and std::invalid_argument if the curve has no points.
+void animateContinuum(const Continuum& curve, AnimationFormat format, const std::string& path);
 
 /// The energies of the motions of a set on a grid.
 struct EnergyBar {

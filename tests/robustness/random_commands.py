@@ -30,6 +30,7 @@ READ = ["state.csv", "other.csv", "measured.csv", "text.txt", "empty", "folder",
 TABLES = ["out.csv", "out.vtk", "out.pvd", "busy.pvd", "state.csv", "folder", "no/such/out.csv", "out.pdf", "out",
           "/dev/null", "folder/out.csv", "text.txt/out.csv", "ünï code.csv", "-out.csv"]
 PICTURES = ["out.svg", "out.gif", "folder", "no/such/out.svg", "state.csv/out.svg", "out"]
+MOVING = ["out.gif", "out.mp4", "folder", "no/such/out.gif", "out.svg", "out"]
 DATABASES = ["atlas.sqlite", "new.sqlite", "state.csv", "empty", "folder", "no/such.sqlite",
              "text.txt", "/dev/null", ":memory:", "file:x?mode=ro"]
 COMMON = {"--cells": COUNTS, "--length": REALS, "--wave-speed": REALS, "--axial-stiffness": REALS,
@@ -49,19 +50,20 @@ OPTIONS = {
              "--frequency": ["8/7", "1.25", "1", "3", "6/5", "1.1428571428571428"],
              "--tip-floor": ["-1", "-0.01", "-1e-3", "0", "1e-3", "-0.5"], "--tolerance": REALS,
              "--time-limit": ["1e-9", "0.1", "1"], "--state": TABLES, "--motion": TABLES,
-             "--figure": PICTURES},
+             "--figure": PICTURES, "--animate": MOVING},
     "continuum": {"--energy-ratio": REALS, "--points": ["2", "3", "10"], "--from": READ,
                   "--to": READ, "--direction": READ, "--sample": None, "--seed": COUNTS,
                   "--engine": ["auto", "geometric", "ipopt", "nlopt", "hand"],
                   "--strain-limit": REALS, "--tolerance": REALS, "--csv": TABLES,
                   "--member": ["0", "0.1", "0.25", "1", "3"], "--state": TABLES,
-                  "--figure": PICTURES},
+                  "--figure": PICTURES, "--animate": MOVING},
     "modes": {"--max-energy-ratio": REALS, "--max-order": COUNTS, "--max-period": REALS,
               "--csv": TABLES, "--figure": PICTURES},
     "families": {"--max-energy-ratio": REALS, "--max-order": [*COUNTS, "60"], "--csv": TABLES,
                  "--figure": PICTURES},
     "mode": {"--period": ["3.5", "7/2", "3.14159265358979", "10/3", "2.5", "3", "4", "29/11"],
-             "--state": TABLES, "--motion": TABLES, "--figure": PICTURES},
+             "--state": TABLES, "--motion": TABLES, "--figure": PICTURES,
+             "--animate": MOVING},
     "atlas": {"--database": DATABASES, "--max-contact": COUNTS, "--max-free": COUNTS,
               "--phases": ["1", "2"], "--max-energy-ratio": REALS, "--all": None,
               "--families-only": None, "--resume": None,
@@ -86,7 +88,7 @@ TOGETHER = [(MATERIAL, MATERIAL, {"--wave-speed", "--axial-stiffness"}),
             ({"--near", "--period", "--twins"}, set(),
              {"--max-contact", "--max-free", "--phases", "--max-energy-ratio", "--all",
               "--families-only", "--resume"})]
-OUTPUTS = {"--state", "--motion", "--figure", "--csv", "--map", "--database"}
+OUTPUTS = {"--animate", "--state", "--motion", "--figure", "--csv", "--map", "--database"}
 STATUS_OF = {"found": FOUND, "done": FOUND, "none": NONE, "undecided": UNDECIDED,
              "interrupted": UNDECIDED}
 
@@ -119,7 +121,7 @@ def options_of(case, command, nasty):
     groups = []
     for name in chosen:
         # gnuplot takes a second: drawn now and then only.
-        if name in ("--figure", "--map", "--help") and case.random.random() < 0.9:
+        if name in ("--figure", "--map", "--animate", "--help") and case.random.random() < 0.9:
             continue
         count = 2 if name == "--near" and case.random.random() < 0.9 else 1
         values = [value_for(case, known[name], nasty) for _ in range(count if known[name] else 0)]
