@@ -19,8 +19,10 @@
 #include "find_command.hpp"
 #include "modes_command.hpp"
 #include "ranks.hpp"
+#include "response_command.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
+#include "simulate_command.hpp"
 #include "solver.hpp"
 #include "text.hpp"
 
@@ -150,6 +152,14 @@ int run(int argc, char** argv)
     CLI::App& atlasApp =
         *app.add_subcommand("atlas", "every schedule of a range decided, into a database");
     atlas.addTo(atlasApp);
+    ResponseCommand response;
+    CLI::App& responseApp = *app.add_subcommand(
+        "response", "all forced, damped motions with one contact phase, frequency by frequency");
+    response.addTo(responseApp);
+    SimulateCommand simulate;
+    CLI::App& simulateApp =
+        *app.add_subcommand("simulate", "what the bar does from any state, exactly");
+    simulate.addTo(simulateApp);
     app.footer(
         "Exit status: 0 found, 1 proved that none exists, 2 wrong use, 3 undecided,\n"
         "4 a file, database or back end could not be used.");
@@ -182,7 +192,8 @@ int run(int argc, char** argv)
             argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";
         return complain(
             exitWrongUse,
-            fmt::format("command{}: allowed find|continuum|modes|atlas; see signorini --help",
+            fmt::format("command{}: allowed find|continuum|modes|atlas|response|simulate; see "
+                        "signorini --help",
                         given));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
@@ -197,6 +208,12 @@ int run(int argc, char** argv)
     }
     if (modesApp.parsed()) {
         return modes.run();
+    }
+    if (responseApp.parsed()) {
+        return response.run();
+    }
+    if (simulateApp.parsed()) {
+        return simulate.run();
     }
     return continuumApp.parsed() ? continuum.run() : find.run();
 }
