@@ -256,14 +256,19 @@ void ResponseCommand::addTo(CLI::App& command)
 ExitStatus ResponseCommand::run() const
 {
     Answer answer{range, common.bar(), 0.0, {}};
-    if (!force.ratio) {
-        refuse("--damping", "missing", "numbers > 0 [-]");
+    if (!force.ratio || !(force.damping().rho() < 1.0)) {
+        refuse("--damping", force.ratio ? fmt::format("{}", *force.ratio) : "missing",
+               "numbers > 0 [-] with exp(-πζ) < 1");
     }
     if (!force.place) {
         refuse("--force", "missing", "tip|base");
     }
     if (!force.amplitude) {
         refuse("--amplitude", "missing", "finite numbers > 0 [N or m]");
+    }
+    if (range.leastFrequencyRatio > range.mostFrequencyRatio) {
+        refuse("--from", fmt::format("{}", range.leastFrequencyRatio),
+               fmt::format("numbers up to --to = {}", range.mostFrequencyRatio));
     }
     answer.amplitude = *force.amplitude;
     answer.range.cells = common.usualCells();

@@ -15,6 +15,8 @@ namespace signorini::cli {
 
 namespace {
 
+constexpr double longest = 1e12;  // [L/c]
+
 /// The outcome of one call.
 struct Answer {
     Bar bar;
@@ -176,7 +178,7 @@ void SimulateCommand::requireWhole() const
     }
     if (time.has_value() == periods.has_value()) {
         throw std::invalid_argument(time ? "--time clashes with --periods: allowed one of them"
-                                         : "--time, --periods: one of them is missing");
+                                         : "--time, --periods: missing: allowed one of them");
     }
 }
 
@@ -240,8 +242,11 @@ ExitStatus SimulateCommand::run() const
                                : 16.0 * waves.crossing;
     const double total = periods ? static_cast<double>(*periods)
                                  : *time / scales(answer.bar).time * waves.crossing / stretch;
-    if (!std::isfinite(total * stretch)) {
-        refuse("--time", fmt::format("{}", *time), "times that are finite in L/c");
+    if (const double most = longest * scales(answer.bar).time;
+        !(total * stretch <= longest * waves.crossing)) {
+        refuse(time ? "--time" : "--periods",
+               time ? fmt::format("{}", *time) : fmt::format("{}", *periods),
+               fmt::format("what lasts at most {} L/c, {:.3g} s", longest, most));
     }
     SettlingWatch watch;
     {
