@@ -15,6 +15,8 @@
 #include "signorini/find_periodic.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/output.hpp"
+#include "signorini/response.hpp"
+#include "signorini/simulation.hpp"
 
 namespace signorini {
 
@@ -117,5 +119,18 @@ void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int6
 /// repeat linear motions, are left out. An atlas without any leaves an empty map. Errors as above.
 void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                       FigureFormat format, const std::string& path);
+
+/// Draws impulse on the wall and reach of the tip against the frequency of the excitation: motions
+/// with one contact phase as dots, filled where they attract, open where they repel (their
+/// `stability`, if it was tried), and the bar without a wall as a line.
+/// \throws std::invalid_argument if there is no frequency; BackendUnavailable, FileError as above.
+void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
+                  FigureFormat format, const std::string& path);
+
+/// Draws what a simulation saw: the tip beside the wall with its contacts, at the beginning and at
+/// the end, and the impulse of each contact. \throws std::invalid_argument if the path of the tip
+/// was not recorded; BackendUnavailable, FileError as above.
+void drawSimulation(const BarSimulation& simulation, const Excitation& excitation,
+                    FigureFormat format, const std::string& path);
 
 }  // namespace signorini

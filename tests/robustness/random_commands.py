@@ -19,7 +19,8 @@ NASTY = ["", " ", "0", "-1", "-0", "nan", "-nan", "inf", "-inf", "1e400", "1e-40
          "+3", " 3", "3 ", "3x", "3,5", "1/0", "0/0", "7/", "/2", "٣", "½", "−5", "NaN", "true",
          "null", "--", "-", "---", "-x", "--cells", "=", "a=b", "%s%n", "\n", "\t3", "\x1b[31m",
          "\x7f", "x\ny", "é.csv", b"\xff\xfe", b"\xc3", "a" * 5000, "9" * 400, "1e9999999999"]
-COMMANDS = ["find", "continuum", "modes", "mode", "families", "atlas"]
+COMMANDS = ["find", "continuum", "modes", "mode", "families", "atlas",
+            "response", "simulate"]
 WORDS = [*COMMANDS, "help", "", "--help", "-h", "--version", "-V", "--frobnicate", "--cell",
          "--formatt=json", "-5", "7", "--quiet=no", "--quiet", "@file"]
 
@@ -37,6 +38,7 @@ COMMON = {"--cells": COUNTS, "--length": REALS, "--wave-speed": REALS, "--axial-
           "--gap": REALS, "--young": REALS, "--density": REALS, "--area": REALS,
           "--format": [*["json"] * 9, *["text"] * 2, "xml"], "--quiet": None,
           "--threads": ["1", "2", "3"], "--help": None}
+FORCES = ["tip", "base", "tip", "base", "rope"]
 STEPS = [*COUNTS, *COUNTS, "10", "15", "18", "20", "27", "41", "1000000000000000000"]
 OPTIONS = {
     "find": {"--solver": ["auto", "closed-form", "glpk-simplex", "glpk-interior", "glpk-exact",
@@ -70,6 +72,14 @@ OPTIONS = {
               "--near": [*REALS, "8/7", "1/0"], "--within": REALS, "--schedules": None,
               "--period": ["7/2", "3.5", "4", "10/3", "1/1000000007"], "--twins": None,
               "--figure": PICTURES, "--map": PICTURES},
+    "response": {"--damping": ["0.01", "0.1", "1", "0", "-1"], "--force": FORCES,
+                 "--amplitude": REALS, "--from": ["0.5", "1", "1.9", "3"],
+                 "--to": ["0.6", "1.2", "2", "3"], "--cycles": COUNTS, "--stability": None,
+                 "--csv": TABLES, "--figure": PICTURES},
+    "simulate": {"--from": READ, "--rest": None, "--damping": ["0.01", "0.1", "1", "0", "-1"],
+                 "--force": FORCES, "--amplitude": REALS, "--frequency": ["0.5", "1", "1.1", "3"],
+                 "--phase": ["0", "-1", "3.14"], "--time": ["1", "0.5", "20", "1e-12", "1e300"],
+                 "--periods": COUNTS, "--events": TABLES, "--tip": TABLES, "--figure": PICTURES},
 }
 MATERIAL = {"--young", "--density", "--area"}
 # Options that make sense together; what they clash with.
@@ -85,10 +95,13 @@ TOGETHER = [(MATERIAL, MATERIAL, {"--wave-speed", "--axial-stiffness"}),
             ({"--within"}, {"--near"}, {"--period", "--twins"}),
             ({"--families-only"}, set(), {"--all", "--phases"}),
             ({"--schedules"}, {"--near"}, {"--period", "--twins"}),
+            ({"--force"}, {"--amplitude"}, set()),
+            ({"--time"}, set(), {"--periods"}), ({"--rest"}, set(), {"--from"}),
             ({"--near", "--period", "--twins"}, set(),
              {"--max-contact", "--max-free", "--phases", "--max-energy-ratio", "--all",
               "--families-only", "--resume"})]
-OUTPUTS = {"--animate", "--state", "--motion", "--figure", "--csv", "--map", "--database"}
+OUTPUTS = {"--animate", "--state", "--motion", "--figure", "--csv", "--map", "--database",
+           "--events", "--tip"}
 STATUS_OF = {"found": FOUND, "done": FOUND, "none": NONE, "undecided": UNDECIDED,
              "interrupted": UNDECIDED}
 
@@ -109,6 +122,9 @@ def options_of(case, command, nasty):
         chosen = ["--database", *(name for name in chosen if name != "--database")]
     if command == "continuum" and case.random.random() < 0.9:
         chosen = ["--energy-ratio", *(name for name in chosen if name != "--energy-ratio")]
+    usual = {"response": ["--damping", "--force", "--amplitude"], "simulate": ["--time"]}
+    if command in usual and case.random.random() < 0.8:
+        chosen = list(dict.fromkeys([*usual[command], *chosen]))
     if command == "find" and case.random.random() < 0.05:
         return [["--cells", "12"], ["--time-limit", "1e-9"], ["--format", "json"],
                 ["--solver", case.random.choice(["ipopt", "nlopt-slsqp", "glpk-interior"])],
@@ -117,7 +133,7 @@ def options_of(case, command, nasty):
         for some, needed, clashing in TOGETHER:
             if some & set(chosen):
                 chosen = [name for name in chosen if name not in clashing]
-                chosen += sorted(name for name in needed if name not in chosen)
+                chosen += sorted(name for name in needed if name not in chosen and name in known)
     groups = []
     for name in chosen:
         # gnuplot takes a second: drawn now and then only.
