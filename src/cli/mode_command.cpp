@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "files.hpp"
-#include "mode_words.hpp"
+#include "mode_report.hpp"
 #include "rational.hpp"
 #include "signorini/families.hpp"
 #include "signorini/figures.hpp"
@@ -40,7 +40,7 @@ std::optional<ExactPeriod> fractionOf(const std::string& decimal)
     return exactPeriod(numerator, denominator);
 }
 
-AskedPeriod parsePeriod(const std::string& text)
+ModePeriod parsePeriod(const std::string& text)
 {
     constexpr const char* option = "--period";
     constexpr std::int64_t most = 1'000'000'000'000'000'000;
@@ -84,7 +84,7 @@ Rational asRational(const ExactPeriod& period)
 }
 
 /// An end of the interval is no member.
-void requireInside(const Mode& mode, const AskedPeriod& period)
+void requireInside(const Mode& mode, const ModePeriod& period)
 {
     const Rational asked = period.exact ? asRational(*period.exact) : Rational(period.value);
     if (!(asRational(mode.lowest) < asked && asked < asRational(mode.highest))) {
@@ -97,88 +97,12 @@ void requireInside(const Mode& mode, const AskedPeriod& period)
 }
 
 /// n where n steps of a grid are exactly the period.
-std::optional<std::int64_t> stepsOn(std::int64_t cells, const AskedPeriod& period)
+std::optional<std::int64_t> stepsOn(std::int64_t cells, const ModePeriod& period)
 {
     if (!period.exact || cells % period.exact->denominator != 0) {
         return std::nullopt;
     }
     return cells / period.exact->denominator * period.exact->numerator;
-}
-
-/// The lowest place of the tip [g]: u(L, t) is made of straight lines between jumps of p there and
-/// those that left it 2L/c before.
-double lowestTip(const ModeMotion& motion)
-{
-    double lowest = 1.0;
-    for (const double t : motion.jumpTimes()) {
-        lowest = std::min({lowest, motion.displacement(1.0, t), motion.displacement(1.0, t - 2.0)});
-    }
-    return std::min({lowest, motion.displacement(1.0, 0.0), motion.displacement(1.0, -2.0)});
-}
-
-/// |p| is h everywhere, so |s| is at most 2h, which the clamp sees of both signs, and the tip meets
-/// the wall with 2h.
-Json physicalAsJson(const ModeMotion& motion, const Scales& unit, const Bar& bar)
-{
-    const double largest = 2.0 * motion.amplitude();
-    const double force = largest * bar.axialStiffness * unit.strain;
-    return {{"frequency", 1.0 / (motion.period() * unit.time)},
-            {"contact_time", motion.contactTime() * unit.time},
-            {"peak_force", force},
-            {"impulse", force * motion.contactTime() * unit.time},
-            {"approach_speed", largest * unit.velocity},
-            {"peak_compression", largest * unit.strain},
-            {"peak_tension", largest * unit.strain},
-            {"tip_lowest", lowestTip(motion) * unit.displacement}};
-}
-
-std::string reportAsJson(const Mode& mode, const ModeMotion& motion, const Bar& bar)
-{
-    const Scales unit = scales(bar);
-    const double energy = energyRatio(mode, motion.period());
-    Json list = Json::array();
-    for (const ModeJump& jump : jumps(mode)) {
-        list.push_back({2 * jump.k, -jump.turns});
-    }
-    Json json = newAnswer();
-    json.update(Json{{"status", name(Status::found)},
-                     {"bar", barAsJson(bar)},
-                     {"mode", identityAsJson(mode)},
-                     {"period", motion.period() * unit.time},
-                     {"period_ratio", motion.period()},
-                     {"frequency", 1.0 / (motion.period() * unit.time)},
-                     {"frequency_ratio", 4.0 / motion.period()},
-                     {"contact_time", motion.contactTime() * unit.time},
-                     {"contact_time_ratio", motion.contactTime()},
-                     {"energy", energy * unit.energy},
-                     {"energy_ratio", energy},
-                     {"jumps", list},
-                     {"physical", physicalAsJson(motion, unit, bar)}});
-    return asLine(json);
-}
-
-std::string reportAsText(const Mode& mode, const ModeMotion& motion, const Bar& bar)
-{
-    const Scales unit = scales(bar);
-    const Json physical = physicalAsJson(motion, unit, bar);
-    const auto value = [&physical](const char* name) { return physical[name].get<double>(); };
-    const std::string family = familyName(mode);
-    const double energy = energyRatio(mode, motion.period());
-    return fmt::format(
-        "found       mode t_c = {}{}, T in ]{}, {}[ L/c\n"
-        "period      {:.10g} s = {:.10g} L/c, {:.6g} Hz, ω/ω₁ = {:.10g}\n"
-        "contact     {:.6g} s = {:.10g} L/c\n"
-        "energy      {:.6g} J = {:.10g} E₁, 1/√(E/E₁) = {}\n"
-        "waves       p = ±{:.6g} g/L with {} jumps in a period\n"
-        "force       {:.6g} N on the wall all through contact, impulse {:.6g} N s\n"
-        "strain      at most {:.6g} in compression and in tension\n"
-        "tip         meets the wall with {:.6g} m/s, goes down to {:.6g} m\n",
-        contactAsText(mode), family.empty() ? "" : fmt::format(" ({})", family),
-        fractionAsText(mode.lowest), fractionAsText(mode.highest), motion.period() * unit.time,
-        motion.period(), value("frequency"), 4.0 / motion.period(), value("contact_time"),
-        motion.contactTime(), energy * unit.energy, energy, rootAsText(mode), motion.amplitude(),
-        motion.jumpTimes().size(), value("peak_force"), value("impulse"), value("peak_compression"),
-        value("approach_speed"), value("tip_lowest"));
 }
 
 /// The period of at most so many cells that is nearest to the one asked for, as a schedule.
@@ -204,6 +128,35 @@ Schedule nearestSchedule(const Mode& mode, double period, std::int64_t usual)
     return best;
 }
 
+/// The state at t = 0 on the grid, and a line that says what it is.
+std::string writeState(const std::string& path, const Mode& mode, const ModeMotion& motion,
+                       std::int64_t cells, std::optional<std::int64_t> steps, const Bar& bar)
+{
+    writeStateCsv(path,
+                  steps ? leastEnergyMotion(onePhaseSet(scheduleOf(mode, cells, *steps)))
+                        : cellMeans(motion, cells),
+                  bar);
+    return steps ? fmt::format("state       exact: T is {} steps of {} cells\n", *steps, cells)
+                 : fmt::format(
+                       "state       means over {} cells: T is no whole number of steps there\n",
+                       cells);
+}
+
+/// The motion on a grid that nearly has its period, and a line that says how nearly.
+std::string draw(const std::string& path, FigureFormat format, const Mode& mode, double period,
+                 std::int64_t usualCells, const Bar& bar)
+{
+    const Schedule schedule = nearestSchedule(mode, period, usualCells);
+    FindOptions options;
+    options.bar = bar;
+    drawMotion(findPeriodic(schedule, options), format, path);
+    const double shown = signorini::period(schedule);
+    return shown == period
+               ? ""
+               : fmt::format("figure      shows T = {:.10g} L/c, {:.1e} from the one asked for\n",
+                             shown, std::abs(shown - period));
+}
+
 }  // namespace
 
 void ModeCommand::addTo(CLI::App& command)
@@ -217,6 +170,10 @@ void ModeCommand::addTo(CLI::App& command)
     motionFile.addTo(command);
     command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
     common.addTo(command);
 }
 
@@ -234,55 +191,48 @@ ExitStatus ModeCommand::run() const
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
     }
+    if (!animationFile.empty()) {
+        (void)animationFormat(animationFile);
+    }
     motionFile.validate();
     const OutputOption stateOption{"--state", stateFile};
     const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({stateOption, motionFile.option(), figureOption});
+    const OutputOption animationOption{"--animate", animationFile};
+    validateOutputs({stateOption, motionFile.option(), motionFile.folderOption(), figureOption,
+                     animationOption});
 
     OutputFiles files;
     const std::string state = stage(files, stateOption);
     MotionFile::Staged moving(motionFile, files);
     const std::string figure = stage(files, figureOption);
+    const std::string animation = stage(files, animationOption);
     const std::int64_t cells = common.usualCells();
     std::string notes;
     if (!state.empty()) {
-        const std::optional<std::int64_t> steps = stepsOn(cells, *period);
-        forFile("--state", stateFile, [&] {
-            writeStateCsv(state,
-                          steps ? leastEnergyMotion(onePhaseSet(scheduleOf(mode, cells, *steps)))
-                                : cellMeans(motion, cells),
-                          bar);
+        notes += forFile("--state", stateFile, [&] {
+            return writeState(state, mode, motion, cells, stepsOn(cells, *period), bar);
         });
-        notes += steps
-                     ? fmt::format("state       exact: T is {} steps of {} cells\n", *steps, cells)
-                     : fmt::format(
-                           "state       means over {} cells: T is no whole number of steps "
-                           "there\n",
-                           cells);
     }
     if (!figure.empty()) {
-        const Schedule schedule = nearestSchedule(mode, motion.period(), cells);
-        FindOptions options;
-        options.bar = bar;
-        forFile("--figure", figureFile, [&] {
-            drawMotion(findPeriodic(schedule, options), figureFormat(figureFile), figure);
+        notes += forFile("--figure", figureFile, [&] {
+            return draw(figure, figureFormat(figureFile), mode, motion.period(), cells, bar);
         });
-        const double shown = signorini::period(schedule);
-        if (shown != motion.period()) {
-            notes +=
-                fmt::format("figure      shows T = {:.10g} L/c, {:.1e} from the one asked for\n",
-                            shown, std::abs(shown - motion.period()));
-        }
+    }
+    if (!animation.empty()) {
+        forFile("--animate", animationFile, [&] {
+            animateMotion(MotionSamples(motion, bar, cells), animationFormat(animationFile),
+                          animation);
+        });
     }
     moving.write([&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
     files.commit();
     if (common.wantsJson) {
-        writeOut(reportAsJson(mode, motion, bar));
+        writeOut(asJson(mode, motion, bar));
         if (!common.quiet) {
             tell(notes);
         }
     } else {
-        writeOut(reportAsText(mode, motion, bar) + notes);
+        writeOut(asText(mode, motion, bar) + notes);
     }
     common.useOneThread("mode");
     return exitFound;

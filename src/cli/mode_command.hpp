@@ -13,7 +13,7 @@
 namespace signorini::cli {
 
 /// T in L/c as people give it: 22/7, 3.14, 3.
-struct AskedPeriod {
+struct ModePeriod {
     double value = 0.0;
     std::optional<ExactPeriod> exact;  ///< unless it needs more than 18 digits
 };
@@ -22,10 +22,11 @@ struct AskedPeriod {
 struct ModeCommand {
     CommonOptions common;
     std::vector<std::string> contact;  ///< 4a and b
-    std::optional<AskedPeriod> period;
+    std::optional<ModePeriod> period;
     std::string stateFile;
     MotionFile motionFile;
     std::string figureFile;
+    std::string animationFile;
 
     void addTo(CLI::App& command);
 

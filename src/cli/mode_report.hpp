@@ -9,9 +9,6 @@
 
 namespace signorini::cli {
 
-/// "7/2" or "4".
-[[nodiscard]] std::string fractionAsText(const ExactPeriod& period);
-
 /// "8 - 3T": the contact time of a mode in L/c.
 [[nodiscard]] std::string contactAsText(const Mode& mode);
 
@@ -20,5 +17,11 @@ namespace signorini::cli {
 
 /// contact, period_range, inverse_sqrt_energy, and family, null if it has no name.
 [[nodiscard]] Json identityAsJson(const Mode& mode);
+
+/// The motion of a mode: several lines for people, with a final newline.
+[[nodiscard]] std::string asText(const Mode& mode, const ModeMotion& motion, const Bar& bar);
+
+/// The JSON of the contract, with a final newline.
+[[nodiscard]] std::string asJson(const Mode& mode, const ModeMotion& motion, const Bar& bar);
 
 }  // namespace signorini::cli
