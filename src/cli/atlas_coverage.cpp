@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
-#include <utility>
 
 namespace signorini::cli {
 
@@ -40,8 +40,8 @@ bool isBetween(double lowest, double highest, const AtlasRange& range)
 
 }  // namespace
 
-AtlasCoverage::AtlasCoverage(AtlasQuestion question, const std::vector<AtlasRun>& all)
-    : question_(std::move(question))
+AtlasCoverage::AtlasCoverage(const AtlasQuestion& question, const std::vector<AtlasRun>& all)
+    : question_(question)
 {
     std::set<std::int64_t> grids;
     for (const AtlasRun& run : all) {

@@ -25,7 +25,7 @@ struct AtlasQuestion {
 class AtlasCoverage {
 public:
     AtlasCoverage() = default;
-    AtlasCoverage(AtlasQuestion question, const std::vector<AtlasRun>& all);
+    AtlasCoverage(const AtlasQuestion& question, const std::vector<AtlasRun>& all);
 
     /// The runs of the grids asked about.
     [[nodiscard]] const std::vector<AtlasRun>& runs() const { return runs_; }

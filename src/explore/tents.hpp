@@ -47,7 +47,7 @@ public:
     /// Visits the tents of one n by ascending n_c, those without schedules in the range, too.
     /// O(log n). \returns false if `visit` did.
     template <typename Visit>
-    bool forEach(std::int64_t n, Visit visit) const
+    [[nodiscard]] bool forEach(std::int64_t n, Visit visit) const
     {
         const std::int64_t classes = std::gcd(2 * range_.cells, n);
         if (n % twos_ == 0) {
