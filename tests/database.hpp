@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "signorini/atlas.hpp"
 
 namespace signorini::test {
 
@@ -23,6 +24,14 @@ inline SQLite::Database opened(const std::string& path, int more = 0)
 inline std::int64_t number(const std::string& path, const char* sql)
 {
     return opened(path).execAndGet(sql).getInt64();
+}
+
+/// Equal but for the place in a database.
+inline bool isSame(const AtlasFamily& a, const AtlasFamily& b)
+{
+    return a.cells == b.cells && a.family == b.family && a.top == b.top && a.steps == b.steps &&
+           a.kind == b.kind && a.dimension == b.dimension && a.energy.least == b.energy.least &&
+           a.energy.most == b.energy.most && a.schedules == b.schedules;
 }
 
 /// Every row of table schedules, with its rowid, after a check of the whole file.

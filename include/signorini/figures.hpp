@@ -1,8 +1,8 @@
 #pragma once
 /// \file
 /// Figures, drawn by gnuplot at run time: a motion, a continuum, the frequency-energy plot (the
-/// paper's Fig. 1, with exact modes as curves and the sets of schedules as bars), and the map of
-/// where in time motions exist.
+/// paper's Fig. 1, with exact modes as curves and families as half-lines), families as a periodic
+/// table, and the map of where in time motions exist.
 
 #include <cstdint>
 #include <optional>
@@ -11,6 +11,7 @@
 
 #include "signorini/atlas_database.hpp"
 #include "signorini/continuum.hpp"
+#include "signorini/families.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/modes.hpp"
 
@@ -23,11 +24,12 @@ enum class FigureFormat { svg, png, pdf };
 /// \throws std::invalid_argument for any other ending.
 [[nodiscard]] FigureFormat figureFormat(const std::string& path);
 
-/// Draws a found motion as in the paper's Fig. 3: the initial strain and velocity along the bar,
-/// the displacement u(x, t) over one period, and the path of the tip beside the wall with the
-/// contact phases marked. Long motions are thinned to what print can show. \throws
-/// std::invalid_argument if the result holds no motion, BackendUnavailable if gnuplot is missing or
-/// fails, FileError if `path` cannot be written.
+/// Draws a found motion as in the paper's Fig. 3, in SI units: strain and velocity along the bar at
+/// t = 0, the displacement u(x, t) over one period, and with the same axis of time the path of the
+/// tip beside the wall and the force of the wall. Contact is marked where that force acts. Long
+/// motions are thinned to what print can show.
+/// \throws std::invalid_argument if the result holds no motion, BackendUnavailable if gnuplot is
+/// missing or fails, FileError if `path` cannot be written.
 void drawMotion(const PeriodicResult& result, FigureFormat format, const std::string& path);
 
 /// Draws a curve of motions: strain and velocity at t = 0 along the bar, members stacked upwards by
@@ -37,12 +39,33 @@ void drawMotion(const PeriodicResult& result, FigureFormat format, const std::st
 /// missing or fails, FileError if `path` cannot be written.
 void drawContinuum(const Continuum& curve, FigureFormat format, const std::string& path);
 
-/// The energies of the motions of one schedule.
+/// Draws families as a periodic table: order w against period T, a cell (nu, k) for each, coloured
+/// by its least energy, over the curves T = (4a - 2k/w)/|b| on which those of one mode and one k
+/// stand. Above order 16 the cells are dots, above 120 nothing is drawn. `families` are sorted as
+/// `findFamilies` does, and of order <= maxOrder.
+/// \throws BackendUnavailable if gnuplot is missing or fails, FileError if `path` cannot be
+/// written.
+void drawFamilies(std::span<const Family> families, std::int64_t maxOrder, FigureFormat format,
+                  const std::string& path);
+
+/// The energies of the motions of a set on a grid.
 struct EnergyBar {
-    double frequencyRatio = 0.0;          ///< [-], omega/omega_1 = 4N/n
+    double frequencyRatio = 0.0;          ///< [-], omega/omega_1
     double least = 0.0;                   ///< [E_1], > 0
     double most = 0.0;                    ///< [E_1], >= least; may be infinite
     Contact contact = Contact::pressing;  ///< grazing bars are drawn in another style
+
+    friend bool operator==(const EnergyBar&, const EnergyBar&) = default;
+};
+
+/// What to draw: each span may be empty.
+struct FrequencyEnergyPlot {
+    std::span<const Mode> modes = {};  ///< curves, with a dot where they leave a linear motion
+    /// Half-lines from the least energy upwards, the lower the order w the bolder: they belong to
+    /// no grid.
+    std::span<const Family> families = {};
+    std::span<const Family> onGrid = {};   ///< dots at the least energy
+    std::span<const EnergyBar> bars = {};  ///< strokes from least to most, where a grid ends them
 };
 
 /// How to draw it.
@@ -52,20 +75,19 @@ struct FrequencyEnergyOptions {
     double maxEnergyRatio = 50.0;             ///< [E_1], top; > 1
 };
 
-/// Draws omega/omega_1 = 4/T (linear) against E/E_1 (logarithmic): each mode as a curve, with its
-/// family in the key and a dot where it leaves a linear motion; each bar as a vertical stroke from
-/// least to most; and the motion of the paper's Figs. 2 and 3 at (8/7, 20). Bars of one frequency
-/// that overlap are drawn as one, so the file grows with what can be seen. Both spans may be empty.
-/// O(modes + bars log bars).
+/// Draws omega/omega_1 = 4/T (linear) against E/E_1 (logarithmic): the whole, and once more the
+/// part where families crowd, with the names (w, nu, k) of the first ones; and the motion of the
+/// paper's Figs. 2 and 3 at (8/7, 20). Bars of one frequency that overlap are drawn as one, so the
+/// file grows with what can be seen. O(modes + families + bars log bars).
 /// \throws std::invalid_argument if no format is given and the name does not end in .svg, .png or
 /// .pdf, or a bar or an option is out of range; BackendUnavailable if gnuplot is missing or fails;
 /// FileError if `path` cannot be written.
-void writeFrequencyEnergyFigure(const std::string& path, std::span<const Mode> modes,
-                                std::span<const EnergyBar> bars,
+void writeFrequencyEnergyFigure(const std::string& path, const FrequencyEnergyPlot& plot,
                                 const FrequencyEnergyOptions& options = {});
 
-/// The frequency-energy plot of the schedules found in a database, as bars [E_min, E_max], with the
-/// exact modes as curves.
+/// The frequency-energy plot of what a database holds: the families of its schedules as dots, sets
+/// of several contacts as bars, linear motions once each; over the exact modes and the families of
+/// order 60 at most, whatever the grid.
 /// \throws FileError, BackendUnavailable.
 void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                              FigureFormat format, const std::string& path);

@@ -23,6 +23,8 @@ struct ContinuumCommand {
     std::string fromFile;
     std::string toFile;
     std::string directionFile;
+    std::optional<double> member;  ///< lambda
+    std::string stateFile;
     std::string csvFile;
     std::string figureFile;
 

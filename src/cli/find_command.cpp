@@ -3,7 +3,9 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "demand_names.hpp"
 #include "faults.hpp"
@@ -19,12 +21,24 @@
 
 namespace signorini::cli {
 
+/// The options with what needs several of them, and how the target was read.
+struct FindRequest {
+    FindOptions options;
+    std::string reading;
+
+    [[nodiscard]] std::optional<TargetReport> target() const
+    {
+        return options.target ? std::optional<TargetReport>({*options.target, reading})
+                              : std::nullopt;
+    }
+};
+
 namespace {
 
-/// The options with what needs several of them.
-FindOptions completed(const FindCommand& call)
+FindRequest completed(const FindCommand& call)
 {
-    FindOptions options = call.options;
+    FindRequest request{call.options, {}};
+    FindOptions& options = request.options;
     options.bar = call.common.bar();
     if (call.energy) {
         if (options.energyRatio) {
@@ -49,11 +63,13 @@ FindOptions completed(const FindCommand& call)
         if (options.objective != Objective::nearest) {
             throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
         }
-        options.target = forFile("--target", call.targetFile, [&] {
-            return readStateCsv(call.targetFile, options.bar, call.common.usualCells());
+        StateReading read = forFile("--target", call.targetFile, [&] {
+            return readState(call.targetFile, options.bar, call.common.usualCells());
         });
+        options.target = std::move(read.state);
+        request.reading = std::move(read.how);
     }
-    return options;
+    return request;
 }
 
 /// findPeriodic, with signals listened to and a line on a terminal.
@@ -69,37 +85,20 @@ PeriodicResult search(const Schedule& schedule, FindOptions options, bool isQuie
     return result;
 }
 
-bool isVtk(const std::string& path)
-{
-    return path.ends_with(".vtk");
-}
-
 /// The files that a call names: checked before any work, staged, and written together.
 class MotionFiles {
 public:
-    explicit MotionFiles(const FindCommand& words) : words_(words)
+    explicit MotionFiles(const FindCommand& words)
+        : words_(checked(words)),
+          state_(stage(files_, {"--state", words.stateFile})),
+          motion_(words.motionFile, files_),
+          figure_(stage(files_, {"--figure", words.figureFile}))
     {
-        if (!words.figureFile.empty()) {
-            (void)figureFormat(words.figureFile);
-        }
-        Faults faults;
-        if (!words.motionFile.empty() && !words.motionFile.ends_with(".csv") &&
-            !isVtk(words.motionFile)) {
-            faults.add("--motion", words.motionFile, "a name ending in .csv or .vtk");
-        }
-        faults.throwIfAny();
-        const OutputOption stateOption{"--state", words.stateFile};
-        const OutputOption motionOption{"--motion", words.motionFile};
-        const OutputOption figureOption{"--figure", words.figureFile};
-        validateOutputs({stateOption, motionOption, figureOption});
-        state_ = stage(files_, stateOption);
-        motion_ = stage(files_, motionOption);
-        figure_ = stage(files_, figureOption);
     }
 
     [[nodiscard]] bool areWanted() const
     {
-        return !state_.empty() || !motion_.empty() || !figure_.empty();
+        return !state_.empty() || words_.motionFile.isWanted() || !figure_.empty();
     }
 
     void sayNone() const
@@ -116,18 +115,30 @@ public:
             forFile("--state", words_.stateFile,
                     [&] { writeStateCsv(state_, result.motion->state, result.bar); });
         }
-        if (!motion_.empty()) {
-            writeMotion(result);
-        }
         if (!figure_.empty()) {
             forFile("--figure", words_.figureFile,
                     [&] { drawMotion(result, figureFormat(words_.figureFile), figure_); });
+        }
+        if (words_.motionFile.isWanted()) {
+            writeMotion(result);
         }
         files_.commit();
     }
 
 private:
-    void writeMotion(const PeriodicResult& result) const
+    static const FindCommand& checked(const FindCommand& words)
+    {
+        if (!words.figureFile.empty()) {
+            (void)figureFormat(words.figureFile);
+        }
+        words.motionFile.validate();
+        validateOutputs({{"--state", words.stateFile},
+                         words.motionFile.option(),
+                         {"--figure", words.figureFile}});
+        return words;
+    }
+
+    void writeMotion(const PeriodicResult& result)
     {
         const Motion field(result.motion->state, result.schedule);
         const std::int64_t all = signorini::steps(result.schedule);
@@ -137,16 +148,13 @@ private:
                             "free oscillations\n",
                             field.steps(), all));
         }
-        forFile("--motion", words_.motionFile, [&] {
-            (isVtk(words_.motionFile) ? writeMotionVtk : writeMotionCsv)(motion_, field,
-                                                                         result.bar);
-        });
+        motion_.write([&](std::int64_t most) { return MotionSamples(field, result.bar, most); });
     }
 
     const FindCommand& words_;
     OutputFiles files_;
     std::string state_;
-    std::string motion_;
+    MotionFile::Staged motion_;
     std::string figure_;
 };
 
@@ -165,7 +173,8 @@ void FindCommand::addTo(CLI::App& command)
             "which motion of the set (least energy; of an energy to hold, least peak strain)");
     command
         .add_option("--target", targetFile,
-                    "state to come nearest to, as --state writes it; may be a pipe")
+                    "state to come nearest to: as --state writes it, or measured (columns x, "
+                    "velocity and strain or displacement); may be a pipe")
         ->type_name("FILE.csv");
     question.addTo(command);
     addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X",
@@ -183,8 +192,7 @@ void FindCommand::addTo(CLI::App& command)
                 "largest relative residual (1e-7)");
     addPositive(command, "--time-limit", "s", options.timeLimit, "S", "for the solver");
     command.add_option("--state", stateFile, "write the state at t = 0")->type_name("FILE.csv");
-    command.add_option("--motion", motionFile, "write u, v, s over one period")
-        ->type_name("FILE.csv|.vtk");
+    motionFile.addTo(command);
     command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
     common.addTo(command);
@@ -196,12 +204,7 @@ void FindCommand::warn(const Physical& physical) const
     if (common.quiet) {
         return;
     }
-    if (!physical.isAdmissible()) {
-        tell(
-            fmt::format("signorini find: not admissible: the strain reaches {:.6g}, and the paper "
-                        "demands s > -1 everywhere\n",
-                        -physical.peakCompression));
-    }
+    warnUnlessAdmissible("find", physical);
     if (yieldStress && *physical.peakStress > *yieldStress) {
         tell(fmt::format(
             "signorini find: the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} "
@@ -228,32 +231,33 @@ ExitStatus FindCommand::run() const
     return status;
 }
 
-ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindOptions& request) const
+ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindRequest& request) const
 {
     validate(schedule);
     MotionFiles files(*this);
-    const PeriodicResult result = search(schedule, request, common.quiet);
+    const PeriodicResult result = search(schedule, request.options, common.quiet);
     if (result.motion) {
         files.write(result);
     } else {
         files.sayNone();
     }
-    writeOut(common.wantsJson ? asLine(answerOf(result)) : asText(result));
+    writeOut(common.wantsJson ? asLine(answerOf(result, request.target()))
+                              : asText(result, request.target()));
     if (result.motion) {
         warn(result.motion->physical);
     }
     return exitStatusOf(result.status);
 }
 
-ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindOptions& request) const
+ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindRequest& request) const
 {
     const std::int64_t cells = common.usualCells();
     MotionFiles files(*this);
-    QuestionReport report(asked, cells, request);
+    QuestionReport report(asked, cells, request.options, request.target());
     std::optional<PeriodicResult> first;
     std::vector<Physical> measured;
     for (const Schedule& schedule : setsOfPeriod(cells, asked.steps)) {
-        PeriodicResult result = search(schedule, request, common.quiet);
+        PeriodicResult result = search(schedule, request.options, common.quiet);
         report.add(result);
         if (result.motion) {
             measured.push_back(result.motion->physical);

@@ -6,10 +6,13 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "motion_file.hpp"
 #include "question.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::cli {
+
+struct FindRequest;
 
 /// One call.
 struct FindCommand {
@@ -21,7 +24,7 @@ struct FindCommand {
     std::optional<double> yieldStress;  ///< [Pa]
     std::string targetFile;
     std::string stateFile;
-    std::string motionFile;
+    MotionFile motionFile;
     std::string figureFile;
 
     void addTo(CLI::App& command);
@@ -33,9 +36,9 @@ struct FindCommand {
 private:
     void warn(const Physical& physical) const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
-                                            const FindOptions& request) const;
+                                            const FindRequest& request) const;
     [[nodiscard]] ExitStatus answerQuestion(const AskedPeriod& asked,
-                                            const FindOptions& request) const;
+                                            const FindRequest& request) const;
 };
 
 }  // namespace signorini::cli

@@ -15,8 +15,10 @@
 
 #include "atlas_command.hpp"
 #include "continuum_command.hpp"
+#include "families_command.hpp"
 #include "faults.hpp"
 #include "find_command.hpp"
+#include "mode_command.hpp"
 #include "modes_command.hpp"
 #include "ranks.hpp"
 #include "signorini/config.hpp"
@@ -146,6 +148,13 @@ int run(int argc, char** argv)
     CLI::App& modesApp =
         *app.add_subcommand("modes", "the continuous families of motions, exact, for any grid");
     modes.addTo(modesApp);
+    FamiliesCommand families;
+    CLI::App& familiesApp = *app.add_subcommand(
+        "families", "the families of motions by order: each set of orbits once, for any grid");
+    families.addTo(familiesApp);
+    ModeCommand mode;
+    CLI::App& modeApp = *app.add_subcommand("mode", "the motion of one mode at any period");
+    mode.addTo(modeApp);
     AtlasCommand atlas;
     CLI::App& atlasApp =
         *app.add_subcommand("atlas", "every schedule of a range decided, into a database");
@@ -158,6 +167,7 @@ int run(int argc, char** argv)
         app.parse(std::vector<std::string>(words.before.rbegin(), words.before.rend()));
         std::vector<std::string>* steps = findApp.parsed()        ? &find.steps
                                           : continuumApp.parsed() ? &continuum.steps
+                                          : modeApp.parsed()      ? &mode.contact
                                                                   : nullptr;
         if (steps == nullptr && !words.after.empty()) {
             return complain(exitWrongUse, explainExtras(words.after, false));
@@ -182,7 +192,8 @@ int run(int argc, char** argv)
             argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";
         return complain(
             exitWrongUse,
-            fmt::format("command{}: allowed find|continuum|modes|atlas; see signorini --help",
+            fmt::format("command{}: allowed find|continuum|modes|mode|families|atlas; see "
+                        "signorini --help",
                         given));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
@@ -197,6 +208,12 @@ int run(int argc, char** argv)
     }
     if (modesApp.parsed()) {
         return modes.run();
+    }
+    if (familiesApp.parsed()) {
+        return families.run();
+    }
+    if (modeApp.parsed()) {
+        return mode.run();
     }
     return continuumApp.parsed() ? continuum.run() : find.run();
 }

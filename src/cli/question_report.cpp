@@ -5,21 +5,22 @@
 #include <utility>
 
 #include "arguments.hpp"
-#include "report.hpp"
 
 namespace signorini::cli {
 
-QuestionReport::QuestionReport(AskedPeriod asked, std::int64_t cells, const FindOptions& options)
+QuestionReport::QuestionReport(AskedPeriod asked, std::int64_t cells, const FindOptions& options,
+                               const std::optional<TargetReport>& target)
     : asked_(std::move(asked)),
       period_{cells, {{1, asked_.steps - 1}}},
       bar_(options.bar),
-      energyRatio_(options.energyRatio)
+      energyRatio_(options.energyRatio),
+      target_(target)
 {
 }
 
 void QuestionReport::add(const PeriodicResult& result)
 {
-    Json answer = answerOf(result);
+    Json answer = answerOf(result, target_);
     Json set;
     for (const char* key : {"schedule", "family", "energy_ratio_range", "status", "reason"}) {
         set[key] = answer[key];
@@ -28,11 +29,11 @@ void QuestionReport::add(const PeriodicResult& result)
     if (result.status == Status::found) {
         ++found_;
         motions_.push_back(std::move(answer));
-        motionsAsText_ += "\n" + asText(result);
+        motionsAsText_ += "\n" + asText(result, target_);
         return;
     }
     isUndecided_ = isUndecided_ || result.status == Status::undecided;
-    othersAsText_ += "\n" + asText(result);
+    othersAsText_ += "\n" + asText(result, target_);
 }
 
 Status QuestionReport::status() const

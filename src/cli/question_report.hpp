@@ -8,6 +8,7 @@
 
 #include "json.hpp"
 #include "question.hpp"
+#include "report.hpp"
 #include "signorini/find_periodic.hpp"
 
 namespace signorini::cli {
@@ -15,7 +16,8 @@ namespace signorini::cli {
 /// Collects what `findPeriodic` says of each set of a period.
 class QuestionReport {
 public:
-    QuestionReport(AskedPeriod asked, std::int64_t cells, const FindOptions& options);
+    QuestionReport(AskedPeriod asked, std::int64_t cells, const FindOptions& options,
+                   const std::optional<TargetReport>& target);
 
     /// The answer for the next set.
     void add(const PeriodicResult& result);
@@ -35,6 +37,7 @@ private:
     Schedule period_;  ///< any schedule with this period
     Bar bar_;
     std::optional<double> energyRatio_;
+    std::optional<TargetReport> target_;
     std::int64_t found_ = 0;
     bool isUndecided_ = false;
     std::string motionsAsText_;

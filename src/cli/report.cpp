@@ -189,7 +189,22 @@ std::string asText(const Physical& p)
            (p.peakStress ? fmt::format("; stress {:.6g} Pa\n", *p.peakStress) : "\n");
 }
 
-std::string asText(const PeriodicResult& result)
+void warnUnlessAdmissible(std::string_view command, const Physical& physical)
+{
+    if (!physical.isAdmissible()) {
+        tell(
+            fmt::format("signorini {}: not admissible: the strain reaches {:.6g}, and the paper "
+                        "demands s > -1 everywhere\n",
+                        command, -physical.peakCompression));
+    }
+}
+
+double TargetReport::distanceTo(const State& other) const
+{
+    return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
+}
+
+std::string asText(const PeriodicResult& result, const std::optional<TargetReport>& target)
 {
     std::string text = fmt::format("{:<12}{}, T = {:.10g} s, ω/ω₁ = {:.10g}\n", name(result.status),
                                    describe(result.schedule), result.period, result.frequencyRatio);
@@ -200,6 +215,10 @@ std::string asText(const PeriodicResult& result)
     switch (result.status) {
         case Status::found:
             text += motionAsText(result);
+            if (target) {
+                text += fmt::format("distance    {:.6g} of the target in the norm of the energy\n",
+                                    target->distanceTo(result.motion->state));
+            }
             break;
         case Status::none:
             text += absenceAsText(*result.absence);
@@ -207,6 +226,9 @@ std::string asText(const PeriodicResult& result)
         case Status::undecided:
             text += fmt::format("why         {}\n", result.detail);
             break;
+    }
+    if (target) {
+        text += fmt::format("target      {}\n", target->how);
     }
     text += fmt::format("route       {}, {:.3g} s: {}\n", result.how.route,
                         result.how.solver.seconds, result.how.reason);

@@ -90,7 +90,7 @@ Json physicalAsJson(const Physical& p)
             {"tip_lowest", p.tipLowest}};
 }
 
-Json answerOf(const PeriodicResult& result)
+Json answerOf(const PeriodicResult& result, const std::optional<TargetReport>& target)
 {
     Json json = newAnswer();
     json["bar"] = barAsJson(result.bar);
@@ -148,6 +148,13 @@ Json answerOf(const PeriodicResult& result)
     }
     if (result.motion) {
         addMotion(*result.motion, json);
+    }
+    if (target) {
+        json["target"] = target->how;
+        json["distance"] = nullptr;
+        if (result.motion) {
+            json["distance"] = target->distanceTo(result.motion->state);
+        }
     }
     if (result.absence) {
         const auto& proof = result.absence->proof;

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <set>
 #include <vector>
 
 #include "gnuplot.hpp"
+#include "palette.hpp"
+#include "signorini/families.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 #include "text.hpp"
@@ -18,22 +23,48 @@ namespace {
 constexpr double mostColoured = 100.0;
 constexpr double plotWidth = 13.0;  ///< [cm]
 
+/// Families of any grid that the frequency-energy plot shows.
+constexpr std::int64_t maxShadedOrder = 60;
+
+/// omega/omega_1 of the linear motions of one phase that only touch the wall: p changes its sign
+/// after G steps, so their period is 2G steps, whatever the schedule repeats.
+double grazingFrequency(const Schedule& schedule)
+{
+    return 2.0 * static_cast<double>(schedule.cells) /
+           static_cast<double>(std::gcd(2 * schedule.cells, steps(schedule)));
+}
+
 }  // namespace
 
 void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                              FigureFormat format, const std::string& path)
 {
+    std::set<std::array<std::int64_t, 3>> seen;
+    std::vector<Family> onGrid;
     std::vector<EnergyBar> bars;
-    atlas.forEachFound(cells, [&bars](const AtlasEntry& entry) {
-        bars.push_back({.frequencyRatio = frequencyRatio(entry.schedule),
-                        .least = entry.row.energy.least,
-                        .most = entry.row.energy.most,
-                        .contact = entry.row.contact});
+    atlas.forEachFound(cells, [&](const AtlasEntry& entry) {
+        const bool hasOnePhase = entry.schedule.phases.size() == 1;
+        if (hasOnePhase && entry.row.contact == Contact::pressing) {
+            const Family family = familyOf(entry.schedule).value().family;
+            if (seen.insert({family.order, family.blocks, family.contactBlocks}).second) {
+                onGrid.push_back(family);
+            }
+            return;
+        }
+        const EnergyBar bar{.frequencyRatio = hasOnePhase ? grazingFrequency(entry.schedule)
+                                                          : frequencyRatio(entry.schedule),
+                            .least = entry.row.energy.least,
+                            .most = entry.row.energy.most,
+                            .contact = entry.row.contact};
+        if (!hasOnePhase || bars.empty() || bars.back() != bar) {
+            bars.push_back(bar);
+        }
     });
     const std::vector<Mode> modes = findModes();
-    FrequencyEnergyOptions options;
-    options.format = format;
-    writeFrequencyEnergyFigure(path, modes, bars, options);
+    const std::vector<Family> families = findFamilies(maxShadedOrder);
+    writeFrequencyEnergyFigure(
+        path, {.modes = modes, .families = families, .onGrid = onGrid, .bars = bars},
+        {.format = format, .maxFrequencyRatio = {}});
 }
 
 void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
@@ -81,7 +112,8 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
           "{}set logscale cb\nset cbrange [1:{}]\nset cbtics add (2, 5, 20, 50)\n"
           "set cblabel 'least energy  E_{{min}}/E_1'\n"
           "set key above left Left reverse samplen 1\n",
-          flightTime * 1.01, contactTime * 1.01, viridis(8), mostColoured);
+          flightTime * 1.01, contactTime * 1.01, palette::sequential(palette::onPaper),
+          mostColoured);
     print(script, "plot NaN notitle, ");
     if (grazing.size() > 0) {
         print(script,

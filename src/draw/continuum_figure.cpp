@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gnuplot.hpp"
+#include "palette.hpp"
 #include "signorini/motion.hpp"
 #include "text.hpp"
 
@@ -100,8 +101,8 @@ const char* unitOf(Parameter parameter)
     switch (parameter) {
         case Parameter::arcLength:
             return "arc length λ [√E_1]";
-        case Parameter::position:
-            return "position λ of the block [cells]";
+        case Parameter::pause:
+            return "pause λ between the pulses [L/c]";
         case Parameter::number:
             return "number λ of the motion";
     }
@@ -172,7 +173,7 @@ void printMotions(Text& script, const Continuum& curve, const Choice& choice)
     print(script,
           "{}set cbrange [{}:1]\nset cblabel 'displacement  u/g'\nset yrange [0:{}]\n"
           "set tmargin at screen 0.41\nset bmargin at screen 0.08\n",
-          viridis(), lowest, time);
+          palette::sequential(), lowest, time);
     for (std::size_t k = 0; k < 2; ++k) {
         const ContinuumPoint& point = curve.points[choice.members[choice.black[k]]];
         const double left = k == 0 ? 0.11 : 0.51;

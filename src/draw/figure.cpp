@@ -3,12 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
+#include "axes.hpp"
 #include "faults.hpp"
 #include "gnuplot.hpp"
+#include "palette.hpp"
 #include "signorini/motion.hpp"
 #include "text.hpp"
+#include "wall_force.hpp"
 
 namespace signorini {
 
@@ -18,110 +23,43 @@ constexpr std::int64_t maxNodes = 301;
 constexpr std::int64_t maxInstants = 701;
 constexpr std::int64_t maxTipInstants = 4001;
 
-/// Steps and cells as x/L and t c/L: both are 1/N.
-double scaled(std::int64_t count, const Motion& motion)
-{
-    return static_cast<double>(count) / static_cast<double>(motion.cells());
-}
+/// From dimensionless numbers to those on an axis.
+struct Axis {
+    double factor;     ///< [unit] of 1
+    std::string unit;  ///< as gnuplot writes it
 
-void printInitialState(Text& script, const Motion& motion)
-{
-    print(script, "$initial << EOD\n");
-    for (const std::int64_t i : thinned(motion.cells(), maxTipInstants)) {
-        const std::int64_t cell = std::max<std::int64_t>(i, 1);
-        print(script, "{} {} {}\n", scaled(i, motion), motion.strain(cell, 0),
-              motion.velocity(cell, 0));
+    /// `scale` is 1 in SI, `largest` what the axis must reach, dimensionless.
+    Axis(double scale, double largest, const std::string& base)
+    {
+        const Unit chosen = unitFor(scale * largest, base);
+        factor = scale * chosen.factor;
+        unit = chosen.name;
     }
-    print(script, "EOD\n");
-}
+};
 
-void printField(Text& script, const Motion& motion)
-{
-    print(script, "$field << EOD\n");
-    for (const std::int64_t m : evenly(motion.steps(), maxInstants)) {
-        for (const std::int64_t i : evenly(motion.cells(), maxNodes)) {
-            print(script, "{} {} {:.5g}\n", scaled(i, motion), scaled(m, motion),
-                  motion.displacement(i, m));
-        }
-    }
-    print(script, "EOD\n");
-}
-
-void printTip(Text& script, const Motion& motion)
-{
-    print(script, "$tip << EOD\n");
-    for (const std::int64_t m : thinned(motion.steps(), maxTipInstants)) {
-        print(script, "{} {}\n", motion.displacement(motion.cells(), m), scaled(m, motion));
-    }
-    print(script, "EOD\n");
-}
-
-/// How far the tip moves away from the wall, in units of g.
-double tipReach(const Motion& motion)
-{
-    double lowest = 1.0;
-    for (std::int64_t m = 0; m <= motion.steps(); ++m) {
-        lowest = std::min(lowest, motion.displacement(motion.cells(), m));
-    }
-    return std::max(1.0 - lowest, 1e-3);
-}
-
-/// The height of the panel of the initial state.
-double initialSpan(const Motion& motion)
-{
+/// Lowest and highest of some numbers, 0 among them.
+struct Span {
     double low = 0.0;
     double high = 0.0;
-    for (std::int64_t i = 1; i <= motion.cells(); ++i) {
-        low = std::min({low, motion.strain(i, 0), motion.velocity(i, 0)});
-        high = std::max({high, motion.strain(i, 0), motion.velocity(i, 0)});
-    }
-    return high - low;
-}
 
-/// The least of 1, 2, 5 times a power of ten that is not below `least`.
-double niceStep(double least)
-{
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (factor * power >= least) {
-            return factor * power;
-        }
+    void take(double value)
+    {
+        low = std::min(low, value);
+        high = std::max(high, value);
     }
-    return 10.0 * power;
-}
-
-/// The stretches of time in which the schedule holds the tip at the wall.
-void printContact(Text& script, const Schedule& schedule, const Motion& motion)
-{
-    print(script, "$contact << EOD\n");
-    std::int64_t step = 0;
-    for (const Phase& phase : schedule.phases) {
-        print(script, "1 {}\n1 {}\n\n", scaled(step, motion), scaled(step + phase.contact, motion));
-        step += phase.contact + phase.free;
+    /// About three steps of an axis.
+    [[nodiscard]] double step(double factor) const
+    {
+        return niceStep(std::max((high - low) * factor, 1e-9) / 3.5);
     }
-    print(script, "EOD\n");
-}
-
-/// 0.001 -> "1 mm": people read engineering units.
-std::string withPrefix(double value, const char* unit)
-{
-    struct Prefix {
-        double factor;
-        const char* symbol;
-    };
-    for (const Prefix& p : {Prefix{1e3, "k"}, Prefix{1.0, ""}, Prefix{1e-3, "m"}, Prefix{1e-6, "µ"},
-                            Prefix{1e-9, "n"}}) {
-        if (value >= p.factor && value < 1e3 * p.factor) {
-            return fmt::format("{:.4g} {}{}", value / p.factor, p.symbol, unit);
-        }
-    }
-    return fmt::format("{:.4g} {}", value, unit);
-}
+    [[nodiscard]] double largest() const { return std::max(high, -low); }
+};
 
 /// The motion on a grid fine enough to look like the continuous field it is.
 struct Drawing {
     Schedule schedule;
     Motion motion;
+    std::vector<double> force;  ///< [EA g/L], of each step
 };
 
 Drawing finelyDrawn(const PeriodicResult& result)
@@ -135,60 +73,232 @@ Drawing finelyDrawn(const PeriodicResult& result)
         phase.contact *= factor;
         phase.free *= factor;
     }
-    return {schedule, Motion(refined(result.motion->state, factor), schedule)};
+    const State state = refined(result.motion->state, factor);
+    return {schedule, Motion(state, schedule), wallForce(state, schedule)};
+}
+
+/// The axes of the figure.
+struct Axes {
+    Axis x;
+    Axis t;
+    Axis u;
+    Axis s;
+    Axis v;
+    Axis force;
+    Span tip;       ///< [g]
+    Span strain;    ///< [g/L], at t = 0
+    Span velocity;  ///< [c g/L], at t = 0
+    double cells;   ///< N: steps and cells are 1/N
+
+    [[nodiscard]] double position(std::int64_t node) const
+    {
+        return static_cast<double>(node) / cells * x.factor;
+    }
+    [[nodiscard]] double time(std::int64_t step) const
+    {
+        return static_cast<double>(step) / cells * t.factor;
+    }
+};
+
+Axes axesOf(const Drawing& drawing, const Bar& bar)
+{
+    const Motion& motion = drawing.motion;
+    Span tip;
+    Span strain;
+    Span velocity;
+    for (std::int64_t m = 0; m <= motion.steps(); ++m) {
+        tip.take(motion.displacement(motion.cells(), m));
+    }
+    for (std::int64_t i = 1; i <= motion.cells(); ++i) {
+        strain.take(motion.strain(i, 0));
+        velocity.take(motion.velocity(i, 0));
+    }
+    const Scales unit = scales(bar);
+    const double size = static_cast<double>(motion.cells());
+    const double most = *std::max_element(drawing.force.begin(), drawing.force.end());
+    return {.x = {bar.length, 1.0, "m"},
+            .t = {unit.time, static_cast<double>(motion.steps()) / size, "s"},
+            .u = {unit.displacement, tip.largest(), "m"},
+            .s = {unit.strain, strain.largest(), ""},
+            .v = {unit.velocity, velocity.largest(), "m/s"},
+            .force = {bar.axialStiffness * unit.strain, most, "N"},
+            .tip = tip,
+            .strain = strain,
+            .velocity = velocity,
+            .cells = size};
+}
+
+/// Strain and velocity as steps: only where they change, and both sides of the change.
+void printInitialState(Text& script, const Motion& motion, const Axes& axes)
+{
+    const auto row = [&](std::int64_t node, std::int64_t cell) {
+        print(script, "{:.7g} {:.7g} {:.7g}\n", axes.position(node),
+              motion.strain(cell, 0) * axes.s.factor, motion.velocity(cell, 0) * axes.v.factor);
+    };
+    print(script, "$initial << EOD\n");
+    row(0, 1);
+    std::int64_t last = 1;
+    for (const std::int64_t cell : thinned(motion.cells(), maxTipInstants)) {
+        if (cell > 0 && (motion.strain(cell, 0) != motion.strain(last, 0) ||
+                         motion.velocity(cell, 0) != motion.velocity(last, 0))) {
+            row(cell - 1, last);
+            row(cell - 1, cell);
+            last = cell;
+        }
+    }
+    row(motion.cells(), last);
+    print(script, "EOD\n");
+}
+
+void printField(Text& script, const Motion& motion, const Axes& axes)
+{
+    print(script, "$field << EOD\n");
+    for (const std::int64_t m : evenly(motion.steps(), maxInstants)) {
+        for (const std::int64_t i : evenly(motion.cells(), maxNodes)) {
+            print(script, "{:.7g} {:.7g} {:.5g}\n", axes.position(i), axes.time(m),
+                  motion.displacement(i, m) * axes.u.factor);
+        }
+    }
+    print(script, "EOD\n$tip << EOD\n");
+    for (const std::int64_t m : thinned(motion.steps(), maxTipInstants)) {
+        print(script, "{:.7g} {:.7g}\n", motion.displacement(motion.cells(), m) * axes.u.factor,
+              axes.time(m));
+    }
+    print(script, "EOD\n");
+}
+
+/// The force as steps, and when it acts.
+void printForce(Text& script, const std::vector<double>& force, const Axes& axes)
+{
+    const auto at = [&](std::int64_t step) {
+        return force[static_cast<std::size_t>(step)] * axes.force.factor;
+    };
+    const auto count = static_cast<std::int64_t>(force.size());
+    print(script, "$force << EOD\n0 0\n");
+    double last = 0.0;
+    for (const std::int64_t m : thinned(count - 1, maxTipInstants)) {
+        if (at(m) != last) {
+            print(script, "{:.7g} {:.7g}\n{:.7g} {:.7g}\n", last, axes.time(m), at(m),
+                  axes.time(m));
+            last = at(m);
+        }
+    }
+    print(script, "{:.7g} {:.7g}\n0 {:.7g}\nEOD\n$pressed << EOD\n", last, axes.time(count),
+          axes.time(count));
+    const double wall = axes.u.factor;
+    for (const Pressed& one : pressed(force)) {
+        print(script, "{0:.7g} {1:.7g}\n{0:.7g} {2:.7g}\n\n", wall, axes.time(one.from),
+              axes.time(one.to));
+    }
+    print(script, "{}EOD\n", offThePlot);
+}
+
+/// Who moves, and the key, where the panels leave room.
+void printLegend(Text& script, const PeriodicResult& result, double folded)
+{
+    const Bar& bar = result.bar;
+    const bool isFolded = folded < period(result.schedule);
+    const std::array lines{
+        fmt::format("T = {:.6g} L/c = {}", period(result.schedule), withUnit(result.period, "s")),
+        fmt::format("f = {},  ω/ω_1 = {:.5g}", withUnit(1.0 / result.period, "Hz"),
+                    result.frequencyRatio),
+        fmt::format("E = {},  E/E_1 = {:.5g}", withUnit(result.motion->energy, "J"),
+                    result.motion->energyRatio),
+        fmt::format("L = {},  c = {}", withUnit(bar.length, "m"), withUnit(bar.waveSpeed, "m/s")),
+        fmt::format("EA = {},  g = {}", withUnit(bar.axialStiffness, "N"), withUnit(bar.gap, "m")),
+        isFolded ? fmt::format("drawn without repetitions: {:.6g} L/c", folded) : std::string()};
+    print(script, "set label 1 \"{}\" at screen 0.5,0.975 center\n", describe(result.schedule));
+    double height = 0.925;
+    for (std::size_t k = 0; k < lines.size(); ++k, height -= 0.036) {
+        print(script, "set label {} \"{}\" at screen 0.57,{} left\n", k + 2, lines.at(k), height);
+    }
+    print(script,
+          "set key at screen 0.565,0.715 left top reverse Left samplen 2 spacing 1.2\n"
+          "plot NaN with lines lw 1.5 lc '{}' title 'path of the tip', "
+          "NaN with lines lw 5 lc '{}' title 'contact: the wall presses'\nunset key\n",
+          palette::ink, palette::contact);
+    for (std::size_t k = 0; k <= lines.size(); ++k) {
+        print(script, "unset label {}\n", k + 1);
+    }
+}
+
+/// The initial state, one panel for each quantity, above the field.
+void plotInitialState(Text& script, const Axes& axes)
+{
+    print(script,
+          "set lmargin at screen 0.11\nset rmargin at screen 0.51\n"
+          "set xrange [0:{}]\nset format x ''\nset xlabel ''\n"
+          "set offsets 0,0,graph 0.12,graph 0.12\n"
+          "set tmargin at screen 0.94\nset bmargin at screen 0.80\n"
+          "set ylabel 's(x, 0)  [{}]'\nset ytics {}\n"
+          "plot $initial using 1:2 with lines lw 2 lc '{}'\n"
+          "set tmargin at screen 0.775\nset bmargin at screen 0.635\n"
+          "set ylabel 'v(x, 0)  [{}]'\nset ytics {}\n"
+          "plot $initial using 1:3 with lines lw 2 dt (6,3) lc '{}'\n"
+          "set offsets\nset format x '%g'\nset ytics autofreq\n",
+          axes.x.factor, axes.s.unit, axes.strain.step(axes.s.factor), palette::strain, axes.v.unit,
+          axes.velocity.step(axes.v.factor), palette::velocity);
+}
+
+void plotField(Text& script, const Axes& axes, double period)
+{
+    print(script,
+          "{}set tmargin at screen 0.61\nset bmargin at screen 0.10\n"
+          "set xlabel 'position  x  [{}]'\nset ylabel 'time  t  [{}]'\nset yrange [0:{}]\n"
+          "set colorbox user origin screen 0.895,0.10 size screen 0.018,0.51\n"
+          "set cblabel 'displacement  u  [{}]'\nunset grid\n"
+          "plot $field using 1:2:3 with image\nunset colorbox\n",
+          palette::sequential(), axes.x.unit, axes.t.unit, period, axes.u.unit);
+}
+
+/// Beside the field, with its axis of time: the tip and the wall, and the force between them.
+void plotWall(Text& script, const Axes& axes, double mostForce)
+{
+    const double reach = std::max(1.0 - axes.tip.low, 1e-3) * axes.u.factor;
+    const double wall = axes.u.factor;
+    print(script,
+          "set lmargin at screen 0.55\nset rmargin at screen 0.715\nset ylabel ''\n"
+          "set format y ''\nset xlabel 'tip  u(L, t)  [{}]'\nset xrange [{}:{}]\nset xtics {}\n"
+          "set grid lw 0.6 lc '{}'\n"
+          "set object 1 rectangle from {},graph 0 to graph 1,graph 1 fillcolor '{}' fillstyle "
+          "transparent solid 0.5 noborder behind\n"
+          "set label 1 'wall' at graph 1,1.03 right\n"
+          "plot $tip using 1:2 with lines lw 1.5 lc '{}', "
+          "$pressed using 1:2 with lines lw 5 lc '{}'\nunset object 1\nunset label 1\n",
+          axes.u.unit, wall - 1.05 * reach, wall + 0.12 * reach, niceStep(reach / 3.0),
+          palette::grid, wall, palette::faint, palette::ink, palette::contact);
+    const double top = mostForce > 0.0 ? 1.15 * mostForce : 1.0;
+    print(script,
+          "set lmargin at screen 0.74\nset rmargin at screen 0.86\n"
+          "set xlabel 'wall force  [{}]'\nset xrange [0:{}]\nset xtics {}\n{}"
+          "plot $force using 1:2 with filledcurves closed fillcolor '{}' fillstyle solid 0.35 "
+          "noborder, $force using 1:2 with lines lw 1.5 lc '{}'\n",
+          axes.force.unit, top, niceStep(top / 2.5),
+          mostForce > 0.0 ? ""
+                          : "set label 1 'none: contact without force' at graph 0.5,0.5 center "
+                            "rotate\n",
+          palette::contact, palette::contact);
 }
 
 std::string scriptFor(const PeriodicResult& result)
 {
-    const auto [schedule, motion] = finelyDrawn(result);
+    const Drawing drawing = finelyDrawn(result);
+    const Axes axes = axesOf(drawing, result.bar);
+    const std::vector<double>& force = drawing.force;
     Text script;
-    printInitialState(script, motion);
-    printField(script, motion);
-    printTip(script, motion);
-    printContact(script, schedule, motion);
-    const double reach = tipReach(motion);
-    const bool isFolded = period(schedule) < period(result.schedule);
+    printInitialState(script, drawing.motion, axes);
+    printField(script, drawing.motion, axes);
+    printForce(script, force, axes);
+    print(script, "set multiplot\nunset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n");
+    printLegend(script, result, period(drawing.schedule));
     print(script,
-          "set multiplot\n"
-          "set label 1 \"{}   T = {:.6g} L/c   ω/ω_1 = {:.5g}   E/E_1 = {:.5g}\" at screen "
-          "0.5,0.965 center\n"
-          "set label 2 \"L = {},  c = {},  g = {}{}\" at screen 0.5,0.925 center "
-          "textcolor '#444444'\n",
-          describe(result.schedule), period(result.schedule), result.frequencyRatio,
-          result.motion->energyRatio, withPrefix(result.bar.length, "m"),
-          withPrefix(result.bar.waveSpeed, "m/s"), withPrefix(result.bar.gap, "m"),
-          isFolded ? "   (free oscillations of 4 L/c that repeat are left out)" : "");
-    print(script,
-          "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 lc '#cccccc'\n"
-          "set lmargin at screen 0.12\nset rmargin at screen 0.62\n"
-          "set tmargin at screen 0.88\nset bmargin at screen 0.70\n"
-          "set xrange [0:1]\nset format x ''\nset offsets 0,0,graph 0.1,graph 0.1\n"
-          "set ylabel 'at t = 0'\nset ytics {}\n"
-          "set key at screen 0.65,0.87 left top reverse Left samplen 1.5 spacing 1.25\n"
-          "plot $initial using 1:2 with fsteps lw 2 lc '#0072b2' title 'strain  s L/g', "
-          "$initial using 1:3 with fsteps lw 2 dt (8,4) lc '#d55e00' title 'velocity  v L/(c g)', "
-          "NaN with lines lw 1.5 lc 'black' title 'path of the tip', "
-          "NaN with lines lw 5 lc '#cc79a7' title 'contact phase'\n"
-          "unset label 1\nunset label 2\nunset key\nset format x '%g'\nset offsets\n",
-          niceStep(initialSpan(motion) / 4.0));
-    print(script,
-          "{}set tmargin at screen 0.64\nset bmargin at screen 0.12\n"
-          "set xlabel 'position  x/L'\nset ylabel 'time  t c/L'\nset yrange [0:{}]\n"
-          "set ytics auto\nset colorbox user origin screen 0.905,0.12 size screen 0.018,0.52\n"
-          "set cblabel 'displacement  u/g'\nunset grid\n"
-          "plot $field using 1:2:3 with image\n",
-          viridis(), scaled(motion.steps(), motion));
-    print(script,
-          "set lmargin at screen 0.65\nset rmargin at screen 0.86\n"
-          "set ylabel ''\nset format y ''\nset xlabel 'tip  u(L,t)/g'\n"
-          "set xrange [{}:{}]\nset xtics {}\nset grid lw 0.4 lc '#cccccc'\n"
-          "set object 1 rectangle from 1,graph 0 to graph 1,graph 1 fillcolor '#bbbbbb' "
-          "fillstyle solid border lc '#555555' behind\n"
-          "set label 3 'wall' at graph 0.99,graph 1.03 right\n"
-          "plot $tip using 1:2 with lines lw 1.5 lc 'black', "
-          "$contact using 1:2 with lines lw 5 lc '#cc79a7'\n"
-          "unset multiplot\n",
-          1.0 - 1.05 * reach, 1.0 + 0.12 * reach, niceStep(reach / 4.0));
+          "set autoscale y\nset border 31 lw 0.8\nset tics out nomirror scale 0.6\n"
+          "set grid lw 0.6 lc '{}'\n",
+          palette::grid);
+    plotInitialState(script, axes);
+    plotField(script, axes, axes.time(drawing.motion.steps()));
+    plotWall(script, axes, *std::max_element(force.begin(), force.end()) * axes.force.factor);
+    print(script, "unset multiplot\n");
     return fmt::to_string(script);
 }
 
@@ -216,7 +326,7 @@ void drawMotion(const PeriodicResult& result, FigureFormat format, const std::st
     if (!result.motion) {
         throw std::invalid_argument("figure: the result holds no motion to draw");
     }
-    runGnuplot(scriptFor(result), format, 16.0, 13.0, path);
+    runGnuplot(scriptFor(result), format, 18.0, 16.0, path);
 }
 
 }  // namespace signorini

@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "palette.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
 #include "solver.hpp"
@@ -172,17 +173,6 @@ void runGnuplot(const std::string& script, FigureFormat format, double width, do
     target.close();
 }
 
-std::string viridis(std::size_t stops)
-{
-    constexpr std::array colours{"#440154", "#472d7b", "#3b528b", "#2c728e", "#21918c",
-                                 "#28ae80", "#5ec962", "#addc30", "#fde725"};
-    std::string text = "set palette defined (";
-    for (std::size_t k = 0; k < std::min(stops, colours.size()); ++k) {
-        text += fmt::format("{}{} '{}'", k == 0 ? "" : ", ", k, colours.at(k));
-    }
-    return text + ")\n";
-}
-
 std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most)
 {
     std::vector<std::int64_t> values = thinned(last, most);
@@ -191,5 +181,18 @@ std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most)
     }
     return values;
 }
+
+namespace palette {
+
+std::string sequential(std::size_t stops)
+{
+    std::string text = "set palette defined (";
+    for (std::size_t k = 0; k < std::min(stops, sequence.size()); ++k) {
+        text += fmt::format("{}{} '{}'", k == 0 ? "" : ", ", k, sequence.at(k));
+    }
+    return text + ")\n";
+}
+
+}  // namespace palette
 
 }  // namespace signorini

@@ -15,9 +15,9 @@ namespace signorini {
 void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
                 const std::string& path);
 
-/// Sets the sequential map "viridis", even in lightness and safe for colour-blind readers, to its
-/// first `stops` of nine; the last ones are too light for dots on paper.
-[[nodiscard]] std::string viridis(std::size_t stops = 9);
+/// A row, left of all that is drawn, for tables that may have no other: without one gnuplot fails,
+/// and it crashes where all labels are undefined.
+inline constexpr const char* offThePlot = "-1e9 1 \"\"\n";
 
 /// 0, k, 2k, ... <= last, at most about `most`: an even grid, as an image needs it.
 [[nodiscard]] std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most);

@@ -22,6 +22,7 @@ TEST_CASE("cli: an empty value is refused for every option of every command")
                   {"energy-ratio", "points", "from", "to", "direction", "seed", "engine",
                    "strain-limit", "tolerance", "csv", "figure"}},
           Command{"modes", {"max-energy-ratio", "max-order", "max-period", "figure"}},
+          Command{"families", {"max-energy-ratio", "max-order", "csv", "figure"}},
           Command{"atlas",
                   {"database", "max-contact", "max-free", "phases", "max-energy-ratio", "near",
                    "within", "period", "figure", "map"}}}) {

@@ -19,14 +19,15 @@ NASTY = ["", " ", "0", "-1", "-0", "nan", "-nan", "inf", "-inf", "1e400", "1e-40
          "+3", " 3", "3 ", "3x", "3,5", "1/0", "0/0", "7/", "/2", "٣", "½", "−5", "NaN", "true",
          "null", "--", "-", "---", "-x", "--cells", "=", "a=b", "%s%n", "\n", "\t3", "\x1b[31m",
          "\x7f", "x\ny", "é.csv", b"\xff\xfe", b"\xc3", "a" * 5000, "9" * 400, "1e9999999999"]
-WORDS = ["find", "continuum", "modes", "atlas", "help", "", "--help", "-h", "--version", "-V",
-         "--frobnicate", "--cell", "--formatt=json", "-5", "7", "--quiet=no", "--quiet", "@file"]
+COMMANDS = ["find", "continuum", "modes", "mode", "families", "atlas"]
+WORDS = [*COMMANDS, "help", "", "--help", "-h", "--version", "-V", "--frobnicate", "--cell",
+         "--formatt=json", "-5", "7", "--quiet=no", "--quiet", "@file"]
 
 COUNTS = ["1", "2", "3", "4", "5", "7", "8", "12"]
 REALS = ["1", "0.5", "2", "1e-3", "4", "20", "1e6", "3.25", "1e-12", "1e300", "5e-324"]
-READ = ["state.csv", "other.csv", "text.txt", "empty", "folder", "missing.csv", "atlas.sqlite",
+READ = ["state.csv", "other.csv", "measured.csv", "text.txt", "empty", "folder", "missing.csv", "atlas.sqlite",
         "/dev/null", "no/such/folder.csv", "state.csv/x"]
-TABLES = ["out.csv", "out.vtk", "state.csv", "folder", "no/such/out.csv", "out.pdf", "out",
+TABLES = ["out.csv", "out.vtk", "out.pvd", "busy.pvd", "state.csv", "folder", "no/such/out.csv", "out.pdf", "out",
           "/dev/null", "folder/out.csv", "text.txt/out.csv", "ünï code.csv", "-out.csv"]
 PICTURES = ["out.svg", "out.gif", "folder", "no/such/out.svg", "state.csv/out.svg", "out"]
 DATABASES = ["atlas.sqlite", "new.sqlite", "state.csv", "empty", "folder", "no/such.sqlite",
@@ -53,9 +54,14 @@ OPTIONS = {
                   "--to": READ, "--direction": READ, "--sample": None, "--seed": COUNTS,
                   "--engine": ["auto", "geometric", "ipopt", "nlopt", "hand"],
                   "--strain-limit": REALS, "--tolerance": REALS, "--csv": TABLES,
+                  "--member": ["0", "0.1", "0.25", "1", "3"], "--state": TABLES,
                   "--figure": PICTURES},
     "modes": {"--max-energy-ratio": REALS, "--max-order": COUNTS, "--max-period": REALS,
-              "--figure": PICTURES},
+              "--csv": TABLES, "--figure": PICTURES},
+    "families": {"--max-energy-ratio": REALS, "--max-order": [*COUNTS, "60"], "--csv": TABLES,
+                 "--figure": PICTURES},
+    "mode": {"--period": ["3.5", "7/2", "3.14159265358979", "10/3", "2.5", "3", "4", "29/11"],
+             "--state": TABLES, "--motion": TABLES, "--figure": PICTURES},
     "atlas": {"--database": DATABASES, "--max-contact": COUNTS, "--max-free": COUNTS,
               "--phases": ["1", "2"], "--max-energy-ratio": REALS, "--all": None,
               "--resume": None, "--near": REALS, "--within": REALS,
@@ -72,6 +78,7 @@ TOGETHER = [(MATERIAL, MATERIAL, {"--wave-speed", "--axial-stiffness"}),
             ({"--yield-stress"}, {"--young"}, set()),
             ({"--time-limit"}, {"--solver"}, set()),
             ({"--from"}, {"--to"}, {"--direction", "--sample"}),
+            ({"--member"}, {"--state"}, set()),
             ({"--within"}, {"--near"}, {"--period", "--twins"}),
             ({"--near", "--period", "--twins"}, set(),
              {"--max-contact", "--max-free", "--phases", "--max-energy-ratio", "--all", "--resume"})]
@@ -142,13 +149,18 @@ def spoil(case, words):
 
 
 def command_line(case):
-    command = case.random.choice(["find", "find", "continuum", "modes", "atlas", "atlas"])
+    command = case.random.choice([*COMMANDS, "find", "atlas"])
     nasty = case.random.choice([0.0, 0.0, 0.05, 0.3])
     groups = options_of(case, command, nasty)
     asks = any(group[0] in ("--period", "--frequency", "--hertz") for group in groups)
     if command == "continuum" or (command == "find" and not (asks and case.random.random() < 0.9)):
         pairs = case.random.choice([1, 1, 1, 1, 2, 3])
         groups.append([value_for(case, STEPS, nasty) for _ in range(2 * pairs)])
+    if command == "mode":
+        contact = case.random.choice([["4", "-1"], ["8", "-3"], ["4", "-3"], ["12", "-5"]])
+        groups.append([value_for(case, [word], nasty) for word in contact])
+        if case.random.random() < 0.9 and all(group[0] != "--period" for group in groups):
+            groups.append(["--period", value_for(case, OPTIONS["mode"]["--period"], nasty)])
     case.random.shuffle(groups)
     words = [command, *(word for group in groups for word in group)]
     while case.random.random() < nasty:
@@ -221,6 +233,11 @@ def make_template(program, folder):
     make("find", "3", "18", "--cells", "6", "--state", "state.csv")
     make("find", "2", "12", "--cells", "4", "--state", "other.csv")
     make("atlas", "--cells", "4", "--database", "atlas.sqlite")
+    (folder / "measured.csv").write_text(
+        "x;v;s\n" + "".join(f"{k / 40};{(-1) ** k * 1e-4};-2e-3\n" for k in range(41)),
+        encoding="ascii")
+    (folder / "busy_files").mkdir()
+    (folder / "busy_files" / "thesis.txt").touch()
     (folder / "text.txt").write_text("neither a table nor a database\n", encoding="utf-8")
     (folder / "empty").touch()
     (folder / "folder").mkdir()

@@ -1,0 +1,99 @@
+#include "families_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "families_report.hpp"
+#include "files.hpp"
+#include "interrupt.hpp"
+#include "progress.hpp"
+#include "signorini/figures.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+/// The families, or those found until a signal came.
+void fill(FamilyList& list, FamilyBounds bounds, bool isQuiet)
+{
+    const Interrupt interrupt;
+    Progress progress(!isQuiet, "listing families");
+    bounds.cancel = interrupt.cancel();
+    const auto last = static_cast<double>(list.maxOrder);
+    std::int64_t order = 0;
+    list.isComplete = forEachFamily(list.maxOrder, bounds, [&](const Family& family) {
+        if (family.order > order) {
+            order = family.order;
+            // The work up to an order grows with its square.
+            const auto done = static_cast<double>(order - 1);
+            progress.show(done * done, last * last);
+        }
+        list.families.push_back(family);
+        return true;
+    });
+}
+
+}  // namespace
+
+void FamiliesCommand::addTo(CLI::App& command)
+{
+    addWhole(command, "--max-order", 1, maxListedOrder, maxOrder, "W",
+             "only families of at most W blocks in 2 L/c (12)");
+    addPositive(command, "--max-energy-ratio", "E_1", bounds.maxEnergyRatio, "X",
+                "only families with a motion of E/E_1 <= X (all)");
+    command
+        .add_option("--figure", figureFile,
+                    "draw them as a periodic table, period against order (needs gnuplot)")
+        ->type_name("FILE.svg|.png|.pdf");
+    command.add_option("--csv", tableFile, "write them as a table, one row a family")
+        ->type_name("FILE.csv");
+    common.addTo(command);
+    command.footer(
+        "A family (w, nu, k) is all motions of one period T = 2 nu/w and one contact pattern, with "
+        "energies from the least one upwards, on every grid with w | 2N. Times are in units of L/c "
+        "and energies in E_1: the list holds for every bar. Hz, s and J are those of the bar that "
+        "the options name. Ordered by w, nu, k.");
+}
+
+ExitStatus FamiliesCommand::run() const
+{
+    FamilyList list{maxOrder, bounds.maxEnergyRatio, common.bar(), {}};
+    if (!figureFile.empty()) {
+        (void)figureFormat(figureFile);
+    }
+    const OutputOption tableOption{"--csv", tableFile};
+    const OutputOption figureOption{"--figure", figureFile};
+    validateOutputs({tableOption, figureOption});
+    OutputFiles files;
+    const std::string table = stage(files, tableOption);
+    const std::string figure = stage(files, figureOption);
+
+    fill(list, bounds, common.quiet);
+    if (!list.isComplete && !common.quiet) {
+        tell(fmt::format("signorini families: interrupted; the list is not complete{}\n",
+                         table.empty() && figure.empty() ? "" : ", so no file was written"));
+    }
+    if (list.isComplete) {
+        if (!table.empty()) {
+            forFile("--csv", tableFile, [&] { writeFamiliesCsv(table, list); });
+        }
+        if (!figure.empty()) {
+            forFile("--figure", figureFile, [&] {
+                drawFamilies(list.families, list.maxOrder, figureFormat(figureFile), figure);
+            });
+        }
+        files.commit();
+    }
+    if (common.wantsJson) {
+        writeJson(list);
+    } else {
+        writeText(list);
+    }
+    common.useOneThread("families");
+    return list.isComplete ? exitFound : exitUndecided;
+}
+
+}  // namespace signorini::cli

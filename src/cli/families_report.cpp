@@ -1,0 +1,173 @@
+#include "families_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "arguments.hpp"
+#include "json.hpp"
+#include "signorini/modes.hpp"
+#include "signorini/output.hpp"
+#include "text.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+constexpr std::size_t pieceSize = std::size_t{1} << 16;
+
+/// What people ask of a family, in the units of a bar.
+struct FamilyNumbers {
+    double periodRatio;     ///< [L/c]
+    double contactRatio;    ///< [L/c]
+    double frequencyRatio;  ///< [-], omega/omega_1
+    double period;          ///< [s]
+    double frequency;       ///< [Hz]
+    double energyRatio;     ///< [E_1], least
+    double energy;          ///< [J], least
+    Mode mode;              ///< on whose curve it stands
+};
+
+FamilyNumbers numbersOf(const Family& family, const Scales& unit)
+{
+    const double ratio = exactPeriod(family).value();
+    const double energy = leastEnergy(family).value();
+    return {.periodRatio = ratio,
+            .contactRatio = longestContact(family).value(),
+            .frequencyRatio = 4.0 / ratio,
+            .period = ratio * unit.time,
+            .frequency = 1.0 / (ratio * unit.time),
+            .energyRatio = energy,
+            .energy = energy * unit.energy,
+            .mode = modeThrough(family)};
+}
+
+std::string asText(std::int64_t numerator, std::int64_t denominator)
+{
+    return denominator == 1 ? fmt::format("{}", numerator)
+                            : fmt::format("{}/{}", numerator, denominator);
+}
+
+std::string asText(const ExactPeriod& period)
+{
+    return asText(period.numerator, period.denominator);
+}
+
+std::string asText(const Mode& mode)
+{
+    return mode.b == -1 ? fmt::format("{} - T", 4 * mode.a)
+                        : fmt::format("{} - {}T", 4 * mode.a, -mode.b);
+}
+
+Json asJson(const Family& family, const Scales& unit)
+{
+    const FamilyNumbers numbers = numbersOf(family, unit);
+    const ExactEnergy least = leastEnergy(family);
+    return {{"order", family.order},
+            {"nu", family.blocks},
+            {"contact_blocks", family.contactBlocks},
+            {"period_ratio", {2 * family.blocks, family.order}},
+            {"contact", {2 * family.contactBlocks, family.order}},
+            {"least_energy_ratio", numbers.energyRatio},
+            {"least_energy_exact", {least.numerator, least.denominator}},
+            {"least_energy", numbers.energy},
+            {"frequency_ratio", numbers.frequencyRatio},
+            {"frequency", numbers.frequency},
+            {"period", numbers.period},
+            {"mode", {4 * numbers.mode.a, numbers.mode.b}}};
+}
+
+/// Calls `add(text, family)` for each and hands the text on to `write` in pieces.
+template <typename Add, typename Write>
+void inPieces(const std::vector<Family>& families, Add add, Write write)
+{
+    Text text;
+    for (const Family& family : families) {
+        add(text, family);
+        if (text.size() > pieceSize) {
+            write({text.data(), text.size()});
+            text.clear();
+        }
+    }
+    write({text.data(), text.size()});
+}
+
+}  // namespace
+
+void writeText(const FamilyList& list)
+{
+    const Scales unit = scales(list.bar);
+    const std::string energy = std::isfinite(list.maxEnergyRatio)
+                                   ? fmt::format(" that reach below {} E₁", list.maxEnergyRatio)
+                                   : std::string();
+    std::string head =
+        fmt::format("{} families of order w ≤ {}{}{}\n", list.families.size(), list.maxOrder,
+                    energy, list.isComplete ? "" : ": interrupted, the list is not complete");
+    if (!list.families.empty()) {
+        head += fmt::format("\n{:>5} {:>5} {:>4}  {:<10}{:<10}{:<10}{:<13}{:<13}{:<13}{:<14}{}\n",
+                            "w", "ν", "k", "T [L/c]", "t_c≤[L/c]", "ω/ω₁", "f [Hz]", "E/E₁ from",
+                            "= ", "E [J] from", "mode t_c");
+    }
+    writeOut(head);
+    inPieces(
+        list.families,
+        [&unit](Text& text, const Family& family) {
+            const FamilyNumbers numbers = numbersOf(family, unit);
+            const ExactEnergy least = leastEnergy(family);
+            print(text,
+                  "{:>5} {:>5} {:>4}  {:<10}{:<10}{:<10.6g}{:<13.7g}{:<13}{:<13.6g}{:<14.6g}{}\n",
+                  family.order, family.blocks, family.contactBlocks, asText(exactPeriod(family)),
+                  asText(longestContact(family)), numbers.frequencyRatio, numbers.frequency,
+                  asText(least.numerator, least.denominator), numbers.energyRatio, numbers.energy,
+                  asText(numbers.mode));
+        },
+        [](std::string_view piece) { writeOut(piece); });
+}
+
+void writeJson(const FamilyList& list)
+{
+    const Scales unit = scales(list.bar);
+    Json json = newAnswer();
+    json.update(Json{{"bar", barAsJson(list.bar)},
+                     {"complete", list.isComplete},
+                     {"max_order", list.maxOrder},
+                     {"max_energy_ratio", list.maxEnergyRatio},
+                     {"count", list.families.size()},
+                     {"families", Json::array()}});
+    // The list goes into its brackets, "]}\n", piece by piece.
+    std::string head = asLine(json);
+    const std::string tail = head.substr(head.size() - 3);
+    head.resize(head.size() - 3);
+    writeOut(head);
+    bool isFirst = true;
+    inPieces(
+        list.families,
+        [&](Text& text, const Family& family) {
+            print(text, "{}{}", isFirst ? "" : ",", asJson(family, unit).dump());
+            isFirst = false;
+        },
+        [](std::string_view piece) { writeOut(piece); });
+    writeOut(tail);
+}
+
+void writeFamiliesCsv(const std::string& path, const FamilyList& list)
+{
+    const Scales unit = scales(list.bar);
+    TextFile file(path);
+    file.write(
+        "order,nu,contact_blocks,period_ratio,contact_ratio,frequency_ratio,least_energy_ratio,"
+        "period,frequency,least_energy,mode_contact,mode_turns\n");
+    inPieces(
+        list.families,
+        [&unit](Text& text, const Family& family) {
+            const FamilyNumbers numbers = numbersOf(family, unit);
+            print(text, "{},{},{},{},{},{},{},{},{},{},{},{}\n", family.order, family.blocks,
+                  family.contactBlocks, numbers.periodRatio, numbers.contactRatio,
+                  numbers.frequencyRatio, numbers.energyRatio, numbers.period, numbers.frequency,
+                  numbers.energy, 4 * numbers.mode.a, numbers.mode.b);
+        },
+        [&file](std::string_view piece) { file.write(piece); });
+    file.close();
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,80 @@
+#include "motion_file.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <filesystem>
+
+#include "arguments.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+constexpr const char* seriesEnding = ".pvd";
+
+sigset_t endingSignals()
+{
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        sigaddset(&signals, number);
+    }
+    return signals;
+}
+
+}  // namespace
+
+SignalsHeld::SignalsHeld() : before_()
+{
+    const sigset_t signals = endingSignals();
+    (void)pthread_sigmask(SIG_BLOCK, &signals, &before_);
+}
+
+SignalsHeld::~SignalsHeld()
+{
+    (void)pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void MotionFile::addTo(CLI::App& command)
+{
+    command
+        .add_option("--motion", path_,
+                    "write u, v, s over one period; .pvd: a time series for ParaView")
+        ->type_name("FILE.csv|.vtk|.pvd");
+}
+
+void MotionFile::validate() const
+{
+    if (isWanted() && !path_.ends_with(".csv") && !path_.ends_with(".vtk") &&
+        !path_.ends_with(seriesEnding)) {
+        refuse("--motion", path_, "a name ending in .csv, .vtk or .pvd");
+    }
+}
+
+MotionFile::Staged::Staged(const MotionFile& file, OutputFiles& files)
+    : path_(file.path_), files_(files), staged_(stage(files, file.option()))
+{
+}
+
+void MotionFile::Staged::write(const Sampling& sampled)
+{
+    if (path_.empty()) {
+        return;
+    }
+    forFile("--motion", path_, [&] {
+        if (!path_.ends_with(seriesEnding)) {
+            (path_.ends_with(".vtk") ? writeMotionVtk : writeMotionCsv)(staged_,
+                                                                        sampled(maxMotionInstants));
+            return;
+        }
+        held_.emplace();
+        const std::string stem = path_.substr(0, path_.size() - std::string(seriesEnding).size());
+        const std::string folder = stem + "_files";
+        writeMotionSeries(staged_, files_.stageFolder(folder, ".vtu", "--motion " + folder),
+                          std::filesystem::path(folder).filename().string(),
+                          sampled(maxSeriesInstants));
+    });
+}
+
+}  // namespace signorini::cli

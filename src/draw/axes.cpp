@@ -1,0 +1,53 @@
+#include "axes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace signorini {
+
+namespace {
+
+constexpr std::array prefixes{"p", "n", "µ", "m", "", "k", "M", "G"};
+constexpr int unprefixed = 4;  ///< place of "" among them
+
+/// Rounding must not make 1000 of 999.9999.
+constexpr double nearlyOne = 1.0 - 1e-9;
+
+}  // namespace
+
+Unit unitFor(double largest, const std::string& base)
+{
+    const int thousands =
+        largest > 0.0 ? static_cast<int>(std::floor(std::log10(largest / nearlyOne) / 3.0)) : 0;
+    const double factor = std::pow(10.0, -3 * thousands);
+    const int place = thousands + unprefixed;
+    if (!base.empty() && place >= 0 && place < static_cast<int>(prefixes.size())) {
+        return {factor, prefixes.at(static_cast<std::size_t>(place)) + base};
+    }
+    if (thousands == 0) {
+        return {1.0, base.empty() ? "-" : base};
+    }
+    return {factor, fmt::format("10^{{{}}}{}{}", 3 * thousands, base.empty() ? "" : " ", base)};
+}
+
+std::string withUnit(double value, const std::string& base)
+{
+    const Unit unit = unitFor(std::abs(value), base);
+    return fmt::format("{:.4g} {}", value * unit.factor, unit.name);
+}
+
+double niceStep(double least)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double factor : {1.0, 2.0, 5.0}) {
+        if (factor * power >= least) {
+            return factor * power;
+        }
+    }
+    return 10.0 * power;
+}
+
+}  // namespace signorini

@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Axes for people: engineering units and round steps.
+
+#include <string>
+
+namespace signorini {
+
+/// A unit of engineers: a value in SI times `factor` is in it.
+struct Unit {
+    double factor;
+    std::string name;  ///< as gnuplot writes it: "mm", "10^{-6}"
+};
+
+/// The unit in which `largest` >= 0 is a number from 1 to below 1000: of `base` "m", the
+/// millimetre for 0.002; of the pure number "", 10^{-3}.
+[[nodiscard]] Unit unitFor(double largest, const std::string& base);
+
+/// 0.001, "m" -> "1 mm".
+[[nodiscard]] std::string withUnit(double value, const std::string& base);
+
+/// The least of 1, 2, 5 times a power of ten that is not below `least` > 0.
+[[nodiscard]] double niceStep(double least);
+
+}  // namespace signorini

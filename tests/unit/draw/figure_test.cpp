@@ -1,0 +1,79 @@
+#include "signorini/figures.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "catch.hpp"
+#include "solver.hpp"
+
+using namespace signorini;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string temporary(const char* name)
+{
+    return (fs::temp_directory_path() / (std::to_string(getpid()) + name)).string();
+}
+
+std::string contentOf(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+TEST_CASE("figure: the ending of the name is the format, others are refused")
+{
+    CHECK(figureFormat("a.svg") == FigureFormat::svg);
+    CHECK(figureFormat("b/a.png") == FigureFormat::png);
+    CHECK(figureFormat("a.b.pdf") == FigureFormat::pdf);
+    CHECK_THROWS_WITH(figureFormat("a.gif"), containsText("a.gif") && containsText(".svg"));
+    CHECK_THROWS_AS(figureFormat("svg"), std::invalid_argument);
+}
+
+TEST_CASE("figure: each format is written, with labels and units in the vector ones")
+{
+    const PeriodicResult result = findPeriodic(5, 23, 8);
+    struct Case {
+        FigureFormat format;
+        const char* start;
+    };
+    for (const Case& c : {Case{FigureFormat::svg, "<?xml"}, Case{FigureFormat::png, "\x89PNG"},
+                          Case{FigureFormat::pdf, "%PDF"}}) {
+        const std::string path = temporary("figure");
+        drawMotion(result, c.format, path);
+        const std::string content = contentOf(path);
+        CHECK(content.starts_with(c.start));
+        if (c.format == FigureFormat::svg) {
+            for (const char* label :
+                 {"position", "[m]", "time", "[s]", "displacement", "[mm]", "wall force", "[mN]",
+                  "s(x, 0)", "v(x, 0)", "[mm/s]", "the wall presses", "L = 1 m"}) {
+                CHECK_THAT(content, containsText(label));
+            }
+        }
+        fs::remove(path);
+    }
+}
+
+TEST_CASE("figure: without a motion there is nothing to draw")
+{
+    CHECK_THROWS_AS(drawMotion(findPeriodic(2, 4, 2), FigureFormat::svg, temporary("none")),
+                    std::invalid_argument);
+    CHECK_FALSE(fs::exists(temporary("none")));
+}
+
+TEST_CASE("figure: a missing gnuplot is named")
+{
+    const std::string path = std::getenv("PATH");
+    setenv("PATH", "/nowhere", 1);
+    CHECK_THROWS_WITH(drawMotion(findPeriodic(5, 23, 8), FigureFormat::svg, temporary("none")),
+                      containsText("gnuplot"));
+    setenv("PATH", path.c_str(), 1);
+}
