@@ -162,7 +162,8 @@ private:
     {
         const Problem base = familyA(isFull_ ? 100 : 30);
         const double least =
-            extremesOf(leastEnergyMotion(onePhaseSet(base.schedule)), base.schedule).peakStrain;
+            extremesOf(leastEnergyMotion(onePhaseSet(base.schedule)), base.schedule)
+                .peakCompression;
         for (const double margin : {1e-3, 1e-6, 1e-9}) {
             for (const bool exists : {true, false}) {
                 Problem problem = base;

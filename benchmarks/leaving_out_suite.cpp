@@ -45,7 +45,7 @@ std::vector<Case> leavingOutSuite(Extent extent)
         problem.name = "strain limit " + problem.name;
         problem.demands.strainLimit =
             1.5 * extremesOf(leastEnergyMotion(onePhaseSet(problem.schedule)), problem.schedule)
-                      .peakStrain;
+                      .peakCompression;
         const CaseName limit{"leaving-out", "", "strain limit"};
         cases.push_back(libraryCase(limit, problem, usualTolerance));
         for (const char* solver : solvers) {

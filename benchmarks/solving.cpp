@@ -6,6 +6,7 @@
 
 #include "clp.hpp"
 #include "common/stopwatch.hpp"
+#include "echo.hpp"
 #include "formulation.hpp"
 #include "infeasibility.hpp"
 #include "judge.hpp"
@@ -179,30 +180,30 @@ Case libraryCase(const CaseName& name, const Problem& problem, double tolerance)
 
 Case closedFormCase(const CaseName& name, const Problem& problem, double tolerance)
 {
-    return caseOf(name, identify(name, problem, "closed-form", "-", tolerance),
-                  [problem, tolerance](Record& record) {
-                      OnePhaseSet whole;
-                      State state;
-                      bench::record(timeOf([&] {
-                                        onePhaseSet(problem.schedule, whole);
-                                        if (!whole.reason && problem.demands.energyRatio) {
-                                            const double squares =
-                                                *problem.demands.energyRatio *
-                                                static_cast<double>(whole.schedule.cells) /
-                                                (2.0 * static_cast<double>(whole.window));
-                                            state = motionOf(
-                                                whole, amplitudesWithSquares(whole.set, squares));
-                                        } else if (!whole.reason) {
-                                            state = leastEnergyMotion(whole);
-                                        }
-                                    }),
-                                    record);
-                      if (whole.reason) {
-                          judgeNone(problem, record);
-                      } else {
-                          judgeFound(problem, state, tolerance, record);
-                      }
-                  });
+    return caseOf(
+        name, identify(name, problem, "closed-form", "-", tolerance),
+        [problem, tolerance](Record& record) {
+            OnePhaseSet whole;
+            State state;
+            bench::record(
+                timeOf([&] {
+                    onePhaseSet(problem.schedule, whole);
+                    if (!whole.reason && problem.demands.energyRatio) {
+                        state = motionOf(
+                            whole, amplitudesWithSquares(
+                                       whole.set, squaresOf(*problem.demands.energyRatio,
+                                                            whole.schedule.cells, whole.window)));
+                    } else if (!whole.reason) {
+                        state = leastEnergyMotion(whole);
+                    }
+                }),
+                record);
+            if (whole.reason) {
+                judgeNone(problem, record);
+            } else {
+                judgeFound(problem, state, tolerance, record);
+            }
+        });
 }
 
 }  // namespace signorini::bench

@@ -29,3 +29,12 @@ function(signorini_floors)
     add_subdirectory(${PROJECT_SOURCE_DIR}/src/${floor} ${PROJECT_BINARY_DIR}/src/${floor})
   endforeach()
 endfunction()
+
+# signorini_floors_up_to(name result): the targets of that floor and of all below it.
+function(signorini_floors_up_to name result)
+  get_property(floors GLOBAL PROPERTY SIGNORINI_FLOORS)
+  list(FIND floors signorini_${name} place)
+  math(EXPR count "${place} + 1")
+  list(SUBLIST floors 0 ${count} floors)
+  set(${result} ${floors} PARENT_SCOPE)
+endfunction()

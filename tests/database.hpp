@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "signorini/atlas.hpp"
 
 namespace signorini::test {
 
@@ -25,14 +26,23 @@ inline std::int64_t number(const std::string& path, const char* sql)
     return opened(path).execAndGet(sql).getInt64();
 }
 
-/// Every row of table schedules, with its rowid, after a check of the whole file.
-inline std::vector<std::string> dump(const std::string& path)
+/// Equal but for the place in a database.
+inline bool isSame(const AtlasFamily& a, const AtlasFamily& b)
+{
+    return a.cells == b.cells && a.family == b.family && a.top == b.top && a.steps == b.steps &&
+           a.kind == b.kind && a.dimension == b.dimension && a.energy.least == b.energy.least &&
+           a.energy.most == b.energy.most && a.schedules == b.schedules;
+}
+
+/// Every row of a table, with its rowid, after a check of the whole file.
+inline std::vector<std::string> dump(const std::string& path,
+                                     const std::string& table = "schedules")
 {
     const SQLite::Database database = opened(path);
     SQLite::Statement check(database, "PRAGMA integrity_check");
     REQUIRE(check.executeStep());
     REQUIRE(check.getColumn(0).getString() == "ok");
-    SQLite::Statement statement(database, "SELECT rowid, * FROM schedules ORDER BY rowid");
+    SQLite::Statement statement(database, "SELECT rowid, * FROM " + table + " ORDER BY rowid");
     std::vector<std::string> rows;
     while (statement.executeStep()) {
         std::string row;

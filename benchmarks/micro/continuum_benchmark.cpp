@@ -19,8 +19,8 @@ SphereSection paperSection(std::int64_t count)
 void pathPoint(benchmark::State& bench)
 {
     const SphereSection section = paperSection(bench.range(0));
-    const TravellingBlock block(section);
-    const SectionPath path(section, block.at(block.first()), block.at(block.last()));
+    const PulsePair pulses(section);
+    const SectionPath path(section, pulses.at(0.0), pulses.at(pulses.longestPause()));
     double s = 0.0;
     for (auto _ : bench) {
         s = s < 0.99 ? s + 0.01 : 0.0;
@@ -30,18 +30,17 @@ void pathPoint(benchmark::State& bench)
 }
 BENCHMARK(pathPoint)->Arg(150)->Arg(1'500)->Arg(15'000)->Complexity();
 
-void blockPoint(benchmark::State& bench)
+void pulsePairPoint(benchmark::State& bench)
 {
-    const TravellingBlock block(paperSection(bench.range(0)));
+    const PulsePair pulses(paperSection(bench.range(0)));
     double share = 0.0;
     for (auto _ : bench) {
         share = share < 0.99 ? share + 0.0073 : 0.0;
-        const double position = block.first() + share * (block.last() - block.first());
-        benchmark::DoNotOptimize(block.at(position).data());
+        benchmark::DoNotOptimize(pulses.at(share * pulses.longestPause()).data());
     }
     bench.SetComplexityN(bench.range(0));
 }
-BENCHMARK(blockPoint)->Arg(150)->Arg(1'500)->Arg(15'000)->Complexity();
+BENCHMARK(pulsePairPoint)->Arg(150)->Arg(1'500)->Arg(15'000)->Complexity();
 
 /// A whole curve, each point verified; time per point in the counter.
 void tracedContinuum(benchmark::State& bench)

@@ -84,4 +84,23 @@ struct AmplitudeSet {
 /// rounding.
 [[nodiscard]] std::vector<double> amplitudesWithSquares(const AmplitudeSet& set, double squares);
 
+/// Amplitudes with a given sum z^2 and the least max |z|, rho = squares/S^2. Simplex: m =
+/// floor(1/rho) of them are equal,
+///
+///     z = S (1 + sqrt(((m + 1) rho - 1)/m))/(m + 1),
+///
+/// the next is the rest of S, the others are 0; no other z but its permutations is as flat. Box
+/// between 0 and S: all are of one size but one, in as few strokes from end to end as there can be.
+/// O(d). \throws std::invalid_argument if `squares` lies outside [least, most] by more than
+/// rounding, or the box has other bounds.
+[[nodiscard]] std::vector<double> flattestAmplitudes(const AmplitudeSet& set, double squares);
+
+/// The amplitudes of a simplex with a given sum z^2 that are nearest to t: max(0, t_j - shift),
+/// stretched; where the largest targets are equal and one of many choices has to be made, the
+/// flattest. O(d log d). \throws std::invalid_argument for another set, a wrong number of
+/// amplitudes, or `squares` outside [least, most] by more than rounding.
+[[nodiscard]] std::vector<double> nearestWithSquares(const AmplitudeSet& set,
+                                                     std::span<const double> target,
+                                                     double squares);
+
 }  // namespace signorini

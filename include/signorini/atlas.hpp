@@ -1,22 +1,20 @@
 #pragma once
 /// \file
-/// The atlas: every schedule of a range decided, one after the other, in memory that does not grow.
+/// The atlas: every schedule of a range decided, in memory that does not grow.
 ///
 /// A range holds all schedules on N cells with 1..K phases of 1..maxContact contact and 1..maxFree
 /// free steps each. Schedules are numbered; those of one phase come first, by contact and then by
 /// free steps, those of several phases follow in the same lexicographic order. Phases that are
 /// the same but for the one the period starts with are one schedule, the first in this order.
 ///
-/// One phase is decided by the closed form (`decide`), several by the exact sums (`lumpedSet`).
-///
 /// ## By what exists
 ///
-/// The atlas of one contact phase by what exists: every schedule of a range that has motions, in
-/// time that grows with their number and not with the size of the range.
-///
-/// The schedules that press are the tents of the grid's families (families.hpp). Those that graze
-/// are known at once: n has more factors 2 than 2N, and n_c < G = gcd(2N, n); then d = G - n_c.
-/// docs/theory.md, section 14.
+/// One contact phase costs what exists, not what is asked: no schedule without motions is looked
+/// at. The schedules that press are the tents of the grid's families (families.hpp). Those that
+/// graze are known at once: n has more factors 2 than 2N, and n_c < G = gcd(2N, n); then
+/// d = G - n_c. docs/theory.md, section 14. Only a range that keeps the refuted schedules asks
+/// `decide` for the reason of each. Several phases are decided one by one by the exact sums
+/// (`lumpedSet`).
 
 #include <cstdint>
 #include <functional>
@@ -25,6 +23,7 @@
 #include <vector>
 
 #include "signorini/control.hpp"
+#include "signorini/families.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/verdict.hpp"
@@ -40,6 +39,7 @@ struct AtlasRange {
     /// [E_1]; sets whose least energy is higher are counted, not kept.
     double maxEnergyRatio = std::numeric_limits<double>::infinity();
     bool keepsRefuted = false;  ///< keep the schedules that no motion follows, too
+    bool familiesOnly = false;  ///< keep no schedule; one phase only
 
     friend bool operator==(const AtlasRange&, const AtlasRange&) = default;
 };
@@ -55,6 +55,30 @@ inline constexpr std::int64_t maxAtlasPhases = 8;
 /// \throws std::invalid_argument with field, value and allowed range.
 void validate(const AtlasRange& range);
 
+/// A set of orbits on a grid, and how many schedules of the range show some of them: the simplex of
+/// a family (families.hpp), or all grazing motions of one period, which have no (w, nu, k).
+struct AtlasFamily {
+    std::int64_t id = 0;           ///< of its row in a database
+    std::int64_t cells = 0;        ///< [-], N
+    std::optional<Family> family;  ///< none: grazing
+    Phase top;                     ///< the schedule whose set is the whole; grazing: (1, 2G - 1)
+    std::int64_t steps = 0;        ///< [steps], n, after which the motions repeat; grazing: 2G
+    SetKind kind = SetKind::point;
+    std::int64_t dimension = 0;  ///< [-], of the whole set
+    EnergyRange energy;          ///< [E_1], of the whole set on this grid; `most` grows with N
+    /// [-], schedules of the range with a motion of these and an energy to keep; all repetitions
+    /// of grazing motions count here
+    std::int64_t schedules = 0;
+
+    [[nodiscard]] Contact contact() const { return family ? Contact::pressing : Contact::grazing; }
+};
+
+/// n/N [L/c].
+[[nodiscard]] double period(const AtlasFamily& family);
+
+/// omega/omega_1 = 4N/n.
+[[nodiscard]] double frequencyRatio(const AtlasFamily& family);
+
 /// One schedule of the range and what was decided.
 struct AtlasRow {
     std::int64_t number = 0;  ///< place in the range
@@ -67,6 +91,9 @@ struct AtlasRow {
     /// Does the motion of least energy press at every contact step, and only once per period?
     bool isCanonical = false;
     EnergyRange energy;  ///< [E_1]; most: infinite if unbounded, NaN if not known
+    /// [steps], after which all its motions repeat: n, or less (`ownSteps`)
+    std::int64_t steps = 0;
+    std::optional<Phase> familyTop;  ///< of the family it belongs to; several phases have none
 };
 
 /// How many schedules there were of each sort.
@@ -81,12 +108,13 @@ struct AtlasTally {
     friend bool operator==(const AtlasTally&, const AtlasTally&) = default;
 };
 
-/// The numbers begin..end-1 of a range: what one thread decides at a time, and one transaction
-/// writes.
+/// What one thread decides at a time, and one transaction writes: of one phase some neighbouring n,
+/// of several some neighbouring numbers.
 struct AtlasBatch {
-    std::int64_t number = 0;     ///< place among the batches of the range
-    AtlasTally tally;            ///< of all its schedules
-    std::vector<AtlasRow> rows;  ///< those to keep, by number
+    std::int64_t number = 0;            ///< place among the batches of the range
+    AtlasTally tally;                   ///< of all its schedules
+    std::vector<AtlasFamily> families;  ///< whose n is in it, by n and k
+    std::vector<AtlasRow> rows;  ///< those to keep, by n and n_c; of several phases by number
 };
 
 /// How many numbers the range has. Rotations of a schedule have numbers, but are skipped. O(1).
@@ -95,14 +123,12 @@ struct AtlasBatch {
 /// How many batches the range falls into. O(1).
 [[nodiscard]] std::int64_t batchesOf(const AtlasRange& range);
 
-/// The first number of a batch; of the batch after the last: `numbersOf(range)`. O(1).
-[[nodiscard]] std::int64_t firstNumberOf(const AtlasRange& range, std::int64_t batch);
-
 /// The phases with a number in the range. O(K).
 [[nodiscard]] std::vector<Phase> phasesAt(const AtlasRange& range, std::int64_t number);
 
 /// Decides one batch; nothing if it was stopped on the way. `signs` is room to work in, to be
-/// passed again. \pre `validate(range)` holds and 0 <= batch < batchesOf(range).
+/// passed again. A row of a family follows it, in the same batch or a later one. \pre
+/// `validate(range)` holds and 0 <= batch < batchesOf(range).
 [[nodiscard]] std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batch,
                                                     std::vector<std::int8_t>& signs,
                                                     const Cancel& cancel = {});

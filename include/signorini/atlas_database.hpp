@@ -2,15 +2,28 @@
 /// \file
 /// An atlas kept in SQLite: written batch by batch, resumed after any interruption, asked later.
 ///
+/// Table `families`, one row for each set of orbits on a grid (AtlasFamily): id, cells,
+/// family_order (w), nu, contact_blocks (k), phases of the top schedule as text "nc:nf", steps (n),
+/// period (n/N: dimensionless, in L/c, no seconds), frequency_ratio (4N/n), contact, kind,
+/// dimension, energy_ratio_min, energy_ratio_max (of this grid: it grows with N), schedules (how
+/// many of the range show some of its motions; of several ranges, in the one with most); unique in
+/// (cells, phases). The grazing motions of one period are a row, too, with w, nu and k NULL.
+///
 /// Table `schedules`, one row for each schedule kept: cells, phases as text "nc:nf[,nc:nf...]",
-/// steps (n), period (n/N: dimensionless, in L/c, no seconds), frequency_ratio (4N/n), status,
-/// reason, kernel_dimension, kind, dimension, contact, canonical (0 or 1), energy_ratio_min,
-/// energy_ratio_max (NULL: unbounded or unknown); unique in (cells, phases), and within a run in
-/// the order of the range.
+/// steps (after which all its motions repeat), period (steps/N), frequency_ratio (4N/steps),
+/// status, reason, kernel_dimension, kind, dimension, contact, canonical (0 or 1),
+/// energy_ratio_min, energy_ratio_max (NULL: unbounded or unknown), family (the id of its family;
+/// NULL: several phases, or no motion); unique in (cells, phases), and within a run by n and n_c,
+/// those of several phases in the order of the range. steps is n, or less where every motion
+/// repeats sooner: a repetition never has a row of its own in `families`, and in `schedules` it has
+/// the frequency of its motions.
 ///
 /// Table `runs`, one row for each range: version, options, its bounds, next_batch of batches, the
 /// tally so far, started, finished, seconds, workers. A batch and the progress it means are one
 /// transaction, so that a process killed at any moment loses the batches in flight, nothing else.
+///
+/// This is version 2 of the tables (user_version). An atlas of version 1, without `families`, is
+/// refused: its range is decided anew in less time than reading it would take.
 
 #include <cstdint>
 #include <functional>
@@ -44,7 +57,14 @@ struct AtlasRun {
 struct AtlasEntry {
     Schedule schedule;
     AtlasRow row;  ///< `number`: its rowid; energies that are not known read as infinite
+    std::optional<std::int64_t> family;  ///< id of its AtlasFamily (`row.familyTop` is not read)
 };
+
+/// steps/N [L/c], of its motions.
+[[nodiscard]] double period(const AtlasEntry& entry);
+
+/// 4N/steps, of its motions.
+[[nodiscard]] double frequencyRatio(const AtlasEntry& entry);
 
 /// Decided batches, one by one, by ascending number.
 class BatchSource {
@@ -58,8 +78,18 @@ public:
     [[nodiscard]] virtual std::optional<AtlasBatch> next() = 0;
 };
 
-/// Schedules of one period whose motions of least energy have the same energy and differ.
-using Twins = std::vector<AtlasEntry>;
+/// Which rows of table `schedules` to read.
+enum class AtlasSchedules {
+    all,
+    withoutFamily,  ///< of several phases, or without motions; found by an index
+};
+
+/// Different orbits of one period and one energy: the motions of least energy of families and of
+/// schedules of several phases.
+struct Twins {
+    std::vector<AtlasFamily> families;
+    std::vector<AtlasEntry> schedules;
+};
 
 /// An atlas that exists, or is to be made.
 class AtlasDatabase {
@@ -84,21 +114,32 @@ public:
     /// the batch is not the next one.
     void write(AtlasRun& run, const AtlasBatch& batch, double seconds, std::string_view workers);
 
-    /// Every row with status found, in order; all cells, or those of N. \throws FileError.
+    /// Every family in the order of the table; all cells, or those of N. \throws FileError.
+    void forEachFamily(std::optional<std::int64_t> cells,
+                       const std::function<void(const AtlasFamily&)>& action) const;
+    /// Every row of `schedules` with status found, in order. \throws FileError.
     void forEachFound(std::optional<std::int64_t> cells,
                       const std::function<void(const AtlasEntry&)>& action) const;
-    /// Schedules with motions near a point of the frequency-energy plot, nearest first: the
+    /// Families with motions near a point of the frequency-energy plot, nearest first: the
     /// distance is that of omega/omega_1, relative, and of the energy range, relative, as one
     /// Euclidean norm; at most `distance`. \throws FileError.
-    [[nodiscard]] std::vector<AtlasEntry> near(double frequencyRatio, double energyRatio,
-                                               double distance,
-                                               std::optional<std::int64_t> cells = {}) const;
-    /// All rows of one period T c/L, found or not. \throws FileError.
-    [[nodiscard]] std::vector<AtlasEntry> ofPeriod(ExactPeriod period,
-                                                   std::optional<std::int64_t> cells = {}) const;
-    /// Different motions of equal T and E: among the canonical schedules of one N, those of equal n
-    /// whose least energies agree to 1e-12; one of two that are each other backwards in time. By
-    /// period, then energy. \throws FileError.
+    [[nodiscard]] std::vector<AtlasFamily> familiesNear(
+        double frequencyRatio, double energyRatio, double distance,
+        std::optional<std::int64_t> cells = {}) const;
+    /// The same for schedules. \throws FileError.
+    [[nodiscard]] std::vector<AtlasEntry> schedulesNear(
+        double frequencyRatio, double energyRatio, double distance,
+        std::optional<std::int64_t> cells = {}, AtlasSchedules which = AtlasSchedules::all) const;
+    /// All families of one period T c/L. \throws FileError.
+    [[nodiscard]] std::vector<AtlasFamily> familiesOfPeriod(
+        ExactPeriod period, std::optional<std::int64_t> cells = {}) const;
+    /// All schedules whose motions have it, and the refuted ones of that period. \throws FileError.
+    [[nodiscard]] std::vector<AtlasEntry> schedulesOfPeriod(
+        ExactPeriod period, std::optional<std::int64_t> cells = {},
+        AtlasSchedules which = AtlasSchedules::all) const;
+    /// Different orbits of equal T and E: of one N those of equal n whose least energies agree to
+    /// 1e-12, among the families that press and the canonical schedules of several phases; one of
+    /// two that are each other backwards in time. By period, then energy. \throws FileError.
     [[nodiscard]] std::vector<Twins> twins(std::optional<std::int64_t> cells = {}) const;
 
 private:

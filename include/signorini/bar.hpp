@@ -8,6 +8,8 @@
 /// in L/c the equations (30)-(32) lose every physical constant: this header is the only border
 /// between metres and pure numbers.
 
+#include <optional>
+
 namespace signorini {
 
 /// The bar and its wall.
@@ -16,6 +18,7 @@ struct Bar {
     double waveSpeed = 1.0;       ///< [m/s], c = sqrt(E/rho)
     double axialStiffness = 1.0;  ///< [N], Young's modulus times cross-section area, EA
     double gap = 1e-3;            ///< [m], g, distance from the tip at rest to the wall
+    std::optional<double> young = std::nullopt;  ///< [Pa], E: turns strain into stress, if known
 
     friend bool operator==(const Bar&, const Bar&) = default;
 };

@@ -35,6 +35,9 @@ struct FarkasCertificate {
     std::vector<Multiplier> penetration;  ///< mu of (12)
 };
 
+/// The same proof in least integers. O(rows listed).
+void divideByCommonFactor(FarkasCertificate& certificate);
+
 /// Integer multipliers of the rows of a program, ascending; others are 0.
 struct InfeasibilityProof {
     std::vector<Multiplier> equalities;    ///< y

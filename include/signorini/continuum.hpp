@@ -41,8 +41,13 @@ inline constexpr std::int64_t maxContinuumPoints = 1'000'000;
 
 /// What is to be traced. States are in [g/L].
 namespace trace {
-/// The travelling block, or where there is none a path between two members of the solver's choice.
-struct Block {};
+/// The split pulse: one rectangular pulse of force on the wall, cut in halves with an ever longer
+/// pause between them. Energy and impulse are held, and the force, which is the least peak of this
+/// energy but for cells covered in part. No two members are the same but for a shift in time, and
+/// in units of time the curve is the same on every grid, to within a cell. At energies that
+/// only a pulse of less than two cells has, the second pulse is a smaller one. Where motions do not
+/// differ in one simplex of amplitudes: a path between two members of the solver's choice.
+struct SplitPulse {};
 /// A path between two motions.
 struct Path {
     State from;
@@ -66,14 +71,14 @@ struct Sample {
 }  // namespace trace
 
 using Trace =
-    std::variant<trace::Block, trace::Path, trace::Walk, trace::RandomPath, trace::Sample>;
+    std::variant<trace::SplitPulse, trace::Path, trace::Walk, trace::RandomPath, trace::Sample>;
 
 /// What a curve is to do beyond staying in the set.
 struct ContinuumOptions {
     Bar bar = {};  ///< unit of the strain limit and of peak strains
     /// [-], 2..1e6, of a curve or a sample. Programs keep more where the resolution asks for it.
     std::int64_t points = 201;
-    Trace trace = {};  ///< the travelling block, if nothing is said
+    Trace trace = {};  ///< the split pulse, if nothing is said
     /// "closed-form": geometry; a name from `backends()` that holds an energy: programs; "auto":
     /// geometry where it is exact, otherwise programs.
     std::string solver = "auto";
@@ -98,11 +103,11 @@ struct ContinuumPoint {
 /// What lambda is.
 enum class Parameter {
     arcLength,  ///< length along the curve in the norm of the energy, E/E_1 = |state|^2
-    position,   ///< [cells] of the block's centre among the d amplitudes
+    pause,      ///< [L/c] between the two pulses of force
     number,     ///< 1, 2, ... of members that are no curve
 };
 
-/// "arc length", "position", "number".
+/// "arc length", "pause", "number".
 [[nodiscard]] std::string_view name(Parameter parameter);
 
 /// The answer. Invariants: found <=> at least the points asked for, or all motions of the energy if
@@ -128,8 +133,11 @@ struct Continuum {
     std::int64_t dimension = -1;         ///< of the motions of this energy; -1: none or not known
     std::string solver = "closed-form";  ///< who traced; "auto": nobody in this build could have
     Parameter parameter = Parameter::arcLength;
-    std::string family;  ///< e.g. "travelling block"
+    std::string family;  ///< e.g. "split pulse"
     std::vector<ContinuumPoint> points;
+    /// How many of the points are different motions, and not one at different instants: compared to
+    /// the last bit (motion.hpp), so rounding may make two of one.
+    std::int64_t orbits = 0;
 };
 
 /// Traces a curve of motions with E/E_1 = energyRatio.
@@ -139,6 +147,17 @@ struct Continuum {
 /// build can do what is asked.
 [[nodiscard]] Continuum traceContinuum(const Schedule& schedule, double energyRatio,
                                        const ContinuumOptions& options = {});
+
+/// One motion of a curve.
+struct Member {
+    ContinuumPoint point;
+    bool isExact =
+        false;  ///< the curve's own motion at this lambda; else the nearest of its points
+};
+
+/// The member at a lambda of the curve's range: exact for the split pulse and where a point has it.
+/// \throws std::invalid_argument if lambda is out of range, or the curve has no points.
+[[nodiscard]] Member memberAt(const Continuum& curve, double lambda);
 
 /// `count` motions spread over the whole set at one energy, the same for the same seed:
 /// hit-and-run. One contact phase. Empty if no motion has this energy. \throws

@@ -35,7 +35,8 @@ enum class Formulation {
 
 /// Which motion of the solution set to return.
 enum class Objective {
-    automatic,      ///< least energy where that costs nothing, otherwise any
+    automatic,      ///< least energy, with a held energy least peak strain, where that costs
+                    ///< nothing, otherwise any
     any,            ///< whichever the route finds first
     minEnergy,      ///< least E
     maxEnergy,      ///< most E: exact in closed form, otherwise the best one found
@@ -70,20 +71,12 @@ struct Demands {
 
     /// Is any motion of the schedule acceptable?
     [[nodiscard]] bool areLimits() const;
+    /// Is an energy held and something else made least, which no program is asked to do at once?
+    [[nodiscard]] bool needsExactRoute() const;
 };
 
 /// Checks ranges, sizes and finiteness for a schedule. \throws std::invalid_argument, all faults.
 void validate(const Demands& demands, const Schedule& schedule);
-
-/// What a demand-checker needs to know of a state.
-struct Extremes {
-    double peakStrain = 0.0;  ///< [g/L], -min s over all x and t
-    double lowestTip = 0.0;   ///< [g], min u(L, t)
-    double impulse = 0.0;     ///< [EA g/c], of the wall on the tip over a period
-};
-
-/// Walks one period. O(N + min(n, 12N)).
-[[nodiscard]] Extremes extremesOf(const State& state, const Schedule& schedule);
 
 /// The largest relative violation of the limits by a state: of the strain limit and the held energy
 /// relative to them, of the tip floor relative to the gap, of a fixed value relative to it or to

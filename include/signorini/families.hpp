@@ -91,6 +91,11 @@ bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const Fami
 [[nodiscard]] std::vector<Family> findFamilies(std::int64_t maxOrder,
                                                const FamilyBounds& bounds = {});
 
+/// The families of T = 2 nu/w by ascending k: all that one contact in a period can press. O(log nu)
+/// and their number; none from T = 4 on.
+/// \throws std::invalid_argument unless 1 <= w <= maxFamilyOrder, 1 <= nu, without common factor.
+[[nodiscard]] std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks);
+
 /// Visits the families of a grid, those with w | 2N, by ascending w, nu, k. O(N log N) steps and
 /// no memory. \returns false if it was ended early.
 /// \throws std::invalid_argument naming each argument that is out of range.

@@ -25,6 +25,7 @@
 #include "signorini/certificate.hpp"
 #include "signorini/control.hpp"
 #include "signorini/demands.hpp"
+#include "signorini/families.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/verdict.hpp"
@@ -54,15 +55,25 @@ struct FindOptions {
     Cancel cancel = {};  ///< stops a solver that can be stopped
 };
 
+/// The motions that have the energy to hold.
+struct HeldEnergy {
+    std::int64_t dimension = 0;              ///< [-]
+    bool isConnected = true;                 ///< can all of them be joined?
+    std::optional<std::int64_t> components;  ///< in so many parts; empty beyond 64 bits
+};
+
 /// The set of all motions of a schedule, as far as the route knows it; `onePhaseSet` and
 /// `lumpedSet` describe it in full.
 struct MotionSet {
-    std::optional<std::int64_t> kernelDimension;  ///< dim ker(W - 1)
-    std::optional<SetKind> kind;                  ///< its shape
-    std::int64_t dimension = -1;                  ///< [-], known if the kind is; -1: empty
-    std::optional<AmplitudeSet> amplitudes;       ///< the same in amplitudes, one phase only
+    std::optional<std::int64_t> kernelDimension = {};  ///< dim ker(W - 1)
+    std::optional<SetKind> kind = {};                  ///< its shape
+    std::int64_t dimension = -1;                       ///< [-], known if the kind is; -1: empty
+    std::optional<AmplitudeSet> amplitudes = {};       ///< the same in amplitudes, one phase only
     /// From least to most; `most` may be infinite, or NaN if not known.
-    std::optional<EnergyRange> energy;
+    std::optional<EnergyRange> energy = {};
+    std::optional<TentPlace> family =
+        {};  ///< of one phase that presses: the set is that family's face
+    std::optional<HeldEnergy> held = {};  ///< of one phase, where an energy to hold was found
 };
 
 /// A motion whose residuals are within the tolerance.
@@ -74,7 +85,7 @@ struct FoundMotion {
     std::vector<bool> pressing;    ///< for each phase of the schedule: is the wall pressed at all?
     double energy = 0.0;           ///< [J]
     double energyRatio = 0.0;      ///< E/E_1
-    double peakStrain = 0.0;       ///< [-], deepest compression: -min s over all x and t
+    Physical physical;             ///< in SI units, over the motion's own period
     Residuals residuals;           ///< recomputed, relative
 };
 
@@ -92,12 +103,14 @@ struct EnergyExclusion {
     double energyRatio = 0.0;  ///< E/E_1 to hold
     EnergyRange range = {};    ///< of the set, by the route
     double tolerance = 0.0;    ///< relative
+    /// [g/L], if it narrows the range: that of the motions whose strain stays within it.
+    double strainLimit = std::numeric_limits<double>::infinity();
     /// Has code that did not find the range proved it, in rationals? (Not where several phases
     /// limit it from above.)
     bool isVerified = false;
 };
 
-/// "E/E_1 = 3 is outside the range [4, 600] of the schedule".
+/// "E/E_1 = 3 is outside the range [4, 600] of the schedule", or of its motions within the limit.
 [[nodiscard]] std::string describe(const EnergyExclusion& exclusion);
 
 /// Why there is no motion.
@@ -119,6 +132,7 @@ struct Provenance {
     std::string route = {};                 ///< e.g. "closed-form"
     std::string reason = {};                ///< why that route
     std::vector<std::string> leftOut = {};  ///< what the request did not need
+    Objective objective = Objective::any;   ///< which motion of the set the answer is
     SolverReport solver = {};               ///< who did it
 };
 
@@ -146,7 +160,8 @@ struct PeriodicResult {
 ///
 /// Routes, the cheapest that is exact for the request:
 /// - one contact phase: the closed form, O(N); limits on strain and tip are met by the motion of
-///   least energy or by none
+///   least energy or by none, an energy to hold by the motion of least peak compression (objective
+///   automatic or minPeakStrain), or where the wall is pressed by the nearest to a target
 /// - several contact phases: the exact verdict of lumped_set.hpp, O(N + blocks); demands as above
 /// - demands that neither can answer, or phases beyond its limits: a linear, quadratic or nonlinear
 ///   program in as few unknowns as they allow (`cheapestFormulation`), by GLPK, Ipopt or NLopt

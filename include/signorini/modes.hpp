@@ -127,6 +127,8 @@ public:
 
     /// p(t), +h or -h: the wave arriving at the tip [g/L].
     [[nodiscard]] double incoming(double t) const;
+    /// The mean of p over [from, to] [g/L], from < to. O(log a).
+    [[nodiscard]] double meanIncoming(double from, double to) const;
     /// u(x, t) [g], 0 <= x <= 1.
     [[nodiscard]] double displacement(double x, double t) const;
     /// v(x, t) [c g/L].
@@ -137,6 +139,8 @@ public:
     [[nodiscard]] double tipGap(double t) const { return 1.0 - displacement(1.0, t); }
     /// Force on the wall, 2h in contact and 0 in flight [EA g/L].
     [[nodiscard]] double wallForce(double t) const;
+    /// What one period reaches. O(a).
+    [[nodiscard]] Extremes extremes() const;
 
 private:
     struct Place {
@@ -152,5 +156,10 @@ private:
     std::vector<double> times_;
     std::vector<double> integrals_;  ///< of p/h up to each jump
 };
+
+/// The state at t = 0 on N cells: the mean of each wave over each cell, so that u is exact at the
+/// ends of cells. Where T N is whole it is the state of the mode's motion of least energy on that
+/// grid, but for rounding. O(N log a). \throws std::invalid_argument unless 1 <= N <= maxCells.
+[[nodiscard]] State cellMeans(const ModeMotion& motion, std::int64_t cells);
 
 }  // namespace signorini

@@ -31,11 +31,19 @@
 /// A motion is known by the waves p_0 ... p_{n-1} that arrive at the tip in one period (theory.md,
 /// section 2), its orbit by the same numbers in a ring. Periods are folded first (schedule.hpp):
 /// that only leaves out what an orbit goes through twice.
+///
+/// ## What is measured
+///
+/// At the clamp the strain is -2p for a whole step, and nowhere more, in contact the wall pushes
+/// with 2p, in flight the tip moves with 2p: `Extremes` are the largest and least p of a period and
+/// its sums, and `Physical` the same in SI units.
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "signorini/bar.hpp"
 #include "signorini/schedule.hpp"
 
 namespace signorini {
@@ -70,6 +78,44 @@ struct State {
 /// max |a_i|, |b_i|: the size that residuals are relative to. O(N).
 [[nodiscard]] double amplitude(const State& state);
 
+/// What one period of a motion reaches.
+struct Extremes {
+    double period = 0.0;           ///< [L/c], in which contactTime and impulse are counted
+    double contactTime = 0.0;      ///< [L/c], in which the wall is pressed
+    double peakForce = 0.0;        ///< [EA g/L], of the tip on the wall
+    double impulse = 0.0;          ///< [EA g/c], of the wall on the tip
+    double approachSpeed = 0.0;    ///< [c g/L], largest with which the tip meets the wall
+    double peakCompression = 0.0;  ///< [g/L], -min s over all x and t, also inside steps
+    double peakTension = 0.0;      ///< [g/L], max s over all x and t
+    double lowestTip = 0.0;        ///< [g], min u(L, t)
+};
+
+/// Walks one period of the schedule, in which the motion repeats so many times; times and sums are
+/// those of one repetition. A push of 1e-9 of the largest |p| is none, a tip within 1e-9 g of the
+/// wall is there. O(N + min(n, 12N)), no copy of the state. \pre The state is a motion of the
+/// schedule. \throws std::invalid_argument on an invalid schedule or a state with other cells.
+[[nodiscard]] Extremes extremesOf(const State& state, const Schedule& schedule,
+                                  std::int64_t repetitions = 1);
+
+/// The same in SI units.
+struct Physical {
+    double frequency = 0.0;            ///< [Hz], of the motion's own period
+    double contactTime = 0.0;          ///< [s] in one such period, in which the wall is pressed
+    double peakForce = 0.0;            ///< [N], of the tip on the wall
+    double impulse = 0.0;              ///< [N s] in one period
+    double approachSpeed = 0.0;        ///< [m/s], of the tip just before it meets the wall
+    double peakCompression = 0.0;      ///< [-], -min s over all x and t
+    double peakTension = 0.0;          ///< [-], max s over all x and t
+    std::optional<double> peakStress;  ///< [Pa], largest |stress|, if Young's modulus is known
+    double tipLowest = 0.0;            ///< [m], min u(L, t)
+
+    /// Is s > -1 everywhere, as the paper demands: does no part of the bar turn inside out?
+    [[nodiscard]] bool isAdmissible() const { return peakCompression < 1.0; }
+};
+
+/// O(1). \throws std::invalid_argument on an invalid bar.
+[[nodiscard]] Physical physicalOf(const Extremes& extremes, const Bar& bar);
+
 /// Random access to the field of one motion.
 class Motion {
 public:
@@ -88,8 +134,13 @@ public:
     [[nodiscard]] double velocity(std::int64_t cell, std::int64_t instant) const;
     /// s on cell i in 1..N right after t_m, in units of g/L.
     [[nodiscard]] double strain(std::int64_t cell, std::int64_t instant) const;
+    /// Force on the wall in step m in 0..n-1, 2 p_m in contact and 0 in flight [EA g/L].
+    [[nodiscard]] double wallForce(std::int64_t step) const;
+    /// Over one period of the schedule, before folding.
+    [[nodiscard]] const Extremes& extremes() const { return extremes_; }
 
 private:
+    Extremes extremes_;
     std::int64_t cells_;
     std::int64_t steps_;
     std::vector<double> p_;    ///< p_0 .. p_{n+2N-1}

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "signorini/bar.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/control.hpp"
+#include "signorini/modes.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 
@@ -68,6 +70,12 @@ public:
     /// cannot be written to.
     [[nodiscard]] std::string stage(const std::string& path, const std::string& name = {});
 
+    /// The same for a folder of files that belong together: an empty one with a temporary name. A
+    /// folder that is there is replaced whole, if it holds nothing but files that end in `ending`.
+    /// \throws FileError if it holds others or is none, or as above.
+    [[nodiscard]] std::string stageFolder(const std::string& path, const std::string& ending,
+                                          const std::string& name = {});
+
     /// Where `commit` keeps a file for the time it may have to be put back.
     [[nodiscard]] static std::string keptName(const std::string& staged) { return staged + "~"; }
 
@@ -79,7 +87,8 @@ private:
         std::string staged;
         std::string target;
         std::string name;
-        bool isRegular;
+        bool isRegular;  ///< or a folder: put into place by renaming
+        bool isFolder = false;
         bool isKept = false;    ///< the former file is at keptName(staged), too
         bool isPlaced = false;  ///< the target is the new file
     };
@@ -94,26 +103,90 @@ private:
 /// u(x_i); [m], [-], [-], [m/s], [-], [m] with v = c (a + b), s = b - a. \throws FileError.
 void writeStateCsv(const std::string& path, const State& state, const Bar& bar);
 
-/// Reads columns a and b of such a file, wherever they stand; the numbers in other columns are not
-/// needed. The file may be a pipe. A file that was cut short does not pass: every row has as many
-/// fields as the header and ends with a newline. At most `mostCells` rows are read.
+/// A state from a file.
+struct StateReading {
+    State state;
+    std::int64_t rows = 0;  ///< read
+    std::string how;        ///< what was done with them, e.g. "velocity and strain in 57 rows, ..."
+};
+
+/// Most rows of measurements in a file.
+inline constexpr std::int64_t maxMeasurements = 1'000'000;
+
+/// Reads a table with a header that names columns, in any order; others are not needed:
+///
+/// - a, b [-]: the waves, one row per cell, as `writeStateCsv` has them
+/// - x [m], velocity [m/s] (or v), strain [-] (or s): measurements at two places or more
+/// - x [m], velocity [m/s] (or v), displacement [m] (or u): the same
+///
+/// the first of these that is there. Measurements stand in ascending x in [0, L]. They are joined
+/// by straight lines (constant beyond the ends; u starts from 0 at the clamp and goes on straight
+/// at the tip), and cell i gets the mean over it: an average of many, an interpolation of few. N
+/// rows at x_i = i dx are the values on the cells, as in our own files.
+///
+/// Fields are parted by commas, or by semicolons if the header has any. Lines that begin with # are
+/// not read, nor is a byte order mark. The file may be a pipe. One that was cut short does not
+/// pass: every row has as many fields as the header and ends with a newline.
 /// \throws FileError if it cannot be read, std::invalid_argument naming file, line, column and
-/// fault if it has no such columns, no rows or too many, or a value that is no finite number.
-[[nodiscard]] State readStateCsv(const std::string& path, const Bar& bar,
-                                 std::int64_t mostCells = maxCells);
+/// fault if it has no such columns, too few rows or too many (more than `cells` of waves), or a
+/// value that is no finite number or out of place.
+[[nodiscard]] StateReading readState(const std::string& path, const Bar& bar, std::int64_t cells);
 
 /// Most nodes and instants in a motion file; longer motions are thinned out evenly.
 inline constexpr std::int64_t maxMotionNodes = 1001;
 inline constexpr std::int64_t maxMotionInstants = 2001;  ///< see maxMotionNodes
 
-/// time, x, displacement, velocity, strain over `Motion::steps`, one period unless the schedule has
-/// flights of 4N steps and more, which only repeat; instant by instant; [s], [m], [m],
-/// [m/s], [-]. At node i velocity and strain are those of cell i (cell 1 at the clamp).
+/// The nodes and instants of a motion that go into a file, in SI units. At a node velocity and
+/// strain are those of the cell that ends there (at the clamp of the first one).
+class MotionSamples {
+public:
+    /// Over `Motion::steps`: one period unless the schedule has flights of 4N steps and more, which
+    /// only repeat. Refers to the motion.
+    MotionSamples(const Motion& motion, const Bar& bar,
+                  std::int64_t mostInstants = maxMotionInstants);
+    /// One period on the nodes of N cells; velocity and strain are those in the middle of a cell.
+    /// Refers to the motion.
+    MotionSamples(const ModeMotion& motion, const Bar& bar, std::int64_t cells,
+                  std::int64_t mostInstants = maxMotionInstants);
+
+    [[nodiscard]] std::size_t nodes() const { return x_.size(); }
+    [[nodiscard]] std::size_t instants() const { return times_.size(); }
+    [[nodiscard]] const Bar& bar() const { return bar_; }
+    [[nodiscard]] double x(std::size_t node) const { return x_[node]; }               ///< [m]
+    [[nodiscard]] double time(std::size_t instant) const { return times_[instant]; }  ///< [s]
+    [[nodiscard]] double displacement(std::size_t node, std::size_t instant) const;   ///< [m]
+    [[nodiscard]] double velocity(std::size_t node, std::size_t instant) const;       ///< [m/s]
+    [[nodiscard]] double strain(std::size_t node, std::size_t instant) const;         ///< [-]
+
+private:
+    using Field = std::function<double(std::size_t node, std::size_t instant)>;
+
+    Bar bar_;
+    std::vector<double> x_;
+    std::vector<double> times_;
+    Field displacement_;  ///< in scaled units, like the others
+    Field velocity_;
+    Field strain_;
+};
+
+/// time, x, displacement, velocity, strain; instant by instant; [s], [m], [m], [m/s], [-].
 /// \throws FileError.
-void writeMotionCsv(const std::string& path, const Motion& motion, const Bar& bar);
+void writeMotionCsv(const std::string& path, const MotionSamples& samples);
 
 /// The same as a legacy VTK rectilinear grid (x, t), for ParaView. \throws FileError.
-void writeMotionVtk(const std::string& path, const Motion& motion, const Bar& bar);
+void writeMotionVtk(const std::string& path, const MotionSamples& samples);
+
+/// Most instants of a time series: a file each.
+inline constexpr std::int64_t maxSeriesInstants = 401;
+
+/// A ParaView time series: the collection `path` (.pvd) and, in the existing empty folder `folder`,
+/// a .vtu file per instant, which the collection finds in `name` beside itself. The bar is a strip
+/// L/20 high whose points stand where the bar is; cells carry velocity [m/s], strain [-] and force
+/// EA s [N], tension > 0; points the vector displacement [m] (with "Warp By Vector" the motion is
+/// seen larger). Part 1 is the wall, displaced by g from the tip at rest, to warp alike.
+/// \throws FileError.
+void writeMotionSeries(const std::string& path, const std::string& folder, const std::string& name,
+                       const MotionSamples& samples);
 
 /// One row per point: lambda, a_1..a_N, b_1..b_N, the waves as strains [-]. \throws FileError.
 void writeContinuumCsv(const std::string& path, const Continuum& curve);

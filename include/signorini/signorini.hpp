@@ -19,6 +19,8 @@
 #include "signorini/motion.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/output.hpp"
+#include "signorini/response.hpp"
 #include "signorini/schedule.hpp"
+#include "signorini/simulation.hpp"
 #include "signorini/verdict.hpp"
 #include "signorini/verification.hpp"

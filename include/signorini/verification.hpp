@@ -52,7 +52,7 @@ struct Verification {
     std::vector<Phase> canonical;  ///< the schedule with contact exactly where the wall is pressed,
                                    ///< seen by the march over the shortest period after which
                                    ///< the state is back; empty for a grazing motion
-    std::int64_t repetitions = 1;  ///< how often the canonical period fits into the schedule's
+    std::int64_t repetitions = 1;  ///< how often the motion repeats in the schedule's period
     std::vector<bool> pressing;    ///< for each phase of the schedule: is the wall pressed at all?
 };
 

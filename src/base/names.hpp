@@ -3,6 +3,7 @@
 /// Enumerators and their names: one table for each enumeration, read in both directions.
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <optional>
 #include <stdexcept>

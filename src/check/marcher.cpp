@@ -134,7 +134,7 @@ void Marcher::add(bool isHeld, std::int64_t count)
 
 void Marcher::run(Echo& echo, std::int64_t count)
 {
-    const std::int64_t repeat = static_cast<std::int64_t>(8.0 * measures_.halfCells);  // 4N
+    const auto repeat = static_cast<std::int64_t>(8.0 * measures_.halfCells);  // 4N
     while (count > 0 && !isAtFault()) {
         const Arrivals next = echo.ahead(std::min(count, pieceSize));
         for (const Turn& turn : take(next)) {

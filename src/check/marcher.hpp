@@ -72,7 +72,4 @@ private:
     std::vector<Turn> turns_;
 };
 
-/// Arrivals are looked at in pieces of this many: they stay in the nearest cache.
-inline constexpr std::int64_t pieceSize = 1024;
-
 }  // namespace signorini

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "faults.hpp"
@@ -128,15 +129,12 @@ private:
 /// Takes `count` steps of one kind, with the march beside it if there is one.
 void walk(Echo& echo, std::int64_t count, bool isContact, Rows& rows, Companion* companion)
 {
-    while (count > 0) {
-        const Arrivals next = echo.ahead(std::min(count, pieceSize));
+    forEachPiece(echo, count, isContact, [&](const Arrivals& next) {
         isContact ? rows.contact(next) : rows.flight(next);
         if (companion != nullptr) {
             companion->see(next, isContact, echo);
         }
-        echo.advance(next.count(), isContact);
-        count -= next.count();
-    }
+    });
 }
 
 /// Is the list one shorter list, `times` over?
@@ -148,21 +146,57 @@ bool repeats(const std::vector<Phase>& phases, std::size_t times)
                       phases.begin());
 }
 
-/// Two equal phases may be one motion twice: shortens the canonical list to the shortest period
-/// that the list suggests and a march confirms.
-void findPrimitivePeriod(const State& state, std::int64_t count, double tolerance,
-                         Verification& result)
-{
-    for (std::size_t times = result.canonical.size(); times > 1; --times) {
-        const auto divisor = static_cast<std::int64_t>(times);
-        if (count % divisor == 0 && repeats(result.canonical, times) &&
-            march(state, count / divisor, tolerance).residual <= tolerance) {
-            result.canonical.resize(result.canonical.size() / times);
-            result.repetitions = divisor;
-            return;
-        }
+/// The shortest period of a motion that repeats after `count` steps and has these pressed phases:
+/// it is tried in a march. `count` where nothing shorter is confirmed. Pressed phases have to
+/// repeat as the motion does; a motion without any obeys p_{m+2N} = -p_m, so 4N steps bring it
+/// back.
+class ShortestPeriod {
+public:
+    ShortestPeriod(const State& state, std::int64_t count, double tolerance)
+        : state_(state), count_(count), tolerance_(tolerance)
+    {
     }
-}
+
+    [[nodiscard]] std::int64_t pressing(const std::vector<Phase>& phases) const
+    {
+        for (std::size_t times = phases.size(); times > 1; --times) {
+            const auto divisor = static_cast<std::int64_t>(times);
+            if (count_ % divisor == 0 && repeats(phases, times) && isPeriod(count_ / divisor)) {
+                return count_ / divisor;
+            }
+        }
+        return count_;
+    }
+
+    [[nodiscard]] std::int64_t grazing() const
+    {
+        std::int64_t shortest = std::gcd(4 * state_.cells(), count_);
+        if (!isPeriod(shortest)) {
+            return count_;
+        }
+        std::int64_t rest = shortest;
+        for (std::int64_t prime = 2; rest > 1; ++prime) {
+            prime = prime * prime > rest ? rest : prime;
+            while (rest % prime == 0) {
+                rest /= prime;
+            }
+            while (shortest % prime == 0 && isPeriod(shortest / prime)) {
+                shortest /= prime;
+            }
+        }
+        return shortest;
+    }
+
+private:
+    [[nodiscard]] bool isPeriod(std::int64_t steps) const
+    {
+        return march(state_, steps, tolerance_).residual <= tolerance_;
+    }
+
+    const State& state_;
+    std::int64_t count_;
+    double tolerance_;
+};
 
 }  // namespace
 
@@ -216,7 +250,13 @@ Verification verify(const State& state, const Schedule& schedule, double toleran
     March seen = companion.finish(state, distance);
     result.residuals.march = seen.residual;
     result.canonical = std::move(seen.phases);
-    findPrimitivePeriod(state, steps(schedule), tolerance, result);
+    const std::int64_t count = steps(schedule);
+    const ShortestPeriod shortest(state, count, tolerance);
+    const std::size_t pressed = result.canonical.size();
+    result.repetitions =
+        count / (pressed > 0 ? shortest.pressing(result.canonical) : shortest.grazing());
+    result.canonical.resize(pressed /
+                            static_cast<std::size_t>(pressed > 0 ? result.repetitions : 1));
     return result;
 }
 

@@ -122,6 +122,49 @@ double parseReal(std::string_view name, std::string_view text, std::string_view 
     return value;
 }
 
+ExactPeriod parseFraction(std::string_view name, std::string_view text, std::string_view unit)
+{
+    constexpr std::size_t mostDigits = 9;
+    const auto wrong = [&] {
+        refuse(
+            name, text,
+            fmt::format("fractions like 7/2 or decimal numbers > 0 [{}] of at most {} digits, in a "
+                        "fraction on each side",
+                        unit, mostDigits));
+    };
+    const auto whole = [&](std::string_view word) {
+        std::int64_t value = 0;
+        if (word.size() > mostDigits || word.find('-') != std::string_view::npos ||
+            !readAll(word, value)) {
+            wrong();
+        }
+        return value;
+    };
+    ExactPeriod fraction;
+    if (const std::size_t slash = text.find('/'); slash != std::string_view::npos) {
+        fraction = {whole(text.substr(0, slash)), whole(text.substr(slash + 1))};
+    } else {
+        const std::size_t point = std::min(text.find('.'), text.size());
+        std::string digits(text.substr(0, point));
+        for (std::size_t k = point + 1; k < text.size(); ++k) {
+            digits += text[k];
+            fraction.denominator *= digits.size() <= mostDigits ? 10 : 1;
+        }
+        fraction.numerator = whole(digits);
+    }
+    if (fraction.numerator == 0 || fraction.denominator == 0) {
+        wrong();
+    }
+    return exactPeriod(fraction.numerator, fraction.denominator);
+}
+
+std::string fractionAsText(const ExactPeriod& fraction)
+{
+    return fraction.denominator == 1
+               ? fmt::format("{}", fraction.numerator)
+               : fmt::format("{}/{}", fraction.numerator, fraction.denominator);
+}
+
 void addWord(CLI::App& command, const char* name, const char* type, const char* help,
              const std::function<void(const std::string&)>& take)
 {

@@ -49,6 +49,14 @@ void removeOnSignal(const std::string& path);
 /// Says that a value cannot be. \throws std::invalid_argument naming argument, value and range.
 [[noreturn]] void refuse(std::string_view name, std::string_view text, std::string_view allowed);
 
+/// "7/2", "3.5" or "4" as an exact fraction > 0 in lowest terms. \throws std::invalid_argument
+/// naming argument, value and range.
+[[nodiscard]] ExactPeriod parseFraction(std::string_view name, std::string_view text,
+                                        std::string_view unit);
+
+/// "7/2" or "4".
+[[nodiscard]] std::string fractionAsText(const ExactPeriod& fraction);
+
 /// Adds an option whose word goes to `take`. Not CLI11's validators: they put words of their own
 /// around a message, and ours shall name argument, value and range in the same way everywhere.
 void addWord(CLI::App& command, const char* name, const char* type, const char* help,

@@ -4,12 +4,10 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 
-#include "atlas_report.hpp"
 #include "faults.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
@@ -22,44 +20,14 @@ namespace signorini::cli {
 
 namespace {
 
-constexpr double usualDistance = 0.01;
+/// Finer than the periods of a grid up to N = 280, so that one of its frequencies is meant.
+constexpr double usualDistance = 0.001;
 
-/// "7/2", "3.5" or "4" as an exact fraction. \throws std::invalid_argument.
-ExactPeriod parsePeriod(const std::string& text)
+/// "8/7" or any number.
+double parseRatio(const char* name, const std::string& text, const char* unit)
 {
-    constexpr std::size_t mostDigits = 9;
-    const auto refuse = [&text]() {
-        Faults faults;
-        faults.add("--period", text, "a fraction like 7/2 or a decimal number > 0 [L/c]",
-                   "at most 9 digits, in a fraction 9 on each side");
-        faults.throwIfAny();
-    };
-    const auto isWhole = [](std::string_view word) {
-        return !word.empty() && word.size() <= mostDigits &&
-               std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
-    };
-    ExactPeriod period;
-    if (const std::size_t slash = text.find('/'); slash != std::string::npos) {
-        if (!isWhole(text.substr(0, slash)) || !isWhole(text.substr(slash + 1))) {
-            refuse();
-        }
-        period = {std::stoll(text.substr(0, slash)), std::stoll(text.substr(slash + 1))};
-    } else {
-        const std::size_t point = text.find('.');
-        const std::string fraction = point == std::string::npos ? "" : text.substr(point + 1);
-        const std::string digits = text.substr(0, point) + fraction;
-        if (!isWhole(digits)) {
-            refuse();
-        }
-        period.numerator = std::stoll(digits);
-        for (std::size_t k = 0; k < fraction.size(); ++k) {
-            period.denominator *= 10;
-        }
-    }
-    if (period.numerator == 0 || period.denominator == 0) {
-        refuse();
-    }
-    return exactPeriod(period.numerator, period.denominator);
+    return text.find('/') == std::string::npos ? parsePositive(name, text, unit)
+                                               : parseFraction(name, text, unit).value();
 }
 
 }  // namespace
@@ -76,14 +44,16 @@ void AtlasCommand::addTo(CLI::App& command)
     addPositive(command, "--max-energy-ratio", "E_1", maxEnergyRatio, "X",
                 "keep schedules with motions of E <= X E_1 (all)");
     command.add_flag("--all", all, "keep the refuted schedules, too");
+    command.add_flag("--families-only", familiesOnly, "keep table families and no schedules");
     command.add_flag("--resume", resume, "go on with an interrupted run");
-    command.add_option("--near", near, "ask: all schedules with motions near omega/omega_1, E/E_1")
+    command.add_option("--near", near, "ask: families with motions near omega/omega_1, E/E_1")
         ->type_name("W E")
         ->expected(1, 2);
-    addPositive(command, "--within", "-", within, "X", "how near, relative (0.01)");
-    addWord(command, "--period", "T", "ask: all schedules of this period, as 7/2 or 3.5",
-            [this](const std::string& text) { period = parsePeriod(text); });
-    command.add_flag("--twins", twins, "ask: different motions of equal period and energy");
+    addPositive(command, "--within", "-", within, "X", "how near, relative (0.001)");
+    addWord(command, "--period", "T", "ask: families of this period, as 7/2 or 3.5 [L/c]",
+            [this](const std::string& text) { period = parseFraction("--period", text, "L/c"); });
+    command.add_flag("--twins", twins, "ask: different orbits of equal period and energy");
+    command.add_flag("--schedules", schedules, "answer with the schedules of families, too");
     command.add_option("--figure", figureFile, "draw the frequency-energy plot (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
     command.add_option("--map", mapFile, "draw the existence map over contact and flight times")
@@ -104,6 +74,10 @@ AtlasRange AtlasCommand::range() const
     range.maxPhases = phases.value_or(range.maxPhases);
     range.maxEnergyRatio = maxEnergyRatio.value_or(range.maxEnergyRatio);
     range.keepsRefuted = all;
+    range.familiesOnly = familiesOnly;
+    if (all && familiesOnly) {
+        throw std::invalid_argument("--all, --families-only: allowed one of them");
+    }
     validate(range);
     return range;
 }
@@ -115,7 +89,7 @@ bool AtlasCommand::namesRange() const
 
 bool AtlasCommand::makesRange() const
 {
-    return maxContact || maxFree || phases || maxEnergyRatio || all || resume;
+    return maxContact || maxFree || phases || maxEnergyRatio || all || familiesOnly || resume;
 }
 
 ExitStatus AtlasCommand::run() const
@@ -144,8 +118,8 @@ ExitStatus AtlasCommand::run() const
         const bool draws = (!figureFile.empty() || !mapFile.empty()) && !namesRange() &&
                            std::filesystem::exists(database);
         if (isQuery() || draws) {
-            const Query question = query();
-            return !ranks || ranks->rank() == 0 ? answer(question) : exitFound;
+            checkQuery();
+            return !ranks || ranks->rank() == 0 ? answer() : exitFound;
         }
         return build(range(), ranks.get(), interrupt);
     } catch (const std::invalid_argument&) {
@@ -156,7 +130,7 @@ ExitStatus AtlasCommand::run() const
     }
 }
 
-AtlasCommand::Query AtlasCommand::query() const
+void AtlasCommand::checkQuery() const
 {
     const int queries = (near.empty() ? 0 : 1) + (period ? 1 : 0) + (twins ? 1 : 0);
     if (queries > 1) {
@@ -165,24 +139,57 @@ AtlasCommand::Query AtlasCommand::query() const
     if (makesRange()) {
         throw std::invalid_argument(
             "--near, --period and --twins ask a database and clash with --max-contact, --max-free, "
-            "--phases, --max-energy-ratio, --all and --resume, which make one");
+            "--phases, --max-energy-ratio, --all, --families-only and --resume, which make one");
     }
     if (within && near.empty()) {
         throw std::invalid_argument("--within: allowed only together with --near");
     }
-    Query query;
-    query.bar = common.bar();
-    query.cells = common.cells;
-    query.period = period;
-    if (!near.empty()) {
-        if (near.size() != 2) {
-            refuse("--near", near[0], "two numbers, omega/omega_1 > 0 and E/E_1 > 0");
-        }
-        query.distance = within.value_or(usualDistance);
-        query.point = {parsePositive("--near W", near[0], "omega_1"),
-                       parsePositive("--near E", near[1], "E_1")};
+    if (schedules && near.empty() && !period) {
+        throw std::invalid_argument("--schedules: allowed only together with --near or --period");
     }
-    return query;
+    (void)point();
+}
+
+std::optional<AtlasPoint> AtlasCommand::point() const
+{
+    if (near.empty()) {
+        return std::nullopt;
+    }
+    if (near.size() != 2) {
+        refuse("--near", near[0], "two numbers, omega/omega_1 > 0 and E/E_1 > 0");
+    }
+    return AtlasPoint{.frequencyRatio = parseRatio("--near W", near[0], "omega_1"),
+                      .energyRatio = parsePositive("--near E", near[1], "E_1"),
+                      .distance = within.value_or(usualDistance)};
+}
+
+AtlasQuestion AtlasCommand::question(const std::optional<AtlasPoint>& point) const
+{
+    AtlasQuestion question{.cells = common.cells, .period = period, .wantsSchedules = schedules};
+    if (point) {
+        question.lowestFrequency = point->frequencyRatio * (1.0 - point->distance);
+        question.highestFrequency = point->frequencyRatio * (1.0 + point->distance);
+        question.highestEnergy = point->energyRatio * (1.0 + point->distance);
+    }
+    return question;
+}
+
+void AtlasCommand::ask(const AtlasDatabase& atlas, AtlasAnswer& answer) const
+{
+    answer.point = point();
+    answer.coverage = AtlasCoverage(question(answer.point), atlas.runs());
+    const AtlasSchedules which = schedules ? AtlasSchedules::all : AtlasSchedules::withoutFamily;
+    if (twins) {
+        answer.groups = atlas.twins(common.cells);
+    } else if (period) {
+        answer.families = atlas.familiesOfPeriod(*period, common.cells);
+        answer.schedules = atlas.schedulesOfPeriod(*period, common.cells, which);
+    } else if (answer.point) {
+        const auto [frequencyRatio, energyRatio, distance] = *answer.point;
+        answer.families = atlas.familiesNear(frequencyRatio, energyRatio, distance, common.cells);
+        answer.schedules =
+            atlas.schedulesNear(frequencyRatio, energyRatio, distance, common.cells, which);
+    }
 }
 
 void AtlasCommand::stagePictures(Pictures& pictures) const
@@ -206,45 +213,26 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
     pictures.files.commit();
 }
 
-ExitStatus AtlasCommand::answer(const Query& query) const
+ExitStatus AtlasCommand::answer() const
 {
     Pictures pictures;
     stagePictures(pictures);
     AtlasAnswer answer;
     answer.isTwins = twins;
-    answer.bar = query.bar;
-    if (query.period) {
-        answer.shortestPeriod = query.period->value();
-    } else if (query.point) {
-        const auto [frequencyRatio, energyRatio] = *query.point;
-        answer.shortestPeriod = 4.0 / (frequencyRatio * (1.0 + query.distance));
-        answer.energyRatio = energyRatio * (1.0 + query.distance);
-    }
+    answer.bar = common.bar();
     const AtlasDatabase atlas = forFile("--database", database, [&] {
         AtlasDatabase opened = AtlasDatabase::open(database);
-        for (const AtlasRun& run : opened.runs()) {
-            if (!query.cells || run.range.cells == *query.cells) {
-                answer.coverage.push_back(run);
-            }
-        }
-        if (twins) {
-            answer.groups = opened.twins(query.cells);
-        } else if (query.period) {
-            answer.entries = opened.ofPeriod(*query.period, query.cells);
-        } else if (query.point) {
-            answer.entries =
-                opened.near((*query.point)[0], (*query.point)[1], query.distance, query.cells);
-        }
+        ask(opened, answer);
         return opened;
     });
-    draw(atlas, query.cells, pictures);
-    const std::string gaps = gapsOf(answer);
+    draw(atlas, common.cells, pictures);
+    const std::string gaps = answer.coverage.gaps();
     if (!gaps.empty() && !common.quiet) {
         tell(fmt::format("signorini atlas: {}\n", gaps));
     }
     if (isQuery()) {
-        writeOut(common.wantsJson ? asJson(answer, gaps.empty()) : asText(answer));
-        return answer.isUndecided() ? exitUndecided : exitFound;
+        writeOut(common.wantsJson ? asJson(answer) : asText(answer));
+        return answer.isEmpty() && !answer.coverage.isDecided() ? exitUndecided : exitFound;
     }
     return exitFound;
 }
@@ -274,16 +262,20 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (within) {
         throw std::invalid_argument("--within: allowed only together with --near");
     }
+    if (schedules) {
+        throw std::invalid_argument("--schedules: allowed only together with --near or --period");
+    }
     const Bar bar = common.bar();
     AtlasOptions options;
     options.threads = common.threads;
     options.resume = resume;
-    options.options = fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}",
+    options.options = fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}{}",
                                   range.cells, range.maxContact, range.maxFree, range.maxPhases,
                                   std::isfinite(range.maxEnergyRatio)
                                       ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
                                       : "",
-                                  range.keepsRefuted ? " --all" : "");
+                                  range.keepsRefuted ? " --all" : "",
+                                  range.familiesOnly ? " --families-only" : "");
     if (!interrupt) {
         interrupt.emplace();
     }
@@ -296,8 +288,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     std::optional<Progress> progress(std::in_place, !common.quiet, "deciding");
     options.progress = [&progress](const AtlasRun& run) {
         progress->show(fmt::format("{} schedules", run.tally.decided),
-                       static_cast<double>(firstNumberOf(run.range, run.nextBatch)),
-                       static_cast<double>(numbersOf(run.range)));
+                       static_cast<double>(run.nextBatch), static_cast<double>(run.batches));
     };
     AtlasRun run;
     std::optional<AtlasDatabase> atlas;

@@ -2,12 +2,12 @@
 /// \file
 /// signorini atlas --database FILE.sqlite
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
+#include "atlas_report.hpp"
 #include "interrupt.hpp"
 #include "ranks.hpp"
 #include "signorini/atlas_database.hpp"
@@ -24,11 +24,13 @@ struct AtlasCommand {
     std::optional<std::int64_t> phases;
     std::optional<double> maxEnergyRatio;
     bool all = false;
+    bool familiesOnly = false;
     bool resume = false;
     std::vector<std::string> near;  ///< W E
     std::optional<double> within;
     std::optional<ExactPeriod> period;
     bool twins = false;
+    bool schedules = false;  ///< an answer lists those of families, too
     std::string figureFile;
     std::string mapFile;
 
@@ -39,14 +41,6 @@ struct AtlasCommand {
     [[nodiscard]] ExitStatus run() const;
 
 private:
-    /// A question to a database.
-    struct Query {
-        std::optional<std::int64_t> cells;           ///< only these; otherwise all
-        std::optional<ExactPeriod> period;           ///< --period
-        std::optional<std::array<double, 2>> point;  ///< --near
-        double distance = 0.0;                       ///< --within
-        Bar bar;                                     ///< for seconds and joules
-    };
     /// Pictures to be drawn, under their temporary names; empty: not asked for.
     struct Pictures {
         OutputFiles files;
@@ -58,9 +52,12 @@ private:
     [[nodiscard]] bool namesRange() const;
     [[nodiscard]] bool makesRange() const;
     [[nodiscard]] AtlasRange range() const;
-    [[nodiscard]] Query query() const;
+    void checkQuery() const;
+    [[nodiscard]] std::optional<AtlasPoint> point() const;
+    [[nodiscard]] AtlasQuestion question(const std::optional<AtlasPoint>& point) const;
+    void ask(const AtlasDatabase& atlas, AtlasAnswer& answer) const;
     void stagePictures(Pictures& pictures) const;
-    [[nodiscard]] ExitStatus answer(const Query& query) const;
+    [[nodiscard]] ExitStatus answer() const;
     [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,
                                    std::optional<Interrupt>& interrupt) const;
     void fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks, const AtlasOptions& options) const;

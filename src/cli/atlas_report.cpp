@@ -20,188 +20,263 @@ Json bound(double value)
     return std::isfinite(value) ? Json(value) : Json();
 }
 
+/// Of motions that repeat after this time.
+void putPeriod(Json& json, double period, double frequencyRatio, const Scales& unit)
+{
+    json["period"] = period * unit.time;
+    json["period_ratio"] = period;
+    json["frequency"] = 1.0 / (period * unit.time);
+    json["frequency_ratio"] = frequencyRatio;
+}
+
+void putEnergy(Json& json, const EnergyRange& energy, const Scales& unit)
+{
+    json["energy_range"] = {energy.least * unit.energy, bound(energy.most * unit.energy)};
+    json["energy_ratio_range"] = {energy.least, bound(energy.most)};
+}
+
+/// The motions of one energy, the nearest to this that the family has.
+struct Section {
+    std::int64_t dimension = 0;
+    std::optional<bool> isConnected;  ///< empty: not known
+
+    Section(const AtlasFamily& family, double energyRatio)
+    {
+        const EnergyRange& range = family.energy;
+        const double energy = std::clamp(energyRatio, range.least, range.most);
+        const bool isInside = range.least < energy && energy < range.most;
+        dimension = isInside ? family.dimension - 1 : 0;
+        if (family.family) {  // docs/theory.md, section 11: rho = E/E_max
+            isConnected = family.dimension == 0 || energy <= range.most / 2.0;
+        }
+    }
+};
+
+Json asJson(const AtlasFamily& all, const std::optional<AtlasPoint>& point, const Scales& unit)
+{
+    Json json{{"id", all.id},  {"cells", all.cells},        {"order", nullptr},
+              {"nu", nullptr}, {"contact_blocks", nullptr}, {"schedule", phasesAsJson({all.top})}};
+    if (all.family) {
+        json["order"] = all.family->order;
+        json["nu"] = all.family->blocks;
+        json["contact_blocks"] = all.family->contactBlocks;
+    }
+    putPeriod(json, period(all), frequencyRatio(all), unit);
+    json["contact"] = name(all.contact());
+    json["kind"] = name(all.kind);
+    json["dimension"] = all.dimension;
+    putEnergy(json, all.energy, unit);
+    json["schedules"] = all.schedules;
+    if (point) {
+        const Section section(all, point->energyRatio);
+        json["dimension_at_energy"] = section.dimension;
+        json["connected_at_energy"] = section.isConnected ? Json(*section.isConnected) : Json();
+    }
+    return json;
+}
+
 Json asJson(const AtlasEntry& entry, const Scales& unit)
 {
     const AtlasRow& row = entry.row;
     Json json{{"cells", entry.schedule.cells},
               {"schedule", phasesAsJson(entry.schedule.phases)},
-              {"period", period(entry.schedule) * unit.time},
-              {"period_ratio", period(entry.schedule)},
-              {"frequency_ratio", frequencyRatio(entry.schedule)},
-              {"status", name(row.status)},
-              {"reason", nullptr}};
-    if (row.reason) {
-        json["reason"] = name(*row.reason);
-    }
+              {"family", entry.family ? Json(*entry.family) : Json()}};
+    putPeriod(json, period(entry), frequencyRatio(entry), unit);
+    json["status"] = name(row.status);
+    json["reason"] = row.reason ? Json(name(*row.reason)) : Json();
     json["kernel_dimension"] = row.kernelDimension >= 0 ? Json(row.kernelDimension) : Json();
     if (row.status == Status::found) {
         json["kind"] = name(row.kind);
         json["dimension"] = row.dimension;
         json["contact"] = name(row.contact);
         json["canonical"] = row.isCanonical;
-        json["energy_range"] = {row.energy.least * unit.energy,
-                                bound(row.energy.most * unit.energy)};
-        json["energy_ratio_range"] = {row.energy.least, bound(row.energy.most)};
+        putEnergy(json, row.energy, unit);
     }
     return json;
 }
 
-std::string asText(const AtlasEntry& entry)
+/// " T = 3.5  ω/ω₁ = 1.14286 (0.285714 Hz)  ".
+std::string periodText(double period, double frequencyRatio, const Scales& unit)
+{
+    return fmt::format("T = {:<10.6g} ω/ω₁ = {:<9.6g} ({:.6g} Hz)  ", period, frequencyRatio,
+                       1.0 / (period * unit.time));
+}
+
+std::string energyText(const EnergyRange& energy, const Scales& unit)
+{
+    if (energy.least == energy.most) {
+        return fmt::format("E/E₁ = {:.8g} ({:.6g} J)", energy.least, energy.least * unit.energy);
+    }
+    if (!std::isfinite(energy.most)) {
+        return fmt::format("E/E₁ = {:.8g} … unbounded or unknown (from {:.6g} J)", energy.least,
+                           energy.least * unit.energy);
+    }
+    return fmt::format("E/E₁ = {:.8g} … {:.8g} on this grid ({:.6g} … {:.6g} J)", energy.least,
+                       energy.most, energy.least * unit.energy, energy.most * unit.energy);
+}
+
+/// "N = 300, (4, 7, 1)".
+std::string nameOf(const AtlasFamily& all)
+{
+    return fmt::format("N = {}, {}", all.cells,
+                       all.family ? fmt::format("({}, {}, {})", all.family->order,
+                                                all.family->blocks, all.family->contactBlocks)
+                                  : "grazing");
+}
+
+std::string asText(const AtlasFamily& all, const std::optional<AtlasPoint>& point,
+                   const Scales& unit)
+{
+    std::string text = fmt::format("{:<24} {}{}, {} of dimension {}", nameOf(all),
+                                   periodText(period(all), frequencyRatio(all), unit),
+                                   energyText(all.energy, unit), name(all.kind), all.dimension);
+    if (point) {
+        const Section section(all, point->energyRatio);
+        text += fmt::format(
+            ", {} at that energy{}", section.dimension,
+            section.isConnected ? (*section.isConnected ? ", connected" : ", not connected") : "");
+    }
+    return text + fmt::format("; {} schedule{}, top ({}, {})\n", all.schedules,
+                              all.schedules == 1 ? "" : "s", all.top.contact, all.top.free);
+}
+
+std::string asText(const AtlasEntry& entry, const Scales& unit)
 {
     const AtlasRow& row = entry.row;
-    std::string text =
-        fmt::format("{:<34} T = {:<10.6g} ω/ω₁ = {:<9.6g} ", describe(entry.schedule),
-                    period(entry.schedule), frequencyRatio(entry.schedule));
+    const std::string text = fmt::format("{:<34} {}", describe(entry.schedule),
+                                         periodText(period(entry), frequencyRatio(entry), unit));
     if (row.status != Status::found) {
         return text + fmt::format("{}{}\n", name(row.status),
                                   row.reason ? fmt::format(", {}", name(*row.reason)) : "");
     }
-    text += row.kind == SetKind::point ? fmt::format("E/E₁ = {:.8g}", row.energy.least)
-                                       : fmt::format("E/E₁ = {:.8g} … {}", row.energy.least,
-                                                     std::isfinite(row.energy.most)
-                                                         ? fmt::format("{:.8g}", row.energy.most)
-                                                         : std::string("unbounded or unknown"));
-    return text + fmt::format(", {}, {} of dimension {}{}\n", name(row.contact), name(row.kind),
-                              row.dimension, row.isCanonical ? ", canonical" : "");
+    return text + fmt::format("{}, {}, {} of dimension {}{}\n", energyText(row.energy, unit),
+                              name(row.contact), name(row.kind), row.dimension,
+                              row.isCanonical ? ", canonical" : "");
 }
 
-std::string asText(const std::vector<AtlasEntry>& entries)
+std::string asText(const Twins& twins, const Scales& unit)
 {
-    std::string text =
-        fmt::format("{} schedule{}\n", entries.size(), entries.size() == 1 ? "" : "s");
-    for (std::size_t k = 0; k < entries.size() && k < shownRows; ++k) {
-        text += asText(entries[k]);
+    const bool isFamily = !twins.families.empty();
+    const double time = isFamily ? period(twins.families[0]) : period(twins.schedules[0]);
+    const double energy =
+        isFamily ? twins.families[0].energy.least : twins.schedules[0].row.energy.least;
+    std::string text = fmt::format("T = {:.6g} ({:.6g} Hz), E/E₁ = {:.8g} ({:.6g} J):", time,
+                                   1.0 / (time * unit.time), energy, energy * unit.energy);
+    for (const AtlasFamily& all : twins.families) {
+        text += fmt::format("  {}", nameOf(all));
     }
-    if (entries.size() > shownRows) {
-        text += fmt::format("… {} more; --format json lists all\n", entries.size() - shownRows);
+    for (const AtlasEntry& entry : twins.schedules) {
+        text += fmt::format("  {}", describe(entry.schedule));
+    }
+    return text + "\n";
+}
+
+/// How many there are, and the first of them.
+template <typename Row, typename Print>
+std::string listed(const std::vector<Row>& rows, std::string_view one, std::string_view many,
+                   Print print)
+{
+    std::string text = fmt::format("{} {}\n", rows.size(), rows.size() == 1 ? one : many);
+    for (std::size_t k = 0; k < rows.size() && k < shownRows; ++k) {
+        text += print(rows[k]);
+    }
+    if (rows.size() > shownRows) {
+        text += fmt::format("… {} more; --format json lists all\n", rows.size() - shownRows);
     }
     return text;
 }
 
-std::string asText(const std::vector<Twins>& all)
-{
-    std::string text = fmt::format("{} group{} of different motions of equal T and E\n", all.size(),
-                                   all.size() == 1 ? "" : "s");
-    for (std::size_t k = 0; k < all.size() && k < shownRows; ++k) {
-        const AtlasEntry& first = all[k].front();
-        text += fmt::format("T = {:.6g}, E/E₁ = {:.8g}:", period(first.schedule),
-                            first.row.energy.least);
-        for (const AtlasEntry& entry : all[k]) {
-            text += fmt::format("  {}", describe(entry.schedule));
-        }
-        text += "\n";
-    }
-    if (all.size() > shownRows) {
-        text += fmt::format("… {} more; --format json lists all\n", all.size() - shownRows);
-    }
-    return text;
-}
-
-Json asJson(const std::vector<AtlasEntry>& entries, const Scales& unit)
+template <typename Rows, typename Print>
+Json listOf(const Rows& rows, Print print)
 {
     Json list = Json::array();
-    for (const AtlasEntry& entry : entries) {
-        list.push_back(asJson(entry, unit));
+    for (const auto& row : rows) {
+        list.push_back(print(row));
     }
     return list;
 }
 
-Json groupAsJson(const Twins& group, const Scales& unit)
+Json asJson(const Twins& twins, const Scales& unit)
 {
-    const AtlasEntry& first = group.front();
-    return {{"period", period(first.schedule) * unit.time},
-            {"period_ratio", period(first.schedule)},
-            {"energy", first.row.energy.least * unit.energy},
-            {"energy_ratio", first.row.energy.least},
-            {"schedules", asJson(group, unit)}};
+    const bool isFamily = !twins.families.empty();
+    const double energy =
+        isFamily ? twins.families[0].energy.least : twins.schedules[0].row.energy.least;
+    Json json;
+    if (isFamily) {
+        putPeriod(json, period(twins.families[0]), frequencyRatio(twins.families[0]), unit);
+    } else {
+        putPeriod(json, period(twins.schedules[0]), frequencyRatio(twins.schedules[0]), unit);
+    }
+    json["energy"] = energy * unit.energy;
+    json["energy_ratio"] = energy;
+    json["families"] =
+        listOf(twins.families, [&unit](const AtlasFamily& all) { return asJson(all, {}, unit); });
+    json["schedules"] =
+        listOf(twins.schedules, [&unit](const AtlasEntry& entry) { return asJson(entry, unit); });
+    return json;
 }
 
-/// Of the schedules of a range [L/c].
-double longestPeriod(const AtlasRange& range)
+Json asJson(const AtlasRun& run)
 {
-    return static_cast<double>(range.maxPhases * (range.maxContact + range.maxFree)) /
-           static_cast<double>(range.cells);
-}
-
-std::string describe(const AtlasRange& range)
-{
-    return fmt::format(
-        "N = {}, contact 1..{}, free 1..{}{}{}", range.cells, range.maxContact, range.maxFree,
-        range.maxPhases > 1 ? fmt::format(", 1..{} phases", range.maxPhases) : "",
-        std::isfinite(range.maxEnergyRatio) ? fmt::format(", E <= {} E₁", range.maxEnergyRatio)
-                                            : "");
+    return {{"cells", run.range.cells},
+            {"max_contact", run.range.maxContact},
+            {"max_free", run.range.maxFree},
+            {"phases", run.range.maxPhases},
+            {"max_energy_ratio", bound(run.range.maxEnergyRatio)},
+            {"families_only", run.range.familiesOnly},
+            {"finished", run.isFinished()}};
 }
 
 }  // namespace
 
-bool AtlasAnswer::isUndecided() const
-{
-    const auto covers = [this](const AtlasRun& run) {
-        return run.isFinished() && run.range.maxEnergyRatio >= energyRatio &&
-               longestPeriod(run.range) >= shortestPeriod;
-    };
-    return (isTwins ? groups.empty() : entries.empty()) &&
-           std::none_of(coverage.begin(), coverage.end(), covers);
-}
-
-std::string gapsOf(const AtlasAnswer& answer)
-{
-    if (answer.coverage.empty()) {
-        return "the database has decided nothing of this: no answer";
-    }
-    for (const AtlasRun& run : answer.coverage) {
-        if (!run.isFinished()) {
-            return fmt::format("{} of {} batches of {} are decided: the answer may lack schedules",
-                               run.nextBatch, run.batches, describe(run.range));
-        }
-        if (run.range.maxEnergyRatio < answer.energyRatio) {
-            return fmt::format("of {} only schedules with motions up to that energy were kept",
-                               describe(run.range));
-        }
-    }
-    const auto isTooShort = [&answer](const AtlasRun& run) {
-        return longestPeriod(run.range) < answer.shortestPeriod;
-    };
-    if (std::all_of(answer.coverage.begin(), answer.coverage.end(), isTooShort)) {
-        return fmt::format("no schedule of a period of {:.6g} L/c is decided: only up to {:.6g}",
-                           answer.shortestPeriod, longestPeriod(answer.coverage.front().range));
-    }
-    return {};
-}
-
 std::string asText(const AtlasAnswer& answer)
 {
-    std::string text = answer.isTwins ? asText(answer.groups) : asText(answer.entries);
-    for (const AtlasRun& run : answer.coverage) {
+    const Scales unit = scales(answer.bar);
+    std::string text;
+    if (answer.isTwins) {
+        text = listed(answer.groups, "group of different orbits of equal T and E",
+                      "groups of different orbits of equal T and E",
+                      [&unit](const Twins& twins) { return asText(twins, unit); });
+    } else {
+        text = listed(answer.families, "family", "families",
+                      [&](const AtlasFamily& all) { return asText(all, answer.point, unit); });
+        if (!answer.schedules.empty()) {
+            text += listed(answer.schedules, "schedule", "schedules",
+                           [&unit](const AtlasEntry& entry) { return asText(entry, unit); });
+        }
+    }
+    for (const AtlasRun& run : answer.coverage.runs()) {
         text += fmt::format("decided: {}{}\n", describe(run.range),
                             run.isFinished() ? "" : ", not finished");
     }
     return text;
 }
 
-std::string asJson(const AtlasAnswer& answer, bool isComplete)
+std::string asJson(const AtlasAnswer& answer)
 {
     const Scales unit = scales(answer.bar);
     Json json = newAnswer();
     json["bar"] = barAsJson(answer.bar);
+    if (answer.point) {
+        json["near"] = {{"frequency", answer.point->frequencyRatio / (4.0 * unit.time)},
+                        {"frequency_ratio", answer.point->frequencyRatio},
+                        {"energy", answer.point->energyRatio * unit.energy},
+                        {"energy_ratio", answer.point->energyRatio},
+                        {"within", answer.point->distance}};
+    }
     if (answer.isTwins) {
-        json["twins"] = Json::array();
-        for (const Twins& group : answer.groups) {
-            json["twins"].push_back(groupAsJson(group, unit));
-        }
+        json["twins"] =
+            listOf(answer.groups, [&unit](const Twins& twins) { return asJson(twins, unit); });
     } else {
-        json["schedules"] = asJson(answer.entries, unit);
+        json["families"] = listOf(answer.families, [&](const AtlasFamily& all) {
+            return asJson(all, answer.point, unit);
+        });
+        json["schedules"] = listOf(
+            answer.schedules, [&unit](const AtlasEntry& entry) { return asJson(entry, unit); });
     }
-    json["complete"] = isComplete;
-    json["ranges"] = Json::array();
-    for (const AtlasRun& run : answer.coverage) {
-        json["ranges"].push_back({{"cells", run.range.cells},
-                                  {"max_contact", run.range.maxContact},
-                                  {"max_free", run.range.maxFree},
-                                  {"phases", run.range.maxPhases},
-                                  {"max_energy_ratio", bound(run.range.maxEnergyRatio)},
-                                  {"finished", run.isFinished()}});
-    }
+    json["complete"] = answer.coverage.gaps().empty();
+    json["ranges"] =
+        listOf(answer.coverage.runs(), [](const AtlasRun& run) { return asJson(run); });
     return asLine(json);
 }
 
@@ -230,6 +305,7 @@ std::string asJson(const AtlasRun& run, const std::string& database, const Bar& 
                      {"max_free", run.range.maxFree},
                      {"phases", run.range.maxPhases},
                      {"max_energy_ratio", bound(run.range.maxEnergyRatio)},
+                     {"families_only", run.range.familiesOnly},
                      {"decided", tally.decided},
                      {"found", tally.pressing + tally.grazing},
                      {"pressing", tally.pressing},

@@ -66,14 +66,14 @@ Trace traceOf(const ContinuumCommand& call, const Bar& bar)
     if (call.fromFile.empty()) {
         return call.sample ? Trace(trace::Sample{call.seed.value_or(trace::Sample{}.seed)})
                : call.seed ? Trace(trace::RandomPath{*call.seed})
-                           : Trace(trace::Block{});
+                           : Trace(trace::SplitPulse{});
     }
     if (call.seed || call.sample) {
         throw std::invalid_argument("--seed and --sample clash with --from: allowed one of them");
     }
     const auto read = [&](const char* option, const std::string& path) {
         return forFile(option, path,
-                       [&] { return readStateCsv(path, bar, call.common.usualCells()); });
+                       [&] { return readState(path, bar, call.common.usualCells()).state; });
     };
     State from = read("--from", call.fromFile);
     if (!call.toFile.empty()) {
@@ -97,7 +97,31 @@ bool hasDimension(const Continuum& curve)
     return curve.dimension >= 0 && curve.components != 0;
 }
 
-std::string asText(const Continuum& curve)
+/// How many different motions the points are.
+std::string orbitsAsText(const Continuum& curve)
+{
+    const auto points = static_cast<std::int64_t>(curve.points.size());
+    if (curve.orbits == points) {
+        return points == 1 ? "1 motion" : "all different motions, none a shift in time of another";
+    }
+    return fmt::format("{} different motion{}: the other points are the same at other instants",
+                       curve.orbits, curve.orbits == 1 ? "" : "s");
+}
+
+const char* unitOf(Parameter parameter)
+{
+    switch (parameter) {
+        case Parameter::arcLength:
+            return " [√E₁]";
+        case Parameter::pause:
+            return " between the two pulses of force [L/c]";
+        case Parameter::number:
+            return "";
+    }
+    return "";
+}
+
+std::string asText(const Continuum& curve, const std::optional<Member>& member)
 {
     std::string text = fmt::format("{:<12}{}, E = {:.10g} E₁, {} motions by the {} engine\n",
                                    name(curve.status), describe(curve.schedule), curve.energyRatio,
@@ -124,9 +148,10 @@ std::string asText(const Continuum& curve)
             least = std::min(least, point.peakStrain);
             most = std::max(most, point.peakStrain);
         }
-        text += fmt::format("curve       {}, λ = {} from {:.6g} to {:.6g}\n", curve.family,
-                            name(curve.parameter), curve.points.front().lambda,
-                            curve.points.back().lambda);
+        text += fmt::format("curve       {}, λ = {}{} from {:.6g} to {:.6g}\n", curve.family,
+                            name(curve.parameter), unitOf(curve.parameter),
+                            curve.points.front().lambda, curve.points.back().lambda);
+        text += fmt::format("orbits      {}\n", orbitsAsText(curve));
         if (curve.resolution) {
             text +=
                 fmt::format("resolution  neighbours at most {:.3g} √E apart\n", *curve.resolution);
@@ -135,13 +160,28 @@ std::string asText(const Continuum& curve)
                             most);
         text += fmt::format("residuals   at most {:.3g}\n", residual);
     }
+    if (member) {
+        text += fmt::format(
+            "member      λ = {:.10g}, {}; {:.6g} in compression\n", member->point.lambda,
+            member->isExact ? "exactly the one asked for" : "the nearest point of the curve",
+            member->point.peakStrain);
+    }
     if (!curve.detail.empty()) {
-        text += fmt::format("why         {}\n", curve.detail);
+        text +=
+            fmt::format("{:<12}{}\n", curve.status == Status::found ? "note" : "why", curve.detail);
     }
     return text;
 }
 
-std::string asJson(const Continuum& curve)
+Json asJson(const ContinuumPoint& point)
+{
+    return {{"lambda", point.lambda},
+            {"energy_ratio", point.energyRatio},
+            {"residual", point.residual},
+            {"peak_strain", point.peakStrain}};
+}
+
+std::string asJson(const Continuum& curve, const std::optional<Member>& member)
 {
     Json json = newAnswer();
     json.update(Json{{"status", name(curve.status)},
@@ -158,6 +198,7 @@ std::string asJson(const Continuum& curve)
                      {"family", curve.family},
                      {"parameter", name(curve.parameter)},
                      {"reason", nullptr},
+                     {"orbits", curve.orbits},
                      {"points", Json::array()}});
     if (curve.connected) {
         json["connected"] = *curve.connected;
@@ -178,10 +219,11 @@ std::string asJson(const Continuum& curve)
         json["reason"] = name(*curve.reason);
     }
     for (const ContinuumPoint& point : curve.points) {
-        json["points"].push_back({{"lambda", point.lambda},
-                                  {"energy_ratio", point.energyRatio},
-                                  {"residual", point.residual},
-                                  {"peak_strain", point.peakStrain}});
+        json["points"].push_back(asJson(point));
+    }
+    if (member) {
+        json["member"] = asJson(member->point);
+        json["member"]["exact"] = member->isExact;
     }
     if (!curve.detail.empty()) {
         json["detail"] = curve.detail;
@@ -218,8 +260,16 @@ void ContinuumCommand::addTo(CLI::App& command)
                 "largest relative residual (1e-7)");
     command.add_option("--csv", csvFile, "write lambda, a_1..a_N, b_1..b_N, a row per motion")
         ->type_name("FILE.csv");
+    addWord(command, "--member", "LAMBDA", "one motion of the curve, for --state",
+            [this](const std::string& text) { member = parseReal("--member", text, "lambda"); });
+    command.add_option("--state", stateFile, "write the state of that motion at t = 0")
+        ->type_name("FILE.csv");
     command.add_option("--figure", figureFile, "draw the curve (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
     common.addTo(command);
 }
 
@@ -234,12 +284,22 @@ ExitStatus ContinuumCommand::run() const
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
     }
+    if (!animationFile.empty()) {
+        (void)animationFormat(animationFile);
+    }
+    if (member.has_value() == stateFile.empty()) {
+        throw std::invalid_argument("--member and --state: allowed both or neither");
+    }
     const OutputOption csvOption{"--csv", csvFile};
+    const OutputOption stateOption{"--state", stateFile};
     const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({csvOption, figureOption});
+    const OutputOption animationOption{"--animate", animationFile};
+    validateOutputs({csvOption, stateOption, figureOption, animationOption});
     OutputFiles files;
     const std::string csv = stage(files, csvOption);
+    const std::string state = stage(files, stateOption);
     const std::string figure = stage(files, figureOption);
+    const std::string animation = stage(files, animationOption);
 
     std::optional<Interrupt> interrupt(std::in_place);
     request.cancel = interrupt->cancel();
@@ -248,7 +308,13 @@ ExitStatus ContinuumCommand::run() const
     const Continuum curve = traceContinuum(schedule, *energyRatio, request);
     progress.reset();
     interrupt.reset();
+    std::optional<Member> chosen;
     if (!curve.points.empty()) {
+        if (member) {
+            chosen = memberAt(curve, *member);
+            forFile("--state", stateFile,
+                    [&] { writeStateCsv(state, chosen->point.state, request.bar); });
+        }
         if (!csv.empty()) {
             forFile("--csv", csvFile, [&] { writeContinuumCsv(csv, curve); });
         }
@@ -256,11 +322,16 @@ ExitStatus ContinuumCommand::run() const
             forFile("--figure", figureFile,
                     [&] { drawContinuum(curve, figureFormat(figureFile), figure); });
         }
+        if (!animation.empty()) {
+            forFile("--animate", animationFile,
+                    [&] { animateContinuum(curve, animationFormat(animationFile), animation); });
+        }
         files.commit();
-    } else if ((!csv.empty() || !figure.empty()) && !common.quiet) {
+    } else if ((!csv.empty() || !state.empty() || !figure.empty() || !animation.empty()) &&
+               !common.quiet) {
         tell("signorini continuum: no motion to write, so no file was written\n");
     }
-    writeOut(common.wantsJson ? asJson(curve) : asText(curve));
+    writeOut(common.wantsJson ? asJson(curve, chosen) : asText(curve, chosen));
     common.useOneThread("continuum");
     return exitStatusOf(curve.status);
 }

@@ -23,8 +23,11 @@ struct ContinuumCommand {
     std::string fromFile;
     std::string toFile;
     std::string directionFile;
+    std::optional<double> member;  ///< lambda
+    std::string stateFile;
     std::string csvFile;
     std::string figureFile;
+    std::string animationFile;
 
     void addTo(CLI::App& command);
 

@@ -3,13 +3,16 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <optional>
 #include <span>
+#include <utility>
 
 #include "demand_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "question_report.hpp"
 #include "report.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
@@ -18,13 +21,36 @@
 
 namespace signorini::cli {
 
+/// The options with what needs several of them, and how the target was read.
+struct FindRequest {
+    FindOptions options;
+    std::string reading;
+
+    [[nodiscard]] std::optional<TargetReport> target() const
+    {
+        return options.target ? std::optional<TargetReport>({*options.target, reading})
+                              : std::nullopt;
+    }
+};
+
 namespace {
 
-/// The options with what needs several of them.
-FindOptions completed(const FindCommand& call)
+FindRequest completed(const FindCommand& call)
 {
-    FindOptions options = call.options;
+    FindRequest request{call.options, {}};
+    FindOptions& options = request.options;
     options.bar = call.common.bar();
+    if (call.energy) {
+        if (options.energyRatio) {
+            throw std::invalid_argument(
+                "--energy clashes with --energy-ratio: allowed one of them");
+        }
+        options.energyRatio = *call.energy / scales(options.bar).energy;
+    }
+    if (call.yieldStress && !options.bar.young) {
+        throw std::invalid_argument(
+            "--yield-stress: allowed only with --young, --density and --area");
+    }
     options.strainLimit /= scales(options.bar).strain;
     if (!(options.tipFloor < options.bar.gap)) {
         refuse("--tip-floor", fmt::format("{}", options.tipFloor), "below the gap [m]");
@@ -37,11 +63,13 @@ FindOptions completed(const FindCommand& call)
         if (options.objective != Objective::nearest) {
             throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
         }
-        options.target = forFile("--target", call.targetFile, [&] {
-            return readStateCsv(call.targetFile, options.bar, call.common.usualCells());
+        StateReading read = forFile("--target", call.targetFile, [&] {
+            return readState(call.targetFile, options.bar, call.common.usualCells());
         });
+        options.target = std::move(read.state);
+        request.reading = std::move(read.how);
     }
-    return options;
+    return request;
 }
 
 /// findPeriodic, with signals listened to and a line on a terminal.
@@ -57,27 +85,92 @@ PeriodicResult search(const Schedule& schedule, FindOptions options, bool isQuie
     return result;
 }
 
-bool isVtk(const std::string& path)
-{
-    return path.ends_with(".vtk");
-}
+/// The files that a call names: checked before any work, staged, and written together.
+class MotionFiles {
+public:
+    explicit MotionFiles(const FindCommand& words)
+        : words_(checked(words)),
+          state_(stage(files_, {"--state", words.stateFile})),
+          motion_(words.motionFile, files_),
+          figure_(stage(files_, {"--figure", words.figureFile})),
+          animation_(stage(files_, {"--animate", words.animationFile}))
+    {
+    }
 
-/// Names that are wrong before any work is done.
-void validateFiles(const FindCommand& words)
-{
-    if (!words.figureFile.empty()) {
-        (void)figureFormat(words.figureFile);
+    [[nodiscard]] bool areWanted() const
+    {
+        return !state_.empty() || words_.motionFile.isWanted() || !figure_.empty() ||
+               !animation_.empty();
     }
-    Faults faults;
-    if (!words.motionFile.empty() && !words.motionFile.ends_with(".csv") &&
-        !isVtk(words.motionFile)) {
-        faults.add("--motion", words.motionFile, "a name ending in .csv or .vtk");
+
+    void sayNone() const
+    {
+        if (areWanted() && !words_.common.quiet) {
+            tell("signorini find: no motion to write, so no file was written\n");
+        }
     }
-    faults.throwIfAny();
-    validateOutputs({{"--state", words.stateFile},
-                     {"--motion", words.motionFile},
-                     {"--figure", words.figureFile}});
-}
+
+    /// \pre a motion was found.
+    void write(const PeriodicResult& result)
+    {
+        if (!state_.empty()) {
+            forFile("--state", words_.stateFile,
+                    [&] { writeStateCsv(state_, result.motion->state, result.bar); });
+        }
+        if (!figure_.empty()) {
+            forFile("--figure", words_.figureFile,
+                    [&] { drawMotion(result, figureFormat(words_.figureFile), figure_); });
+        }
+        if (words_.motionFile.isWanted() || !animation_.empty()) {
+            writeMotion(result);
+        }
+        files_.commit();
+    }
+
+private:
+    static const FindCommand& checked(const FindCommand& words)
+    {
+        if (!words.figureFile.empty()) {
+            (void)figureFormat(words.figureFile);
+        }
+        if (!words.animationFile.empty()) {
+            (void)animationFormat(words.animationFile);
+        }
+        words.motionFile.validate();
+        validateOutputs({{"--state", words.stateFile},
+                         words.motionFile.option(),
+                         words.motionFile.folderOption(),
+                         {"--figure", words.figureFile},
+                         {"--animate", words.animationFile}});
+        return words;
+    }
+
+    void writeMotion(const PeriodicResult& result)
+    {
+        const Motion field(result.motion->state, result.schedule);
+        const std::int64_t all = signorini::steps(result.schedule);
+        if (!animation_.empty()) {
+            forFile("--animate", words_.animationFile, [&] {
+                animateMotion(MotionSamples(field, result.bar),
+                              animationFormat(words_.animationFile), animation_);
+            });
+        }
+        if (words_.motionFile.isWanted() && field.steps() < all && !words_.common.quiet) {
+            tell(
+                fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
+                            "free oscillations\n",
+                            field.steps(), all));
+        }
+        motion_.write([&](std::int64_t most) { return MotionSamples(field, result.bar, most); });
+    }
+
+    const FindCommand& words_;
+    OutputFiles files_;
+    std::string state_;
+    MotionFile::Staged motion_;
+    std::string figure_;
+    std::string animation_;
+};
 
 }  // namespace
 
@@ -91,14 +184,20 @@ void FindCommand::addTo(CLI::App& command)
     addName(command, "--formulation", std::span(formulationNames), options.formulation,
             "unknowns of the problem (auto)");
     addName(command, "--objective", std::span(objectiveNames).subspan(1), options.objective,
-            "which motion of the set (least energy)");
+            "which motion of the set (least energy; of an energy to hold, least peak strain)");
     command
         .add_option("--target", targetFile,
-                    "state to come nearest to, as --state writes it; may be a pipe")
+                    "state to come nearest to: as --state writes it, or measured (columns x, "
+                    "velocity and strain or displacement); may be a pipe")
         ->type_name("FILE.csv");
-    addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X", "hold E/E_1 = X");
+    question.addTo(command);
+    addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X",
+                "hold E/E_1 = X: the motion of least peak compression");
+    addPositive(command, "--energy", "J", energy, "J", "hold the energy, in joules");
     addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
                 "strain >= -S everywhere, always");
+    addPositive(command, "--yield-stress", "Pa", yieldStress, "PA",
+                "warn where the stress exceeds it (needs --young)");
     addWord(command, "--tip-floor", "M", "lowest displacement of the tip",
             [this](const std::string& text) {
                 options.tipFloor = parseReal("--tip-floor", text, "m");
@@ -107,55 +206,104 @@ void FindCommand::addTo(CLI::App& command)
                 "largest relative residual (1e-7)");
     addPositive(command, "--time-limit", "s", options.timeLimit, "S", "for the solver");
     command.add_option("--state", stateFile, "write the state at t = 0")->type_name("FILE.csv");
-    command.add_option("--motion", motionFile, "write u, v, s over one period")
-        ->type_name("FILE.csv|.vtk");
+    motionFile.addTo(command);
     command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
     common.addTo(command);
+}
+
+/// Where a motion is not what a bar could do.
+void FindCommand::warn(const Physical& physical) const
+{
+    if (common.quiet) {
+        return;
+    }
+    if (!physical.isAdmissible()) {
+        tell(
+            fmt::format("signorini find: not admissible: the strain reaches {:.6g}, and the paper "
+                        "demands s > -1 everywhere\n",
+                        -physical.peakCompression));
+    }
+    if (yieldStress && *physical.peakStress > *yieldStress) {
+        tell(fmt::format(
+            "signorini find: the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} "
+            "Pa\n",
+            *physical.peakStress, *yieldStress));
+    }
 }
 
 ExitStatus FindCommand::run() const
 {
-    const Schedule schedule{common.usualCells(), parsePhases(steps)};
-    const FindOptions request = completed(*this);
-    validate(schedule);
-    validateFiles(*this);
-
-    OutputFiles files;
-    const std::string state = stage(files, {"--state", stateFile});
-    const std::string motion = stage(files, {"--motion", motionFile});
-    const std::string figure = stage(files, {"--figure", figureFile});
-
-    const PeriodicResult result = search(schedule, request, common.quiet);
-    const bool wantsFiles = !state.empty() || !motion.empty() || !figure.empty();
-    if (result.status == Status::found) {
-        if (!state.empty()) {
-            forFile("--state", stateFile,
-                    [&] { writeStateCsv(state, result.motion->state, request.bar); });
-        }
-        if (!motion.empty()) {
-            const Motion field(result.motion->state, schedule);
-            if (field.steps() < signorini::steps(schedule) && !common.quiet) {
-                tell(
-                    fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
-                                "free oscillations\n",
-                                field.steps(), signorini::steps(schedule)));
-            }
-            forFile("--motion", motionFile, [&] {
-                (isVtk(motionFile) ? writeMotionVtk : writeMotionCsv)(motion, field, request.bar);
-            });
-        }
-        if (!figure.empty()) {
-            forFile("--figure", figureFile,
-                    [&] { drawMotion(result, figureFormat(figureFile), figure); });
-        }
-        files.commit();
-    } else if (wantsFiles && !common.quiet) {
-        tell("signorini find: no motion to write, so no file was written\n");
+    if (question.isAsked() && !steps.empty()) {
+        throw std::invalid_argument(
+            "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     }
-    writeOut(common.wantsJson ? asJson(result) : asText(result));
+    ExitStatus status = exitUndecided;
+    if (question.isAsked()) {
+        const AskedPeriod asked = question.on(common.usualCells(), common.bar());
+        status = answerQuestion(asked, completed(*this));
+    } else {
+        const Schedule schedule{common.usualCells(), parsePhases(steps)};
+        status = answerSchedule(schedule, completed(*this));
+    }
     common.useOneThread("find");
+    return status;
+}
+
+ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindRequest& request) const
+{
+    validate(schedule);
+    MotionFiles files(*this);
+    const PeriodicResult result = search(schedule, request.options, common.quiet);
+    if (result.motion) {
+        files.write(result);
+    } else {
+        files.sayNone();
+    }
+    writeOut(common.wantsJson ? asLine(answerOf(result, request.target()))
+                              : asText(result, request.target()));
+    if (result.motion) {
+        warn(result.motion->physical);
+    }
     return exitStatusOf(result.status);
+}
+
+ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindRequest& request) const
+{
+    const std::int64_t cells = common.usualCells();
+    MotionFiles files(*this);
+    QuestionReport report(asked, cells, request.options, request.target());
+    std::optional<PeriodicResult> first;
+    std::vector<Physical> measured;
+    for (const Schedule& schedule : setsOfPeriod(cells, asked.steps)) {
+        PeriodicResult result = search(schedule, request.options, common.quiet);
+        report.add(result);
+        if (result.motion) {
+            measured.push_back(result.motion->physical);
+        }
+        if (result.motion && !first) {
+            first = std::move(result);
+        }
+    }
+    if (files.areWanted() && measured.size() > 1) {
+        throw std::invalid_argument(
+            fmt::format("--state, --motion, --figure: {} motions answer: allowed one, by its NC NF",
+                        measured.size()));
+    }
+    if (first) {
+        files.write(*first);
+    } else {
+        files.sayNone();
+    }
+    writeOut(common.wantsJson ? asLine(report.json()) : report.text());
+    for (const Physical& physical : measured) {
+        warn(physical);
+    }
+    return exitStatusOf(report.status());
 }
 
 }  // namespace signorini::cli

@@ -1,29 +1,45 @@
 #pragma once
 /// \file
-/// signorini find NC NF [NC NF ...]
+/// signorini find NC NF [NC NF ...], or --period|--frequency|--hertz in place of the steps.
 
 #include <string>
 #include <vector>
 
 #include "arguments.hpp"
+#include "motion_file.hpp"
+#include "question.hpp"
+#include "signorini/output.hpp"
 
 namespace signorini::cli {
+
+struct FindRequest;
 
 /// One call.
 struct FindCommand {
     CommonOptions common;
     std::vector<std::string> steps;
+    PeriodQuestion question;
     FindOptions options;
+    std::optional<double> energy;       ///< [J]
+    std::optional<double> yieldStress;  ///< [Pa]
     std::string targetFile;
     std::string stateFile;
-    std::string motionFile;
+    MotionFile motionFile;
     std::string figureFile;
+    std::string animationFile;
 
     void addTo(CLI::App& command);
 
     /// Does the work; the report goes to stdout. SIGINT and SIGTERM end a search that can be
     /// stopped. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
+
+private:
+    void warn(const Physical& physical) const;
+    [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
+                                            const FindRequest& request) const;
+    [[nodiscard]] ExitStatus answerQuestion(const AskedPeriod& asked,
+                                            const FindRequest& request) const;
 };
 
 }  // namespace signorini::cli

@@ -36,7 +36,8 @@ inline Json barAsJson(const Bar& bar)
     return {{"length", bar.length},
             {"wave_speed", bar.waveSpeed},
             {"axial_stiffness", bar.axialStiffness},
-            {"gap", bar.gap}};
+            {"gap", bar.gap},
+            {"young", bar.young ? Json(*bar.young) : Json()}};
 }
 
 /// One line. Bytes of a file name that are not UTF-8 become U+FFFD: JSON has no other way. DEL, the

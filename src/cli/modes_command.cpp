@@ -8,10 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
+#include "mode_report.hpp"
 #include "progress.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
@@ -28,23 +30,9 @@ struct Listing {
     bool isComplete = true;
 };
 
-std::string asText(const ExactPeriod& period)
+double hertz(const ExactPeriod& period, const Scales& unit)
 {
-    return period.denominator == 1 ? fmt::format("{}", period.numerator)
-                                   : fmt::format("{}/{}", period.numerator, period.denominator);
-}
-
-/// "7T" or "T".
-std::string timesT(std::int64_t factor)
-{
-    return factor == 1 ? "T" : fmt::format("{}T", factor);
-}
-
-/// kappa T - mu > 0 with its positive term first.
-std::string rootAsText(const Mode& mode)
-{
-    return mode.kappa > 0 ? fmt::format("{} - {}", timesT(mode.kappa), mode.mu)
-                          : fmt::format("{} - {}", -mode.mu, timesT(-mode.kappa));
+    return 1.0 / (period.value() * unit.time);
 }
 
 std::string asText(const Listing& listing)
@@ -56,16 +44,19 @@ std::string asText(const Listing& listing)
     if (listing.modes.empty()) {
         return text;
     }
-    text += fmt::format("\n{:<14}{:<18}{:<20}{:<14}{:<22}{:<17}{}\n", "t_c [L/c]", "T in [L/c]",
-                        "ω/ω₁ in", "1/√(E/E₁)", "E/E₁ in", "lowest T", "family");
+    const Scales unit = scales(listing.bar);
+    text += fmt::format("\n{:<14}{:<18}{:<20}{:<24}{:<14}{:<22}{:<26}{:<17}{}\n", "t_c [L/c]",
+                        "T in [L/c]", "ω/ω₁ in", "frequency in [Hz]", "1/√(E/E₁)", "E/E₁ in",
+                        "energy in [J]", "lowest T", "family");
     for (const Mode& mode : listing.modes) {
         const EnergyRange energy = energyRange(mode);
         text += fmt::format(
-            "{:<14}{:<18}{:<20}{:<14}{:<22}{:<17}{}\n",
-            fmt::format("{} - {}", 4 * mode.a, timesT(-mode.b)),
-            fmt::format("]{}, {}[", asText(mode.lowest), asText(mode.highest)),
+            "{:<14}{:<18}{:<20}{:<24}{:<14}{:<22}{:<26}{:<17}{}\n", contactAsText(mode),
+            fmt::format("]{}, {}[", fractionAsText(mode.lowest), fractionAsText(mode.highest)),
             fmt::format("]{:.6g}, {:.6g}[", 4.0 / mode.highest.value(), 4.0 / mode.lowest.value()),
+            fmt::format("]{:.6g}, {:.6g}[", hertz(mode.highest, unit), hertz(mode.lowest, unit)),
             rootAsText(mode), fmt::format("]{:.6g}, {:.6g}[", energy.least, energy.most),
+            fmt::format("]{:.6g}, {:.6g}[", energy.least * unit.energy, energy.most * unit.energy),
             name(mode.lowestEnd), familyName(mode));
     }
     return text;
@@ -73,27 +64,15 @@ std::string asText(const Listing& listing)
 
 Json asJson(const Mode& mode, const Scales& unit)
 {
-    const auto fraction = [](const ExactPeriod& period) {
-        return Json{period.numerator, period.denominator};
-    };
     const EnergyRange energy = energyRange(mode);
-    Json json{{"contact", {4 * mode.a, mode.b}},
-              {"period_range", {fraction(mode.lowest), fraction(mode.highest)}},
-              {"inverse_sqrt_energy", {mode.kappa, mode.mu}},
-              {"ends", {name(mode.lowestEnd), name(mode.highestEnd)}},
-              {"energy_ratio_range", {energy.least, nullptr}},
-              {"family", nullptr}};
+    Json json = identityAsJson(mode);
+    json["ends"] = {name(mode.lowestEnd), name(mode.highestEnd)};
+    json["energy_ratio_range"] = {energy.least, nullptr};
     if (std::isfinite(energy.most)) {
         json["energy_ratio_range"][1] = energy.most;
     }
-    const auto hertz = [&unit](const ExactPeriod& period) {
-        return 1.0 / (period.value() * unit.time);
-    };
-    json["frequency_range"] = {hertz(mode.highest), hertz(mode.lowest)};
+    json["frequency_range"] = {hertz(mode.highest, unit), hertz(mode.lowest, unit)};
     json["energy_range"] = {energy.least * unit.energy, energy.most * unit.energy};
-    if (const std::string family = familyName(mode); !family.empty()) {
-        json["family"] = family;
-    }
     return json;
 }
 
@@ -113,6 +92,34 @@ std::string asJson(const Listing& listing)
     return asLine(json);
 }
 
+/// The periods of a mode with E/E_1 <= most: kappa T - mu >= 1/sqrt(most).
+std::pair<double, double> periodsUpTo(const Mode& mode, double most)
+{
+    double low = mode.lowest.value();
+    double high = mode.highest.value();
+    const double end =
+        (static_cast<double>(mode.mu) + 1.0 / std::sqrt(most)) / static_cast<double>(mode.kappa);
+    (mode.kappa > 0 ? low : high) = mode.kappa > 0 ? std::max(low, end) : std::min(high, end);
+    return {low, high};
+}
+
+/// Motions inside the interval of each mode, evenly in T, with no more than the energy asked for.
+void writeCurves(const std::string& path, const Listing& listing)
+{
+    constexpr int motions = 100;
+    TextFile file(path);
+    file.write("a4,b,period_ratio,frequency_ratio,contact_time_ratio,energy_ratio\n");
+    for (const Mode& mode : listing.modes) {
+        const auto [low, high] = periodsUpTo(mode, listing.bounds.maxEnergyRatio);
+        for (int k = 0; k < motions; ++k) {
+            const double period = low + (k + 0.5) / motions * (high - low);
+            file.write(fmt::format("{},{},{},{},{},{}\n", 4 * mode.a, mode.b, period, 4.0 / period,
+                                   contactTime(mode, period), energyRatio(mode, period)));
+        }
+    }
+    file.close();
+}
+
 }  // namespace
 
 void ModesCommand::addTo(CLI::App& command)
@@ -123,6 +130,10 @@ void ModesCommand::addTo(CLI::App& command)
              "only contact times 4a + b T with |b| <= B (25)");
     addPositive(command, "--max-period", "L/c", bounds.maxPeriod, "T",
                 "only modes with a motion of T <= X, in L/c (8)");
+    command
+        .add_option("--csv", csvFile,
+                    "write their curves: T, ω/ω₁, t_c and E/E₁ of motions along each")
+        ->type_name("FILE.csv");
     command
         .add_option("--figure", figureFile, "draw them, energy against frequency (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
@@ -141,9 +152,11 @@ ExitStatus ModesCommand::run() const
         // From the lowest energy there is to where curves are upright lines.
         drawing.maxEnergyRatio = std::clamp(listing.bounds.maxEnergyRatio, 2.0, 1e6);
     }
+    const OutputOption csvOption{"--csv", csvFile};
     const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({figureOption});
+    validateOutputs({csvOption, figureOption});
     OutputFiles files;
+    const std::string csv = stage(files, csvOption);
     const std::string figure = stage(files, figureOption);
 
     {
@@ -158,11 +171,16 @@ ExitStatus ModesCommand::run() const
     }
     if (!listing.isComplete && !common.quiet) {
         tell(fmt::format("signorini modes: interrupted; the list is not complete{}\n",
-                         figure.empty() ? "" : ", so no figure was drawn"));
+                         csv.empty() && figure.empty() ? "" : ", so no file was written"));
     }
-    if (!figure.empty() && listing.isComplete) {
-        forFile("--figure", figureFile,
-                [&] { writeFrequencyEnergyFigure(figure, {.modes = listing.modes}, drawing); });
+    if (listing.isComplete) {
+        if (!csv.empty()) {
+            forFile("--csv", csvFile, [&] { writeCurves(csv, listing); });
+        }
+        if (!figure.empty()) {
+            forFile("--figure", figureFile,
+                    [&] { writeFrequencyEnergyFigure(figure, {.modes = listing.modes}, drawing); });
+        }
         files.commit();
     }
     writeOut(common.wantsJson ? asJson(listing) : asText(listing));

@@ -13,6 +13,7 @@ namespace signorini::cli {
 struct ModesCommand {
     CommonOptions common;
     ModeBounds bounds;
+    std::string csvFile;
     std::string figureFile;
 
     void addTo(CLI::App& command);

@@ -19,10 +19,6 @@ struct Call {
     std::int64_t first = -1;
 };
 
-static_assert(std::is_trivially_copyable_v<AtlasRow> && std::is_trivially_copyable_v<AtlasTally> &&
-                  std::is_trivially_copyable_v<Call>,
-              "batches travel as bytes between processes of one program");
-
 /// What a message means.
 enum Tag : int {
     tagBatch = 1,  ///< worker to rank 0: a batch
@@ -36,33 +32,57 @@ void rest()
     std::this_thread::sleep_for(std::chrono::microseconds(100));
 }
 
+/// A batch is a row of bytes: its sizes and tally, then families, then rows.
+struct Head {
+    std::int64_t number = 0;
+    AtlasTally tally;
+    std::size_t families = 0;
+    std::size_t rows = 0;
+};
+
+static_assert(std::is_trivially_copyable_v<AtlasRow> && std::is_trivially_copyable_v<AtlasFamily> &&
+                  std::is_trivially_copyable_v<Head> && std::is_trivially_copyable_v<Call>,
+              "batches travel as bytes between processes of one program");
+
 template <typename Value>
-void append(std::vector<char>& bytes, const Value* values, std::size_t count)
+char* put(char* at, const Value* values, std::size_t count)
 {
-    const auto* begin = reinterpret_cast<const char*>(values);
-    bytes.insert(bytes.end(), begin, begin + count * sizeof(Value));
+    return count > 0 ? static_cast<char*>(std::memcpy(at, values, count * sizeof(Value))) +
+                           count * sizeof(Value)
+                     : at;
+}
+
+template <typename Value>
+const char* take(const char* at, Value* values, std::size_t count)
+{
+    if (count > 0) {
+        std::memcpy(values, at, count * sizeof(Value));
+    }
+    return at + count * sizeof(Value);
 }
 
 std::vector<char> pack(const AtlasBatch& batch)
 {
-    std::vector<char> bytes;
-    bytes.reserve(sizeof batch.number + sizeof batch.tally + batch.rows.size() * sizeof(AtlasRow));
-    append(bytes, &batch.number, 1);
-    append(bytes, &batch.tally, 1);
-    append(bytes, batch.rows.data(), batch.rows.size());
+    const Head head{batch.number, batch.tally, batch.families.size(), batch.rows.size()};
+    std::vector<char> bytes(sizeof head + head.families * sizeof(AtlasFamily) +
+                            head.rows * sizeof(AtlasRow));
+    char* at = put(bytes.data(), &head, 1);
+    at = put(at, batch.families.data(), head.families);
+    put(at, batch.rows.data(), head.rows);
     return bytes;
 }
 
 AtlasBatch unpack(const std::vector<char>& bytes)
 {
+    Head head;
+    const char* at = take(bytes.data(), &head, 1);
     AtlasBatch batch;
-    const char* at = bytes.data();
-    std::memcpy(&batch.number, at, sizeof batch.number);
-    at += sizeof batch.number;
-    std::memcpy(&batch.tally, at, sizeof batch.tally);
-    at += sizeof batch.tally;
-    batch.rows.resize((bytes.size() - sizeof batch.number - sizeof batch.tally) / sizeof(AtlasRow));
-    std::memcpy(batch.rows.data(), at, batch.rows.size() * sizeof(AtlasRow));
+    batch.number = head.number;
+    batch.tally = head.tally;
+    batch.families.resize(head.families);
+    batch.rows.resize(head.rows);
+    at = take(at, batch.families.data(), head.families);
+    take(at, batch.rows.data(), head.rows);
     return batch;
 }
 

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "json.hpp"
+#include "arguments.hpp"
 
 namespace signorini::cli {
 
 namespace {
 
 constexpr std::size_t maxPrintedPhases = 8;
-constexpr const char* rangeNote = "this end of the range is computed, not checked by other code";
 
 const char* explain(Reason reason)
 {
@@ -60,6 +59,20 @@ std::string setAsText(const MotionSet& set)
     return text;
 }
 
+/// Which family, and where in its tent the schedule lies.
+std::string familyAsText(const TentPlace& place)
+{
+    const Family& family = place.family;
+    const ExactEnergy least = leastEnergy(family);
+    return fmt::format("({}, {}, {}): T = {}, t_c up to {} L/c, from {} E₁; this schedule is {}",
+                       family.order, family.blocks, family.contactBlocks,
+                       fractionAsText(exactPeriod(family)), fractionAsText(longestContact(family)),
+                       fractionAsText({least.numerator, least.denominator}),
+                       place.offset == 0 ? "its top, all its motions on this grid"
+                                         : fmt::format("a face of it: {} of {} amplitudes",
+                                                       place.amplitudes, place.classes));
+}
+
 /// Which phases press on the wall, and which only touch it.
 std::string pressingAsText(const std::vector<bool>& pressing)
 {
@@ -81,11 +94,24 @@ std::string energyAsText(const FoundMotion& motion, const std::optional<EnergyRa
 {
     std::string text = fmt::format("{:.6g} J = {:.10g} E₁", motion.energy, motion.energyRatio);
     if (range && std::isinf(range->most)) {
-        text += fmt::format("   (the set reaches from {:.10g} E₁ without bound)", range->least);
+        text += fmt::format("   (the set reaches from {:.10g} E₁ without bound on this grid)",
+                            range->least);
     } else if (range && range->most > range->least) {
-        text += fmt::format("   (the set reaches {:.10g} … {:.10g} E₁)", range->least, range->most);
+        text += fmt::format("   (the set reaches {:.10g} … {:.10g} E₁ on this grid)", range->least,
+                            range->most);
     }
     return text;
+}
+
+/// What else has the energy that was held.
+std::string heldAsText(const HeldEnergy& held)
+{
+    const std::string parts = held.components ? fmt::format("{} parts", *held.components)
+                                              : std::string("more than 2^62 parts");
+    return held.dimension == 0 && held.components == 1
+               ? "the only motion of this energy"
+               : fmt::format("the motions of this energy: dimension {}, {}", held.dimension,
+                             held.isConnected ? "connected" : parts);
 }
 
 std::string motionAsText(const PeriodicResult& result)
@@ -93,6 +119,10 @@ std::string motionAsText(const PeriodicResult& result)
     const FoundMotion& motion = *result.motion;
     const Residuals& r = motion.residuals;
     std::string text = fmt::format("energy      {}\n", energyAsText(motion, result.set.energy));
+    if (result.set.held) {
+        text += fmt::format("            {}\n", heldAsText(*result.set.held));
+    }
+    text += fmt::format("objective   {}\n", name(result.how.objective));
     if (motion.contact == Contact::grazing) {
         text += "contact     grazing: a linear motion that touches the wall without force\n";
     } else if (motion.canonical == result.schedule.phases) {
@@ -105,7 +135,7 @@ std::string motionAsText(const PeriodicResult& result)
     if (motion.pressing.size() > 1 && motion.contact == Contact::pressing) {
         text += fmt::format("phases      {}\n", pressingAsText(motion.pressing));
     }
-    text += fmt::format("strain      at most {:.6g} in compression\n", motion.peakStrain);
+    text += signorini::cli::asText(motion.physical);
     text += fmt::format(
         "residuals   periodicity {:.3g}, gap {:.3g}, pressure {:.3g}, penetration {:.3g}, march "
         "{:.3g}, demands {:.3g}\n",
@@ -143,70 +173,42 @@ std::string absenceAsText(const Absence& absence)
                        std::visit([](const auto& proof) { return asText(proof); }, absence.proof));
 }
 
-/// Rows and multipliers as pairs, all of them: what says "verified" can be verified by the reader.
-Json multipliersAsJson(const std::vector<Multiplier>& rows)
-{
-    Json pairs = Json::array();
-    for (const Multiplier& m : rows) {
-        pairs.push_back({m.row, m.value});
-    }
-    return pairs;
-}
-
-Json asJson(const FarkasCertificate& c)
-{
-    return {{"kind", "farkas"},
-            {"verified", true},
-            {"rows", "paper"},
-            {"gap", c.gap},
-            {"periodicity", multipliersAsJson(c.periodicity)},
-            {"pressure", multipliersAsJson(c.pressure)},
-            {"penetration", multipliersAsJson(c.penetration)}};
-}
-
-Json asJson(const ProgramProof& proof)
-{
-    return {{"kind", "farkas"},
-            {"verified", true},
-            {"rows", name(proof.rows)},
-            {"equalities", multipliersAsJson(proof.multipliers.equalities)},
-            {"inequalities", multipliersAsJson(proof.multipliers.inequalities)}};
-}
-
-Json asJson(const EnergyExclusion& exclusion)
-{
-    Json json{{"kind", "energy-range"}, {"verified", exclusion.isVerified}};
-    if (!exclusion.isVerified) {
-        json["note"] = rangeNote;
-    }
-    return json;
-}
-
-void addMotion(const FoundMotion& motion, Json& json)
-{
-    const Residuals& r = motion.residuals;
-    json["contact"] = name(motion.contact);
-    json["canonical_schedule"] = phasesAsJson(motion.canonical);
-    json["repetitions"] = motion.repetitions;
-    json["pressing_phases"] = motion.pressing;
-    json["energy"] = motion.energy;
-    json["energy_ratio"] = motion.energyRatio;
-    json["residuals"] = {
-        {"periodicity", r.periodicity}, {"gap", r.gap},     {"pressure", r.pressure},
-        {"penetration", r.penetration}, {"march", r.march}, {"demands", r.demands}};
-    json["peak_strain"] = motion.peakStrain;
-}
-
 }  // namespace
 
-std::string asText(const PeriodicResult& result)
+double TargetReport::distanceTo(const State& other) const
+{
+    return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
+}
+
+std::string asText(const Physical& p)
+{
+    return fmt::format(
+               "frequency   {:.6g} Hz\n"
+               "wall        pressed for {:.6g} s per period, force at most {:.6g} N, impulse "
+               "{:.6g} N s; "
+               "met at {:.6g} m/s\n"
+               "tip         {:.6g} m at the lowest\n"
+               "strain      at most {:.6g} in compression, {:.6g} in tension",
+               p.frequency, p.contactTime, p.peakForce, p.impulse, p.approachSpeed, p.tipLowest,
+               p.peakCompression, p.peakTension) +
+           (p.peakStress ? fmt::format("; stress {:.6g} Pa\n", *p.peakStress) : "\n");
+}
+
+std::string asText(const PeriodicResult& result, const std::optional<TargetReport>& target)
 {
     std::string text = fmt::format("{:<12}{}, T = {:.10g} s, ω/ω₁ = {:.10g}\n", name(result.status),
                                    describe(result.schedule), result.period, result.frequencyRatio);
     text += fmt::format("set         {}\n", setAsText(result.set));
+    if (result.set.family) {
+        text += fmt::format("family      {}\n", familyAsText(*result.set.family));
+    }
     switch (result.status) {
         case Status::found:
             text += motionAsText(result);
+            if (target) {
+                text += fmt::format("distance    {:.6g} of the target in the norm of the energy\n",
+                                    target->distanceTo(result.motion->state));
+            }
             break;
         case Status::none:
             text += absenceAsText(*result.absence);
@@ -215,70 +217,15 @@ std::string asText(const PeriodicResult& result)
             text += fmt::format("why         {}\n", result.detail);
             break;
     }
+    if (target) {
+        text += fmt::format("target      {}\n", target->how);
+    }
     text += fmt::format("route       {}, {:.3g} s: {}\n", result.how.route,
                         result.how.solver.seconds, result.how.reason);
     for (std::size_t k = 0; k < result.how.leftOut.size(); ++k) {
         text += fmt::format("{:<12}{}\n", k == 0 ? "left out" : "", result.how.leftOut[k]);
     }
     return text;
-}
-
-std::string asJson(const PeriodicResult& result)
-{
-    Json json = newAnswer();
-    json["bar"] = barAsJson(result.bar);
-    json.update(Json{{"status", name(result.status)},
-                     {"cells", result.schedule.cells},
-                     {"schedule", phasesAsJson(result.schedule.phases)},
-                     {"period", result.period},
-                     {"frequency_ratio", result.frequencyRatio},
-                     {"kernel_dimension", nullptr},
-                     {"solution_set", nullptr},
-                     {"contact", nullptr},
-                     {"canonical_schedule", nullptr},
-                     {"energy", nullptr},
-                     {"energy_ratio", nullptr},
-                     {"energy_ratio_range", nullptr},
-                     {"residuals", nullptr},
-                     {"reason", nullptr},
-                     {"certificate", nullptr},
-                     {"route", result.how.route},
-                     {"route_reason", result.how.reason},
-                     {"left_out", result.how.leftOut},
-                     {"solver",
-                      {{"name", result.how.solver.name},
-                       {"iterations", result.how.solver.iterations},
-                       {"seconds", result.how.solver.seconds}}}});
-    if (result.set.kernelDimension) {
-        json["kernel_dimension"] = *result.set.kernelDimension;
-    }
-    if (const auto& kind = result.set.kind) {
-        json["solution_set"] = {{"kind", name(*kind)}, {"dimension", nullptr}};
-        if (*kind != SetKind::empty) {
-            json["solution_set"]["dimension"] = result.set.dimension;
-        }
-    }
-    if (result.set.energy) {
-        // JSON has no infinity: an unbounded or unknown end prints as null.
-        json["energy_ratio_range"] = {result.set.energy->least, result.set.energy->most};
-    } else if (result.motion) {
-        json["energy_ratio_range"] = {nullptr, nullptr};
-    }
-    if (result.motion) {
-        addMotion(*result.motion, json);
-    }
-    if (result.absence) {
-        const auto& proof = result.absence->proof;
-        json["reason"] = name(result.absence->reason);
-        json["certificate"] = std::visit([](const auto& p) { return asJson(p); }, proof);
-        if (const auto* exclusion = std::get_if<EnergyExclusion>(&proof)) {
-            json["detail"] = describe(*exclusion);
-        }
-    }
-    if (!result.detail.empty()) {
-        json["detail"] = result.detail;
-    }
-    return asLine(json);
 }
 
 }  // namespace signorini::cli

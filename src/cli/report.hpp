@@ -2,16 +2,39 @@
 /// \file
 /// A PeriodicResult in words and in JSON.
 
+#include <optional>
 #include <string>
 
+#include "json.hpp"
 #include "signorini/find_periodic.hpp"
 
 namespace signorini::cli {
 
-/// Several lines for people, with a final newline.
-[[nodiscard]] std::string asText(const PeriodicResult& result);
+/// What a motion was to be near, and how it was read.
+struct TargetReport {
+    const State& state;
+    const std::string& how;
 
-/// The JSON of the contract, with a final newline.
-[[nodiscard]] std::string asJson(const PeriodicResult& result);
+    /// [-], of a state, in the norm of the energy, relative to the target's.
+    [[nodiscard]] double distanceTo(const State& other) const;
+};
+
+/// Several lines for people, with a final newline.
+[[nodiscard]] std::string asText(const PeriodicResult& result,
+                                 const std::optional<TargetReport>& target = {});
+
+/// The JSON of the contract.
+[[nodiscard]] Json answerOf(const PeriodicResult& result,
+                            const std::optional<TargetReport>& target = {});
+
+/// "physical" of an answer.
+[[nodiscard]] Json physicalAsJson(const Physical& physical);
+
+/// The same in lines for people.
+[[nodiscard]] std::string asText(const Physical& physical);
+
+/// Said of a range that has no proof.
+inline constexpr const char* rangeNote =
+    "this end of the range is computed, not checked by other code";
 
 }  // namespace signorini::cli

@@ -150,8 +150,8 @@ const char* unitOf(Parameter parameter)
     switch (parameter) {
         case Parameter::arcLength:
             return "arc length λ [√E_1]";
-        case Parameter::position:
-            return "position λ of the block [cells]";
+        case Parameter::pause:
+            return "pause λ between the pulses [L/c]";
         case Parameter::number:
             return "number λ of the motion";
     }

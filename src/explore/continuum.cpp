@@ -19,11 +19,11 @@ namespace {
 constexpr std::string_view automatic = "auto";
 constexpr std::string_view closedForm = "closed-form";
 
-constexpr Named<Parameter> parameterNames[] = {
+constexpr auto parameterNames = std::to_array<Named<Parameter>>({
     {Parameter::arcLength, "arc length"},
-    {Parameter::position, "position"},
+    {Parameter::pause, "pause"},
     {Parameter::number, "number"},
-};
+});
 
 void validate(const Schedule& schedule, double energyRatio, const ContinuumOptions& options)
 {
@@ -58,6 +58,12 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
     faults.throwIfAny();
 }
 
+std::unique_ptr<EnergySection> sectionOf(const Schedule& schedule, double energyRatio)
+{
+    return schedule.phases.size() == 1 ? sectionOfOnePhase(schedule, energyRatio)
+                                       : sectionOfPhases(schedule, energyRatio);
+}
+
 /// One call of traceContinuum: what theory knows first, then a solver.
 class Tracing {
 public:
@@ -70,8 +76,7 @@ public:
     {
         record_.requireMotion("from", record_.from());
         record_.requireMotion("to", record_.to());
-        section_ = isOnePhase() ? sectionOfOnePhase(result_.schedule, record_.energy())
-                                : sectionOfPhases(result_.schedule, record_.energy());
+        section_ = sectionOf(result_.schedule, record_.energy());
         describeSet();
         result_.solver = chosenSolver();
         if (!hasMotion() || areApart()) {
@@ -257,7 +262,36 @@ Continuum traceContinuum(const Schedule& schedule, double energyRatio,
                          const ContinuumOptions& options)
 {
     validate(schedule, energyRatio, options);
-    return Tracing(schedule, energyRatio, options).run();
+    Continuum curve = Tracing(schedule, energyRatio, options).run();
+    curve.orbits = countOrbits(curve);
+    return curve;
+}
+
+Member memberAt(const Continuum& curve, double lambda)
+{
+    const auto& points = curve.points;
+    if (points.empty() || !(lambda >= points.front().lambda && lambda <= points.back().lambda)) {
+        Faults faults;
+        faults.add("member", lambda,
+                   points.empty() ? "none: the curve has no points"
+                                  : fmt::format("lambda = {}..{}", points.front().lambda,
+                                                points.back().lambda));
+        faults.throwIfAny();
+    }
+    const auto nearest = std::min_element(
+        points.begin(), points.end(), [lambda](const ContinuumPoint& one, const auto& other) {
+            return std::abs(one.lambda - lambda) < std::abs(other.lambda - lambda);
+        });
+    if (nearest->lambda == lambda || curve.parameter != Parameter::pause) {
+        return {*nearest, nearest->lambda == lambda};
+    }
+    ContinuumOptions options;
+    options.bar = curve.bar;
+    ContinuumRecord record(curve.schedule, curve.energyRatio, options);
+    if (!keepSplitPulse(record, *sectionOf(curve.schedule, curve.energyRatio), lambda)) {
+        throw std::runtime_error(record.result.detail);
+    }
+    return {std::move(record.result.points.front()), true};
 }
 
 std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, std::int64_t count,

@@ -52,23 +52,37 @@ void walk(ContinuumRecord& record, const EnergySection& section, const trace::Wa
     record.finish();
 }
 
-void traceBlock(ContinuumRecord& record, const EnergySection& section)
+/// What is to be said of the split pulse where it is not what its name says.
+std::string remarkOn(const EnergySection& section)
 {
-    const TravellingBlock block(*section.facts().simplex);
-    record.result.parameter = Parameter::position;
-    record.result.family = section.facts().simplex->ratio <= 0.5
-                               ? "travelling block"
-                               : "companion of a dominant amplitude";
-    const double range = block.last() - block.first();
+    if (!section.facts().isWhole) {
+        return "the pulses are those of the wave: where motions only graze, the wall feels no "
+               "force";
+    }
+    if (section.facts().simplex->ratio > 0.5) {
+        return "at this energy less than two cells carry force, so a pulse cannot be cut: the "
+               "curve "
+               "stays in the component with the large pulse first; a finer grid has more";
+    }
+    return "";
+}
+
+void splitPulse(ContinuumRecord& record, const EnergySection& section)
+{
+    const SphereSection simplex = *section.facts().simplex;
+    record.result.parameter = Parameter::pause;
+    record.result.family =
+        simplex.ratio <= 0.5 ? "split pulse" : "pulse of one cell and a smaller one";
+    const double longest =
+        PulsePair(simplex).longestPause() / static_cast<double>(record.result.schedule.cells);
     for (std::int64_t k = 0; k < record.options.points; ++k) {
         const double share =
             static_cast<double>(k) / static_cast<double>(record.options.points - 1);
-        const double position = block.first() + share * range;
-        if (record.isCancelled() || !record.keep(position, section.motionOf(block.at(position)))) {
+        if (record.isCancelled() || !keepSplitPulse(record, section, share * longest)) {
             return;
         }
     }
-    record.finish();
+    record.finish(remarkOn(section));
 }
 
 void tracePath(ContinuumRecord& record, const EnergySection& section,
@@ -108,7 +122,7 @@ struct GeometricTrace {
     ContinuumRecord& record;
     const EnergySection& section;
 
-    void operator()(const trace::Block&) const { traceBlock(record, section); }
+    void operator()(const trace::SplitPulse&) const { splitPulse(record, section); }
     void operator()(const trace::Path& path) const
     {
         tracePath(record, section, section.sharesOf(path.from), section.sharesOf(path.to),
@@ -135,6 +149,13 @@ std::string wordsForApart(const EnergySection& section, const std::vector<double
         "the sum, the {}. in one motion and the {}. in the other, and no curve of motions can "
         "exchange them ({} components)",
         dominant(from) + 1, dominant(to) + 1, section.facts().components.value_or(0));
+}
+
+bool keepSplitPulse(ContinuumRecord& record, const EnergySection& section, double pause)
+{
+    const PulsePair pulses(*section.facts().simplex);
+    const double cells = pause * static_cast<double>(record.result.schedule.cells);
+    return record.keep(pause, section.motionOf(pulses.at(cells)));
 }
 
 void traceGeometrically(ContinuumRecord& record, const EnergySection& section)

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <string_view>
+#include <unordered_map>
 
 #include "faults.hpp"
 
@@ -14,6 +17,17 @@ namespace {
 double distance(const State& first, const State& second)
 {
     return std::sqrt(energyRatio({first.a - second.a, first.b - second.b}));
+}
+
+/// Of the bits: equal states have equal ones.
+std::size_t hashOf(const State& state)
+{
+    const auto hash = [](const Eigen::VectorXd& wave) {
+        return std::hash<std::string_view>{}(
+            {reinterpret_cast<const char*>(wave.data()),
+             static_cast<std::size_t>(wave.size()) * sizeof(double)});
+    };
+    return hash(state.a) ^ (hash(state.b) << 1U);
 }
 
 }  // namespace
@@ -33,7 +47,7 @@ ContinuumRecord::ContinuumRecord(const Schedule& schedule, double energyRatio,
 
 double ContinuumRecord::peakStrainOf(const State& state) const
 {
-    return extremesOf(state, result.schedule).peakStrain * scales(options.bar).strain;
+    return extremesOf(state, result.schedule).peakCompression * scales(options.bar).strain;
 }
 
 const State* ContinuumRecord::from() const
@@ -131,6 +145,21 @@ void ContinuumRecord::finish(std::string detail)
         largest = std::max(largest, distance(result.points[k - 1].state, result.points[k].state));
     }
     result.resolution = largest / std::sqrt(energy());
+}
+
+std::int64_t countOrbits(const Continuum& curve)
+{
+    std::unordered_multimap<std::size_t, const State*> seen;
+    for (const ContinuumPoint& point : curve.points) {
+        const std::size_t hash = hashOf(orbitRepresentative(point.state, curve.schedule));
+        const auto [first, last] = seen.equal_range(hash);
+        if (std::none_of(first, last, [&](const auto& other) {
+                return isSameOrbit(point.state, *other.second, curve.schedule);
+            })) {
+            seen.emplace(hash, &point.state);
+        }
+    }
+    return static_cast<std::int64_t>(seen.size());
 }
 
 }  // namespace signorini

@@ -2,6 +2,7 @@
 /// \file
 /// A continuum on its way to an answer: what every way does with the motions it finds.
 
+#include <cstdint>
 #include <string>
 
 #include "signorini/continuum.hpp"
@@ -45,5 +46,8 @@ public:
     /// Found: states the resolution of what was kept.
     void finish(std::string detail = {});
 };
+
+/// Continuum::orbits of the points of a curve. O(n) per point, memory O(points).
+[[nodiscard]] std::int64_t countOrbits(const Continuum& curve);
 
 }  // namespace signorini

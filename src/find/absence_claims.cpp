@@ -1,6 +1,9 @@
 #include "absence_claims.hpp"
 
+#include <cmath>
+
 #include "backend_choice.hpp"
+#include "echo.hpp"
 #include "formulation.hpp"
 #include "lumped_proof.hpp"
 #include "tolerated.hpp"
@@ -16,6 +19,16 @@ std::optional<InfeasibilityProof> proofFor(const Request& request, const Demands
     return proveUnmet(
         request.schedule, demands, formulation, simplex.get(),
         {.tolerance = request.options.tolerance, .timeLimit = request.options.timeLimit});
+}
+
+/// No motion with p <= limit/2 has more: sum z^2 <= max |z| sum |z|.
+double energyWithin(const OnePhaseSet& whole, double strainLimit)
+{
+    const double most = 0.5 * strainLimit;
+    const double squares = whole.set.kind == SetKind::box
+                               ? most * most * static_cast<double>(whole.set.count)
+                               : most * whole.set.sum;
+    return energyOf(squares, whole.schedule.cells, whole.window);
 }
 
 /// Why a program without solution has none.
@@ -54,12 +67,22 @@ std::optional<Absence> absenceByEnergy(const Request& request)
     const std::optional<double>& wanted = request.demands.energyRatio;
     const std::optional<EnergyRange>& range = request.known.set.energy;
     const double tolerance = request.options.tolerance;
-    if (!wanted || !range || !isOutOfRange(*wanted, *range, tolerance)) {
+    if (!wanted || !range) {
         return std::nullopt;
     }
-    return Absence{
-        Reason::constraints,
-        EnergyExclusion{.energyRatio = *wanted, .range = *range, .tolerance = tolerance}};
+    EnergyExclusion exclusion{.energyRatio = *wanted, .range = *range, .tolerance = tolerance};
+    if (!isOutOfRange(*wanted, *range, tolerance)) {
+        const double limit = request.demands.strainLimit;
+        if (!request.known.onePhase || !std::isfinite(limit)) {
+            return std::nullopt;
+        }
+        exclusion.strainLimit = limit;
+        exclusion.range.most = energyWithin(*request.known.onePhase, limit * (1.0 + tolerance));
+        if (!isOutOfRange(*wanted, exclusion.range, tolerance)) {
+            return std::nullopt;
+        }
+    }
+    return Absence{Reason::constraints, exclusion};
 }
 
 std::optional<Absence> absenceByProgram(const Request& request, Formulation formulation)

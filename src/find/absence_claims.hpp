@@ -12,7 +12,7 @@ namespace signorini {
 [[nodiscard]] std::optional<Absence> absenceOfAll(const Request& request);
 
 /// If every energy of the set, where it is known, misses the one to hold by more than the
-/// tolerance.
+/// tolerance; of one phase also those within the strain limit: -min s = 2 max p, so p <= limit/2.
 [[nodiscard]] std::optional<Absence> absenceByEnergy(const Request& request);
 
 /// If the limits and fixed values are proved impossible over the rows of a formulation.

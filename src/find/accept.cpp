@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "energy_bound.hpp"
+#include "energy_section.hpp"
 #include "tolerated.hpp"
 
 namespace signorini {
@@ -29,7 +31,18 @@ bool holds(const EnergyExclusion& proof, const Schedule& schedule)
            isOutOfRange(wanted, proof.range, proof.tolerance) &&
            (wanted < proof.range.least
                 ? exceedEnergy(schedule, wanted * (1.0 + proof.tolerance))
-                : stayBelowEnergy(schedule, wanted * (1.0 - proof.tolerance)));
+                : stayBelowEnergy(schedule, wanted * (1.0 - proof.tolerance),
+                                  proof.strainLimit * (1.0 + proof.tolerance)));
+}
+
+/// The motions of the energy to hold; one beyond an end, within the tolerance, is met by the end.
+HeldEnergy heldEnergyOf(const Request& request)
+{
+    const EnergyRange& range = *request.known.set.energy;
+    const auto section = sectionOfOnePhase(
+        request.schedule, std::clamp(*request.demands.energyRatio, range.least, range.most));
+    const SectionFacts& facts = section->facts();
+    return {facts.dimension, facts.isConnected.value(), facts.components};
 }
 
 /// Enters an answer into the result.
@@ -56,7 +69,11 @@ public:
         }
         const Scales unit = scales(request_.options.bar);
         const double energy = energyRatio(state);
+        const Extremes extremes = extremesOf(state, request_.schedule, seen.repetitions);
         result_.status = Status::found;
+        if (request_.demands.energyRatio && request_.known.onePhase) {
+            result_.set.held = heldEnergyOf(request_);
+        }
         result_.motion =
             FoundMotion{.state = std::move(state),
                         .contact = seen.canonical.empty() ? Contact::grazing : Contact::pressing,
@@ -65,7 +82,7 @@ public:
                         .pressing = std::move(seen.pressing),
                         .energy = energy * unit.energy,
                         .energyRatio = energy,
-                        .peakStrain = seen.peakStrain * unit.strain,
+                        .physical = physicalOf(extremes, request_.options.bar),
                         .residuals = seen.residuals};
     }
 

@@ -2,6 +2,7 @@
 
 #include "absence_claims.hpp"
 #include "backend_choice.hpp"
+#include "echo.hpp"
 #include "nearest_motion.hpp"
 #include "routes.hpp"
 
@@ -18,29 +19,47 @@ Provenance provenanceOf(const Request& request)
                                "all but one row of (32) per sign block: prefix sums are monotone "
                                "inside"},
                    .solver = {.name = std::string(closedForm)}};
+    how.objective = request.demands.objective;
+    if (how.objective == Objective::automatic) {
+        how.objective =
+            request.demands.energyRatio ? Objective::minPeakStrain : Objective::minEnergy;
+    }
     if (request.known.onePhase->schedule != request.schedule) {
         how.leftOut.emplace_back("steps beyond 2N in contact and 4N in flight: they repeat");
     }
     return how;
 }
 
+/// The motion of an energy to hold, the flattest where nothing else is asked for. Within the
+/// tolerance an energy beyond an end is met by the end.
+State motionOfHeldEnergy(const OnePhaseSet& whole, const Demands& demands)
+{
+    const double squares =
+        std::clamp(squaresOf(*demands.energyRatio, whole.schedule.cells, whole.window),
+                   leastSquares(whole.set), mostSquares(whole.set));
+    switch (demands.objective) {
+        case Objective::any:
+            return motionOf(whole, amplitudesWithSquares(whole.set, squares));
+        case Objective::nearest:
+            return motionOf(whole, nearestWithSquares(
+                                       whole.set, amplitudesOf(whole, *demands.target), squares));
+        default:
+            return motionOf(whole, flattestAmplitudes(whole.set, squares));
+    }
+}
+
 /// The motion that fits the objective. Equal amplitudes have the least energy and the least peak
 /// strain, and the impulse is the same for all amplitudes. Empty where rounding spoils it.
 std::optional<State> candidate(const OnePhaseSet& whole, const Demands& demands)
 {
+    if (demands.energyRatio) {
+        return motionOfHeldEnergy(whole, demands);
+    }
     if (demands.objective == Objective::maxEnergy) {
         return motionOf(whole, mostAmplitudes(whole.set));
     }
     if (demands.objective == Objective::nearest) {
         return nearestMotion(whole, *demands.target);
-    }
-    if (demands.energyRatio) {
-        const double squares = *demands.energyRatio * static_cast<double>(whole.schedule.cells) /
-                               (2.0 * static_cast<double>(whole.window));
-        // Within the tolerance an energy beyond an end is met by the end.
-        return motionOf(
-            whole, amplitudesWithSquares(whole.set, std::clamp(squares, leastSquares(whole.set),
-                                                               mostSquares(whole.set))));
     }
     return leastEnergyMotion(whole);
 }
@@ -82,6 +101,9 @@ std::optional<Claim> closedFormRoute(const Request& request)
         if (auto absence = absenceByLimits(request)) {
             return claim(std::move(*absence));
         }
+    }
+    if (request.demands.needsExactRoute()) {
+        return claim("the motion of this energy and objective breaks a limit: try objective any");
     }
     if (request.options.solver == closedForm) {
         return claim(noExactAnswer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "formulation.hpp"
@@ -123,7 +124,7 @@ bool exceedEnergy(const Schedule& schedule, double energyRatio)
            boundByProjection(classes, live) > wanted;
 }
 
-bool stayBelowEnergy(const Schedule& schedule, double energyRatio)
+bool stayBelowEnergy(const Schedule& schedule, double energyRatio, double strainLimit)
 {
     const ClassTypes classes = classTypes(schedule);
     const auto live = liveTypesOf(classes);
@@ -136,8 +137,16 @@ bool stayBelowEnergy(const Schedule& schedule, double energyRatio)
     if (type.kind == TypeKind::grazing && type.windowSum != 1) {
         return false;
     }
-    const std::int64_t corners = type.kind == TypeKind::grazing ? mostOfCorners(type.count) : 1;
-    return sum * sum * corners < squaresOf(energyRatio, classes);
+    const bool isBox = type.kind == TypeKind::grazing;
+    const Rational wanted = squaresOf(energyRatio, classes);
+    if (std::isfinite(strainLimit)) {
+        const Rational most = Rational(strainLimit) / 2;
+        const Rational reached = most * (isBox ? Rational(most * type.count) : sum);
+        if (reached < wanted) {
+            return true;
+        }
+    }
+    return sum * sum * (isBox ? mostOfCorners(type.count) : 1) < wanted;
 }
 
 }  // namespace signorini

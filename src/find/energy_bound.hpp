@@ -3,6 +3,8 @@
 /// Bounds on the energy of all motions of a schedule, proved in rational arithmetic by code that
 /// shares nothing with the closed form and the projection that find them.
 
+#include <limits>
+
 #include "signorini/schedule.hpp"
 
 namespace signorini {
@@ -19,7 +21,9 @@ namespace signorini {
 
 /// Is every motion's E/E_1 proved to stay below the ratio? One phase only: z >= 0 and sum z = S
 /// give sum z^2 <= S^2; on the box of a grazing set squares are largest at its corners, which are
-/// walked through from class to class. O(G).
-[[nodiscard]] bool stayBelowEnergy(const Schedule& schedule, double energyRatio);
+/// walked through from class to class. With a strain limit [g/L] also |z| <= limit/2 is known, so
+/// that sum z^2 <= S limit/2, on a box d limit^2/4. O(G).
+[[nodiscard]] bool stayBelowEnergy(const Schedule& schedule, double energyRatio,
+                                   double strainLimit = std::numeric_limits<double>::infinity());
 
 }  // namespace signorini

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 #include "accept.hpp"
@@ -31,8 +32,9 @@ PeriodicResult findPeriodic(std::int64_t contactSteps, std::int64_t freeSteps, s
 
 std::string describe(const EnergyExclusion& exclusion)
 {
-    return fmt::format("E/E_1 = {} is outside the range [{}, {}] of the schedule",
-                       exclusion.energyRatio, exclusion.range.least, exclusion.range.most);
+    return fmt::format("E/E_1 = {} is outside the range [{}, {}] of the schedule{}",
+                       exclusion.energyRatio, exclusion.range.least, exclusion.range.most,
+                       std::isfinite(exclusion.strainLimit) ? " within the strain limit" : "");
 }
 
 }  // namespace signorini

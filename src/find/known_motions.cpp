@@ -25,7 +25,7 @@ std::optional<Measure> measure(const Demands& demands, const Schedule& schedule,
         case Objective::maxEnergy:
             return Measure{-energyRatio(state), "most energy"};
         case Objective::minPeakStrain:
-            return Measure{extremesOf(state, schedule).peakStrain, "least peak strain"};
+            return Measure{extremesOf(state, schedule).peakCompression, "least peak strain"};
         case Objective::maxImpulse:
             return Measure{-extremesOf(state, schedule).impulse, "most impulse"};
         case Objective::nearest:

@@ -41,7 +41,8 @@ std::string reasonFor(const Program& program, const Request& request)
             "most",
             cause);
     }
-    const char* kind = program.energy                 ? "a nonlinear program (held energy)"
+    const char* kind = program.energy ? "a nonlinear program (held energy: the flattest motion is "
+                                        "known to the closed form only)"
                        : program.quadratic.size() > 0 ? "a quadratic program"
                                                       : "a linear program";
     return fmt::format("{}: {}", cause, kind);
@@ -74,6 +75,9 @@ Solved solved(const Request& request)
     s.how.solver.name = backendFor(s.formulated.program, options.solver);
     s.how.route = fmt::format("{} on the {} formulation", s.how.solver.name, name(formulation));
     s.how.reason = reasonFor(s.formulated.program, request);
+    if (posed.objective != Objective::automatic) {
+        s.how.objective = posed.objective;
+    }
 
     const auto solver = makeSolver(s.how.solver.name);
     const SolverOptions settings{

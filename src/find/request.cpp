@@ -38,14 +38,35 @@ Demands demandsOf(const FindOptions& options)
             .energyRatio = options.energyRatio};
 }
 
+/// Held energies meet other objectives in the closed form of one contact phase only.
+void requireExactRoute(const Request& request)
+{
+    const Demands& demands = request.demands;
+    const Known& known = request.known;
+    const bool isExact =
+        known.onePhase && request.allowsExact() &&
+        !(demands.objective == Objective::nearest && known.set.kind == SetKind::box);
+    if (demands.needsExactRoute() && !isExact) {
+        Faults faults;
+        faults.add("objective", name(demands.objective),
+                   "auto|any when an energy is held, and further ones for one contact phase in "
+                   "closed form: min-peak-strain, and nearest where the wall is pressed");
+        faults.throwIfAny();
+    }
+}
+
 Known knownOfOnePhase(const Schedule& schedule)
 {
     Known known;
     known.onePhase = onePhaseSet(schedule);
     const OnePhaseSet& r = *known.onePhase;
-    known.set = {r.kernelDimension, r.set.kind, r.set.dimension(), r.set, std::nullopt};
+    known.set = {.kernelDimension = r.kernelDimension,
+                 .kind = r.set.kind,
+                 .dimension = r.set.dimension(),
+                 .amplitudes = r.set};
     if (!r.reason) {
         known.set.energy = energyRange(r);
+        known.set.family = familyOf(schedule);
     }
     return known;
 }
@@ -116,6 +137,7 @@ Request checked(const Schedule& schedule, const FindOptions& options)
     request.known =
         schedule.phases.size() == 1 ? knownOfOnePhase(schedule) : knownOfSeveralPhases(schedule);
     request.known.seconds = watch.seconds();
+    requireExactRoute(request);
     return request;
 }
 

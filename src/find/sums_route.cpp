@@ -21,6 +21,11 @@ Provenance provenanceOf(const Request& request)
                                "rows of (32) inside sign blocks: prefix sums are monotone there",
                                "closure of the last flight: periodicity implies it"},
                    .solver = {.name = std::string(closedForm)}};
+    if (request.demands.objective != Objective::automatic) {
+        how.objective = request.demands.objective;
+    } else if (!request.demands.energyRatio) {
+        how.objective = Objective::minEnergy;
+    }
     if (const auto& sums = request.known.sums) {
         how.reason = fmt::format("several contact phases: exact, {} sums of amplitudes decide",
                                  sums->live.size());
@@ -122,6 +127,10 @@ std::optional<Claim> heldEnergyRoute(const Request& request)
         return std::nullopt;
     }
     Claim claim{provenanceOf(request), std::move(*state)};
+    claim.how.reason +=
+        "; a motion of this energy between those of least and most, as the flattest is known for "
+        "one "
+        "contact phase only";
     claim.how.solver.seconds = request.known.seconds;
     return claim;
 }

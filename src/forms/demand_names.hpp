@@ -7,14 +7,14 @@
 
 namespace signorini {
 
-inline constexpr Named<Formulation> formulationNames[] = {
+inline constexpr auto formulationNames = std::to_array<Named<Formulation>>({
     {Formulation::automatic, "auto"},
     {Formulation::state, "state"},
     {Formulation::reduced, "reduced"},
     {Formulation::lumped, "lumped"},
-};
+});
 
-inline constexpr Named<Objective> objectiveNames[] = {
+inline constexpr auto objectiveNames = std::to_array<Named<Objective>>({
     {Objective::automatic, "auto"},
     {Objective::any, "any"},
     {Objective::minEnergy, "min-energy"},
@@ -22,6 +22,6 @@ inline constexpr Named<Objective> objectiveNames[] = {
     {Objective::minPeakStrain, "min-peak-strain"},
     {Objective::maxImpulse, "max-impulse"},
     {Objective::nearest, "nearest"},
-};
+});
 
 }  // namespace signorini

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "compensated_sum.hpp"
 #include "demand_names.hpp"
+#include "echo.hpp"
 #include "faults.hpp"
-#include "propagation.hpp"
 
 namespace signorini {
 
@@ -27,6 +26,12 @@ bool Demands::areLimits() const
 {
     return std::isfinite(strainLimit) || std::isfinite(tipFloor) || !fixed.empty() ||
            energyRatio.has_value();
+}
+
+bool Demands::needsExactRoute() const
+{
+    return energyRatio &&
+           (objective == Objective::minPeakStrain || objective == Objective::nearest);
 }
 
 void validate(const Demands& demands, const Schedule& schedule)
@@ -66,33 +71,11 @@ void validate(const Demands& demands, const Schedule& schedule)
         }
     }
     if (demands.energyRatio && demands.objective != Objective::automatic &&
-        demands.objective != Objective::any) {
-        faults.add("objective", name(demands.objective), "auto|any when an energy is held");
+        demands.objective != Objective::any && !demands.needsExactRoute()) {
+        faults.add("objective", name(demands.objective),
+                   "auto|any|min-peak-strain|nearest when an energy is held");
     }
     faults.throwIfAny();
-}
-
-Extremes extremesOf(const State& state, const Schedule& schedule)
-{
-    Schedule walked = schedule;
-    fold(walked);
-    const auto cells = static_cast<double>(state.cells());
-    double highest = -std::numeric_limits<double>::infinity();
-    double impulse = 0.0;
-    CompensatedSum prefix;
-    double deepest = 0.0;
-    forEachStep(state, walked, [&](double p, bool isContact) {
-        highest = std::max(highest, p);
-        if (isContact) {
-            impulse += 2.0 * p / cells;
-        } else {
-            prefix.add(p);
-            deepest = std::min(deepest, prefix.value());
-        }
-    });
-    return {.peakStrain = 2.0 * highest,
-            .lowestTip = gapOffset + 2.0 * deepest / cells,
-            .impulse = impulse};
 }
 
 double violation(const Demands& demands, const State& state, const Schedule& schedule)
@@ -103,7 +86,7 @@ double violation(const Demands& demands, const State& state, const Schedule& sch
     const Extremes seen = extremesOf(state, schedule);
     double worst = 0.0;
     if (std::isfinite(demands.strainLimit)) {
-        worst = std::max(worst, seen.peakStrain / demands.strainLimit - 1.0);
+        worst = std::max(worst, seen.peakCompression / demands.strainLimit - 1.0);
     }
     if (std::isfinite(demands.tipFloor)) {
         worst = std::max(worst, demands.tipFloor - seen.lowestTip);

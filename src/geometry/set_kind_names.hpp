@@ -7,9 +7,12 @@
 
 namespace signorini {
 
-inline constexpr Named<SetKind> setKindNames[] = {
-    {SetKind::empty, "empty"}, {SetKind::point, "point"},       {SetKind::simplex, "simplex"},
-    {SetKind::box, "box"},     {SetKind::polytope, "polytope"},
-};
+inline constexpr auto setKindNames = std::to_array<Named<SetKind>>({
+    {SetKind::empty, "empty"},
+    {SetKind::point, "point"},
+    {SetKind::simplex, "simplex"},
+    {SetKind::box, "box"},
+    {SetKind::polytope, "polytope"},
+});
 
 }  // namespace signorini

@@ -102,26 +102,27 @@ struct Spacing {
 };
 [[nodiscard]] Spacing equalSpacing(const SectionPath& path, std::int64_t n);
 
-/// A natural curve in M with a position as its parameter, first <= position <= last [cells].
+/// A natural curve in M with a pause as its parameter [cells]: two pulses, the first at the front,
+/// the second later and later. z_1 > 0 on all of it.
 ///
-/// For rho <= 1/2 the *travelling block*: z is the part of each cell [j - 1, j] that an interval
-/// about the position covers, scaled to sum 1; its width, about 1/rho cells, is chosen so that
-/// sum z^2 = rho exactly. For rho > 1/2 a block cannot pass from cell to cell; then z_1 dominates,
-/// and a *companion* one cell wide, the rest of the sum, travels over the others.
-class TravellingBlock {
+/// For rho <= 1/2 two rectangles of equal height and width, together 1/rho cells: from one block
+/// with no pause to a pulse at either end. z is the part c_j of each cell that they cover, to the
+/// power that makes sum z^2 = rho exactly (it takes 1 for whole cells), scaled to sum 1. For
+/// rho > 1/2 less than two cells cannot be cut: z_1 dominates, and the rest of the sum is a pulse
+/// one cell wide.
+class PulsePair {
 public:
-    explicit TravellingBlock(const SphereSection& section);
+    explicit PulsePair(const SphereSection& section);
 
-    [[nodiscard]] double first() const { return first_; }
-    [[nodiscard]] double last() const { return last_; }
-    [[nodiscard]] std::vector<double> at(double position) const;
+    /// Of the pulses at either end. The shortest pause is 0.
+    [[nodiscard]] double longestPause() const { return longest_; }
+    /// The point with this pause, or with the nearest one that there is. O(d).
+    [[nodiscard]] std::vector<double> at(double pause) const;
 
 private:
-    [[nodiscard]] std::vector<double> companionAt(double position) const;
-
     SphereSection section_;
-    double first_ = 0.0;
-    double last_ = 0.0;
+    double width_;  ///< of each pulse
+    double longest_;
 };
 
 /// Walks at random over the members of a simplex or a box with a given sum z^2: hit-and-run. Each

@@ -18,7 +18,8 @@ Bar barOfMaterial(double length, double young, double density, double area, doub
     Bar bar{.length = length,
             .waveSpeed = std::sqrt(young / density),
             .axialStiffness = young * area,
-            .gap = gap};
+            .gap = gap,
+            .young = young};
     validate(bar);
     return bar;
 }
@@ -30,6 +31,9 @@ void validate(const Bar& bar)
     faults.requirePositive("waveSpeed", bar.waveSpeed, "m/s");
     faults.requirePositive("axialStiffness", bar.axialStiffness, "N");
     faults.requirePositive("gap", bar.gap, "m");
+    if (bar.young) {
+        faults.requirePositive("young", *bar.young, "Pa");
+    }
     faults.throwIfAny();
 
     const Scales unit = scales(bar);

@@ -5,7 +5,8 @@
 
 namespace signorini {
 
-Motion::Motion(const State& state, const Schedule& schedule) : cells_(state.cells())
+Motion::Motion(const State& state, const Schedule& schedule)
+    : extremes_(extremesOf(state, schedule)), cells_(state.cells())
 {
     const Schedule walked = foldedFor(state, schedule);
     steps_ = signorini::steps(walked);
@@ -48,6 +49,12 @@ double Motion::strain(std::int64_t cell, std::int64_t instant) const
 {
     return -p_[static_cast<std::size_t>(instant + cells_ - cell)] -
            p_[static_cast<std::size_t>(instant + cells_ + cell - 1)];
+}
+
+double Motion::wallForce(std::int64_t step) const
+{
+    // What came back is +p_m in contact, -p_m in flight.
+    return p_[static_cast<std::size_t>(step)] + p_[static_cast<std::size_t>(step + 2 * cells_)];
 }
 
 std::vector<std::int64_t> thinned(std::int64_t last, std::int64_t most)

@@ -7,21 +7,23 @@
 
 namespace signorini {
 
-inline constexpr Named<Status> statusNames[] = {
+inline constexpr auto statusNames = std::to_array<Named<Status>>({
     {Status::found, "found"},
     {Status::none, "none"},
     {Status::undecided, "undecided"},
-};
+});
 
-inline constexpr Named<Reason> reasonNames[] = {
-    {Reason::noLiveClass, "no-live-class"}, {Reason::contactSign, "contact-sign"},
-    {Reason::penetration, "penetration"},   {Reason::gap, "gap"},
+inline constexpr auto reasonNames = std::to_array<Named<Reason>>({
+    {Reason::noLiveClass, "no-live-class"},
+    {Reason::contactSign, "contact-sign"},
+    {Reason::penetration, "penetration"},
+    {Reason::gap, "gap"},
     {Reason::constraints, "constraints"},
-};
+});
 
-inline constexpr Named<Contact> contactNames[] = {
+inline constexpr auto contactNames = std::to_array<Named<Contact>>({
     {Contact::pressing, "pressing"},
     {Contact::grazing, "grazing"},
-};
+});
 
 }  // namespace signorini

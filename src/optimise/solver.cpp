@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "faults.hpp"
+#include "names.hpp"
 #include "scaling.hpp"
 
 namespace signorini {
@@ -74,27 +75,21 @@ bool isChosenFor(const Backend& backend, const Capabilities& needs)
                                       : choice.linear;
 }
 
+constexpr auto statusNames = std::to_array<Named<SolverStatus>>({
+    {SolverStatus::notRun, "not run"},
+    {SolverStatus::optimal, "optimal"},
+    {SolverStatus::infeasible, "infeasible"},
+    {SolverStatus::unbounded, "unbounded"},
+    {SolverStatus::limit, "limit"},
+    {SolverStatus::cancelled, "cancelled"},
+    {SolverStatus::failed, "failed"},
+});
+
 }  // namespace
 
 std::string_view name(SolverStatus status)
 {
-    switch (status) {
-        case SolverStatus::notRun:
-            return "not run";
-        case SolverStatus::optimal:
-            return "optimal";
-        case SolverStatus::infeasible:
-            return "infeasible";
-        case SolverStatus::unbounded:
-            return "unbounded";
-        case SolverStatus::limit:
-            return "limit";
-        case SolverStatus::cancelled:
-            return "cancelled";
-        case SolverStatus::failed:
-            return "failed";
-    }
-    throw std::logic_error("unnamed SolverStatus");
+    return nameIn(statusNames, status);
 }
 
 Capabilities needsOf(const Program& program)

@@ -131,6 +131,25 @@ std::vector<Family> findFamilies(std::int64_t maxOrder, const FamilyBounds& boun
     return families;
 }
 
+std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks)
+{
+    Faults faults;
+    faults.requireWhole("order", order, maxFamilyOrder);
+    faults.requireWhole("blocks", blocks, maxSteps);
+    if (std::gcd(order, blocks) != 1) {
+        faults.add("blocks", blocks, fmt::format("those without common factor with {}", order));
+    }
+    faults.throwIfAny();
+    std::vector<Family> families;
+    if (blocks < 2 * order) {
+        forEachContact(order, blocks, 1, [&families](const Family& family) {
+            families.push_back(family);
+            return true;
+        });
+    }
+    return families;
+}
+
 bool forEachFamilyOnGrid(std::int64_t cells, const FamilyBounds& bounds,
                          const FamilyVisitor& visitor)
 {

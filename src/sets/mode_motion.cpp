@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "faults.hpp"
 #include "integers.hpp"
 #include "mode_line.hpp"
 #include "signorini/modes.hpp"
@@ -103,6 +104,11 @@ double ModeMotion::incoming(double t) const
     return locate(t).jumps % 2 == 0 ? amplitude_ : -amplitude_;
 }
 
+double ModeMotion::meanIncoming(double from, double to) const
+{
+    return amplitude_ * (integral(to) - integral(from)) / (to - from);
+}
+
 double ModeMotion::displacement(double x, double t) const
 {
     return amplitude_ * (integral(t + 1.0 - x) - integral(t + 1.0 + x));
@@ -121,6 +127,39 @@ double ModeMotion::strain(double x, double t) const
 double ModeMotion::wallForce(double t) const
 {
     return locate(t).time < contactTime() ? 2.0 * amplitude_ : 0.0;
+}
+
+Extremes ModeMotion::extremes() const
+{
+    // The tip turns where p jumps.
+    const double most = 2.0 * amplitude_;
+    const double least = *std::min_element(integrals_.begin(), integrals_.end());
+    return {.period = period_,
+            .contactTime = contactTime(),
+            .peakForce = most,
+            .impulse = most * contactTime(),
+            .approachSpeed = most,
+            .peakCompression = most,
+            .peakTension = most,
+            .lowestTip = 1.0 + most * (least - integrals_.front())};
+}
+
+State cellMeans(const ModeMotion& motion, std::int64_t cells)
+{
+    if (cells < 1 || cells > maxCells) {
+        Faults faults;
+        faults.add("cells", cells, fmt::format("1..{}", maxCells));
+        faults.throwIfAny();
+    }
+    const auto end = [cells](std::int64_t i) {
+        return static_cast<double>(i) / static_cast<double>(cells);
+    };
+    State state{Eigen::VectorXd(cells), Eigen::VectorXd(cells)};
+    for (std::int64_t i = 1; i <= cells; ++i) {
+        state.a[i - 1] = motion.meanIncoming(1.0 - end(i), 1.0 - end(i - 1));
+        state.b[i - 1] = -motion.meanIncoming(1.0 + end(i - 1), 1.0 + end(i));
+    }
+    return state;
 }
 
 }  // namespace signorini

@@ -19,11 +19,11 @@ namespace signorini {
 
 namespace {
 
-constexpr Named<ModeEnd> modeEndNames[] = {
+constexpr auto modeEndNames = std::to_array<Named<ModeEnd>>({
     {ModeEnd::contactVanishes, "contact-vanishes"},
     {ModeEnd::energyInfinite, "energy-infinite"},
     {ModeEnd::jumpsMeet, "jumps-meet"},
-};
+});
 
 /// What Euclid's algorithm on (2a, r), r = -m mod 2a, says of a mode.
 struct ModePattern {

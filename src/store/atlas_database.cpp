@@ -20,32 +20,47 @@ namespace {
 
 /// Marks the file as an atlas: "sgnr".
 constexpr std::int64_t applicationId = 0x73676e72;
-constexpr std::int64_t schemaVersion = 1;
+constexpr std::int64_t schemaVersion = 2;
 
 constexpr const char* schema = R"(
+CREATE TABLE families(
+  id INTEGER PRIMARY KEY, cells INTEGER NOT NULL, family_order INTEGER, nu INTEGER,
+  contact_blocks INTEGER, phases TEXT NOT NULL, steps INTEGER NOT NULL, period REAL NOT NULL,
+  frequency_ratio REAL NOT NULL, contact TEXT NOT NULL, kind TEXT NOT NULL,
+  dimension INTEGER NOT NULL, energy_ratio_min REAL NOT NULL, energy_ratio_max REAL NOT NULL,
+  schedules INTEGER NOT NULL, UNIQUE(cells, phases));
 CREATE TABLE schedules(
   cells INTEGER NOT NULL, phases TEXT NOT NULL, steps INTEGER NOT NULL, period REAL NOT NULL,
   frequency_ratio REAL NOT NULL, status TEXT NOT NULL, reason TEXT, kernel_dimension INTEGER,
   kind TEXT, dimension INTEGER, contact TEXT, canonical INTEGER,
-  energy_ratio_min REAL, energy_ratio_max REAL, UNIQUE(cells, phases));
+  energy_ratio_min REAL, energy_ratio_max REAL, family INTEGER REFERENCES families(id),
+  UNIQUE(cells, phases));
+CREATE INDEX schedules_without_family ON schedules(cells, steps) WHERE family IS NULL;
 CREATE TABLE runs(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, options TEXT NOT NULL, cells INTEGER NOT NULL,
   max_contact INTEGER NOT NULL, max_free INTEGER NOT NULL, phases INTEGER NOT NULL,
-  max_energy_ratio REAL, keeps_refuted INTEGER NOT NULL, batches INTEGER NOT NULL,
+  max_energy_ratio REAL, keeps_refuted INTEGER NOT NULL, families_only INTEGER NOT NULL, batches INTEGER NOT NULL,
   next_batch INTEGER NOT NULL, decided INTEGER NOT NULL, pressing INTEGER NOT NULL,
   grazing INTEGER NOT NULL, refuted INTEGER NOT NULL, undecided INTEGER NOT NULL,
   started TEXT NOT NULL, finished TEXT, seconds REAL NOT NULL, workers TEXT NOT NULL);
 CREATE UNIQUE INDEX one_run_per_range ON runs(
-  cells, max_contact, max_free, phases, ifnull(max_energy_ratio, -1), keeps_refuted);
+  cells, max_contact, max_free, phases, ifnull(max_energy_ratio, -1), keeps_refuted,
+  families_only);
 PRAGMA application_id = 1936158322;
-PRAGMA user_version = 1;
+PRAGMA user_version = 2;
 )";
-static_assert(applicationId == 1936158322 && schemaVersion == 1, "as written in the schema");
+static_assert(applicationId == 1936158322 && schemaVersion == 2, "as written in the schema");
 
 constexpr const char* insertRow =
     "INSERT OR IGNORE INTO schedules(cells, phases, steps, period, frequency_ratio, status, "
     "reason, kernel_dimension, kind, dimension, contact, canonical, energy_ratio_min, "
-    "energy_ratio_max) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
+    "energy_ratio_max, family) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
+
+constexpr const char* insertFamily =
+    "INSERT INTO families(cells, family_order, nu, contact_blocks, phases, steps, period, "
+    "frequency_ratio, contact, kind, dimension, energy_ratio_min, energy_ratio_max, schedules) "
+    "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) ON CONFLICT(cells, phases) DO UPDATE SET "
+    "schedules = max(schedules, excluded.schedules)";
 
 constexpr const char* updateRun =
     "UPDATE runs SET next_batch = ?, decided = ?, pressing = ?, grazing = ?, refuted = ?, "
@@ -65,8 +80,11 @@ void requireAtlas(const std::string& path, SQLite::Database& database)
     }
     const std::int64_t version = database.execAndGet("PRAGMA user_version").getInt64();
     if (version != schemaVersion) {
-        throw FileError(path, fmt::format("cannot use: it is an atlas of version {}: allowed {}",
-                                          version, schemaVersion));
+        throw FileError(
+            path,
+            fmt::format(
+                "cannot use: it is an atlas of version {}: allowed {}{}", version, schemaVersion,
+                version < schemaVersion ? "; decide its range anew into another file" : ""));
     }
 }
 
@@ -104,22 +122,22 @@ int run(SQLite::Statement& statement, const Values&... values)
 class BatchWriter {
 public:
     explicit BatchWriter(const SQLite::Database& database)
-        : insert_(database, insertRow), update_(database, updateRun)
+        : insert_(database, insertRow),
+          insertFamily_(database, insertFamily),
+          findFamily_(database, "SELECT id FROM families WHERE cells = ? AND phases = ?"),
+          update_(database, updateRun)
     {
     }
 
-    void insert(const AtlasRange& range, const AtlasRow& row)
+    void insert(const AtlasRange& range, const AtlasBatch& batch)
     {
-        const Schedule schedule{range.cells, phasesAt(range, row.number)};
-        const auto ifFound = [&row](auto value) {
-            return row.status == Status::found ? std::optional(value) : std::nullopt;
-        };
-        run(insert_, range.cells, phasesText(schedule.phases), steps(schedule), period(schedule),
-            frequencyRatio(schedule), name(row.status),
-            row.reason ? std::optional(name(*row.reason)) : std::nullopt,
-            row.kernelDimension >= 0 ? std::optional(row.kernelDimension) : std::nullopt,
-            ifFound(name(row.kind)), ifFound(row.dimension), ifFound(name(row.contact)),
-            ifFound(row.isCanonical), ifFound(row.energy.least), ifFound(row.energy.most));
+        top_ = {};  // its id may be that of a transaction that failed
+        for (const AtlasFamily& family : batch.families) {
+            insert(family);
+        }
+        for (const AtlasRow& row : batch.rows) {
+            insert(range, row);
+        }
     }
 
     /// False if the row was not where this process left it.
@@ -132,8 +150,56 @@ public:
     }
 
 private:
+    void insert(const AtlasFamily& all)
+    {
+        const auto ofTriple = [&all](std::int64_t Family::*field) {
+            return all.family ? std::optional((*all.family).*field) : std::nullopt;
+        };
+        run(insertFamily_, all.cells, ofTriple(&Family::order), ofTriple(&Family::blocks),
+            ofTriple(&Family::contactBlocks), phasesText({all.top}), all.steps, period(all),
+            frequencyRatio(all), name(all.contact()), name(all.kind), all.dimension,
+            all.energy.least, all.energy.most, all.schedules);
+    }
+
+    void insert(const AtlasRange& range, const AtlasRow& row)
+    {
+        const Schedule schedule{range.cells, phasesAt(range, row.number)};
+        const auto ifFound = [&row](auto value) {
+            return row.status == Status::found ? std::optional(value) : std::nullopt;
+        };
+        const AtlasEntry entry{schedule, row, {}};
+        run(insert_, range.cells, phasesText(schedule.phases), row.steps, period(entry),
+            frequencyRatio(entry), name(row.status),
+            row.reason ? std::optional(name(*row.reason)) : std::nullopt,
+            row.kernelDimension >= 0 ? std::optional(row.kernelDimension) : std::nullopt,
+            ifFound(name(row.kind)), ifFound(row.dimension), ifFound(name(row.contact)),
+            ifFound(row.isCanonical), ifFound(row.energy.least), ifFound(row.energy.most),
+            row.familyTop ? std::optional(idOf(range.cells, *row.familyTop)) : std::nullopt);
+    }
+
+    /// Of the family with that top. Rows of one family follow each other.
+    std::int64_t idOf(std::int64_t cells, const Phase& top)
+    {
+        if (top != top_) {
+            (void)findFamily_.tryReset();
+            findFamily_.bind(1, cells);
+            findFamily_.bind(2, phasesText({top}));
+            if (!findFamily_.executeStep()) {
+                throw SQLite::Exception(fmt::format("table families lacks {}", phasesText({top})));
+            }
+            id_ = findFamily_.getColumn(0).getInt64();
+            top_ = top;
+            findFamily_.reset();
+        }
+        return id_;
+    }
+
     SQLite::Statement insert_;
+    SQLite::Statement insertFamily_;
+    SQLite::Statement findFamily_;
     SQLite::Statement update_;
+    Phase top_;  ///< of the family looked up last
+    std::int64_t id_ = 0;
 };
 
 AtlasDatabase::AtlasDatabase(std::unique_ptr<Connection> connection)
@@ -197,11 +263,12 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
         SQLite::Statement insert(
             database,
             "INSERT INTO runs(version, options, cells, max_contact, max_free, phases, "
-            "max_energy_ratio, keeps_refuted, batches, next_batch, decided, pressing, grazing, "
-            "refuted, undecided, started, seconds, workers) "
-            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, ?, 0, '')");
+            "max_energy_ratio, keeps_refuted, families_only, batches, next_batch, decided, "
+            "pressing, grazing, refuted, undecided, started, seconds, workers) "
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, ?, 0, '')");
         run(insert, SIGNORINI_VERSION, options, range.cells, range.maxContact, range.maxFree,
-            range.maxPhases, range.maxEnergyRatio, range.keepsRefuted, entered.batches, now());
+            range.maxPhases, range.maxEnergyRatio, range.keepsRefuted, range.familiesOnly,
+            entered.batches, now());
         entered.id = database.getLastInsertRowid();
         return entered;
     });
@@ -220,9 +287,7 @@ void AtlasDatabase::write(AtlasRun& run, const AtlasBatch& batch, double seconds
     after.seconds += seconds;
     connection_->use([&](SQLite::Database& database) {
         SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-        for (const AtlasRow& row : batch.rows) {
-            writer_->insert(after.range, row);
-        }
+        writer_->insert(after.range, batch);
         if (!writer_->update(after, workers)) {
             throw FileError("run " + std::to_string(after.id),
                             "cannot use: another process is writing the same range");

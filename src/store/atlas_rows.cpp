@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -107,7 +108,21 @@ std::vector<Phase> readPhases(const SQLite::Statement& s, int column)
     return phases;
 }
 
-/// Cells and phases, and what follows from them.
+/// Steps after which motions repeat, and what follows from them and the cells.
+std::int64_t readSteps(const SQLite::Statement& s, std::int64_t cells)
+{
+    const std::int64_t steps = readWhole(s, 12, 1, maxSteps);
+    const auto check = [&s](int column, double right) {
+        if (real(s, column) != right) {
+            refuse(s, column, fmt::format("{}", right));
+        }
+    };
+    const auto size = static_cast<double>(cells);
+    check(13, static_cast<double>(steps) / size);
+    check(14, 4.0 * size / static_cast<double>(steps));
+    return steps;
+}
+
 Schedule readSchedule(const SQLite::Statement& s)
 {
     Schedule schedule{readWhole(s, 1, 1, maxCells), readPhases(s, 2)};
@@ -116,16 +131,54 @@ Schedule readSchedule(const SQLite::Statement& s)
     } catch (const std::invalid_argument& error) {
         refuse(s, 2, error.what());
     }
-    if (whole(s, 12) != steps(schedule)) {
-        refuse(s, 12, fmt::format("{}", steps(schedule)));
-    }
-    if (real(s, 13) != period(schedule)) {
-        refuse(s, 13, fmt::format("{}", period(schedule)));
-    }
-    if (real(s, 14) != frequencyRatio(schedule)) {
-        refuse(s, 14, fmt::format("{}", frequencyRatio(schedule)));
-    }
     return schedule;
+}
+
+EnergyRange readEnergy(const SQLite::Statement& s)
+{
+    const EnergyRange energy{real(s, 10), s.isColumnNull(11) ? infinity : real(s, 11)};
+    if (!(energy.least > 0.0)) {
+        refuse(s, 10, "> 0");
+    }
+    if (!(energy.most >= energy.least)) {
+        refuse(s, 11, ">= energy_ratio_min");
+    }
+    return energy;
+}
+
+/// w, nu, k of a family of the grid; grazing sets have none.
+std::optional<Family> readTriple(const SQLite::Statement& s, std::int64_t cells)
+{
+    if (readName(s, 8, contactNames) == Contact::grazing) {
+        for (const int column : {3, 4, 5}) {
+            if (!s.isColumnNull(column)) {
+                refuse(s, column, "NULL where motions graze");
+            }
+        }
+        return std::nullopt;
+    }
+    const std::int64_t order = readWhole(s, 3, 1, 2 * cells);
+    if (2 * cells % order != 0) {
+        refuse(s, 3, fmt::format("divisors of {}", 2 * cells));
+    }
+    const auto family =
+        findFamily(order, readWhole(s, 4, 1, maxSteps), readWhole(s, 5, 1, maxSteps));
+    if (!family) {
+        refuse(s, 5, "contact blocks of a family");
+    }
+    return family;
+}
+
+/// The steps after which the motions of a schedule can repeat.
+void checkSteps(const SQLite::Statement& s, const Schedule& schedule, const AtlasRow& row)
+{
+    const std::int64_t n = steps(schedule);
+    if (schedule.phases.size() > 1 ? n % row.steps != 0 : row.steps != n) {
+        const bool grazes = row.status == Status::found && row.contact == Contact::grazing;
+        if (!grazes || row.steps != 2 * std::gcd(2 * schedule.cells, n)) {
+            refuse(s, 12, fmt::format("what belongs to {}", phasesText(schedule.phases)));
+        }
+    }
 }
 
 /// What is known of the motions of a schedule that has some.
@@ -135,14 +188,7 @@ void readSet(const SQLite::Statement& s, AtlasRow& row)
     row.dimension = readWhole(s, 7, -1, maxSteps);
     row.contact = readName(s, 8, contactNames);
     row.isCanonical = readWhole(s, 9, 0, 1) != 0;
-    row.energy.least = real(s, 10);
-    row.energy.most = s.isColumnNull(11) ? infinity : real(s, 11);
-    if (!(row.energy.least > 0.0)) {
-        refuse(s, 10, "> 0");
-    }
-    if (!(row.energy.most >= row.energy.least)) {
-        refuse(s, 11, ">= energy_ratio_min");
-    }
+    row.energy = readEnergy(s);
 }
 
 }  // namespace
@@ -153,6 +199,10 @@ AtlasEntry readEntry(const SQLite::Statement& s)
     AtlasRow& row = entry.row;
     row.number = whole(s, 0);
     entry.schedule = readSchedule(s);
+    row.steps = readSteps(s, entry.schedule.cells);
+    if (!s.isColumnNull(15)) {
+        entry.family = whole(s, 15);
+    }
     row.status = readName(s, 3, statusNames);
     if (row.status == Status::none) {
         row.reason = readName(s, 4, reasonNames);
@@ -163,7 +213,32 @@ AtlasEntry readEntry(const SQLite::Statement& s)
     } else {
         row.energy = {infinity, infinity};
     }
+    checkSteps(s, entry.schedule, row);
     return entry;
+}
+
+AtlasFamily readFamily(const SQLite::Statement& s)
+{
+    AtlasFamily all;
+    all.id = whole(s, 0);
+    const Schedule schedule = readSchedule(s);
+    all.cells = schedule.cells;
+    all.top = schedule.phases.front();
+    all.family = readTriple(s, all.cells);
+    const Phase top =
+        all.family ? scheduleOf(*all.family, all.cells).phases.front() : Phase{1, all.top.free};
+    if (schedule.phases.size() != 1 || all.top != top) {
+        refuse(s, 2, fmt::format("{}, the top of the family", phasesText({top})));
+    }
+    all.steps = readSteps(s, all.cells);
+    if (all.steps != steps(schedule)) {
+        refuse(s, 12, fmt::format("{}", steps(schedule)));
+    }
+    all.kind = readName(s, 6, std::span(setKindNames).subspan(1));
+    all.dimension = readWhole(s, 7, 0, 2 * maxCells);
+    all.schedules = readWhole(s, 9, 1, std::numeric_limits<std::int64_t>::max());
+    all.energy = readEnergy(s);
+    return all;
 }
 
 AtlasRun readRun(const SQLite::Statement& s)
@@ -176,7 +251,8 @@ AtlasRun readRun(const SQLite::Statement& s)
                  .maxFree = whole(s, 3),
                  .maxPhases = whole(s, 4),
                  .maxEnergyRatio = s.isColumnNull(5) ? infinity : real(s, 5),
-                 .keepsRefuted = readWhole(s, 6, 0, 1) != 0};
+                 .keepsRefuted = readWhole(s, 6, 0, 1) != 0,
+                 .familiesOnly = readWhole(s, 15, 0, 1) != 0};
     try {
         validate(run.range);
     } catch (const std::invalid_argument& error) {

@@ -71,16 +71,18 @@ void copyContent(const std::string& from, TextFile& target)
 
 /// Keeps the file `target` under the name `kept`, too, or moves it there where the file system has
 /// no links. \return whether there is such a file. \throws FileError.
-bool keep(const std::string& target, const std::string& kept, const std::string& name)
+bool keep(const std::string& target, const std::string& kept, const std::string& name,
+          bool isFolder)
 {
     const fs::file_status status = statusOf(target, name, false);
     if (!fs::exists(status)) {
         return false;
     }
-    if (!fs::is_regular_file(status)) {
+    if (!isFolder && !fs::is_regular_file(status)) {
         cannotReplace(name, fs::is_directory(status) ? EISDIR : EEXIST);
     }
-    if (link(target.c_str(), kept.c_str()) != 0 && rename(target.c_str(), kept.c_str()) != 0) {
+    if ((isFolder || link(target.c_str(), kept.c_str()) != 0) &&
+        rename(target.c_str(), kept.c_str()) != 0) {
         cannotReplace(name, errno);
     }
     return true;
@@ -137,8 +139,41 @@ OutputFiles::~OutputFiles()
 {
     for (const Entry& entry : entries_) {
         std::error_code ignored;
-        fs::remove(entry.staged, ignored);
+        fs::remove_all(entry.staged, ignored);
     }
+}
+
+std::string OutputFiles::stageFolder(const std::string& path, const std::string& ending,
+                                     const std::string& name)
+{
+    const fs::path target = outputPlace(path);
+    std::error_code error;
+    if (fs::exists(statusOf(target, path, true))) {
+        for (fs::directory_iterator entry(target, error), end; !error && entry != end;
+             entry.increment(error)) {
+            if (!entry->is_regular_file(error) || entry->path().extension() != ending) {
+                throw FileError(path, fmt::format("holds more than {} files: allowed a new folder, "
+                                                  "or one of the same kind to replace",
+                                                  ending));
+            }
+        }
+        if (error) {
+            throw FileError(path, fmt::format("cannot replace: {}", error.message()));
+        }
+    }
+    std::string staged = (target.parent_path() / ".signorini-XXXXXX").string();
+    if (mkdtemp(staged.data()) == nullptr) {
+        throw FileError(path, cannotWrite(errno));
+    }
+    const mode_t mask = umask(0);
+    umask(mask);
+    (void)chmod(staged.c_str(), 0777U & ~mask);
+    entries_.push_back({.staged = staged,
+                        .target = target.string(),
+                        .name = name.empty() ? path : name,
+                        .isRegular = true,
+                        .isFolder = true});
+    return staged;
 }
 
 std::string OutputFiles::stage(const std::string& path, const std::string& name)
@@ -207,7 +242,7 @@ void OutputFiles::commit()
     }
     for (const Entry& entry : entries_) {
         std::error_code ignored;
-        fs::remove(keptName(entry.staged), ignored);
+        fs::remove_all(keptName(entry.staged), ignored);
         if (!entry.isRegular) {
             fs::remove(entry.staged, ignored);
         }
@@ -217,7 +252,8 @@ void OutputFiles::commit()
 
 void OutputFiles::replace(Entry& entry, bool keepsOld)
 {
-    entry.isKept = keepsOld && keep(entry.target, keptName(entry.staged), entry.name);
+    entry.isKept = (keepsOld || entry.isFolder) &&
+                   keep(entry.target, keptName(entry.staged), entry.name, entry.isFolder);
     if (rename(entry.staged.c_str(), entry.target.c_str()) != 0) {
         cannotReplace(entry.name, errno);
     }
@@ -227,6 +263,9 @@ void OutputFiles::replace(Entry& entry, bool keepsOld)
 void OutputFiles::restore(const Entry& entry)
 {
     std::error_code ignored;
+    if (entry.isFolder && entry.isPlaced) {
+        fs::remove_all(entry.target, ignored);
+    }
     if (entry.isKept) {
         const std::string kept = keptName(entry.staged);
         // Between two names of one file renaming does nothing, so one of them may be left.

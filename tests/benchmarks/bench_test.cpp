@@ -1,8 +1,6 @@
 // The program signorini-bench: its table, its report, and how it goes on after an end.
 
 #include <sys/wait.h>
-#include <unistd.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +8,7 @@
 #include <set>
 
 #include "catch.hpp"
+#include "folder.hpp"
 #include "judge.hpp"
 #include "record.hpp"
 #include "runner.hpp"
@@ -27,34 +26,29 @@ namespace {
 /// A folder of its own, and calls of the program that write into it.
 class Bench {
 public:
-    Bench() : folder_(fs::temp_directory_path() / ("signorini-bench-" + std::to_string(getpid())))
-    {
-        fs::remove_all(folder_);
-    }
-    Bench(const Bench&) = delete;
-    Bench& operator=(const Bench&) = delete;
-    ~Bench() { fs::remove_all(folder_); }
-
     [[nodiscard]] int run(const std::string& arguments) const
     {
         const int status = std::system(("'" SIGNORINI_BENCH "' " + arguments + " --output '" +
-                                        folder_.string() + "' >/dev/null 2>&1 </dev/null")
+                                        folder_.path().string() + "' >/dev/null 2>&1 </dev/null")
                                            .c_str());
         return WEXITSTATUS(status);
     }
 
-    [[nodiscard]] Table table() const { return readTable((folder_ / "results.csv").string()); }
+    [[nodiscard]] Table table() const
+    {
+        return readTable((folder_.path() / "results.csv").string());
+    }
 
     [[nodiscard]] std::string content(const char* name) const
     {
-        std::ifstream file(folder_ / name, std::ios::binary);
+        std::ifstream file(folder_.path() / name, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
 
-    [[nodiscard]] fs::path file(const char* name) const { return folder_ / name; }
+    [[nodiscard]] fs::path file(const char* name) const { return folder_.path() / name; }
 
 private:
-    fs::path folder_;
+    test::Folder folder_;
 };
 
 }  // namespace

@@ -122,7 +122,8 @@ TEST_CASE("forms: a strain limit as rows decides as a limit on single waves does
     }
     const auto solver = makeSolver("glpk-simplex");
     const Schedule schedule{6, {{3, 18}}};
-    const double least = extremesOf(leastEnergyMotion(onePhaseSet(schedule)), schedule).peakStrain;
+    const double least =
+        extremesOf(leastEnergyMotion(onePhaseSet(schedule)), schedule).peakCompression;
     for (const std::string_view form : {"sd", "sy", "dy", "ky", "kd"}) {
         for (const double share : {0.99, 1.01}) {
             const Demands demands{.objective = Objective::any, .strainLimit = share * least};

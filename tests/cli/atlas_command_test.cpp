@@ -34,6 +34,10 @@ TEST_CASE("cli atlas: the default range of N = 12 in JSON and in the tables of t
                  "kernel_dimension = 6 AND kind = 'simplex' AND dimension = 5 AND contact = "
                  "'pressing' AND energy_ratio_min = 4 AND energy_ratio_max = 24") == 1);
     CHECK(number(plain,
+                 "SELECT COUNT(*) FROM families f JOIN schedules s ON s.family = f.id WHERE "
+                 "f.family_order = 4 AND f.nu = 7 AND f.contact_blocks = 1 AND f.phases = '6:36' "
+                 "AND f.dimension = 5 AND f.energy_ratio_max = 24 AND f.schedules = 11") == 11);
+    CHECK(number(plain,
                  "SELECT COUNT(*) FROM runs WHERE version <> '' AND options <> '' AND "
                  "started <> '' AND finished <> ''") == 1);
     CHECK(program.files() == 1);
@@ -46,6 +50,28 @@ TEST_CASE("cli atlas: the default range of N = 12 in JSON and in the tables of t
     CHECK(number(all,
                  "SELECT COUNT(*) FROM schedules WHERE status = 'none' AND reason IN "
                  "('no-live-class', 'contact-sign', 'penetration', 'gap')") == r["refuted"]);
+}
+
+TEST_CASE("cli atlas: --families-only writes the same families and no schedules")
+{
+    const Program program;
+    REQUIRE(program.run("atlas --database whole.sqlite --cells 30").status == 0);
+    REQUIRE(program.run("atlas --database few.sqlite --cells 30 --families-only").status == 0);
+    const fs::path whole = program.file("whole.sqlite");
+    const fs::path few = program.file("few.sqlite");
+    CHECK(number(few, "SELECT COUNT(*) FROM schedules") == 0);
+    CHECK(number(few, "SELECT COUNT(*) FROM families") > 0);
+    for (const char* sum : {"SELECT COUNT(*) FROM families", "SELECT SUM(schedules) FROM families",
+                            "SELECT SUM(steps * dimension) FROM families",
+                            "SELECT SUM(pressing + grazing) FROM runs"}) {
+        CHECK(number(few, sum) == number(whole, sum));
+    }
+    const auto near = program.run("atlas --database few.sqlite --near 8/7 20 --format json");
+    CHECK(near.status == 0);
+    CHECK(json::parse(near.out)["families"].size() == 1);
+    const auto rows = program.run("atlas --database few.sqlite --near 8/7 20 --schedules");
+    CHECK(rows.status == 0);
+    CHECK_THAT(rows.err, containsText("no schedules"));
 }
 
 TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same rows")
@@ -65,7 +91,7 @@ TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same r
     // A question in between finds what is there, whatever the killed process left behind.
     const auto asked = program.run("atlas --database parts.sqlite --period 3 --format json");
     const json found = json::parse(asked.out);
-    CHECK(asked.status == (found["schedules"].empty() ? 3 : 0));
+    CHECK(asked.status == (found["schedules"].empty() && found["families"].empty() ? 3 : 0));
     CHECK(found["complete"].is_boolean());
     REQUIRE(program.run(pairs + " --database parts.sqlite --resume").status == 0);
     CHECK(dump(program.file("parts.sqlite")) == whole);
@@ -112,7 +138,19 @@ TEST_CASE("cli atlas: threads and processes write the same rows")
     const std::string launch =
         "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
         "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun --oversubscribe -n 3";
+    // One phase, several batches of families and schedules.
+    const std::string single = "atlas --cells 150 --max-free 1500 --quiet --database ";
+    REQUIRE(program.run(single + "a.sqlite").status == 0);
+    REQUIRE(program.run(single + "b.sqlite --threads 2").status == 0);
+    const auto schedules = dump(program.file("a.sqlite"));
+    const auto families = dump(program.file("a.sqlite"), "families");
+    CHECK(number(program.file("a.sqlite"), "SELECT batches FROM runs") > 3);
+    CHECK(dump(program.file("b.sqlite")) == schedules);
+    CHECK(dump(program.file("b.sqlite"), "families") == families);
     if (SIGNORINI_HAS_MPI != 0) {
+        REQUIRE(program.run(single + "c.sqlite", launch).status == 0);
+        CHECK(dump(program.file("c.sqlite")) == schedules);
+        CHECK(dump(program.file("c.sqlite"), "families") == families);
         REQUIRE(program.run(pairs + " --database three.sqlite", launch).status == 0);
         CHECK(dump(program.file("three.sqlite")) == rows);
         // Trouble of one process ends all, with its status.
@@ -168,40 +206,68 @@ TEST_CASE("cli atlas: queries")
         REQUIRE(outcome.status == 0);
         return json::parse(outcome.out);
     };
+    // A point of the plane is one family, whatever the number of schedules.
     const json near = ask("--near 1.142857 20");
-    REQUIRE(near["schedules"].size() > 0);
-    for (const json& entry : near["schedules"]) {
+    REQUIRE(near["families"].size() == 1);
+    const json& family = near["families"][0];
+    CHECK(family["order"] == 4);
+    CHECK(family["nu"] == 7);
+    CHECK(family["contact_blocks"] == 1);
+    CHECK(family["schedule"] == json::parse("[[6, 36]]"));
+    CHECK(family["period_ratio"] == 3.5);
+    CHECK(family["dimension"] == 5);
+    CHECK(family["dimension_at_energy"] == 4);
+    CHECK(family["connected_at_energy"] == false);  // 20 of 24 E_1: six spikes
+    CHECK(family["energy_ratio_range"] == json::parse("[4.0, 24.0]"));
+    CHECK(family["schedules"] == 11);
+    CHECK(near["schedules"].empty());
+    CHECK(ask("--near 8/7 12 --within 1e-9")["families"][0]["connected_at_energy"] == true);
+    CHECK(ask("--near 8/7 4")["families"][0]["dimension_at_energy"] == 0);
+    CHECK(ask("--near 8/7 24")["families"][0]["dimension_at_energy"] == 0);
+    const json rows = ask("--near 1.142857 20 --schedules");
+    CHECK(rows["families"] == near["families"]);
+    CHECK(rows["schedules"].size() == 9);  // 24/d <= 20: all but the two ends of the tent
+    for (const json& entry : rows["schedules"]) {
+        CHECK(entry["family"] == family["id"]);
         CHECK(entry["period"] == 3.5);
         CHECK(entry["energy_ratio_range"][0].get<double>() <= 20.2);
         CHECK(entry["energy_ratio_range"][1].get<double>() >= 19.8);
     }
-    CHECK(ask("--near 1.142857 20 --within 1e-9")["schedules"].empty());
-    const json period = ask("--period 7/2");
-    CHECK(period == ask("--period 3.5"));
+    const json period = ask("--period 7/2 --schedules");
+    CHECK(period == ask("--period 3.5 --schedules"));
+    CHECK(period["families"].size() == 1);
     int canonical = 0;
     for (const json& entry : period["schedules"]) {
         canonical += entry["canonical"].get<bool>() ? 1 : 0;
     }
     CHECK(canonical == 6);
+    // Motions that graze are listed at their own period, not at that of a repetition.
+    for (const json& entry : ask("--period 4 --schedules")["schedules"]) {
+        CHECK(entry["contact"] == "grazing");
+        CHECK(entry["frequency_ratio"] == 1.0);
+    }
+    CHECK(ask("--period 8")["families"].empty());
+    CHECK(ask("--period 8 --schedules")["schedules"].empty());
     const json groups = ask("--twins");
     REQUIRE(groups["twins"].size() > 0);
     for (const json& twins : groups["twins"]) {
-        CHECK(twins["schedules"].size() > 1);
+        CHECK(twins["families"].size() > 1);
     }
     // An answer says what it covers: a null result is no proof where nothing was decided.
     CHECK(near["complete"] == true);
     CHECK(near["ranges"][0]["max_free"] == 96);
     const auto never = program.run("atlas --database a.sqlite --cells 77 --period 3 --format json");
     CHECK(json::parse(never.out)["complete"] == false);
-    CHECK_THAT(never.err, containsText("decided nothing"));
+    CHECK_THAT(never.err, containsText("decided nothing of N = 77") && containsText("N = 12"));
     REQUIRE(program.run("atlas --database low.sqlite --cells 30 --max-energy-ratio 5").status == 0);
-    const auto low = program.run("atlas --database low.sqlite --near 1.142857 20 --format json");
+    const auto low = program.run("atlas --database low.sqlite --near 8/7 20 --format json");
     CHECK(json::parse(low.out)["complete"] == false);
     CHECK_THAT(low.err, containsText("energy"));
-    CHECK(json::parse(program.run("atlas --database low.sqlite --near 1.142857 4 --format json")
+    CHECK(json::parse(program.run("atlas --database low.sqlite --near 8/7 4 --format json")
                           .out)["complete"] == true);
     const auto words = program.run("atlas --database a.sqlite --period 10/3");
-    CHECK_THAT(words.out, containsText("15 schedules"));
+    CHECK_THAT(words.out, containsText("1 family") && containsText("(3, 5, 1)") &&
+                              containsText("15 schedules") && containsText("on this grid"));
 }
 
 TEST_CASE("cli atlas: wrong use is status 2, one line, and no file")
@@ -228,6 +294,13 @@ TEST_CASE("cli atlas: wrong use is status 2, one line, and no file")
                                   "--database a --twins --all",
                                   "--database a --twins --resume",
                                   "--database a --within 0.1",
+                                  "--database a --schedules",
+                                  "--database a --twins --schedules",
+                                  "--database a --all --families-only",
+                                  "--database a --phases 2 --families-only",
+                                  "--database a --twins --families-only",
+                                  "--database a --near 8/0 5",
+                                  "--database a --near 8/7/6 5",
                                   "--database a --figure f.txt",
                                   "--database a --map m",
                                   "--database a --figure a",

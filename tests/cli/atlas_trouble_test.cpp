@@ -91,7 +91,7 @@ TEST_CASE("cli atlas: an edited database is status 4 with the column, never a wr
                             "ALTER TABLE schedules DROP COLUMN kind", "DROP TABLE runs"}) {
         INFO(sql);
         edit(program, sql);
-        checkRefusal(program.run("atlas --database e.sqlite --period 7/2"));
+        checkRefusal(program.run("atlas --database e.sqlite --period 7/2 --schedules"));
         checkRefusal(program.run("atlas --database e.sqlite --cells 6 --resume"));
     }
     for (const std::string column : {"phases = '3:x'",
@@ -116,18 +116,34 @@ TEST_CASE("cli atlas: an edited database is status 4 with the column, never a wr
                                      "energy_ratio_max = 0.5"}) {
         INFO(column);
         edit(program, "UPDATE schedules SET " + column + " WHERE phases = '3:18'");
+        const auto outcome = program.run("atlas --database e.sqlite --period 7/2 --schedules");
+        checkRefusal(outcome);
+        CHECK_THAT(outcome.err, containsText("allowed"));
+    }
+    for (const std::string column :
+         {"phases = '4:17'", "family_order = 5", "family_order = NULL", "nu = 8",
+          "contact_blocks = 3", "contact = 'grazing'", "contact = 'soft'", "kind = 'heap'",
+          "dimension = -1", "schedules = 0", "schedules = 'x'", "period = 3", "frequency_ratio = 1",
+          "energy_ratio_min = -1", "energy_ratio_max = 0.5"}) {
+        INFO(column);
+        edit(program, "UPDATE families SET " + column + " WHERE phases = '3:18'");
         const auto outcome = program.run("atlas --database e.sqlite --period 7/2");
         checkRefusal(outcome);
         CHECK_THAT(outcome.err, containsText("allowed"));
     }
+    edit(program, "DROP TABLE families; PRAGMA user_version = 1");
+    const auto former = program.run("atlas --database e.sqlite --twins");
+    checkRefusal(former);
+    CHECK_THAT(former.err, containsText("version 1") && containsText("anew"));
 }
 
 TEST_CASE("cli atlas: an answer that is empty because nothing was decided there is status 3")
 {
     const Program program;
     REQUIRE(program.run(build).status == 0);
-    for (const char* query : {"--near 1.142857 20 --cells 7", "--period 7/2 --cells 7",
-                              "--twins --cells 7", "--period 100", "--near 0.01 20"}) {
+    for (const char* query :
+         {"--near 1.142857 20 --cells 7", "--period 7/2 --cells 7", "--twins --cells 7",
+          "--period 100", "--near 0.01 20", "--period 1/7", "--near 1.142857 20 --within 1e-9"}) {
         const auto outcome =
             program.run(std::string("atlas --database a.sqlite --format json ") + query);
         INFO(query << "\n" << outcome.err);
@@ -136,12 +152,13 @@ TEST_CASE("cli atlas: an answer that is empty because nothing was decided there 
         CHECK(json::parse(outcome.out)["complete"] == false);
     }
     // Decided, and there is none: an answer.
-    for (const char* query : {"--near 1.142857 0.5", "--period 1/7"}) {
+    for (const char* query : {"--near 1.142857 0.5", "--period 7/6"}) {
         const auto outcome =
             program.run(std::string("atlas --database a.sqlite --format json ") + query);
         INFO(query << "\n" << outcome.err);
         CHECK(outcome.status == 0);
         CHECK(json::parse(outcome.out)["complete"] == true);
+        CHECK(json::parse(outcome.out)["families"].empty());
         CHECK(json::parse(outcome.out)["schedules"].empty());
     }
     // Energies that were not kept are not decided either.
@@ -156,21 +173,24 @@ TEST_CASE("cli atlas: seconds and joules are those of the bar")
     // L/c = 4e-4 s, E_1 = 2e7 * 1e-12 / 4 J.
     const std::string steel = " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6";
     const json answer = json::parse(
-        program.run("atlas --database a.sqlite --period 7/2 --format json" + steel).out);
+        program.run("atlas --database a.sqlite --period 7/2 --schedules --format json" + steel)
+            .out);
     CHECK(answer["schema"] == 2);
     CHECK(answer["bar"]["wave_speed"] == 5000.0);
     int found = 0;
-    for (const json& entry : answer["schedules"]) {
+    json rows = answer["schedules"];
+    rows.insert(rows.end(), answer["families"].begin(), answer["families"].end());
+    for (const json& entry : rows) {
         CHECK(entry["period"].get<double>() == Approx(3.5 * 4e-4));
         CHECK(entry["period_ratio"] == 3.5);
-        if (entry["status"] != "found") {
-            continue;
-        }
+        CHECK(entry["frequency"].get<double>() == Approx(1.0 / (3.5 * 4e-4)));
         ++found;
         CHECK(entry["energy_range"][0].get<double>() ==
               Approx(entry["energy_ratio_range"][0].get<double>() * 5e-6));
     }
-    CHECK(found > 0);
+    CHECK(found > 2);
+    const auto near = program.run("atlas --database a.sqlite --near 8/7 5" + steel);
+    CHECK_THAT(near.out, containsText("714.286 Hz") && containsText("2e-05 … 6e-05 J"));
     const json twins =
         json::parse(program.run("atlas --database a.sqlite --twins --format json" + steel).out);
     for (const json& group : twins["twins"]) {

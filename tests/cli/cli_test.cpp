@@ -218,6 +218,23 @@ TEST_CASE("cli: the nearest motion to a state file is found, wrong files are ref
             0);
     const json r = program.find("5 23 --cells 8 --objective nearest --target target.csv", 0);
     CHECK(r["energy_ratio"].get<double>() == Approx(16.0).epsilon(1e-12));
+    CHECK(r["distance"].get<double>() < 1e-12);
+    CHECK(r["target"] == "waves a, b in 8 rows, one per cell");
+    // Measured on another grid: twice the places, midway in halves of cells.
+    std::ofstream table(program.file("measured.csv"));
+    table << "# strain gauges\nx;velocity;strain\n";
+    for (const json& row : rowsOf(contentOf(program.file("target.csv")))) {
+        for (const double off : {0.75, 0.25}) {
+            table << row[0].get<double>() - off / 8.0 << ";" << row[3] << ";" << row[4] << "\n";
+        }
+    }
+    table.close();
+    const json near = program.find("5 23 --cells 8 --objective nearest --target measured.csv", 0);
+    CHECK(near["target"] == "velocity and strain in 16 rows, averaged onto 8 cells");
+    CHECK(near["distance"].get<double>() > 0.01);
+    CHECK(near["distance"].get<double>() < 0.5);
+    const auto words = program.run("find 5 23 --cells 8 --objective nearest --target measured.csv");
+    CHECK_THAT(words.out, containsText("distance    0.") && containsText("averaged onto 8 cells"));
     const auto refused = [&](const char* name, const std::string& text, int status,
                              const char* named) {
         std::ofstream(program.file(name)) << text;

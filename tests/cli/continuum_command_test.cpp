@@ -22,7 +22,10 @@ TEST_CASE("cli: continuum in JSON, every field of the contract, and its table")
     CHECK(r["connected"] == true);
     CHECK(r["dimension"] == 148);
     REQUIRE(r["points"].size() == 5);
-    CHECK(r["points"][0]["lambda"] == 15.0);
+    CHECK(r["parameter"] == "pause");
+    CHECK(r["points"][0]["lambda"] == 0.0);
+    CHECK(r["points"][4]["lambda"].get<double>() == Approx(0.4));
+    CHECK(r["orbits"] == 5);
     for (const json& point : r["points"]) {
         CHECK(std::abs(point["energy_ratio"].get<double>() / 20.0 - 1.0) < 1e-12);
         CHECK(point["residual"].get<double>() < 1e-12);
@@ -60,6 +63,54 @@ TEST_CASE("cli: continuum joins two states of files, or proves that it cannot")
         }
     }
     CHECK(apart > 0);
+}
+
+TEST_CASE("cli: one member of a continuum, exactly at the lambda asked for")
+{
+    const Program program;
+    const std::string call = "continuum 150 900 --energy-ratio 20 --points 3 --format json";
+    const auto outcome = program.run(call + " --member 0.137 --state m.csv");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const json r = json::parse(outcome.out);
+    CHECK(r["member"]["exact"] == true);
+    CHECK(r["member"]["lambda"] == 0.137);
+    CHECK(r["member"]["energy_ratio"].get<double>() == Approx(20.0).epsilon(1e-12));
+    CHECK(r["points"].size() == 3);
+    // It is a motion: the nearest one is itself.
+    const json found = program.find("150 900 --objective nearest --target m.csv", 0);
+    CHECK(found["distance"].get<double>() < 1e-7);
+    CHECK(found["target"] == "waves a, b in 300 rows, one per cell");
+
+    const auto path = program.run(
+        "continuum 150 900 --energy-ratio 20 --points 3 --seed 4 "
+        "--format json --member 0.5 --state n.csv");
+    REQUIRE(path.status == 0);
+    CHECK(json::parse(path.out)["member"]["exact"] == false);
+
+    for (const auto& [arguments, text] :
+         {std::pair{" --member 0.41 --state o.csv", "member = 0.41"},
+          std::pair{" --member -0.1 --state o.csv", "member = -0.1"},
+          std::pair{" --member 0.1", "--member and --state"},
+          std::pair{" --state o.csv", "--member and --state"},
+          std::pair{" --member x --state o.csv", "--member = x"}}) {
+        const auto wrong = program.run(call + arguments);
+        INFO(arguments << "\n" << wrong.err);
+        CHECK(wrong.status == 2);
+        CHECK(lines(wrong.err) == 1);
+        CHECK_THAT(wrong.err, containsText(text));
+    }
+    CHECK(program.files() == 2);
+}
+
+TEST_CASE("cli: the text of a continuum says how many motions there are")
+{
+    const Program program;
+    const auto split = program.run("continuum 150 900 --energy-ratio 20 --points 4");
+    CHECK_THAT(split.out, containsText("split pulse, λ = pause between the two pulses") &&
+                              containsText("all different motions"));
+    const auto spikes = program.run("continuum 150 900 --energy-ratio 600");
+    CHECK_THAT(spikes.out, containsText("orbits      1 different motion:"));
 }
 
 TEST_CASE("cli: continuum outside the range is exit status 1 with the range, and no file")

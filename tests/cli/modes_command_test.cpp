@@ -141,3 +141,26 @@ TEST_CASE("cli: modes draws its figure")
         CHECK_THAT(figure, containsText(label));
     }
 }
+
+TEST_CASE("cli modes: the table holds the curves of the figure")
+{
+    const Program program;
+    REQUIRE(program.run("modes --max-order 3 --max-energy-ratio 20 --csv m.csv").status == 0);
+    const json modes = json::parse(
+        program.run("modes --max-order 3 --max-energy-ratio 20 --format json").out)["modes"];
+    const std::vector<json> rows = rowsOf(contentOf(program.file("m.csv")));
+    REQUIRE(rows.size() == 100 * modes.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const json& mode = modes[k / 100];
+        CHECK(mode["contact"] == json({rows[k][0], rows[k][1]}));
+        const double period = rows[k][2].get<double>();
+        CHECK(rows[k][3].get<double>() == Approx(4.0 / period));
+        const double a4 = rows[k][0].get<double>();
+        CHECK(rows[k][4].get<double>() == Approx(a4 + rows[k][1].get<double>() * period));
+        const double root = mode["inverse_sqrt_energy"][0].get<double>() * period -
+                            mode["inverse_sqrt_energy"][1].get<double>();
+        CHECK(rows[k][5].get<double>() == Approx(1.0 / (root * root)));
+        CHECK(rows[k][5].get<double>() <= 20.0);
+    }
+    CHECK(program.run("modes --csv a.png --figure a.png").status == 2);
+}

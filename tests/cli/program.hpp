@@ -12,10 +12,13 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "catch.hpp"
+#include "folder.hpp"
 
 namespace signorini::test {
 
@@ -31,15 +34,6 @@ inline std::string contentOf(const fs::path& path)
 /// Runs the program in a folder of its own.
 class Program {
 public:
-    Program() : folder_(fs::temp_directory_path() / ("signorini-cli-" + std::to_string(getpid())))
-    {
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    Program(const Program&) = delete;
-    Program& operator=(const Program&) = delete;
-    ~Program() { fs::remove_all(folder_); }
-
     struct Outcome {
         int status;
         std::string out;
@@ -49,8 +43,8 @@ public:
 
     [[nodiscard]] Outcome run(const std::string& arguments, const std::string& prefix = "") const
     {
-        const std::string base = folder_.string() + "-std";
-        const std::string command = "cd '" + folder_.string() + "' && " + prefix + " '" +
+        const std::string base = folder_.path().string() + "-std";
+        const std::string command = "cd '" + folder_.path().string() + "' && " + prefix + " '" +
                                     SIGNORINI_PROGRAM + "' " + arguments + " >" + base + "out 2>" +
                                     base + "err </dev/null";
         const auto [status, peak] = shell(command);
@@ -68,11 +62,8 @@ public:
         return json::parse(outcome.out);
     }
 
-    [[nodiscard]] fs::path file(const char* name) const { return folder_ / name; }
-    [[nodiscard]] std::ptrdiff_t files() const
-    {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
-    }
+    [[nodiscard]] fs::path file(const char* name) const { return folder_.path() / name; }
+    [[nodiscard]] std::ptrdiff_t files() const { return folder_.files(); }
 
 private:
     /// Exit status and peak memory [kB] of one command.
@@ -93,8 +84,21 @@ private:
                 static_cast<double>(usage.ru_maxrss)};
     }
 
-    fs::path folder_;
+    Folder folder_;
 };
+
+/// The numbers of a table with a header, one array a row.
+inline std::vector<json> rowsOf(const std::string& csv)
+{
+    std::vector<json> rows;
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        rows.push_back(json::parse("[" + line + "]"));
+    }
+    return rows;
+}
 
 inline std::ptrdiff_t lines(const std::string& text)
 {

@@ -102,6 +102,6 @@ TEST_CASE("witness: a held energy by nonlinear programs, where a limit leaves th
         INFO(solver << " " << result.detail);
         REQUIRE(result.status == Status::found);
         CHECK(result.motion->energyRatio == Approx(6.0).epsilon(1e-7));
-        CHECK(result.motion->peakStrain <= 0.0055 * (1 + 1e-7));
+        CHECK(result.motion->physical.peakCompression <= 0.0055 * (1 + 1e-7));
     }
 }

@@ -15,6 +15,7 @@ from pathlib import Path
 from campaign import FOUND, UNAVAILABLE, WRONG_USE, arguments, campaign
 
 CELLS = 6
+MARK = b"\xef\xbb\xbf"
 CALL = ["find", "3", "18", "--cells", str(CELLS), "--objective", "nearest", "--format", "json"]
 NUMBER = re.compile(r"-?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 ODD = [b"", b" ", b"\t", b",", b";", b"\n", b"\r", b"\r\n", b"\0", b"\xef\xbb\xbf", b"\xff", b"-",
@@ -23,19 +24,34 @@ ODD = [b"", b" ", b"\t", b",", b";", b"\n", b"\r", b"\r\n", b"\0", b"\xef\xbb\xb
        b"a,b\n", b"\x1a", b"1.5.2", b"\xd9\xa3", b"1d3", b"=1", b"NULL"]
 
 
+def table(content):
+    """The fields of each line that is no comment, or None if the last one has no end."""
+    try:
+        text = content.removeprefix(MARK).decode("utf-8")
+    except UnicodeDecodeError:
+        text = content.removeprefix(MARK).decode("latin-1")
+    if not text.endswith("\n"):
+        return None
+    lines = [line.removesuffix("\r") for line in text[:-1].split("\n")]
+    lines = [line for line in lines if not line.strip(" \t").startswith("#")]
+    separator = ";" if lines and ";" in lines[0] else ","
+    return [[field.strip(" \t") for field in line.split(separator)] for line in lines]
+
+
+def is_measured(content):
+    """Without a and b, but with x and velocity: another kind of table, judged by unit tests."""
+    header = set((table(content) or [[]])[0])
+    return not header & {"a", "b"} and "x" in header and bool(header & {"velocity", "v"})
+
+
 def strict(content):
     """(a, b) of a state file, or None: one newline after each row, the header's number of fields.
 
     Blanks around a field and a carriage return before the newline are allowed.
     """
-    try:
-        text = content.decode("utf-8")
-    except UnicodeDecodeError:
-        text = content.decode("latin-1")
-    if not text.endswith("\n"):
+    rows = table(content)
+    if not rows:
         return None
-    rows = [[field.strip(" \t") for field in line.removesuffix("\r").split(",")]
-            for line in text[:-1].split("\n")]
     header, rows = rows[0], rows[1:]
     if header.count("a") != 1 or header.count("b") != 1 or not rows:
         return None
@@ -104,10 +120,12 @@ def judge(case, valid):
     (case.folder / "damaged.csv").write_bytes(content)
     words = [*CALL, "--target", "damaged.csv"]
     outcome = case.run(words)
+    if is_measured(content) and outcome.status in (FOUND, WRONG_USE):
+        return "refused" if outcome.status == WRONG_USE else "accepted"
     numbers = strict(content)
     if outcome.status in (WRONG_USE, UNAVAILABLE):
         if numbers is None:
-            if not re.search(rb"damaged\.csv( line \d+|: no rows)", outcome.err):
+            if not re.search(rb"damaged\.csv line \d+", outcome.err):
                 case.fault(words, f"no line named: {outcome.err!r} for {content!r}")
         elif len(numbers) == CELLS and is_moderate(numbers):
             case.fault(words, f"refused, though right: {outcome.err!r} for {content!r}")

@@ -1,0 +1,208 @@
+#pragma once
+/// \file
+/// Forced, damped motions with one contact phase, exactly: those of one schedule, those of all
+/// schedules at one amplitude (the response), and whether the bar stays near them.
+///
+/// Units L = c = g = 1, forces in EA g/L; Damping and Excitation in simulation.hpp. A schedule
+/// (n_c, n_f) is one period of n = n_c + n_f steps in which a harmonic excitation goes through K
+/// cycles, m = 0 being the start of contact,
+///
+///     C cos(2 pi K (m + 1/2)/n) + S sin(2 pi K (m + 1/2)/n)      force on the tip,
+///     Y cos(2 pi K m/n - phase)                                  displacement of the base.
+///
+/// With damping the waves that arrive at the tip are C p^0 + S p^1, u(L, 0) = g is a line in the
+/// plane (C, S), and the conditions R >= 0 and u(L) <= g cut it: the motions of a schedule are a
+/// segment, a ray, a point or nothing, and an amplitude hypot(C, S) is met by at most two.
+/// docs/theory.md, section 15.
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "signorini/control.hpp"
+#include "signorini/motion.hpp"
+#include "signorini/schedule.hpp"
+#include "signorini/simulation.hpp"
+#include "signorini/verdict.hpp"
+
+namespace signorini {
+
+/// An excitation up to its size.
+struct Forcing {
+    Excited place = Excited::tip;
+    std::int64_t cycles = 1;  ///< [-], K, of a harmonic of any amplitude and phase
+    /// Other than a harmonic: one period of its values (simulation.hpp), from the start of
+    /// contact, times an amplitude of any sign. Its length divides n.
+    std::vector<double> shape = {};
+};
+
+/// Whether the bar stays near a motion.
+enum class Stability {
+    attracts,  ///< every disturbance that was tried died out
+    repels,    ///< one grew
+    unclear,   ///< neither in the time given
+};
+
+/// "attracts", "repels", "unclear".
+[[nodiscard]] std::string_view name(Stability stability);
+
+/// Largest residual of a reported motion.
+inline constexpr double forcedTolerance = 1e-9;
+
+/// One motion.
+struct ForcedMotion {
+    Schedule schedule;
+    Damping damping;
+    Excitation excitation;   ///< n steps from the start of contact
+    double amplitude = 0.0;  ///< [EA g/L] (tip) or [g] (base)
+    double phase = 0.0;      ///< [rad], of the harmonic; 0 for a shape
+    State state;             ///< at the start of contact
+    double impulse = 0.0;    ///< int R dt over a period [EA g/c]
+    double peakForce = 0.0;  ///< max R [EA g/L]
+    double lowest = 0.0;     ///< min u(L) [g]
+    double residual = 0.0;   ///< the worst that a walk along the schedule and a march saw,
+                             ///< the balance of work included; relative
+    std::optional<Stability> stability = {};  ///< for those who ask stabilityOf, to be kept here
+};
+
+/// A condition of the schedule, as it appears in a proof.
+struct ForcedCondition {
+    bool isContact = false;  ///< R >= 0 in this step; else u(L) <= g at its end
+    std::int64_t step = 0;   ///< zero-based, from the start of contact
+
+    friend bool operator==(const ForcedCondition&, const ForcedCondition&) = default;
+};
+
+/// What the motions of a schedule look like.
+enum class ForcedKind {
+    empty,    ///< none
+    point,    ///< one motion
+    segment,  ///< amplitudes in a closed interval
+    ray,      ///< no largest amplitude
+};
+
+/// "empty", "point", "segment", "ray".
+[[nodiscard]] std::string_view name(ForcedKind kind);
+
+/// All motions of one schedule: (C, S) = foot + t direction, low <= t <= high.
+struct ForcedSet {
+    Schedule schedule;
+    Damping damping;
+    Forcing forcing;
+    Status status = Status::undecided;
+    std::string detail;            ///< why not decided
+    std::optional<Reason> reason;  ///< why there is none: gap, contactSign, penetration
+    /// status none: conditions, at most two, that with u(L, 0) = g contradict each other; certain
+    /// whatever was rounded (isCertain).
+    std::vector<ForcedCondition> conflict;
+    ForcedKind kind = ForcedKind::empty;
+    double leastAmplitude = 0.0;  ///< [EA g/L] or [g]
+    double mostAmplitude = 0.0;   ///< infinite for a ray
+    double foot[2] = {};          ///< (C, S) nearest to 0 on the line
+    double direction[2] = {};     ///< of length 1, at right angles to it; 0 for a shape
+    double low = 0.0;             ///< of t
+    double high = 0.0;            ///< of t
+};
+
+/// Decides a schedule. O(n). Undecided: classes of steps that nothing damps (their flights are 0,
+/// or there is no damping and they are even in number), and conditions that rounding could turn.
+/// \throws std::invalid_argument on an invalid schedule or damping, more than one phase, more than
+/// maxForcedSteps steps, cycles unless 1 <= K < n/2, or a shape whose length does not divide n,
+/// that is not finite, or 0 throughout.
+[[nodiscard]] ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping,
+                                      const Forcing& forcing);
+
+/// Most steps of a period.
+inline constexpr std::int64_t maxForcedSteps = 100'000'000;
+
+/// The motion at (C, S) = foot + t direction, with residuals. O(n).
+/// \throws std::invalid_argument unless low <= t <= high.
+[[nodiscard]] ForcedMotion motionAt(const ForcedSet& set, double t);
+
+/// The motion of least amplitude. \throws std::invalid_argument if the set is empty.
+[[nodiscard]] ForcedMotion leastAmplitudeMotion(const ForcedSet& set);
+
+/// The motions of one amplitude > 0 by ascending impulse, at most two; for a shape its amplitude is
+/// meant without sign. \throws std::invalid_argument unless amplitude is finite and > 0.
+[[nodiscard]] std::vector<ForcedMotion> motionsOfAmplitude(const ForcedSet& set, double amplitude);
+
+/// Checks the proof of a set with status none by code that did not find it, in numbers that are
+/// enclosed by doubles on both sides. O(n).
+[[nodiscard]] bool isCertain(const ForcedSet& set);
+
+/// Which motions to list.
+struct ResponseRange {
+    std::int64_t cells = 300;          ///< [-], N
+    Damping damping = {0.02};          ///< ratio > 0
+    Excited place = Excited::tip;      ///< what is excited
+    double amplitude = 1.0;            ///< [EA g/L] or [g], > 0
+    std::int64_t cycles = 1;           ///< [-], K; above 1: subharmonic motions
+    double leastFrequencyRatio = 0.5;  ///< of the excitation, omega/omega_1 = 4 N K/n; > 0
+    double mostFrequencyRatio = 2.0;   ///< >= least
+};
+
+/// All motions with one contact phase at one frequency.
+struct FrequencyResponse {
+    std::int64_t steps = 0;             ///< n, of the period of the motions
+    double frequencyRatio = 0.0;        ///< omega/omega_1 of the excitation
+    double linearPeak = 0.0;            ///< max u(L) of the bar without a wall [g]
+    bool touches = false;               ///< would that motion meet the wall?
+    std::int64_t undecided = 0;         ///< numbers of contact steps that were not decided
+    std::vector<ForcedMotion> motions;  ///< by ascending n_c, then impulse
+};
+
+/// What a call may do beside its work.
+struct ResponseControl {
+    Cancel cancel = {};
+    std::function<void(double done, double total)> progress = {};
+};
+
+/// The n of a range, ascending: 4NK/most <= n <= 4NK/least, n > 2K.
+/// \throws std::invalid_argument naming each field that is out of range, or if there is no such n.
+[[nodiscard]] std::vector<std::int64_t> stepsOf(const ResponseRange& range);
+
+/// One n of a range, every 1 <= n_c < n; each motion verified. A range is shared among threads by
+/// giving them different n. O(n^2) at most; none if it was cancelled.
+[[nodiscard]] std::optional<FrequencyResponse> responseAt(const ResponseRange& range,
+                                                          std::int64_t steps,
+                                                          const Cancel& cancel = {});
+
+/// All n of a range; those that were done when it was cancelled.
+/// \throws as stepsOf.
+[[nodiscard]] std::vector<FrequencyResponse> frequencyResponse(const ResponseRange& range,
+                                                               const ResponseControl& control = {});
+
+/// What to try. Each arriving wave is multiplied by 1 + a random number of at most `size`.
+struct StabilityOptions {
+    std::int64_t periods = 300;                ///< to wait for
+    std::vector<double> sizes = {1e-3, 1e-4};  ///< > 0, < 1
+    std::int64_t draws = 2;                    ///< disturbances of each size
+    std::uint64_t seed = 1;                    ///< of the first
+    double mergeBelow = 1e-10;                 ///< SimulationOptions::mergeBelow
+    Cancel cancel = {};
+};
+
+/// One disturbance: largest |u - u of the motion| along the bar [g].
+struct StabilityTrial {
+    double size = 0.0;
+    double start = 0.0;
+    double end = 0.0;
+};
+
+/// The outcome.
+struct StabilityResult {
+    Stability stability = Stability::unclear;
+    std::vector<StabilityTrial> trials;
+};
+
+/// Starts beside the motion and compares displacements after whole periods. It attracts if all end
+/// below a tenth of their start, it repels if one ends above ten times its start.
+/// \throws std::invalid_argument on options out of range.
+[[nodiscard]] StabilityResult stabilityOf(const ForcedMotion& motion,
+                                          const StabilityOptions& options = {});
+
+}  // namespace signorini

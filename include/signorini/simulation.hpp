@@ -1,0 +1,295 @@
+#pragma once
+/// \file
+/// What the bar does from any state: damping, excitation, and an exact simulation event by event.
+///
+/// Units L = c = g = 1; forces in EA g/L. A massless dashpot holds the tip with the force -eta v.
+/// A force F(t) pulls at the tip towards the wall, or the base moves with velocity V(t) while the
+/// wall stands still. With p the wave that arrives at the tip and q the one that leaves it,
+///
+///     flight    q = rho p + F/(1 + eta),   v = (2p + F)/(1 + eta),   rho = (1 - eta)/(1 + eta)
+///     contact   q = -p,   v = 0,   and the wall pushes with R = F + 2p >= 0
+///     base      p(t) = V(t - 1) - q(t - 2).
+///
+/// The state is a list of pieces (duration, value); nothing stands on a grid, and no step of time
+/// is chosen. docs/theory.md, section 16.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "signorini/bar.hpp"
+#include "signorini/control.hpp"
+#include "signorini/motion.hpp"
+
+namespace signorini {
+
+/// A dashpot at the tip; every linear mode of the free bar decays at the same rate.
+struct Damping {
+    double ratio = 0.0;  ///< [-], zeta of the first linear mode, 0..maxDampingRatio; 0: none
+
+    /// rho = exp(-pi zeta), what an echo in flight leaves of a wave.
+    [[nodiscard]] double rho() const;
+    /// eta = tanh(pi zeta/2), the dashpot in units of EA/c.
+    [[nodiscard]] double eta() const;
+
+    friend bool operator==(const Damping&, const Damping&) = default;
+};
+
+/// Beyond it hardly a wave comes back: rho = 2e-27.
+inline constexpr double maxDampingRatio = 20.0;
+
+/// \throws std::invalid_argument unless 0 <= ratio <= maxDampingRatio.
+void validate(const Damping& damping);
+
+/// The damping with the given rho. \throws std::invalid_argument unless rho is in ]0, 1] and the
+/// ratio in its range.
+[[nodiscard]] Damping dampingOfRho(double rho);
+
+/// eta EA/c [N s/m] for a bar.
+[[nodiscard]] double dashpot(const Damping& damping, const Bar& bar);
+
+/// The damping of a dashpot [N s/m]. \throws std::invalid_argument unless 0 <= dashpot < EA/c, and
+/// the ratio in its range.
+[[nodiscard]] Damping dampingOfDashpot(double dashpot, const Bar& bar);
+
+/// What is moved from outside.
+enum class Excited {
+    tip,   ///< a force on the tip
+    base,  ///< the base moves
+};
+
+/// "tip", "base".
+[[nodiscard]] std::string_view name(Excited place);
+
+/// A periodic excitation, constant in each step, but for a base, which moves straight from one
+/// place to the next.
+struct Excitation {
+    Excited place = Excited::tip;
+    /// One period. tip: the force F of each step [EA g/L]. base: its displacement at the beginning
+    /// of each step [g]. Empty: no excitation.
+    std::vector<double> values = {};
+    double stepsPerCrossing = 1.0;  ///< [-], steps in L/c; N where steps are those of a grid
+
+    /// n, steps of one period.
+    [[nodiscard]] std::int64_t steps() const { return static_cast<std::int64_t>(values.size()); }
+    /// F in step m >= 0 [EA g/L]; 0 for a base.
+    [[nodiscard]] double force(std::int64_t m) const;
+    /// V in step m >= 0 [c g/L]; 0 for a force.
+    [[nodiscard]] double baseVelocity(std::int64_t m) const;
+    /// y at the beginning of step m >= 0 [g]; 0 for a force.
+    [[nodiscard]] double baseDisplacement(std::int64_t m) const;
+};
+
+/// Most steps of an excitation.
+inline constexpr std::int64_t maxExcitationSteps = 100'000'000;
+
+/// \throws std::invalid_argument on values that are not finite, too many, or a stepsPerCrossing
+/// that is not finite and positive.
+void validate(const Excitation& excitation);
+
+/// K cycles in n steps: tip F cos(2 pi K (m + 1/2)/n - phase), base Y cos(2 pi K m/n - phase).
+struct Harmonic {
+    Excited place = Excited::tip;
+    double amplitude = 1.0;         ///< F [EA g/L] or Y [g]
+    double phase = 0.0;             ///< [rad]
+    std::int64_t cycles = 1;        ///< [-], K
+    std::int64_t steps = 0;         ///< [-], n
+    double stepsPerCrossing = 1.0;  ///< [-]
+};
+
+/// Its values. O(n). \throws std::invalid_argument unless 1 <= n <= maxExcitationSteps,
+/// 1 <= 2K <= n, and the other numbers are finite, stepsPerCrossing > 0.
+[[nodiscard]] Excitation excitationOf(const Harmonic& harmonic);
+
+/// A stretch of a wave with one value.
+struct Piece {
+    double duration =
+        0.0;             ///< > 0, in units of which a crossing of the bar takes `Waves::crossing`
+    double value = 0.0;  ///< [g/L]
+
+    friend bool operator==(const Piece&, const Piece&) = default;
+};
+
+/// A state of the bar off any grid. The durations of each wave add up to `crossing`.
+struct Waves {
+    double crossing = 1.0;  ///< units of time in L/c; N for a state on a grid
+    std::vector<Piece> a;   ///< right-going wave, in the order in which it reaches the tip
+    std::vector<Piece> b;   ///< left-going wave, in the order in which it reaches the base
+};
+
+/// A state on a grid; its unit of time is the step. O(N).
+[[nodiscard]] Waves wavesOf(const State& state);
+
+/// A bar without waves, for an excitation with so many steps in L/c.
+[[nodiscard]] Waves wavesAtRest(double stepsPerCrossing = 1.0);
+
+/// u(x_i) - u(0), x_i = i/cells, i = 0..cells [g]. O(pieces + cells).
+[[nodiscard]] Eigen::VectorXd stretching(const Waves& waves, std::int64_t cells);
+
+/// E/E_1 = 2 int (a^2 + b^2) dx. O(pieces).
+[[nodiscard]] double energyRatio(const Waves& waves);
+
+/// One contact with the wall.
+struct ContactEvent {
+    double start = 0.0;      ///< [L/c]
+    double end = 0.0;        ///< [L/c]
+    double impulse = 0.0;    ///< int R dt [EA g/c]
+    double peakForce = 0.0;  ///< [EA g/L]
+
+    friend bool operator==(const ContactEvent&, const ContactEvent&) = default;
+};
+
+/// The tip at one instant; straight between neighbours.
+struct TipPoint {
+    double time = 0.0;          ///< [L/c]
+    double displacement = 0.0;  ///< [g]
+};
+
+/// Energy that came and went since the start, in units of E_1.
+struct EnergyBalance {
+    double work = 0.0;        ///< done by the excitation
+    double dissipated = 0.0;  ///< in the dashpot
+    double error = 0.0;       ///< energy now - at the start - work + dissipated
+    double size = 0.0;        ///< what the error is to be compared with: the largest term
+};
+
+/// How to simulate.
+struct SimulationOptions {
+    /// [g/L], >= 0; neighbours that differ by no more become one piece with their mean. Equal ones
+    /// always do. Unset: 0 without damping, else 1e-12.
+    std::optional<double> mergeBelow = {};
+    bool recordsTip = false;  ///< keep the path of the tip
+};
+
+/// The bar, event by event: the end of a piece, the end of a step of the excitation, the tip at the
+/// wall. A constant effort for each event. On a grid and undamped it only moves and negates
+/// numbers: nothing is rounded. Instants that differ by less than 1e-12 L/c are one.
+class BarSimulation {
+public:
+    /// \throws std::invalid_argument on values that are not finite, durations that are not positive
+    /// or do not add up, or a tip beyond the wall by more than 1e-9 g.
+    BarSimulation(const Waves& start, const Damping& damping, Excitation excitation = {},
+                  const SimulationOptions& options = {});
+
+    /// Goes on for a time in units of the start's `Waves`: steps for a state on a grid.
+    void advance(double duration);
+
+    /// [L/c] since the start.
+    [[nodiscard]] double time() const;
+    /// u(L) [g].
+    [[nodiscard]] double tip() const;
+    /// Displacement of the base [g].
+    [[nodiscard]] double base() const;
+    /// Is the tip held by the wall?
+    [[nodiscard]] bool isHeld() const { return isHeld_; }
+    /// The state. O(pieces).
+    [[nodiscard]] Waves waves() const;
+    /// Pieces under way.
+    [[nodiscard]] std::int64_t pieces() const { return static_cast<std::int64_t>(count_); }
+    /// Contacts that are over, and pressed.
+    [[nodiscard]] const std::vector<ContactEvent>& contacts() const { return contacts_; }
+    /// All impulse so far, that of a contact that lasts included [EA g/c].
+    [[nodiscard]] double impulse() const { return impulse_; }
+    /// The path of the tip, if it is recorded.
+    [[nodiscard]] const std::vector<TipPoint>& tipPath() const { return path_; }
+    /// Events so far.
+    [[nodiscard]] std::int64_t events() const { return events_; }
+    /// How far all merging together can have moved any cross-section: sum of |jump| times
+    /// duration [g].
+    [[nodiscard]] double merged() const;
+    /// O(pieces).
+    [[nodiscard]] EnergyBalance balance() const;
+
+private:
+    /// A periodic list of values, each of which lasts as long.
+    struct Clock {
+        std::vector<double> values;
+        double step = 0.0;
+        std::size_t next = 0;  ///< the value after the present one
+        double value = 0.0;
+        double left = 0.0;
+
+        void pass(double duration, double same);
+    };
+    struct Sum {
+        double value = 0.0;
+        double lost = 0.0;
+        void add(double term);
+        [[nodiscard]] double total() const { return value + lost; }
+    };
+
+    void append(double duration, double value);
+    void grow();
+    void step(double most);
+    void closeContact();
+    void recordTip();
+    [[nodiscard]] double storedSquares() const;
+
+    double crossing_;
+    double same_;  ///< instants that differ by less are one
+    double rho_;
+    double eta_;
+    double admittance_;  ///< 1/(1 + eta)
+    double mergeBelow_;
+    bool recordsTip_;
+    Excitation excitation_;
+    Clock force_;
+    Clock base_;               ///< V one crossing ago, as it arrives at the tip
+    std::vector<Piece> ring_;  ///< q, in the order in which it arrives; a power of two
+    std::size_t head_ = 0;
+    std::size_t count_ = 0;
+    bool isHeld_ = false;
+    Sum opening_;        ///< g - u(L), in g times units of time per crossing
+    Sum time_;           ///< units
+    double owed_ = 0.0;  ///< units that were asked for and not yet simulated
+    std::int64_t events_ = 0;
+    double start_ = 0.0;  ///< sum of squares at the start
+    Sum work_;
+    Sum dissipated_;
+    double merged_ = 0.0;
+    double impulse_ = 0.0;
+    ContactEvent contact_;  ///< the one that lasts
+    std::vector<ContactEvent> contacts_;
+    std::vector<TipPoint> path_;
+};
+
+/// What a simulation has come to, where it repeats itself.
+struct Settled {
+    std::int64_t periods = 0;   ///< of the excitation, after which everything is as before
+    std::int64_t contacts = 0;  ///< in that time
+    double impulse = 0.0;       ///< in that time [EA g/c]
+};
+
+/// Watches the ends of the periods of an excitation.
+class SettlingWatch {
+public:
+    /// `tolerance` relative; a motion has settled when it has repeated itself for `repeats` times.
+    explicit SettlingWatch(double tolerance = 1e-6, std::int64_t repeats = 8)
+        : tolerance_(tolerance), repeats_(repeats)
+    {
+    }
+
+    /// To be called at the end of each period. O(1).
+    void see(const BarSimulation& simulation);
+    /// The least number of periods, at most 16, that the last of them repeat; none if they do not.
+    [[nodiscard]] std::optional<Settled> settled() const;
+
+private:
+    struct Period {
+        double tip = 0.0;
+        double impulse = 0.0;
+        std::int64_t contacts = 0;
+    };
+    [[nodiscard]] bool repeats(std::size_t length, double tolerance) const;
+
+    double tolerance_;
+    std::int64_t repeats_;
+    std::int64_t contactsBefore_ = 0;
+    double impulseBefore_ = 0.0;
+    std::vector<Period> periods_;
+};
+
+}  // namespace signorini

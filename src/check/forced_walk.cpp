@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "compensated_sum.hpp"
+#include "forced_check.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// The bar cell by cell: a moves right, b left, one cell a step.
+class Cells {
+public:
+    Cells(const State& state, const Damping& damping, const Excitation& excitation)
+        : count_(state.cells()),
+          a_(state.a.begin(), state.a.end()),
+          b_(state.b.begin(), state.b.end()),
+          eta_(damping.eta()),
+          excitation_(excitation)
+    {
+        CompensatedSum sum;
+        for (std::int64_t i = 0; i < count_; ++i) {
+            sum.add(state.b[i] - state.a[i]);
+        }
+        tip_ = CompensatedSum(excitation.baseDisplacement(0));
+        tip_.add(sum.value() * cell());
+    }
+
+    [[nodiscard]] double cell() const { return 1.0 / static_cast<double>(count_); }
+    [[nodiscard]] double tip() const { return tip_.value(); }
+    void putTipAtWall() { tip_ = CompensatedSum(1.0); }
+    /// F + 2p of the next step, what would press on a wall.
+    [[nodiscard]] double push() const { return excitation_.force(step_) + 2.0 * atTip(); }
+    [[nodiscard]] double gained() const { return gained_.value(); }
+    [[nodiscard]] double spent() const { return spent_.value(); }
+
+    void take(bool isHeld)
+    {
+        const double arriving = atTip();
+        const double force = excitation_.force(step_);
+        const double v = isHeld ? 0.0 : push() / (1.0 + eta_);
+        const double base = excitation_.baseVelocity(step_);
+        double& left = b_[static_cast<std::size_t>(step_ % count_)];
+        a_[tipSlot()] = base - left;
+        gained_.add((base * (base - 2.0 * left) + force * v) * cell());
+        spent_.add(eta_ * v * v * cell());
+        left = v - arriving;
+        tip_.add(v * cell());
+        ++step_;
+    }
+
+    /// max |x - start| over both waves.
+    [[nodiscard]] double distance(const State& start) const
+    {
+        double largest = 0.0;
+        for (std::int64_t i = 0; i < count_; ++i) {
+            largest = std::max({largest, std::abs(a_[slot(i - step_)] - start.a[i]),
+                                std::abs(b_[slot(i + step_)] - start.b[i])});
+        }
+        return largest;
+    }
+
+private:
+    [[nodiscard]] std::size_t slot(std::int64_t i) const
+    {
+        return static_cast<std::size_t>((i % count_ + count_) % count_);
+    }
+    [[nodiscard]] std::size_t tipSlot() const { return slot(count_ - 1 - step_); }
+    [[nodiscard]] double atTip() const { return a_[tipSlot()]; }
+
+    std::int64_t count_;
+    std::vector<double> a_;
+    std::vector<double> b_;
+    double eta_;
+    const Excitation& excitation_;
+    CompensatedSum tip_;
+    CompensatedSum gained_;
+    CompensatedSum spent_;
+    std::int64_t step_ = 0;
+};
+
+/// A tip at the wall that is pushed is held, any other is free.
+double marchForced(Cells bar, std::int64_t steps, const State& start, double size, double tolerance)
+{
+    for (std::int64_t m = 0; m < steps; ++m) {
+        const bool isAtWall = bar.tip() >= 1.0 - tolerance;
+        const bool isHeld = isAtWall && bar.push() > 0.0;
+        if (isAtWall && isHeld) {
+            bar.putTipAtWall();
+        }
+        bar.take(isHeld);
+        if (bar.tip() > 1.0 + tolerance) {
+            return bar.tip() - 1.0;
+        }
+    }
+    return bar.distance(start) / size;
+}
+
+}  // namespace
+
+double ForcedWalk::worst() const
+{
+    return std::max({periodicity, gap, pressure, penetration, balance, march});
+}
+
+ForcedWalk walkForced(const State& state, std::int64_t contact, const Damping& damping,
+                      const Excitation& excitation, double tolerance)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    ForcedWalk seen;
+    const double size = amplitude(state);
+    if (!(size > 0.0) || !state.a.allFinite() || !state.b.allFinite()) {
+        seen.periodicity = infinity;
+        return seen;
+    }
+    Cells bar(state, damping, excitation);
+    seen.gap = std::abs(bar.tip() - 1.0);
+    seen.lowest = bar.tip();
+    CompensatedSum impulse;
+    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+        const bool isHeld = m < contact;
+        const double push = bar.push();
+        if (isHeld) {
+            seen.pressure = std::max(seen.pressure, -push / size);
+            seen.peakForce = std::max(seen.peakForce, push);
+            impulse.add(push * bar.cell());
+        }
+        bar.take(isHeld);
+        seen.penetration = std::max(seen.penetration, bar.tip() - 1.0);
+        seen.lowest = std::min(seen.lowest, bar.tip());
+    }
+    seen.impulse = impulse.value();
+    seen.periodicity = bar.distance(state) / size;
+    const double largest = std::max(std::abs(bar.gained()), bar.spent());
+    // Energies of the order of the squares of the waves are exchanged within a period.
+    seen.balance = std::abs(bar.gained() - bar.spent()) / std::max(largest, size * size);
+    seen.march =
+        marchForced(Cells(state, damping, excitation), excitation.steps(), state, size, tolerance);
+    return seen;
+}
+
+}  // namespace signorini

@@ -1,0 +1,241 @@
+#include "mode_command.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "files.hpp"
+#include "mode_report.hpp"
+#include "rational.hpp"
+#include "signorini/families.hpp"
+#include "signorini/figures.hpp"
+#include "signorini/find_periodic.hpp"
+#include "text.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+/// A decimal number without an exponent as a fraction, if it has at most 18 digits.
+std::optional<ExactPeriod> fractionOf(const std::string& decimal)
+{
+    constexpr std::size_t mostDigits = 18;
+    std::string digits = decimal;
+    std::int64_t denominator = 1;
+    if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+        digits.erase(point, 1);
+        for (std::size_t k = point; k < std::min(digits.size(), mostDigits); ++k) {
+            denominator *= 10;
+        }
+    }
+    std::int64_t numerator = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [stop, error] = std::from_chars(digits.data(), end, numerator);
+    if (error != std::errc{} || stop != end || digits.size() > mostDigits || numerator <= 0) {
+        return std::nullopt;
+    }
+    return exactPeriod(numerator, denominator);
+}
+
+ModePeriod parsePeriod(const std::string& text)
+{
+    constexpr const char* option = "--period";
+    constexpr std::int64_t most = 1'000'000'000'000'000'000;
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) {
+        return {parsePositive(option, text, "L/c"), fractionOf(text)};
+    }
+    std::int64_t numerator = 0;
+    std::int64_t denominator = 0;
+    try {
+        numerator = parseWhole(option, text.substr(0, slash), 1, most);
+        denominator = parseWhole(option, text.substr(slash + 1), 1, most);
+    } catch (const std::invalid_argument&) {
+        refuse(option, text, "numbers > 0 like 3.14, 3 or 22/7 [L/c]");
+    }
+    const ExactPeriod exact = exactPeriod(numerator, denominator);
+    return {exact.value(), exact};
+}
+
+Mode modeOf(const std::vector<std::string>& words)
+{
+    if (words.size() != 2) {
+        throw std::invalid_argument(
+            "mode needs two numbers A4 B: the contact time A4 + B T in L/c, as signorini modes "
+            "lists them");
+    }
+    const std::int64_t a4 = parseWhole("A4", words[0], 4, 4 * maxFamilyOrder);
+    const std::int64_t b = parseWhole("B", words[1], -maxFamilyOrder, -1);
+    const std::optional<Mode> mode = a4 % 4 == 0 ? findMode(a4 / 4, b) : std::nullopt;
+    if (!mode) {
+        refuse("A4 B", fmt::format("{} {}", a4, b),
+               "multiples of 4 and negative odd numbers that signorini modes lists: there is no "
+               "other mode");
+    }
+    return *mode;
+}
+
+Rational asRational(const ExactPeriod& period)
+{
+    return Rational(period.numerator) / period.denominator;
+}
+
+/// An end of the interval is no member.
+void requireInside(const Mode& mode, const ModePeriod& period)
+{
+    const Rational asked = period.exact ? asRational(*period.exact) : Rational(period.value);
+    if (!(asRational(mode.lowest) < asked && asked < asRational(mode.highest))) {
+        refuse("--period",
+               period.exact ? fractionAsText(*period.exact) : fmt::format("{}", period.value),
+               fmt::format("]{}, {}[ [L/c], where the mode t_c = {} lives",
+                           fractionAsText(mode.lowest), fractionAsText(mode.highest),
+                           contactAsText(mode)));
+    }
+}
+
+/// n where n steps of a grid are exactly the period.
+std::optional<std::int64_t> stepsOn(std::int64_t cells, const ModePeriod& period)
+{
+    if (!period.exact || cells % period.exact->denominator != 0) {
+        return std::nullopt;
+    }
+    return cells / period.exact->denominator * period.exact->numerator;
+}
+
+/// The period of at most so many cells that is nearest to the one asked for, as a schedule.
+Schedule nearestSchedule(const Mode& mode, double period, std::int64_t usual)
+{
+    constexpr std::int64_t finest = 1000;
+    Schedule best;
+    double distance = std::numeric_limits<double>::infinity();
+    const auto consider = [&](std::int64_t cells) {
+        const auto steps = std::llround(period * static_cast<double>(cells));
+        const double off =
+            std::abs(static_cast<double>(steps) / static_cast<double>(cells) - period);
+        const Rational place = Rational(steps) / cells;
+        if (off < distance && asRational(mode.lowest) < place && place < asRational(mode.highest)) {
+            best = scheduleOf(mode, cells, steps);
+            distance = off;
+        }
+    };
+    consider(std::min(usual, finest));  // the user's own grid, if no other is nearer
+    for (std::int64_t cells = 1; cells <= finest; ++cells) {
+        consider(cells);
+    }
+    return best;
+}
+
+/// The state at t = 0 on the grid, and a line that says what it is.
+std::string writeState(const std::string& path, const Mode& mode, const ModeMotion& motion,
+                       std::int64_t cells, std::optional<std::int64_t> steps, const Bar& bar)
+{
+    writeStateCsv(path,
+                  steps ? leastEnergyMotion(onePhaseSet(scheduleOf(mode, cells, *steps)))
+                        : cellMeans(motion, cells),
+                  bar);
+    return steps ? fmt::format("state       exact: T is {} steps of {} cells\n", *steps, cells)
+                 : fmt::format(
+                       "state       means over {} cells: T is no whole number of steps there\n",
+                       cells);
+}
+
+/// The motion on a grid that nearly has its period, and a line that says how nearly.
+std::string draw(const std::string& path, FigureFormat format, const Mode& mode, double period,
+                 std::int64_t usualCells, const Bar& bar)
+{
+    const Schedule schedule = nearestSchedule(mode, period, usualCells);
+    FindOptions options;
+    options.bar = bar;
+    drawMotion(findPeriodic(schedule, options), format, path);
+    const double shown = signorini::period(schedule);
+    return shown == period
+               ? ""
+               : fmt::format("figure      shows T = {:.10g} L/c, {:.1e} from the one asked for\n",
+                             shown, std::abs(shown - period));
+}
+
+}  // namespace
+
+void ModeCommand::addTo(CLI::App& command)
+{
+    command.add_option("contact", contact, "the mode of contact time A4 + B T, e.g. 4 -1")
+        ->type_name("A4 B");
+    addWord(command, "--period", "T", "in L/c: 3.14, 22/7 or 3; required",
+            [this](const std::string& text) { period = parsePeriod(text); });
+    command.add_option("--state", stateFile, "write the state at t = 0 on the grid")
+        ->type_name("FILE.csv");
+    motionFile.addTo(command);
+    command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
+        ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
+    common.addTo(command);
+}
+
+ExitStatus ModeCommand::run() const
+{
+    const Mode mode = modeOf(contact);
+    if (!period) {
+        throw std::invalid_argument(fmt::format(
+            "--period is missing: allowed ]{}, {}[ [L/c], where the mode t_c = {} lives",
+            fractionAsText(mode.lowest), fractionAsText(mode.highest), contactAsText(mode)));
+    }
+    requireInside(mode, *period);
+    const Bar bar = common.bar();
+    const ModeMotion motion(mode, period->value);
+    if (!figureFile.empty()) {
+        (void)figureFormat(figureFile);
+    }
+    if (!animationFile.empty()) {
+        (void)animationFormat(animationFile);
+    }
+    motionFile.validate();
+    const OutputOption stateOption{"--state", stateFile};
+    const OutputOption figureOption{"--figure", figureFile};
+    const OutputOption animationOption{"--animate", animationFile};
+    validateOutputs({stateOption, motionFile.option(), motionFile.folderOption(), figureOption,
+                     animationOption});
+
+    OutputFiles files;
+    const std::string state = stage(files, stateOption);
+    MotionFile::Staged moving(motionFile, files);
+    const std::string figure = stage(files, figureOption);
+    const std::string animation = stage(files, animationOption);
+    const std::int64_t cells = common.usualCells();
+    std::string notes;
+    if (!state.empty()) {
+        notes += forFile("--state", stateFile, [&] {
+            return writeState(state, mode, motion, cells, stepsOn(cells, *period), bar);
+        });
+    }
+    if (!figure.empty()) {
+        notes += forFile("--figure", figureFile, [&] {
+            return draw(figure, figureFormat(figureFile), mode, motion.period(), cells, bar);
+        });
+    }
+    if (!animation.empty()) {
+        forFile("--animate", animationFile, [&] {
+            animateMotion(MotionSamples(motion, bar, cells), animationFormat(animationFile),
+                          animation);
+        });
+    }
+    moving.write([&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
+    files.commit();
+    if (common.wantsJson) {
+        writeOut(asJson(mode, motion, bar));
+        if (!common.quiet) {
+            tell(notes);
+        }
+    } else {
+        writeOut(asText(mode, motion, bar) + notes);
+    }
+    common.useOneThread("mode");
+    return exitFound;
+}
+
+}  // namespace signorini::cli

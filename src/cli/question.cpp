@@ -1,0 +1,156 @@
+#include "question.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "arguments.hpp"
+#include "signorini/families.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+/// Periods of so many steps are within exact arithmetic on every grid.
+constexpr std::int64_t leastSteps = 2;
+constexpr std::int64_t mostSteps = 1'000'000'000'000'000;
+
+/// A number as given: exact if it has few digits.
+struct Given {
+    double value;
+    std::optional<ExactPeriod> exact;
+};
+
+Given given(const char* option, const std::string& word, const char* unit)
+{
+    constexpr std::size_t exactDigits = 10;  // nine and a point
+    if (word.find('/') != std::string::npos) {
+        const ExactPeriod exact = parseFraction(option, word, unit);
+        return {exact.value(), exact};
+    }
+    const double value = parsePositive(option, word, unit);
+    const bool isPlain = word.find_first_not_of("0123456789.") == std::string::npos;
+    return {value, isPlain && word.size() <= exactDigits
+                       ? std::optional(parseFraction(option, word, unit))
+                       : std::nullopt};
+}
+
+/// 4/x: a period in L/c from a frequency in omega_1, and back.
+ExactPeriod reciprocal(const ExactPeriod& x)
+{
+    return exactPeriod(4 * x.denominator, x.numerator);
+}
+
+/// The nearest number of steps, and whether it is the period itself: a decimal of many digits is,
+/// if it is that number as a double.
+struct Rounded {
+    std::int64_t steps;
+    bool isExact;
+};
+
+Rounded rounded(const Given& period, std::int64_t cells)
+{
+    const double wanted =
+        std::clamp(period.value * static_cast<double>(cells), static_cast<double>(leastSteps),
+                   static_cast<double>(mostSteps));
+    const std::int64_t steps = std::llround(wanted);
+    if (period.exact) {
+        const ExactPeriod grid = exactPeriod(steps, cells);
+        return {steps, grid == *period.exact};
+    }
+    const double grid = static_cast<double>(steps) / static_cast<double>(cells);
+    return {steps, std::abs(grid - period.value) <= 4e-16 * grid};
+}
+
+/// Says which period of the grid is nearest, and which grid has the one asked for.
+[[noreturn]] void refuseOffGrid(const char* option, const std::string& word, const Given& period,
+                                std::int64_t steps, std::int64_t cells, bool isFrequency)
+{
+    const ExactPeriod grid = exactPeriod(steps, cells);
+    std::string remedy =
+        fmt::format("nearest {}", fractionAsText(isFrequency ? reciprocal(grid) : grid));
+    if (period.exact && period.exact->denominator <= maxCells) {
+        remedy +=
+            fmt::format("; {} needs --cells {} or a multiple", word, period.exact->denominator);
+    }
+    refuse(option, word,
+           fmt::format("periods of {}..{} whole steps L/({} c) ({})", leastSteps, mostSteps, cells,
+                       remedy));
+}
+
+AskedPeriod onGrid(const char* option, const std::string& word, const Given& period,
+                   std::int64_t cells, bool isFrequency)
+{
+    const Rounded on = rounded(period, cells);
+    if (!on.isExact) {
+        refuseOffGrid(option, word, period, on.steps, cells, isFrequency);
+    }
+    return {option + 2, word, on.steps};
+}
+
+}  // namespace
+
+void PeriodQuestion::addTo(CLI::App& command)
+{
+    addWord(command, "--period", "T",
+            "in place of NC NF: all motions of this period, 7/2 or 3.5 L/c",
+            [this](const std::string& text) { period = text; });
+    addWord(command, "--frequency", "W", "the same by frequency, 8/7 or 1.25 ω₁",
+            [this](const std::string& text) { frequency = text; });
+    addPositive(command, "--hertz", "Hz", hertz, "F",
+                "the same by frequency in Hz: that of the grid nearest to it");
+}
+
+bool PeriodQuestion::isAsked() const
+{
+    return !period.empty() || !frequency.empty() || hertz;
+}
+
+AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) const
+{
+    if ((period.empty() ? 0 : 1) + (frequency.empty() ? 0 : 1) + (hertz ? 1 : 0) != 1) {
+        throw std::invalid_argument("--period, --frequency, --hertz: allowed one of them");
+    }
+    if (!period.empty()) {
+        return onGrid("--period", period, given("--period", period, "L/c"), cells, false);
+    }
+    if (!frequency.empty()) {
+        Given asked = given("--frequency", frequency, "ω₁");
+        asked = {4.0 / asked.value,
+                 asked.exact ? std::optional(reciprocal(*asked.exact)) : std::nullopt};
+        return onGrid("--frequency", frequency, asked, cells, true);
+    }
+    const double unit = static_cast<double>(cells) / scales(bar).time;  // steps in a second
+    const double wanted = unit / *hertz;
+    if (!(wanted > static_cast<double>(leastSteps) - 0.5 &&
+          wanted <= static_cast<double>(mostSteps))) {
+        refuse(
+            "--hertz", fmt::format("{}", *hertz),
+            fmt::format("{}..{} Hz for this bar on {} cells", unit / static_cast<double>(mostSteps),
+                        unit / static_cast<double>(leastSteps), cells));
+    }
+    return {"hertz", fmt::format("{}", *hertz), std::llround(wanted)};
+}
+
+std::vector<Schedule> setsOfPeriod(std::int64_t cells, std::int64_t steps)
+{
+    const std::int64_t classes = std::gcd(2 * cells, steps);
+    const std::int64_t order = 2 * cells / classes;
+    const std::int64_t blocks = steps / classes;
+    std::vector<Schedule> sets;
+    for (const Family& family : familiesAt(order, blocks)) {
+        sets.push_back(scheduleOf(family, cells));
+    }
+    // p is antiperiodic after G steps: the period is 2G.
+    if (blocks == 2 && classes > 1) {
+        sets.push_back({cells, {{1, steps - 1}}});
+    }
+    return sets;
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,49 @@
+#pragma once
+/// \file
+/// A question in physics: all motions of a period, whatever their schedules.
+///
+/// A period T = n/N names w = 2N/G and nu = n/G, G = gcd(2N, n), and these the families: every
+/// orbit with one contact in a period that presses the wall belongs to one of them. Where nu = 2
+/// (an odd multiple w of omega_1) linear motions have this period, too: those that touch the wall
+/// without force are one more set.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signorini/bar.hpp"
+#include "signorini/schedule.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace signorini::cli {
+
+/// A period as it was asked for, and on the grid.
+struct AskedPeriod {
+    std::string option;      ///< without its dashes
+    std::string word;        ///< what was given
+    std::int64_t steps = 0;  ///< [steps], n
+};
+
+/// --period | --frequency | --hertz.
+struct PeriodQuestion {
+    std::string period;           ///< [L/c], a whole number, a fraction or a decimal
+    std::string frequency;        ///< [omega_1], the same
+    std::optional<double> hertz;  ///< [Hz]
+
+    void addTo(CLI::App& command);
+
+    [[nodiscard]] bool isAsked() const;
+
+    /// The period in steps of L/(Nc): the one asked for, exactly, or for hertz the nearest.
+    /// \throws std::invalid_argument if more than one is given, or it is not on the grid.
+    [[nodiscard]] AskedPeriod on(std::int64_t cells, const Bar& bar) const;
+};
+
+/// For each set of motions with one contact in this period the schedule that has all of it.
+[[nodiscard]] std::vector<Schedule> setsOfPeriod(std::int64_t cells, std::int64_t steps);
+
+}  // namespace signorini::cli

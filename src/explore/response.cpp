@@ -1,0 +1,121 @@
+#include "signorini/response.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "faults.hpp"
+#include "forced_case.hpp"
+
+namespace signorini {
+
+namespace {
+
+void validate(const ResponseRange& range)
+{
+    Faults faults;
+    faults.requireWhole("cells", range.cells, maxCells);
+    faults.requirePositive("damping ratio", range.damping.ratio, "-");
+    faults.requirePositive("amplitude", range.amplitude, "EA g/L or g");
+    faults.requireWhole("cycles", range.cycles, maxForcedSteps / 2);
+    faults.requirePositive("leastFrequencyRatio", range.leastFrequencyRatio, "-");
+    faults.requirePositive("mostFrequencyRatio", range.mostFrequencyRatio, "-");
+    if (range.leastFrequencyRatio > range.mostFrequencyRatio) {
+        faults.add("leastFrequencyRatio", range.leastFrequencyRatio,
+                   fmt::format("at most {}, the largest", range.mostFrequencyRatio));
+    }
+    if (!(range.damping.rho() < 1.0)) {
+        faults.add("damping ratio", range.damping.ratio, "numbers > 0 with exp(-pi zeta) < 1");
+    }
+    faults.throwIfAny();
+    signorini::validate(range.damping);
+}
+
+}  // namespace
+
+std::vector<std::int64_t> stepsOf(const ResponseRange& range)
+{
+    validate(range);
+    const double unit = 4.0 * static_cast<double>(range.cells) * static_cast<double>(range.cycles);
+    const double first = std::max(
+        {std::ceil(unit / range.mostFrequencyRatio), 2.0, 2.0 * static_cast<double>(range.cycles)});
+    const double last = std::floor(unit / range.leastFrequencyRatio);
+    if (!(first <= last && last <= static_cast<double>(maxForcedSteps))) {
+        Faults faults;
+        faults.add("frequency ratios",
+                   fmt::format("{}..{}", range.leastFrequencyRatio, range.mostFrequencyRatio),
+                   fmt::format("4NK/n for some whole n, 2K < n <= {}", maxForcedSteps));
+        faults.throwIfAny();
+    }
+    std::vector<std::int64_t> all;
+    for (auto n = static_cast<std::int64_t>(first); n <= static_cast<std::int64_t>(last); ++n) {
+        all.push_back(n);
+    }
+    return all;
+}
+
+std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int64_t steps,
+                                            const Cancel& cancel)
+{
+    validate(range);
+    const std::vector<Excitation> shapes =
+        shapesOf({range.place, range.cycles, {}}, range.cells, steps);
+    ForcedWaves waves(range.cells, range.damping.rho(), shapes);
+    FrequencyResponse response;
+    response.steps = steps;
+    response.frequencyRatio = 4.0 * static_cast<double>(range.cells) *
+                              static_cast<double>(range.cycles) / static_cast<double>(steps);
+    // Without contact the tip moves harmonically, and its size does not depend on the phase.
+    const Plane tip = waves.tip(0);
+    response.linearPeak = range.amplitude * std::hypot(tip.c, tip.s);
+    response.touches = response.linearPeak >= 1.0;
+    for (std::int64_t contact = 1; contact < steps; ++contact) {
+        if (contact % 16 == 0 && isRequested(cancel)) {
+            return std::nullopt;
+        }
+        waves.setContact(contact);
+        const ForcedLine line = waves.line(true);
+        if (line.isEmpty()) {
+            continue;
+        }
+        if (waves.heldClasses() > 0) {
+            ++response.undecided;
+            continue;
+        }
+        const Schedule schedule{range.cells, {{contact, steps - contact}}};
+        const auto already = static_cast<std::ptrdiff_t>(response.motions.size());
+        for (const double t : placesOfAmplitude(std::hypot(line.foot.c, line.foot.s), line.low,
+                                                line.high, range.amplitude)) {
+            ForcedMotion motion =
+                forcedMotion({schedule, range.damping, shapes, waves}, line.at(t));
+            if (motion.residual <= forcedTolerance) {
+                response.motions.push_back(std::move(motion));
+            } else {
+                ++response.undecided;
+            }
+        }
+        std::sort(
+            response.motions.begin() + already, response.motions.end(),
+            [](const ForcedMotion& x, const ForcedMotion& y) { return x.impulse < y.impulse; });
+    }
+    return response;
+}
+
+std::vector<FrequencyResponse> frequencyResponse(const ResponseRange& range,
+                                                 const ResponseControl& control)
+{
+    std::vector<FrequencyResponse> all;
+    const std::vector<std::int64_t> steps = stepsOf(range);
+    for (const std::int64_t n : steps) {
+        std::optional<FrequencyResponse> response = responseAt(range, n, control.cancel);
+        if (!response) {
+            break;
+        }
+        all.push_back(std::move(*response));
+        if (control.progress) {
+            control.progress(static_cast<double>(all.size()), static_cast<double>(steps.size()));
+        }
+    }
+    return all;
+}
+
+}  // namespace signorini

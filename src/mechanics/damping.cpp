@@ -1,0 +1,129 @@
+#include <cmath>
+#include <numbers>
+
+#include "excited_names.hpp"
+#include "faults.hpp"
+#include "signorini/simulation.hpp"
+
+namespace signorini {
+
+double Damping::rho() const
+{
+    return std::exp(-std::numbers::pi * ratio);
+}
+
+double Damping::eta() const
+{
+    return std::tanh(0.5 * std::numbers::pi * ratio);
+}
+
+void validate(const Damping& damping)
+{
+    if (!(damping.ratio >= 0.0 && damping.ratio <= maxDampingRatio)) {
+        Faults faults;
+        faults.add("damping ratio", damping.ratio, fmt::format("0..{} [-]", maxDampingRatio));
+        faults.throwIfAny();
+    }
+}
+
+Damping dampingOfRho(double rho)
+{
+    if (!(rho > 0.0 && rho <= 1.0)) {
+        Faults faults;
+        faults.add("rho", rho, "]0, 1] [-]");
+        faults.throwIfAny();
+    }
+    const Damping damping{std::abs(std::log(rho)) / std::numbers::pi};
+    validate(damping);
+    return damping;
+}
+
+double dashpot(const Damping& damping, const Bar& bar)
+{
+    return damping.eta() * bar.axialStiffness / bar.waveSpeed;
+}
+
+Damping dampingOfDashpot(double dashpot, const Bar& bar)
+{
+    validate(bar);
+    const double most = bar.axialStiffness / bar.waveSpeed;
+    const double eta = dashpot / most;
+    if (!(eta >= 0.0 && eta < 1.0)) {
+        Faults faults;
+        faults.add("dashpot", dashpot, fmt::format("0 <= d < EA/c = {} [N s/m]", most));
+        faults.throwIfAny();
+    }
+    const Damping damping{2.0 * std::atanh(eta) / std::numbers::pi};
+    validate(damping);
+    return damping;
+}
+
+std::string_view name(Excited place)
+{
+    return nameIn(excitedNames, place);
+}
+
+double Excitation::force(std::int64_t m) const
+{
+    return values.empty() || place != Excited::tip ? 0.0
+                                                   : values[static_cast<std::size_t>(m % steps())];
+}
+
+double Excitation::baseDisplacement(std::int64_t m) const
+{
+    return values.empty() || place != Excited::base ? 0.0
+                                                    : values[static_cast<std::size_t>(m % steps())];
+}
+
+double Excitation::baseVelocity(std::int64_t m) const
+{
+    return (baseDisplacement(m + 1) - baseDisplacement(m)) * stepsPerCrossing;
+}
+
+void validate(const Excitation& excitation)
+{
+    Faults faults;
+    if (excitation.steps() > maxExcitationSteps) {
+        faults.add("excitation.values", excitation.steps(),
+                   fmt::format("at most {} steps", maxExcitationSteps));
+    }
+    for (const double value : excitation.values) {
+        if (!std::isfinite(value)) {
+            faults.add("excitation.values", value, "finite numbers");
+            break;
+        }
+    }
+    faults.requirePositive("stepsPerCrossing", excitation.stepsPerCrossing, "-");
+    faults.throwIfAny();
+}
+
+Excitation excitationOf(const Harmonic& harmonic)
+{
+    Faults faults;
+    faults.requireWhole("steps", harmonic.steps, maxExcitationSteps);
+    faults.requirePositive("stepsPerCrossing", harmonic.stepsPerCrossing, "-");
+    if (harmonic.cycles < 1 || harmonic.cycles > harmonic.steps / 2) {
+        faults.add("cycles", harmonic.cycles,
+                   fmt::format("whole numbers 1..{}, half of the steps", harmonic.steps / 2));
+    }
+    if (!std::isfinite(harmonic.amplitude)) {
+        faults.add("amplitude", harmonic.amplitude, "finite numbers");
+    }
+    if (!std::isfinite(harmonic.phase)) {
+        faults.add("phase", harmonic.phase, "finite numbers [rad]");
+    }
+    faults.throwIfAny();
+    Excitation excitation{harmonic.place, {}, harmonic.stepsPerCrossing};
+    excitation.values.reserve(static_cast<std::size_t>(harmonic.steps));
+    const double offset = harmonic.place == Excited::tip ? 0.5 : 0.0;
+    const double angle = 2.0 * std::numbers::pi / static_cast<double>(harmonic.steps);
+    for (std::int64_t m = 0; m < harmonic.steps; ++m) {
+        // Whole turns are left out exactly.
+        const auto part = static_cast<double>(harmonic.cycles * m % harmonic.steps) +
+                          offset * static_cast<double>(harmonic.cycles);
+        excitation.values.push_back(harmonic.amplitude * std::cos(angle * part - harmonic.phase));
+    }
+    return excitation;
+}
+
+}  // namespace signorini

@@ -1,0 +1,332 @@
+#include "signorini/simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "faults.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double sameInstant = 1e-12;  // [L/c]
+constexpr double atWall = 1e-9;        // [g], where a start counts as being there
+constexpr double never = std::numeric_limits<double>::infinity();
+
+void requirePieces(Faults& faults, const char* field, const std::vector<Piece>& pieces,
+                   double crossing)
+{
+    double total = 0.0;
+    for (const Piece& piece : pieces) {
+        if (!(piece.duration > 0.0) || !std::isfinite(piece.duration) ||
+            !std::isfinite(piece.value)) {
+            faults.add(field, fmt::format("({}, {})", piece.duration, piece.value),
+                       "pieces of duration > 0 with finite values");
+            return;
+        }
+        total += piece.duration;
+    }
+    if (!(std::abs(total - crossing) <= 1e-9 * crossing)) {
+        faults.add(field, total, fmt::format("durations that add up to {}", crossing));
+    }
+}
+
+void requireWaves(const Waves& waves)
+{
+    Faults faults;
+    faults.requirePositive("crossing", waves.crossing, "-");
+    faults.throwIfAny();
+    requirePieces(faults, "a", waves.a, waves.crossing);
+    requirePieces(faults, "b", waves.b, waves.crossing);
+    faults.throwIfAny();
+}
+
+}  // namespace
+
+void BarSimulation::Clock::pass(double duration, double same)
+{
+    left -= duration;
+    if (left <= same) {
+        value = values[next];
+        next = next + 1 == values.size() ? 0 : next + 1;
+        left += step;
+    }
+}
+
+void BarSimulation::Sum::add(double term)
+{
+    const double next = value + term;
+    lost += std::abs(value) >= std::abs(term) ? (value - next) + term : (term - next) + value;
+    value = next;
+}
+
+BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitation excitation,
+                             const SimulationOptions& options)
+    : crossing_(start.crossing),
+      same_(sameInstant * start.crossing),
+      rho_(damping.rho()),
+      eta_(damping.eta()),
+      admittance_(1.0 / (1.0 + damping.eta())),
+      mergeBelow_(options.mergeBelow.value_or(damping.ratio > 0.0 ? 1e-12 : 0.0)),
+      recordsTip_(options.recordsTip),
+      excitation_(std::move(excitation))
+{
+    requireWaves(start);
+    signorini::validate(damping);
+    signorini::validate(excitation_);
+    if (!(mergeBelow_ >= 0.0 && std::isfinite(mergeBelow_))) {
+        Faults faults;
+        faults.add("mergeBelow", mergeBelow_, "finite and >= 0 [g/L]");
+        faults.throwIfAny();
+    }
+    force_.left = never;
+    base_.left = never;
+    if (const std::int64_t steps = excitation_.steps(); steps > 0) {
+        const bool isForce = excitation_.place == Excited::tip;
+        Clock& clock = isForce ? force_ : base_;
+        clock.step = crossing_ / excitation_.stepsPerCrossing;
+        for (std::int64_t m = 0; m < steps; ++m) {
+            clock.values.push_back(isForce ? excitation_.force(m) : excitation_.baseVelocity(m));
+        }
+        clock.left = isForce ? 0.0 : crossing_;  // what the base does is felt a crossing later
+        if (isForce) {
+            clock.pass(0.0, 0.0);
+        }
+    }
+    ring_.resize(64);
+    opening_.add(crossing_ * (1.0 - excitation_.baseDisplacement(0)));
+    for (const Piece& piece : start.a) {
+        opening_.add(piece.duration * piece.value);
+        append(piece.duration, -piece.value);
+    }
+    for (const Piece& piece : start.b) {
+        opening_.add(-piece.duration * piece.value);
+        append(piece.duration, piece.value);
+    }
+    merged_ = 0.0;
+    const double opening = opening_.total() / crossing_;
+    if (opening < -atWall) {
+        Faults faults;
+        faults.add("start: u(L)/g", 1.0 - opening, "at most 1, the wall");
+        faults.throwIfAny();
+    }
+    if (opening <= atWall) {
+        isHeld_ = true;
+        opening_ = {};
+    }
+    start_ = storedSquares();
+    recordTip();
+}
+
+void BarSimulation::grow()
+{
+    std::vector<Piece> larger(2 * ring_.size());
+    for (std::size_t k = 0; k < count_; ++k) {
+        larger[k] = ring_[(head_ + k) & (ring_.size() - 1)];
+    }
+    ring_ = std::move(larger);
+    head_ = 0;
+}
+
+void BarSimulation::append(double duration, double value)
+{
+    if (count_ > 0) {
+        Piece& last = ring_[(head_ + count_ - 1) & (ring_.size() - 1)];
+        const double jump = std::abs(last.value - value);
+        if (jump == 0.0) {
+            last.duration += duration;
+            return;
+        }
+        if (jump <= mergeBelow_) {
+            const double share = duration / (last.duration + duration);
+            merged_ += share * last.duration * jump;
+            last.value += share * (value - last.value);
+            last.duration += duration;
+            return;
+        }
+    }
+    if (count_ == ring_.size()) {
+        grow();
+    }
+    ring_[(head_ + count_) & (ring_.size() - 1)] = {duration, value};
+    ++count_;
+}
+
+void BarSimulation::closeContact()
+{
+    if (contact_.impulse > 0.0) {
+        contact_.end = time();
+        contacts_.push_back(contact_);
+    }
+    contact_ = {};
+}
+
+void BarSimulation::recordTip()
+{
+    if (recordsTip_) {
+        path_.push_back({time(), tip()});
+    }
+}
+
+/// One event: until it the tip obeys one law.
+void BarSimulation::step(double most)
+{
+    const double stored = ring_[head_].value;
+    const double p = base_.value - stored;
+    const double push = force_.value + 2.0 * p;
+    if (isHeld_ && push < 0.0) {
+        closeContact();
+        isHeld_ = false;
+    }
+    const double v = isHeld_ ? 0.0 : admittance_ * push;
+    double lasts = std::min({most, force_.left, base_.left});
+    Piece& head = ring_[head_];
+    if (head.duration <= lasts + same_) {
+        lasts = head.duration;
+    }
+    bool arrives = false;
+    if (v > 0.0) {
+        const double hit = opening_.total() / v;
+        arrives = hit <= lasts + same_;
+        lasts = hit < lasts - same_ ? std::max(hit, 0.0) : lasts;
+        if (hit <= same_) {
+            isHeld_ = true;
+            opening_ = {};
+            return;
+        }
+    }
+    ++events_;
+    if (isHeld_ && push > 0.0) {
+        if (contact_.impulse == 0.0) {
+            contact_.start = time();
+        }
+        const double impulse = push * lasts / crossing_;
+        contact_.impulse += impulse;
+        contact_.peakForce = std::max(contact_.peakForce, push);
+        impulse_ += impulse;
+    } else if (!isHeld_) {
+        opening_.add(-v * lasts);
+        if (eta_ > 0.0) {
+            dissipated_.add(eta_ * v * v * lasts);
+        }
+        if (force_.value != 0.0) {
+            work_.add(force_.value * v * lasts);
+        }
+    }
+    if (base_.value != 0.0) {
+        work_.add(base_.value * (base_.value - 2.0 * stored) * lasts);
+    }
+    if (lasts == head.duration) {
+        head_ = (head_ + 1) & (ring_.size() - 1);
+        --count_;
+    } else {
+        head.duration -= lasts;
+    }
+    append(lasts, isHeld_ ? -p : rho_ * p + admittance_ * force_.value);
+    force_.left < never ? force_.pass(lasts, same_) : void();
+    base_.left < never ? base_.pass(lasts, same_) : void();
+    time_.add(lasts);
+    if (arrives) {
+        isHeld_ = true;
+        opening_ = {};
+    }
+    recordTip();
+}
+
+void BarSimulation::advance(double duration)
+{
+    if (!(duration >= 0.0 && std::isfinite(duration))) {
+        Faults faults;
+        faults.add("duration", duration, "finite and >= 0");
+        faults.throwIfAny();
+    }
+    owed_ += duration;
+    while (owed_ > same_) {
+        const double before = time_.value;
+        const double lost = time_.lost;
+        step(owed_);
+        owed_ -= (time_.value - before) + (time_.lost - lost);
+    }
+}
+
+double BarSimulation::time() const
+{
+    return time_.total() / crossing_;
+}
+
+double BarSimulation::tip() const
+{
+    return 1.0 - opening_.total() / crossing_;
+}
+
+double BarSimulation::base() const
+{
+    const double steps = time() * excitation_.stepsPerCrossing;
+    const double whole = std::floor(steps);
+    const auto m = static_cast<std::int64_t>(whole);
+    return std::lerp(excitation_.baseDisplacement(m), excitation_.baseDisplacement(m + 1),
+                     steps - whole);
+}
+
+Waves BarSimulation::waves() const
+{
+    Waves waves;
+    waves.crossing = crossing_;
+    const auto put = [](std::vector<Piece>& to, double duration, double value) {
+        if (!to.empty() && to.back().value == value) {
+            to.back().duration += duration;
+        } else {
+            to.push_back({duration, value});
+        }
+    };
+    Clock clock = base_;
+    double left = crossing_;
+    for (std::size_t k = 0; k < count_; ++k) {
+        Piece piece = ring_[(head_ + k) & (ring_.size() - 1)];
+        while (left > same_ && piece.duration > 0.0) {
+            double lasts = std::min(clock.left, left);
+            lasts = piece.duration <= lasts + same_ ? piece.duration : lasts;
+            put(waves.a, lasts, clock.value - piece.value);
+            piece.duration -= lasts;
+            left -= lasts;
+            clock.left < never ? clock.pass(lasts, same_) : void();
+        }
+        if (piece.duration > 0.0) {
+            put(waves.b, piece.duration, piece.value);
+        }
+    }
+    return waves;
+}
+
+double BarSimulation::merged() const
+{
+    return merged_ / crossing_;
+}
+
+double BarSimulation::storedSquares() const
+{
+    Sum squares;
+    for (std::size_t k = 0; k < count_; ++k) {
+        const Piece& piece = ring_[(head_ + k) & (ring_.size() - 1)];
+        squares.add(piece.duration * piece.value * piece.value);
+    }
+    return squares.total();
+}
+
+EnergyBalance BarSimulation::balance() const
+{
+    // What the base does is counted where it is felt, so the energy is that of what left the tip.
+    const double unit = 2.0 / crossing_;
+    const double squares = storedSquares();
+    Sum error;
+    for (const double term :
+         {squares, -start_, -work_.value, -work_.lost, dissipated_.value, dissipated_.lost}) {
+        error.add(term);
+    }
+    return {unit * work_.total(), unit * dissipated_.total(), unit * error.total(),
+            unit * std::max({squares, start_, std::abs(work_.total()), dissipated_.total()})};
+}
+
+}  // namespace signorini

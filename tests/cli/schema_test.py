@@ -1,0 +1,95 @@
+#!/usr/bin/env python3
+"""Validates what the program answers against the schemas in docs/schema.
+
+schema_test.py PROGRAM FOLDER_OF_SCHEMAS
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import warnings
+
+import jsonschema
+
+warnings.simplefilter("ignore", DeprecationWarning)
+
+# Schema and call, {} the folder of the test; what stands first is done first.
+STEEL = "--length 2 --young 210e9 --density 7800 --area 1e-4 --gap 1e-5"
+CALLS = [
+    ("find", "find 150 900"),
+    ("find", f"find 150 900 --energy-ratio 20 {STEEL}"),
+    ("find", "find 140 910 --energy-ratio 700"),
+    ("find", "find 1 79 --cells 20 --energy-ratio 3"),
+    ("find", "find 20 109 --cells 40"),
+    ("find", "find 2 4 --cells 2"),
+    ("find", "find 150 900 --strain-limit 0.0019"),
+    ("find", "find 150 900 --energy-ratio 3"),
+    ("find", "find 1 12 3 12 --cells 4"),
+    ("find", "find 1 12 3 12 --cells 4 --energy-ratio 6"),
+    ("find", "find 1 1 1 1 --cells 4"),
+    ("find", "find 150 900 --gap 0.6 --quiet"),
+    ("find", "find 15 90 --cells 30 --solver closed-form --objective max-impulse --tip-floor -1e-9"),
+    ("find-question", "find --frequency 8/7 --energy-ratio 20"),
+    ("find-question", f"find --hertz 740 --energy 1e-3 {STEEL}"),
+    ("find-question", "find --period 22/7 --cells 70"),
+    ("find-question", "find --period 4/3 --cells 30"),
+    ("find-question", "find --period 5"),
+    ("find-question", "find --frequency 8/7 --energy-ratio 2"),
+    ("continuum", "continuum 150 900 --energy-ratio 20 --points 5"),
+    ("continuum", "continuum 150 900 --energy-ratio 3 --points 5"),
+    ("continuum", "continuum 1 12 3 12 --cells 4 --energy-ratio 6 --points 3"),
+    ("modes", "modes --max-order 9"),
+    ("modes", f"modes --max-order 3 {STEEL}"),
+    ("atlas", "atlas --database {}/a.sqlite --cells 8"),
+    ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 1.143 5"),
+    ("atlas", "atlas --database {}/a.sqlite --cells 8 --period 7/2"),
+    ("atlas", "atlas --database {}/a.sqlite --cells 8 --twins"),
+]
+# Spoilt answers that a schema worth its name refuses.
+SPOILT = [
+    ("find", "find 150 900", lambda answer: answer.pop("physical")),
+    ("find", "find 150 900", lambda answer: answer["physical"].pop("impulse")),
+    ("find", "find 150 900", lambda answer: answer.update(physical=None)),
+    ("find", "find 150 900", lambda answer: answer.update(schema=1)),
+    ("find", "find 150 900", lambda answer: answer.update(schedule=[[150]])),
+    ("find", "find 20 109 --cells 40", lambda answer: answer.update(reason=None)),
+    ("find-question", "find --period 7/2", lambda answer: answer.update(motions=[])),
+    ("find-question", "find --period 7/2", lambda answer: answer["motions"][0].pop("bar")),
+    ("continuum", "continuum 150 900 --energy-ratio 20 --points 5",
+     lambda answer: answer["points"][0].pop("lambda")),
+    ("modes", "modes --max-order 3", lambda answer: answer["modes"][0].update(contact=[4])),
+]
+
+
+def main():
+    program, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    schemas = {path.name: json.loads(path.read_text("utf-8")) for path in folder.glob("*.json")}
+    for schema in schemas.values():
+        jsonschema.Draft202012Validator.check_schema(schema)
+
+    def validator(name):
+        schema = schemas[f"{name}.json"]
+        resolver = jsonschema.RefResolver.from_schema(schema, store=schemas)
+        return jsonschema.Draft202012Validator(schema, resolver=resolver)
+
+    with tempfile.TemporaryDirectory() as work:
+        def answer(call):
+            words = [program, *call.format(work).split(), "--format", "json"]
+            done = subprocess.run(words, capture_output=True, text=True, check=False)
+            assert done.returncode in (0, 1, 3), f"{call}: status {done.returncode}: {done.stderr}"
+            return json.loads(done.stdout)
+
+        for name, call in CALLS:
+            faults = list(validator(name).iter_errors(answer(call)))
+            assert not faults, f"{call}: {faults[0].json_path}: {faults[0].message}"
+        for name, call, spoil in SPOILT:
+            spoilt = answer(call)
+            spoil(spoilt)
+            assert not validator(name).is_valid(spoilt), f"{call}: the schema misses a fault"
+    print(f"{len(CALLS)} answers are as their schemas say, {len(SPOILT)} spoilt ones are not")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,407 @@
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "catch.hpp"
+#include "forced_check.hpp"
+#include "interval.hpp"
+#include "signorini/one_phase_set.hpp"
+#include "signorini/response.hpp"
+#include "support.hpp"
+
+using namespace signorini;
+using test::onePhase;
+
+namespace {
+
+/// The waves of one schedule by a dense solver: (shift - law) p = source, no classes.
+class Dense {
+public:
+    Dense(const Schedule& schedule, double rho)
+        : cells_(schedule.cells),
+          steps_(steps(schedule)),
+          contact_(schedule.phases.front().contact),
+          rho_(rho)
+    {
+        Eigen::MatrixXd law = Eigen::MatrixXd::Zero(steps_, steps_);
+        for (std::int64_t m = 0; m < steps_; ++m) {
+            law(m, (m + 2 * cells_) % steps_) += 1.0;
+            law(m, m) -= m < contact_ ? 1.0 : -rho;
+        }
+        solver_.compute(law);
+    }
+
+    [[nodiscard]] bool isRegular() const { return solver_.isInvertible(); }
+
+    /// p for an excitation of the schedule's steps.
+    [[nodiscard]] Eigen::VectorXd waves(const Excitation& e) const
+    {
+        Eigen::VectorXd source(steps_);
+        for (std::int64_t m = 0; m < steps_; ++m) {
+            source[m] =
+                e.baseVelocity(m + cells_) - (m < contact_ ? 0.0 : 0.5 * (1.0 + rho_) * e.force(m));
+        }
+        return solver_.solve(source);
+    }
+
+    /// The excitation scaled so that the tip is at the wall at t = 0, if that is a motion.
+    [[nodiscard]] std::optional<double> amplitude(const Excitation& e, double margin) const
+    {
+        const Eigen::VectorXd p = waves(e);
+        double tip = e.baseDisplacement(cells_);
+        for (std::int64_t m = 0; m < 2 * cells_; ++m) {
+            tip -= p[m % steps_] / static_cast<double>(cells_);
+        }
+        const double scale = 1.0 / tip;
+        double prefix = 0.0;
+        for (std::int64_t m = 0; m < steps_; ++m) {
+            const double push = scale * (e.force(m) + 2.0 * p[m]);
+            prefix += m < contact_ ? 0.0 : push;
+            if ((m < contact_ && push < -margin) || prefix > margin) {
+                return std::nullopt;
+            }
+        }
+        return scale;
+    }
+
+private:
+    std::int64_t cells_;
+    std::int64_t steps_;
+    std::int64_t contact_;
+    double rho_;
+    Eigen::FullPivLU<Eigen::MatrixXd> solver_;
+};
+
+struct Case {
+    Schedule schedule;
+    Damping damping;
+    Forcing forcing;
+};
+
+Case randomCase(std::mt19937_64& generator)
+{
+    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
+        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+    };
+    const std::int64_t cells = draw(1, 8);
+    const std::int64_t n = draw(3 * cells, 6 * cells);
+    const std::int64_t contact = draw(1, std::max<std::int64_t>(1, std::min(n - 1, 2 * cells)));
+    Forcing forcing;
+    forcing.place = draw(0, 1) == 0 ? Excited::tip : Excited::base;
+    forcing.cycles = draw(1, std::max<std::int64_t>(1, std::min<std::int64_t>(3, (n - 1) / 2)));
+    return {
+        onePhase(cells, contact, n - contact), {0.01 * static_cast<double>(draw(1, 40))}, forcing};
+}
+
+}  // namespace
+
+TEST_CASE("forced motions: the phases that a dense solver and a scan find are those of the line")
+{
+    std::mt19937_64 generator(5);
+    int found = 0;
+    int none = 0;
+    for (int k = 0; k < 1500; ++k) {
+        const Case one = randomCase(generator);
+        const ForcedSet set = forcedMotions(one.schedule, one.damping, one.forcing);
+        INFO(describe(one.schedule) << " zeta " << one.damping.ratio << " " << set.detail);
+        if (set.status == Status::undecided) {
+            continue;
+        }
+        const Dense dense(one.schedule, one.damping.rho());
+        Harmonic harmonic{.place = one.forcing.place,
+                          .cycles = one.forcing.cycles,
+                          .steps = steps(one.schedule),
+                          .stepsPerCrossing = static_cast<double>(one.schedule.cells)};
+        if (!dense.isRegular()) {  // classes that never fly: proved absent all the same
+            REQUIRE(set.status == Status::none);
+            continue;
+        }
+        constexpr int scan = 180;
+        for (int phase = 0; phase < scan; ++phase) {
+            harmonic.phase = 2.0 * std::numbers::pi * (phase + 0.5) / scan;
+            const auto amplitude = dense.amplitude(excitationOf(harmonic), 0.0);
+            const auto roughly = dense.amplitude(excitationOf(harmonic), 1e-9);
+            // The point of the line with this phase.
+            const double c = std::cos(harmonic.phase);
+            const double s = std::sin(harmonic.phase);
+            const double t = (c * set.direction[0] + s * set.direction[1]) /
+                             (c * set.foot[0] + s * set.foot[1]) *
+                             std::hypot(set.foot[0], set.foot[1]) *
+                             std::hypot(set.foot[0], set.foot[1]);
+            const bool isAhead = c * set.foot[0] + s * set.foot[1] > 0.0;
+            const double slack = 1e-6 * (1.0 + std::abs(t));
+            if (amplitude && *amplitude > 0.0) {
+                REQUIRE(set.status == Status::found);
+                REQUIRE(isAhead);
+                REQUIRE(t >= set.low - slack);
+                REQUIRE(t <= set.high + slack);
+                REQUIRE(*amplitude ==
+                        Approx(std::hypot(std::hypot(set.foot[0], set.foot[1]), t)).epsilon(1e-6));
+            }
+            if (set.status == Status::found && isAhead && t > set.low + slack &&
+                t < set.high - slack) {
+                REQUIRE(roughly);
+            }
+        }
+        set.status == Status::found ? ++found : ++none;
+    }
+    CHECK(found > 100);
+    CHECK(none > 500);
+}
+
+TEST_CASE("forced motions: every motion simulated for ten periods returns to itself")
+{
+    std::mt19937_64 generator(6);
+    int motions = 0;
+    for (int k = 0; k < 1500; ++k) {
+        const Case one = randomCase(generator);
+        const ForcedSet set = forcedMotions(one.schedule, one.damping, one.forcing);
+        if (set.status != Status::found) {
+            continue;
+        }
+        REQUIRE(set.leastAmplitude <= set.mostAmplitude);
+        std::vector<ForcedMotion> some{leastAmplitudeMotion(set)};
+        const double larger =
+            std::min(1.7 * set.leastAmplitude, 0.5 * (set.leastAmplitude + set.mostAmplitude));
+        for (ForcedMotion& motion : motionsOfAmplitude(set, larger)) {
+            REQUIRE(motion.amplitude == Approx(larger).epsilon(1e-12));
+            some.push_back(std::move(motion));
+        }
+        REQUIRE(some.size() <= 3);
+        for (const ForcedMotion& motion : some) {
+            INFO(describe(one.schedule) << " zeta " << one.damping.ratio);
+            REQUIRE(motion.residual <= forcedTolerance);
+            const std::int64_t cells = one.schedule.cells;
+            const double size = amplitude(motion.state);
+            const Waves start = wavesOf(motion.state);
+            BarSimulation simulation(start, motion.damping, motion.excitation, {.mergeBelow = 0.0});
+            const auto n = static_cast<double>(motion.excitation.steps());
+            simulation.advance(10.0 * n);
+            const double apart = (stretching(simulation.waves(), cells) - stretching(start, cells))
+                                     .cwiseAbs()
+                                     .maxCoeff();
+            // Where the motion repels, rounding grows from period to period.
+            const StabilityResult stability =
+                stabilityOf(motion, {.periods = 10, .sizes = {1e-6}, .draws = 2});
+            double growth = 1.0;
+            for (const StabilityTrial& trial : stability.trials) {
+                growth = std::max(growth, trial.end / trial.start);
+            }
+            REQUIRE(apart <= 1e-9 * std::max(1.0, size) * growth);
+            REQUIRE(simulation.impulse() ==
+                    Approx(10.0 * motion.impulse).margin(1e-8 * std::max(1.0, size) * growth));
+            ++motions;
+        }
+    }
+    CHECK(motions > 200);
+}
+
+TEST_CASE("forced motions: every absence is certain, and a tampered proof is not")
+{
+    std::mt19937_64 generator(8);
+    int none = 0;
+    int undecided = 0;
+    for (int k = 0; k < 3000; ++k) {
+        const Case one = randomCase(generator);
+        ForcedSet set = forcedMotions(one.schedule, one.damping, one.forcing);
+        undecided += set.status == Status::undecided ? 1 : 0;
+        if (set.status != Status::none) {
+            REQUIRE_FALSE(isCertain(set));
+            continue;
+        }
+        INFO(describe(one.schedule) << " zeta " << one.damping.ratio);
+        REQUIRE(set.reason);
+        REQUIRE(set.conflict.size() == 2);
+        REQUIRE(isCertain(set));
+        ++none;
+        const ForcedSet whole = set;
+        set.conflict.pop_back();
+        REQUIRE_FALSE(isCertain(set));
+        set.conflict = {whole.conflict.front(), whole.conflict.front()};
+        REQUIRE_FALSE(isCertain(set));
+        set.conflict = {whole.conflict.front(), {false, steps(one.schedule)}};
+        REQUIRE_FALSE(isCertain(set));
+    }
+    CHECK(none > 1500);
+    CHECK(undecided < 150);
+}
+
+TEST_CASE("forced motions: no conflict holds where there are motions, whatever rows are named")
+{
+    std::mt19937_64 generator(12);
+    int tried = 0;
+    for (int k = 0; k < 400; ++k) {
+        const Case one = randomCase(generator);
+        ForcedSet set = forcedMotions(one.schedule, one.damping, one.forcing);
+        if (set.status != Status::found) {
+            continue;
+        }
+        const std::int64_t n = steps(one.schedule);
+        const std::int64_t contact = one.schedule.phases.front().contact;
+        set.status = Status::none;  // what a liar would say
+        for (std::int64_t i = 0; i < n; ++i) {
+            for (std::int64_t j = 0; j < i; ++j) {
+                set.conflict = {{i < contact, i}, {j < contact, j}};
+                REQUIRE_FALSE(isCertain(set));
+                ++tried;
+            }
+        }
+    }
+    CHECK(tried > 10'000);
+}
+
+TEST_CASE("forced motions: as damping fades they tend to free motions")
+{
+    int met = 0;
+    for (const Schedule& schedule :
+         {onePhase(30, 15, 90), onePhase(12, 6, 36), onePhase(30, 12, 96), onePhase(30, 16, 88),
+          onePhase(20, 10, 60)}) {
+        const OnePhaseSet free = onePhaseSet(schedule);
+        REQUIRE_FALSE(free.reason);
+        REQUIRE(free.contact == Contact::pressing);
+        double last = 0.0;
+        for (const double ratio : {1e-3, 1e-5, 1e-7}) {
+            const ForcedSet set = forcedMotions(schedule, {ratio}, {});
+            INFO(describe(schedule) << " zeta " << ratio << " " << set.detail);
+            if (set.status != Status::found) {
+                continue;
+            }
+            const ForcedMotion motion = leastAmplitudeMotion(set);
+            const std::vector<double> amplitudes = amplitudesOf(free, motion.state);
+            CHECK(distanceOutside(free.set, amplitudes) <= 1e3 * ratio);
+            CHECK(motion.residual <= forcedTolerance);
+            // Hardly any force is needed to keep a bar going that loses hardly anything.
+            CHECK(motion.amplitude < 1e3 * ratio);
+            last = ratio;
+            const State nearest = motionOf(free, nearestAmplitudes(free.set, amplitudes));
+            CHECK((nearest.a - motion.state.a).cwiseAbs().maxCoeff() <
+                  1e4 * ratio * amplitude(nearest));
+        }
+        met += last == 1e-7 ? 1 : 0;
+    }
+    CHECK(met >= 3);
+}
+
+TEST_CASE("forced motions: without damping classes that nothing holds are said to be undecided")
+{
+    const ForcedSet even = forcedMotions(onePhase(30, 15, 90), {}, {});
+    CHECK(even.status == Status::undecided);
+    CHECK_THAT(even.detail, containsText("nothing damps"));
+    // All classes meet an odd number of flights: decided as with damping.
+    int decided = 0;
+    for (std::int64_t contact = 1; contact < 40; ++contact) {
+        const ForcedSet odd = forcedMotions(onePhase(7, contact, 41 - contact), {}, {});
+        if (odd.status == Status::found) {
+            CHECK(leastAmplitudeMotion(odd).residual <= forcedTolerance);
+        } else if (odd.status == Status::none) {
+            CHECK(isCertain(odd));
+        }
+        decided += odd.status != Status::undecided ? 1 : 0;
+    }
+    CHECK(decided >= 15);
+}
+
+TEST_CASE("forced motions: an excitation of any shape fixes its own size")
+{
+    std::mt19937_64 generator(9);
+    std::uniform_real_distribution<double> value(-1.0, 1.0);
+    int found = 0;
+    for (int k = 0; k < 4000; ++k) {
+        const Schedule schedule = onePhase(4, 1 + k % 4, 12 + k % 5);
+        Forcing forcing{k % 2 == 0 ? Excited::tip : Excited::base, 1, {}};
+        for (std::int64_t m = 0; m < steps(schedule); ++m) {
+            forcing.shape.push_back(value(generator));
+        }
+        const Damping damping{0.1};
+        const ForcedSet set = forcedMotions(schedule, damping, forcing);
+        INFO(describe(schedule) << " " << k << " " << set.detail);
+        const Dense dense(schedule, damping.rho());
+        const auto amplitude = dense.amplitude({forcing.place, forcing.shape, 4.0}, 1e-9);
+        REQUIRE(set.status != Status::undecided);
+        REQUIRE((set.status == Status::found) == amplitude.has_value());
+        if (!amplitude) {
+            REQUIRE(isCertain(set));
+            continue;
+        }
+        ++found;
+        CHECK(set.kind == ForcedKind::point);
+        CHECK(set.foot[0] == Approx(*amplitude).epsilon(1e-9));
+        CHECK(leastAmplitudeMotion(set).residual <= forcedTolerance);
+        CHECK(motionsOfAmplitude(set, std::abs(*amplitude) * 1.5).empty());
+    }
+    CHECK(found > 5);
+}
+
+TEST_CASE("forced motions: a walk sees what is wrong with a state")
+{
+    const ForcedSet set = forcedMotions(onePhase(30, 12, 96), dampingOfRho(0.9), {});
+    const ForcedMotion motion = motionsOfAmplitude(set, 0.25).front();
+    const auto worst = [&](const State& state, std::int64_t contact, const Excitation& excitation) {
+        return walkForced(state, contact, motion.damping, excitation).worst();
+    };
+    CHECK(worst(motion.state, 12, motion.excitation) < 1e-12);
+    State wrong = motion.state;
+    wrong.a[3] += 1e-6;
+    CHECK(worst(wrong, 12, motion.excitation) > 1e-8);
+    CHECK(worst(motion.state, 13, motion.excitation) > 1e-6);
+    CHECK(worst(motion.state, 11, motion.excitation) > 1e-6);
+    Excitation other = motion.excitation;
+    other.values[50] += 1e-6;
+    CHECK(worst(motion.state, 12, other) > 1e-9);
+    wrong.a[3] = NAN;
+    CHECK(std::isinf(worst(wrong, 12, motion.excitation)));
+}
+
+TEST_CASE("forced motions: wrong use is refused by name")
+{
+    const Schedule schedule = onePhase(30, 12, 96);
+    const Damping damping{0.03};
+    CHECK_THROWS_WITH(forcedMotions(schedule, {-0.1}, {}), containsText("damping ratio"));
+    CHECK_THROWS_WITH(forcedMotions({30, {{1, 2}, {3, 4}}}, damping, {}), containsText("phases"));
+    CHECK_THROWS_WITH(forcedMotions(schedule, damping, {Excited::tip, 55, {}}),
+                      containsText("cycles"));
+    CHECK_THROWS_WITH(forcedMotions(schedule, damping, {Excited::tip, 0, {}}),
+                      containsText("cycles"));
+    CHECK_THROWS_WITH(
+        forcedMotions(schedule, damping, {Excited::tip, 1, {1.0, 2.0, 3.0, 4.0, 5.0}}),
+        containsText("divisors"));
+    CHECK_THROWS_WITH(forcedMotions(schedule, damping, {Excited::tip, 1, {1.0, NAN}}),
+                      containsText("finite"));
+    CHECK_THROWS_WITH(forcedMotions(schedule, damping, {Excited::tip, 1, {0.0, 0.0}}),
+                      containsText("other than 0"));
+    CHECK_THROWS_WITH(forcedMotions(onePhase(30, 12, maxForcedSteps), damping, {}),
+                      containsText("steps"));
+    const ForcedSet set = forcedMotions(schedule, damping, {});
+    CHECK_THROWS_WITH(motionsOfAmplitude(set, 0.0), containsText("amplitude"));
+    CHECK_THROWS_WITH(motionsOfAmplitude(set, NAN), containsText("amplitude"));
+    CHECK_THROWS_WITH(motionAt(set, set.high + 1.0), containsText("t ="));
+    const ForcedSet none = forcedMotions(onePhase(30, 50, 58), damping, {});
+    REQUIRE(none.status == Status::none);
+    CHECK_THROWS_AS(leastAmplitudeMotion(none), std::invalid_argument);
+}
+
+TEST_CASE("intervals: no operation loses the true value")
+{
+    std::mt19937_64 generator(2);
+    std::uniform_real_distribution<double> value(-3.0, 3.0);
+    for (int k = 0; k < 20'000; ++k) {
+        const double x = value(generator);
+        const double y = value(generator);
+        const auto holds = [](Interval interval, long double exact) {
+            return interval.low <= exact && exact <= interval.high;
+        };
+        const long double u = x;
+        const long double v = y;
+        CHECK(holds(Interval(x) + y, u + v));
+        CHECK(holds(Interval(x) - y, u - v));
+        CHECK(holds(Interval(x) * y, u * v));
+        CHECK(holds(Interval(x) / y, u / v));
+        const Interval wide(std::min(x, y), std::max(x, y));
+        CHECK(holds(wide * Interval(y), u * v));
+        CHECK(holds(wide - wide, u - v));
+    }
+    const Interval all = Interval(1.0) / Interval(-1.0, 1.0);
+    CHECK_FALSE(all.isPositive());
+    CHECK_FALSE(all.isNegative());
+}

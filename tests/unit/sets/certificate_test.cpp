@@ -1,0 +1,161 @@
+#include "signorini/certificate.hpp"
+
+#include <Eigen/Dense>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "catch.hpp"
+#include "equations.hpp"
+#include "integers.hpp"
+#include "signorini/one_phase_set.hpp"
+#include "signorini/verification.hpp"
+#include "support.hpp"
+
+using namespace signorini;
+using test::onePhase;
+
+namespace {
+
+/// The combination of the paper's own sparse rows, added up in doubles that hold the integers
+/// exactly: an independent reading of certificate.hpp.
+bool holdsOverThePapersRows(const FarkasCertificate& certificate, const Schedule& schedule)
+{
+    const Eigen::Index size = 2 * schedule.cells;
+    SparseMatrix periodicity = periodMap(schedule);
+    SparseMatrix one(size, size);
+    one.setIdentity();
+    periodicity -= one;
+    const Inequalities rows = inequalities(schedule);
+    Eigen::VectorXd total =
+        static_cast<double>(certificate.gap) * gapRow(schedule.cells).transpose().toDense();
+    const auto add = [&](const SparseMatrix& matrix, const std::vector<Multiplier>& multipliers,
+                         bool isInequality) {
+        for (const Multiplier& m : multipliers) {
+            REQUIRE(m.row < matrix.rows());
+            REQUIRE((!isInequality || m.value >= 0));
+            total += static_cast<double>(m.value) *
+                     Eigen::VectorXd(matrix.row(static_cast<Eigen::Index>(m.row)).transpose());
+        }
+    };
+    add(periodicity, certificate.periodicity, false);
+    add(rows.pressure, certificate.pressure, true);
+    add(rows.penetration, certificate.penetration, true);
+    return certificate.gap < 0 && total.isZero(0.0);
+}
+
+}  // namespace
+
+TEST_CASE("certificate: every absence up to N = 6 is proved over the paper's own rows")
+{
+    std::set<Reason> seen;
+    test::forAllSchedules(6, 3, [&](const Schedule& schedule) {
+        const OnePhaseSet r = onePhaseSet(schedule);
+        if (!r.reason) {
+            return;
+        }
+        seen.insert(*r.reason);
+        const FarkasCertificate certificate = proveAbsence(r);
+        INFO(describe(schedule));
+        REQUIRE(isProof(certificate, schedule));
+        REQUIRE(holdsOverThePapersRows(certificate, schedule));
+    });
+    CHECK(seen ==
+          std::set{Reason::noLiveClass, Reason::contactSign, Reason::penetration, Reason::gap});
+}
+
+TEST_CASE("certificate: the proof over the folded schedule holds for the long one")
+{
+    for (std::int64_t free = 17; free < 60; ++free) {
+        const Schedule schedule = onePhase(2, 9, free);
+        const OnePhaseSet r = onePhaseSet(schedule);
+        if (r.reason) {
+            INFO(describe(schedule));
+            CHECK(isProof(proveAbsence(r), schedule));
+            CHECK(holdsOverThePapersRows(proveAbsence(r), schedule));
+        }
+    }
+    const Schedule huge = onePhase(1, 1'000'000'000'000, 1'000'000'000'000'000);
+    CHECK(isProof(proveAbsence(onePhaseSet(huge)), huge));
+}
+
+TEST_CASE("certificate: large schedules are proved too")
+{
+    for (const Schedule& schedule : {onePhase(300, 150, 1200), onePhase(10'000, 5'000, 40'000),
+                                     onePhase(99'991, 1'000, 300'007)}) {
+        const OnePhaseSet r = onePhaseSet(schedule);
+        INFO(describe(schedule));
+        REQUIRE(r.reason);
+        CHECK(isProof(proveAbsence(r), schedule));
+    }
+}
+
+TEST_CASE("certificate: what is no proof is not accepted")
+{
+    const Schedule none = onePhase(10, 23, 42);
+    const OnePhaseSet r = onePhaseSet(none);
+    REQUIRE(r.reason);
+    const FarkasCertificate proof = proveAbsence(r);
+    REQUIRE(isProof(proof, none));
+
+    SECTION("a wrong sign of the gap row")
+    {
+        FarkasCertificate wrong = proof;
+        wrong.gap = -wrong.gap;
+        CHECK_FALSE(isProof(wrong, none));
+        wrong.gap = 0;
+        CHECK_FALSE(isProof(wrong, none));
+    }
+    SECTION("any multiplier changed by one")
+    {
+        for (std::size_t k = 0; k < proof.periodicity.size(); ++k) {
+            FarkasCertificate wrong = proof;
+            wrong.periodicity[k].value += 1;
+            CHECK_FALSE(isProof(wrong, none));
+        }
+    }
+    SECTION("negative multipliers of inequalities, rows out of range or out of order")
+    {
+        FarkasCertificate wrong = proof;
+        wrong.pressure = {{0, -1}};
+        CHECK_FALSE(isProof(wrong, none));
+        wrong.pressure = {{23, 1}};
+        CHECK_FALSE(isProof(wrong, none));
+        wrong = proof;
+        wrong.penetration = {{-1, 1}};
+        CHECK_FALSE(isProof(wrong, none));
+        wrong = proof;
+        wrong.periodicity.push_back({0, 1});
+        CHECK_FALSE(isProof(wrong, none));
+        wrong = proof;
+        std::swap(wrong.periodicity.front(), wrong.periodicity.back());
+        CHECK_FALSE(isProof(wrong, none));
+    }
+    SECTION("multipliers that overflow")
+    {
+        FarkasCertificate wrong = proof;
+        constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+        wrong.periodicity = {{0, most}, {1, most}, {2, most}, {3, most}};
+        wrong.gap = -most;
+        CHECK_FALSE(isProof(wrong, none));
+    }
+    SECTION("the proof of another schedule")
+    {
+        CHECK_FALSE(isProof(proof, onePhase(10, 23, 43)));
+        CHECK_FALSE(isProof(proof, onePhase(10, 9, 22)));
+    }
+}
+
+TEST_CASE("certificate: there is none where motions exist")
+{
+    CHECK_THROWS_AS(proveAbsence(onePhaseSet(onePhase(300, 150, 900))), std::invalid_argument);
+}
+
+TEST_CASE("integers: sums and products that do not fit are refused")
+{
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    CHECK(checkedAdd(most, -1) == most - 1);
+    CHECK(checkedMultiply(most, -1) == -most);
+    CHECK_THROWS_AS(checkedAdd(most, 1), std::overflow_error);
+    CHECK_THROWS_AS(checkedMultiply(most, 2), std::overflow_error);
+}
