@@ -187,7 +187,9 @@ Waves SimulateCommand::start(const Bar& bar) const
     if (fromFile.empty()) {
         return wavesAtRest(static_cast<double>(common.usualCells()));
     }
-    return wavesOf(forFile("--from", fromFile, [&] { return readStateCsv(fromFile, bar); }));
+    const std::int64_t cells = common.usualCells();
+    return wavesOf(
+        forFile("--from", fromFile, [&] { return readState(fromFile, bar, cells).state; }));
 }
 
 Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
