@@ -48,6 +48,11 @@ CALLS = [
     ("families", f"families --max-order 5 --max-energy-ratio 9 {STEEL}"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 1.143 5"),
+    ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 8/7 5 --schedules"),
+    ("atlas", "atlas --database {}/a.sqlite --cells 8 --period 4 --schedules"),
+    ("atlas", "atlas --database {}/b.sqlite --cells 8 --max-free 26 --phases 2 --max-contact 4"),
+    ("atlas", "atlas --database {}/b.sqlite --twins"),
+    ("atlas", "atlas --database {}/c.sqlite --cells 8 --families-only"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --period 7/2"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --twins"),
 ]
