@@ -1,6 +1,12 @@
 #include <fmt/format.h>
 
+#include <functional>
+#include <limits>
+#include <map>
+#include <random>
+
 #include "judge.hpp"
+#include "signorini/atlas.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/lumped_set.hpp"
@@ -38,8 +44,9 @@ public:
                      : std::vector<std::int64_t>{100, 300}) {
             addContinuum(cells);
         }
-        for (const std::int64_t cells : isFull_ ? std::vector<std::int64_t>{10, 30, 100, 300}
-                                                : std::vector<std::int64_t>{10, 30}) {
+        for (const std::int64_t cells :
+             isFull_ ? std::vector<std::int64_t>{300, 1'000, 3'000, 10'000, 30'000, 100'000}
+                     : std::vector<std::int64_t>{30, 100, 300}) {
             addAtlas(cells);
         }
         for (const std::int64_t cells :
@@ -158,44 +165,82 @@ private:
         });
     }
 
-    /// Every schedule n_c <= 2N, n_f <= 6N, one `decide` each.
+    /// Every schedule n_c <= 2N, n_f <= 8N: with all rows, and the families up to 50 E_1 alone.
     void addAtlas(std::int64_t cells)
     {
-        add("a schedule of an atlas", cells, [](std::int64_t n, Record& row) {
-            const auto total = static_cast<double>(2 * n * 6 * n);
-            std::vector<bool> exists;
-            Timing timing = timeOf([&] { exists = decideAll(n); });
-            timing.median /= total;
-            timing.best /= total;
-            record(timing, row);
-            row.figures["checked"] = total;
-            row.figures["wrong"] = wrongAmong(exists, n);
-            setOutcome(row.figures["wrong"] == 0.0, row);
-        });
+        for (const bool familiesOnly : {false, true}) {
+            add(familiesOnly ? "families of an atlas" : "an atlas", cells,
+                [familiesOnly](std::int64_t n, Record& row) {
+                    AtlasRange range = usualRange(n);
+                    range.maxFree = 8 * n;
+                    range.familiesOnly = familiesOnly;
+                    range.maxEnergyRatio =
+                        familiesOnly ? 50.0 : std::numeric_limits<double>::infinity();
+                    record(timeOf([&] {
+                               const AtlasTally tally = decideAll(range, {});
+                               keep(&tally);
+                           }),
+                           row);
+                    row.figures["wrong"] = wrongAmong(range, row);
+                    setOutcome(row.figures["wrong"] == 0.0, row);
+                });
+        }
     }
 
-    static std::vector<bool> decideAll(std::int64_t cells)
+    /// Decides a range batch by batch, as a database is filled; `see` gets each.
+    static AtlasTally decideAll(const AtlasRange& range,
+                                const std::function<void(const AtlasBatch&)>& see)
     {
-        std::vector<bool> exists;
+        AtlasTally tally;
         std::vector<std::int8_t> signs;
-        for (std::int64_t contact = 1; contact <= 2 * cells; ++contact) {
-            for (std::int64_t free = 1; free <= 6 * cells; ++free) {
-                exists.push_back(!decide(cells, {contact, free}, signs).reason);
+        for (std::int64_t number = 0; number < batchesOf(range); ++number) {
+            const AtlasBatch batch = decideBatch(range, number, signs).value();
+            tally += batch.tally;
+            if (see) {
+                see(batch);
             }
         }
-        return exists;
+        return tally;
     }
 
-    /// Asks the code for several phases about some 500 of the verdicts.
-    static double wrongAmong(const std::vector<bool>& exists, std::int64_t cells)
+    /// Asks the code for several phases about some 200 schedules drawn from the range, and about
+    /// some 200 of those that were found, or tops of families.
+    static double wrongAmong(const AtlasRange& range, Record& row)
     {
-        double wrong = 0.0;
-        const std::size_t stride = 1 + exists.size() / 500;
-        for (std::size_t k = 0; k < exists.size(); k += stride) {
-            const auto index = static_cast<std::int64_t>(k);
-            const Schedule schedule{cells, {{1 + index / (6 * cells), 1 + index % (6 * cells)}}};
-            wrong += !lumpedSet(schedule).absence == exists[k] ? 0.0 : 1.0;
+        constexpr std::int64_t samples = 200;
+        std::mt19937_64 generator(1);
+        std::map<std::int64_t, bool> drawn;  // number: was it found
+        while (static_cast<std::int64_t>(drawn.size()) < samples) {
+            drawn[std::uniform_int_distribution<std::int64_t>(0, numbersOf(range) - 1)(generator)];
         }
+        double wrong = 0.0;
+        const auto exists = [&range](const Phase& phase) {
+            return !lumpedSet({range.cells, {phase}}).absence;
+        };
+        std::int64_t seen = 0;
+        std::int64_t families = 0;
+        const AtlasTally tally = decideAll(range, [&](const AtlasBatch& batch) {
+            for (const AtlasRow& found : batch.rows) {
+                if (const auto it = drawn.find(found.number); it != drawn.end()) {
+                    it->second = true;
+                }
+                if (seen++ % (1 + range.cells * 60 / samples) == 0) {
+                    wrong += exists(phasesAt(range, found.number).front()) ? 0.0 : 1.0;
+                }
+            }
+            for (const AtlasFamily& all : batch.families) {
+                if (families++ % (1 + range.cells * 5 / samples) == 0) {
+                    wrong += exists(all.top) ? 0.0 : 1.0;
+                }
+            }
+        });
+        for (const auto& [number, isFound] : drawn) {
+            const bool isRight = exists(phasesAt(range, number).front()) == isFound;
+            wrong += range.familiesOnly || isRight ? 0.0 : 1.0;
+        }
+        row.figures["checked"] = static_cast<double>(tally.decided);
+        row.figures["found"] = static_cast<double>(tally.pressing + tally.grazing);
+        row.figures["families"] = static_cast<double>(families);
         return wrong;
     }
 

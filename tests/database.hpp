@@ -34,14 +34,15 @@ inline bool isSame(const AtlasFamily& a, const AtlasFamily& b)
            a.energy.most == b.energy.most && a.schedules == b.schedules;
 }
 
-/// Every row of table schedules, with its rowid, after a check of the whole file.
-inline std::vector<std::string> dump(const std::string& path)
+/// Every row of a table, with its rowid, after a check of the whole file.
+inline std::vector<std::string> dump(const std::string& path,
+                                     const std::string& table = "schedules")
 {
     const SQLite::Database database = opened(path);
     SQLite::Statement check(database, "PRAGMA integrity_check");
     REQUIRE(check.executeStep());
     REQUIRE(check.getColumn(0).getString() == "ok");
-    SQLite::Statement statement(database, "SELECT rowid, * FROM schedules ORDER BY rowid");
+    SQLite::Statement statement(database, "SELECT rowid, * FROM " + table + " ORDER BY rowid");
     std::vector<std::string> rows;
     while (statement.executeStep()) {
         std::string row;

@@ -2,6 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
+#include <limits>
+
+#include "signorini/atlas.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
@@ -42,25 +45,34 @@ void verdictLongestWalk(benchmark::State& bench)
 }
 BENCHMARK(verdictLongestWalk)->RangeMultiplier(10)->Range(300, 3'000'000)->Complexity();
 
-/// Every schedule n_c <= 2N, n_f <= 8N, as the atlas decides them: items are schedules.
+/// Every schedule n_c <= 2N, n_f <= 8N, batch by batch, without a database: items are those found.
 void atlasVerdicts(benchmark::State& bench)
 {
-    const std::int64_t cells = bench.range(0);
+    AtlasRange range = usualRange(bench.range(0));
+    range.maxFree = 8 * range.cells;
+    range.familiesOnly = bench.range(1) != 0;
+    range.maxEnergyRatio = range.familiesOnly ? 50.0 : std::numeric_limits<double>::infinity();
     std::vector<std::int8_t> signs;
-    std::int64_t found = 0;
+    AtlasTally tally;
+    std::size_t families = 0;
     for (auto _ : bench) {
-        found = 0;
-        for (std::int64_t contact = 1; contact <= 2 * cells; ++contact) {
-            for (std::int64_t free = 1; free <= 8 * cells; ++free) {
-                found += decide(cells, {contact, free}, signs).reason ? 0 : 1;
-            }
+        tally = {};
+        families = 0;
+        for (std::int64_t number = 0; number < batchesOf(range); ++number) {
+            const AtlasBatch batch = decideBatch(range, number, signs).value();
+            tally += batch.tally;
+            families += batch.families.size();
         }
-        benchmark::DoNotOptimize(found);
+        benchmark::DoNotOptimize(tally);
     }
-    bench.SetItemsProcessed(bench.iterations() * 16 * cells * cells);
-    bench.counters["found"] = static_cast<double>(found);
+    bench.SetItemsProcessed(bench.iterations() * (tally.pressing + tally.grazing));
+    bench.counters["found"] = static_cast<double>(tally.pressing + tally.grazing);
+    bench.counters["families"] = static_cast<double>(families);
 }
-BENCHMARK(atlasVerdicts)->Arg(300)->Unit(benchmark::kMillisecond);
+BENCHMARK(atlasVerdicts)
+    ->ArgsProduct({{300, 3'000, 10'000, 100'000}, {0, 1}})
+    ->ArgNames({"N", "families_only"})
+    ->Unit(benchmark::kMillisecond);
 
 void verdictAndLeastEnergyState(benchmark::State& bench)
 {

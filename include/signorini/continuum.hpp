@@ -41,10 +41,10 @@ inline constexpr std::int64_t maxContinuumPoints = 1'000'000;
 
 /// What is to be traced. States are in [g/L].
 namespace trace {
-/// The split pulse: the force on the wall, at first one rectangular pulse when contact begins, in
-/// two equal parts with an ever longer pause between them. Energy and impulse are held, so is the
-/// force: it is the least peak of this energy. No two members are the same but for a shift in time,
-/// and in units of time the curve is the same on every grid, to within a cell. At energies that
+/// The split pulse: one rectangular pulse of force on the wall, cut in halves with an ever longer
+/// pause between them. Energy and impulse are held, and the force, which is the least peak of this
+/// energy but for cells covered in part. No two members are the same but for a shift in time, and
+/// in units of time the curve is the same on every grid, to within a cell. At energies that
 /// only a pulse of less than two cells has, the second pulse is a smaller one. Where motions do not
 /// differ in one simplex of amplitudes: a path between two members of the solver's choice.
 struct SplitPulse {};

@@ -14,6 +14,9 @@
 #include "signorini/families.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/modes.hpp"
+#include "signorini/output.hpp"
+#include "signorini/response.hpp"
+#include "signorini/simulation.hpp"
 
 namespace signorini {
 
@@ -32,9 +35,10 @@ enum class FigureFormat { svg, png, pdf };
 /// missing or fails, FileError if `path` cannot be written.
 void drawMotion(const PeriodicResult& result, FigureFormat format, const std::string& path);
 
-/// Draws a curve of motions: strain and velocity at t = 0 along the bar, members stacked upwards by
-/// lambda (the paper's Fig. 2), and below the displacement u(x, t) of two members, drawn in black
-/// above (its Fig. 3). Long curves are thinned to what print can show.
+/// Draws a curve of motions, in SI units: its members stacked upwards by lambda, as the force of
+/// the wall against time, which tells orbits apart, and as strain and velocity at t = 0 along the
+/// bar (the paper's Fig. 2); below, the displacement u(x, t) of the first, the middle and the last
+/// member, drawn in black above (its Fig. 3). Long curves are thinned to what print can show.
 /// \throws std::invalid_argument if the curve has no points, BackendUnavailable if gnuplot is
 /// missing or fails, FileError if `path` cannot be written.
 void drawContinuum(const Continuum& curve, FigureFormat format, const std::string& path);
@@ -47,6 +51,23 @@ void drawContinuum(const Continuum& curve, FigureFormat format, const std::strin
 /// written.
 void drawFamilies(std::span<const Family> families, std::int64_t maxOrder, FigureFormat format,
                   const std::string& path);
+
+/// What a moving picture is.
+enum class AnimationFormat { gif, mp4 };
+
+/// By the ending of the name: .gif or .mp4. \throws std::invalid_argument for any other ending.
+[[nodiscard]] AnimationFormat animationFormat(const std::string& path);
+
+/// A motion over one period: the bar at the wall, displacements magnified and coloured by strain
+/// (compression red), and u, s, v along it. At most 120 frames, 20 a second. Gnuplot draws them;
+/// .mp4 needs ffmpeg besides.
+/// \throws BackendUnavailable if a program is missing or fails, FileError if `path` cannot be
+/// written.
+void animateMotion(const MotionSamples& samples, AnimationFormat format, const std::string& path);
+
+/// A curve of motions over lambda: force on the wall and path of the tip over a period, strain and
+/// velocity at t = 0. \throws as above, and std::invalid_argument if the curve has no points.
+void animateContinuum(const Continuum& curve, AnimationFormat format, const std::string& path);
 
 /// The energies of the motions of a set on a grid.
 struct EnergyBar {
@@ -93,9 +114,23 @@ void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int6
                              FigureFormat format, const std::string& path);
 
 /// The existence map: a dot at (t_c, t_f) = (n_c/N, n_f/N), in L/c, for each schedule of one phase
-/// that has motions, coloured by its least energy; grazing ones grey. An atlas without any leaves
-/// an empty map. Errors as above.
+/// that has motions, coloured by its least energy; grazing ones grey. Schedules of one family are a
+/// line, its tent; those of order 7 at most have their names. Flights beyond 4 L/c, which only
+/// repeat linear motions, are left out. An atlas without any leaves an empty map. Errors as above.
 void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                       FigureFormat format, const std::string& path);
+
+/// Draws impulse on the wall and reach of the tip against the frequency of the excitation: motions
+/// with one contact phase as dots, filled where they attract, open where they repel (their
+/// `stability`, if it was tried), and the bar without a wall as a line.
+/// \throws std::invalid_argument if there is no frequency; BackendUnavailable, FileError as above.
+void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
+                  FigureFormat format, const std::string& path);
+
+/// Draws what a simulation saw: the tip beside the wall with its contacts, at the beginning and at
+/// the end, and the impulse of each contact. \throws std::invalid_argument if the path of the tip
+/// was not recorded; BackendUnavailable, FileError as above.
+void drawSimulation(const BarSimulation& simulation, const Excitation& excitation,
+                    FigureFormat format, const std::string& path);
 
 }  // namespace signorini

@@ -136,8 +136,8 @@ inline constexpr std::int64_t maxMeasurements = 1'000'000;
 inline constexpr std::int64_t maxMotionNodes = 1001;
 inline constexpr std::int64_t maxMotionInstants = 2001;  ///< see maxMotionNodes
 
-/// The nodes and instants of a motion that go into a file, in SI units. At node i velocity and
-/// strain are those of cell i (cell 1 at the clamp), the part of the bar between nodes i - 1 and i.
+/// The nodes and instants of a motion that go into a file, in SI units. At a node velocity and
+/// strain are those of the cell that ends there (at the clamp of the first one).
 class MotionSamples {
 public:
     /// Over `Motion::steps`: one period unless the schedule has flights of 4N steps and more, which

@@ -40,6 +40,16 @@ struct Forcing {
     std::vector<double> shape = {};
 };
 
+/// Whether the bar stays near a motion.
+enum class Stability {
+    attracts,  ///< every disturbance that was tried died out
+    repels,    ///< one grew
+    unclear,   ///< neither in the time given
+};
+
+/// "attracts", "repels", "unclear".
+[[nodiscard]] std::string_view name(Stability stability);
+
 /// Largest residual of a reported motion.
 inline constexpr double forcedTolerance = 1e-9;
 
@@ -56,6 +66,7 @@ struct ForcedMotion {
     double lowest = 0.0;     ///< min u(L) [g]
     double residual = 0.0;   ///< the worst that a walk along the schedule and a march saw,
                              ///< the balance of work included; relative
+    std::optional<Stability> stability = {};  ///< for those who ask stabilityOf, to be kept here
 };
 
 /// A condition of the schedule, as it appears in a proof.
@@ -100,8 +111,8 @@ struct ForcedSet {
 /// Decides a schedule. O(n). Undecided: classes of steps that nothing damps (their flights are 0,
 /// or there is no damping and they are even in number), and conditions that rounding could turn.
 /// \throws std::invalid_argument on an invalid schedule or damping, more than one phase, more than
-/// maxForcedSteps steps, cycles unless 1 <= K < n/2, or a shape whose length does not divide n, that is
-/// not finite, or 0 throughout.
+/// maxForcedSteps steps, cycles unless 1 <= K < n/2, or a shape whose length does not divide n,
+/// that is not finite, or 0 throughout.
 [[nodiscard]] ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping,
                                       const Forcing& forcing);
 
@@ -141,8 +152,7 @@ struct FrequencyResponse {
     double linearPeak = 0.0;            ///< max u(L) of the bar without a wall [g]
     bool touches = false;               ///< would that motion meet the wall?
     std::int64_t undecided = 0;         ///< numbers of contact steps that were not decided
-    std::vector<ForcedMotion> motions;  ///< by ascending n_c, then impulse; without states if they
-                                        ///< are not kept
+    std::vector<ForcedMotion> motions;  ///< by ascending n_c, then impulse
 };
 
 /// What a call may do beside its work.
@@ -165,16 +175,6 @@ struct ResponseControl {
 /// \throws as stepsOf.
 [[nodiscard]] std::vector<FrequencyResponse> frequencyResponse(const ResponseRange& range,
                                                                const ResponseControl& control = {});
-
-/// Whether the bar stays near a motion.
-enum class Stability {
-    attracts,  ///< every disturbance that was tried died out
-    repels,    ///< one grew
-    unclear,   ///< neither in the time given
-};
-
-/// "attracts", "repels", "unclear".
-[[nodiscard]] std::string_view name(Stability stability);
 
 /// What to try. Each arriving wave is multiplied by 1 + a random number of at most `size`.
 struct StabilityOptions {

@@ -30,9 +30,9 @@ struct Interval {
     }
     friend Interval operator*(Interval x, Interval y)
     {
-        const auto [low, high] =
+        const auto [least, most] =
             std::minmax({x.low * y.low, x.low * y.high, x.high * y.low, x.high * y.high});
-        return widened(low, high);
+        return widened(least, most);
     }
     /// Everything if y may be 0.
     friend Interval operator/(Interval x, Interval y)
@@ -41,9 +41,9 @@ struct Interval {
             constexpr double infinity = std::numeric_limits<double>::infinity();
             return {-infinity, infinity};
         }
-        const auto [low, high] =
+        const auto [least, most] =
             std::minmax({x.low / y.low, x.low / y.high, x.high / y.low, x.high / y.high});
-        return widened(low, high);
+        return widened(least, most);
     }
 
 private:

@@ -167,7 +167,8 @@ std::string asText(const Continuum& curve, const std::optional<Member>& member)
             member->point.peakStrain);
     }
     if (!curve.detail.empty()) {
-        text += fmt::format("why         {}\n", curve.detail);
+        text +=
+            fmt::format("{:<12}{}\n", curve.status == Status::found ? "note" : "why", curve.detail);
     }
     return text;
 }
@@ -265,6 +266,10 @@ void ContinuumCommand::addTo(CLI::App& command)
         ->type_name("FILE.csv");
     command.add_option("--figure", figureFile, "draw the curve (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
     common.addTo(command);
 }
 
@@ -279,17 +284,22 @@ ExitStatus ContinuumCommand::run() const
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
     }
+    if (!animationFile.empty()) {
+        (void)animationFormat(animationFile);
+    }
     if (member.has_value() == stateFile.empty()) {
         throw std::invalid_argument("--member and --state: allowed both or neither");
     }
     const OutputOption csvOption{"--csv", csvFile};
     const OutputOption stateOption{"--state", stateFile};
     const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({csvOption, stateOption, figureOption});
+    const OutputOption animationOption{"--animate", animationFile};
+    validateOutputs({csvOption, stateOption, figureOption, animationOption});
     OutputFiles files;
     const std::string csv = stage(files, csvOption);
     const std::string state = stage(files, stateOption);
     const std::string figure = stage(files, figureOption);
+    const std::string animation = stage(files, animationOption);
 
     std::optional<Interrupt> interrupt(std::in_place);
     request.cancel = interrupt->cancel();
@@ -312,8 +322,13 @@ ExitStatus ContinuumCommand::run() const
             forFile("--figure", figureFile,
                     [&] { drawContinuum(curve, figureFormat(figureFile), figure); });
         }
+        if (!animation.empty()) {
+            forFile("--animate", animationFile,
+                    [&] { animateContinuum(curve, animationFormat(animationFile), animation); });
+        }
         files.commit();
-    } else if ((!csv.empty() || !state.empty() || !figure.empty()) && !common.quiet) {
+    } else if ((!csv.empty() || !state.empty() || !figure.empty() || !animation.empty()) &&
+               !common.quiet) {
         tell("signorini continuum: no motion to write, so no file was written\n");
     }
     writeOut(common.wantsJson ? asJson(curve, chosen) : asText(curve, chosen));

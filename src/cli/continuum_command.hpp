@@ -27,6 +27,7 @@ struct ContinuumCommand {
     std::string stateFile;
     std::string csvFile;
     std::string figureFile;
+    std::string animationFile;
 
     void addTo(CLI::App& command);
 

@@ -16,7 +16,7 @@ namespace signorini::cli {
 
 namespace {
 
-/// The families, or those found until a signal came.
+/// The families, or those found until a signal came or the list was full.
 void fill(FamilyList& list, FamilyBounds bounds, bool isQuiet)
 {
     const Interrupt interrupt;
@@ -24,16 +24,23 @@ void fill(FamilyList& list, FamilyBounds bounds, bool isQuiet)
     bounds.cancel = interrupt.cancel();
     const auto last = static_cast<double>(list.maxOrder);
     std::int64_t order = 0;
-    list.isComplete = forEachFamily(list.maxOrder, bounds, [&](const Family& family) {
+    const bool isWhole = forEachFamily(list.maxOrder, bounds, [&](const Family& family) {
         if (family.order > order) {
             order = family.order;
             // The work up to an order grows with its square.
             const auto done = static_cast<double>(order - 1);
             progress.show(done * done, last * last);
         }
+        if (list.families.size() == maxListedFamilies) {
+            list.ended = fmt::format("{} families are the most in a list", maxListedFamilies);
+            return false;
+        }
         list.families.push_back(family);
         return true;
     });
+    if (!isWhole && list.ended.empty()) {
+        list.ended = "interrupted";
+    }
 }
 
 }  // namespace
@@ -60,7 +67,7 @@ void FamiliesCommand::addTo(CLI::App& command)
 
 ExitStatus FamiliesCommand::run() const
 {
-    FamilyList list{maxOrder, bounds.maxEnergyRatio, common.bar(), {}};
+    FamilyList list{maxOrder, bounds.maxEnergyRatio, common.bar(), {}, {}};
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
     }
@@ -72,11 +79,11 @@ ExitStatus FamiliesCommand::run() const
     const std::string figure = stage(files, figureOption);
 
     fill(list, bounds, common.quiet);
-    if (!list.isComplete && !common.quiet) {
-        tell(fmt::format("signorini families: interrupted; the list is not complete{}\n",
+    if (!list.isComplete() && !common.quiet) {
+        tell(fmt::format("signorini families: {}; the list is not complete{}\n", list.ended,
                          table.empty() && figure.empty() ? "" : ", so no file was written"));
     }
-    if (list.isComplete) {
+    if (list.isComplete()) {
         if (!table.empty()) {
             forFile("--csv", tableFile, [&] { writeFamiliesCsv(table, list); });
         }
@@ -93,7 +100,7 @@ ExitStatus FamiliesCommand::run() const
         writeText(list);
     }
     common.useOneThread("families");
-    return list.isComplete ? exitFound : exitUndecided;
+    return list.isComplete() ? exitFound : exitUndecided;
 }
 
 }  // namespace signorini::cli

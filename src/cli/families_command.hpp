@@ -9,8 +9,11 @@
 
 namespace signorini::cli {
 
-/// Largest order that is listed: there are 0.46 of its square, 32 bytes each.
-inline constexpr std::int64_t maxListedOrder = 5'000;
+/// Largest order that is listed.
+inline constexpr std::int64_t maxListedOrder = 20'000;
+
+/// Most families in a list, 32 bytes each.
+inline constexpr std::size_t maxListedFamilies = 20'000'000;
 
 /// One call.
 struct FamiliesCommand {
@@ -22,8 +25,9 @@ struct FamiliesCommand {
 
     void addTo(CLI::App& command);
 
-    /// Does the work; the report goes to stdout. SIGINT and SIGTERM end the search, and what was
-    /// found is reported, in no file. Exceptions are for `main` to translate.
+    /// Does the work; the report goes to stdout. SIGINT and SIGTERM end the search, as does
+    /// a full list, and what was found is reported, in no file. Exceptions are for `main` to
+    /// translate.
     [[nodiscard]] ExitStatus run() const;
 };
 

@@ -100,9 +100,9 @@ void writeText(const FamilyList& list)
     const std::string energy = std::isfinite(list.maxEnergyRatio)
                                    ? fmt::format(" that reach below {} E₁", list.maxEnergyRatio)
                                    : std::string();
-    std::string head =
-        fmt::format("{} families of order w ≤ {}{}{}\n", list.families.size(), list.maxOrder,
-                    energy, list.isComplete ? "" : ": interrupted, the list is not complete");
+    std::string head = fmt::format(
+        "{} families of order w ≤ {}{}{}\n", list.families.size(), list.maxOrder, energy,
+        list.isComplete() ? "" : fmt::format(": {}, the list is not complete", list.ended));
     if (!list.families.empty()) {
         head += fmt::format("\n{:>5} {:>5} {:>4}  {:<10}{:<10}{:<10}{:<13}{:<13}{:<13}{:<14}{}\n",
                             "w", "ν", "k", "T [L/c]", "t_c≤[L/c]", "ω/ω₁", "f [Hz]", "E/E₁ from",
@@ -129,7 +129,7 @@ void writeJson(const FamilyList& list)
     const Scales unit = scales(list.bar);
     Json json = newAnswer();
     json.update(Json{{"bar", barAsJson(list.bar)},
-                     {"complete", list.isComplete},
+                     {"complete", list.isComplete()},
                      {"max_order", list.maxOrder},
                      {"max_energy_ratio", list.maxEnergyRatio},
                      {"count", list.families.size()},

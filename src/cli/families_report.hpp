@@ -16,7 +16,9 @@ struct FamilyList {
     double maxEnergyRatio = 0.0;
     Bar bar;
     std::vector<Family> families;
-    bool isComplete = true;
+    std::string ended;  ///< why it is not complete; empty: it is
+
+    [[nodiscard]] bool isComplete() const { return ended.empty(); }
 };
 
 /// To standard output, piece by piece: a list may be long. \throws FileError.

@@ -92,13 +92,15 @@ public:
         : words_(checked(words)),
           state_(stage(files_, {"--state", words.stateFile})),
           motion_(words.motionFile, files_),
-          figure_(stage(files_, {"--figure", words.figureFile}))
+          figure_(stage(files_, {"--figure", words.figureFile})),
+          animation_(stage(files_, {"--animate", words.animationFile}))
     {
     }
 
     [[nodiscard]] bool areWanted() const
     {
-        return !state_.empty() || words_.motionFile.isWanted() || !figure_.empty();
+        return !state_.empty() || words_.motionFile.isWanted() || !figure_.empty() ||
+               !animation_.empty();
     }
 
     void sayNone() const
@@ -119,7 +121,7 @@ public:
             forFile("--figure", words_.figureFile,
                     [&] { drawMotion(result, figureFormat(words_.figureFile), figure_); });
         }
-        if (words_.motionFile.isWanted()) {
+        if (words_.motionFile.isWanted() || !animation_.empty()) {
             writeMotion(result);
         }
         files_.commit();
@@ -131,10 +133,15 @@ private:
         if (!words.figureFile.empty()) {
             (void)figureFormat(words.figureFile);
         }
+        if (!words.animationFile.empty()) {
+            (void)animationFormat(words.animationFile);
+        }
         words.motionFile.validate();
         validateOutputs({{"--state", words.stateFile},
                          words.motionFile.option(),
-                         {"--figure", words.figureFile}});
+                         words.motionFile.folderOption(),
+                         {"--figure", words.figureFile},
+                         {"--animate", words.animationFile}});
         return words;
     }
 
@@ -142,7 +149,13 @@ private:
     {
         const Motion field(result.motion->state, result.schedule);
         const std::int64_t all = signorini::steps(result.schedule);
-        if (field.steps() < all && !words_.common.quiet) {
+        if (!animation_.empty()) {
+            forFile("--animate", words_.animationFile, [&] {
+                animateMotion(MotionSamples(field, result.bar),
+                              animationFormat(words_.animationFile), animation_);
+            });
+        }
+        if (words_.motionFile.isWanted() && field.steps() < all && !words_.common.quiet) {
             tell(
                 fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
                             "free oscillations\n",
@@ -156,6 +169,7 @@ private:
     std::string state_;
     MotionFile::Staged motion_;
     std::string figure_;
+    std::string animation_;
 };
 
 }  // namespace
@@ -195,6 +209,10 @@ void FindCommand::addTo(CLI::App& command)
     motionFile.addTo(command);
     command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
     common.addTo(command);
 }
 

@@ -26,6 +26,7 @@ struct FindCommand {
     std::string stateFile;
     MotionFile motionFile;
     std::string figureFile;
+    std::string animationFile;
 
     void addTo(CLI::App& command);
 

@@ -7,9 +7,11 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <algorithm>
 #include <cctype>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <new>
 #include <sstream>
 
@@ -21,8 +23,10 @@
 #include "mode_command.hpp"
 #include "modes_command.hpp"
 #include "ranks.hpp"
+#include "response_command.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
+#include "simulate_command.hpp"
 #include "solver.hpp"
 #include "text.hpp"
 
@@ -128,6 +132,74 @@ void occupyStandardStreams()
     }
 }
 
+/// All commands, and the one that was called.
+class Commands {
+public:
+    explicit Commands(CLI::App& app)
+    {
+        add(app, find_, "find", "a periodic motion of a schedule, or a proof of absence",
+            &find_.steps);
+        add(app, continuum_, "continuum", "a curve of motions of one schedule and energy",
+            &continuum_.steps);
+        add(app, modes_, "modes", "the continuous families of motions, exact, for any grid");
+        add(app, mode_, "mode", "the motion of one mode at any period", &mode_.contact);
+        add(app, families_, "families",
+            "the families of motions by order: each set of orbits once, for any grid");
+        add(app, atlas_, "atlas", "every schedule of a range decided, into a database");
+        add(app, response_, "response",
+            "all forced, damped motions with one contact phase, frequency by frequency");
+        add(app, simulate_, "simulate", "what the bar does from any state, exactly");
+    }
+
+    /// "find|continuum|...".
+    [[nodiscard]] std::string names() const
+    {
+        std::string text;
+        for (const Command& command : commands_) {
+            text += (text.empty() ? "" : "|") + command.app->get_name();
+        }
+        return text;
+    }
+
+    /// Where the command that was called keeps words that belong to no option; null if it has none.
+    [[nodiscard]] std::vector<std::string>* words() const { return called().words; }
+
+    [[nodiscard]] ExitStatus run() const { return called().run(); }
+
+private:
+    struct Command {
+        CLI::App* app;
+        std::vector<std::string>* words;
+        std::function<ExitStatus()> run;
+    };
+
+    template <typename Options>
+    void add(CLI::App& app, Options& options, const char* name, const char* what,
+             std::vector<std::string>* words = nullptr)
+    {
+        CLI::App& command = *app.add_subcommand(name, what);
+        options.addTo(command);
+        commands_.push_back({&command, words, [&options] { return options.run(); }});
+    }
+
+    /// \pre one was called.
+    [[nodiscard]] const Command& called() const
+    {
+        return *std::find_if(commands_.begin(), commands_.end(),
+                             [](const Command& command) { return command.app->parsed(); });
+    }
+
+    FindCommand find_;
+    ContinuumCommand continuum_;
+    ModesCommand modes_;
+    ModeCommand mode_;
+    FamiliesCommand families_;
+    AtlasCommand atlas_;
+    ResponseCommand response_;
+    SimulateCommand simulate_;
+    std::vector<Command> commands_;
+};
+
 int run(int argc, char** argv)
 {
     CLI::App app{
@@ -136,44 +208,19 @@ int run(int argc, char** argv)
         "signorini"};
     app.set_version_flag("--version", versionText());
     app.require_subcommand(1);
-    FindCommand find;
-    CLI::App& findApp =
-        *app.add_subcommand("find", "a periodic motion of a schedule, or a proof of absence");
-    find.addTo(findApp);
-    ContinuumCommand continuum;
-    CLI::App& continuumApp =
-        *app.add_subcommand("continuum", "a curve of motions of one schedule and energy");
-    continuum.addTo(continuumApp);
-    ModesCommand modes;
-    CLI::App& modesApp =
-        *app.add_subcommand("modes", "the continuous families of motions, exact, for any grid");
-    modes.addTo(modesApp);
-    FamiliesCommand families;
-    CLI::App& familiesApp = *app.add_subcommand(
-        "families", "the families of motions by order: each set of orbits once, for any grid");
-    families.addTo(familiesApp);
-    ModeCommand mode;
-    CLI::App& modeApp = *app.add_subcommand("mode", "the motion of one mode at any period");
-    mode.addTo(modeApp);
-    AtlasCommand atlas;
-    CLI::App& atlasApp =
-        *app.add_subcommand("atlas", "every schedule of a range decided, into a database");
-    atlas.addTo(atlasApp);
+    Commands commands(app);
     app.footer(
         "Exit status: 0 found, 1 proved that none exists, 2 wrong use, 3 undecided,\n"
         "4 a file, database or back end could not be used.");
     try {
         const Words words = wordsOf(argc, argv);
         app.parse(std::vector<std::string>(words.before.rbegin(), words.before.rend()));
-        std::vector<std::string>* steps = findApp.parsed()        ? &find.steps
-                                          : continuumApp.parsed() ? &continuum.steps
-                                          : modeApp.parsed()      ? &mode.contact
-                                                                  : nullptr;
-        if (steps == nullptr && !words.after.empty()) {
+        std::vector<std::string>* more = commands.words();
+        if (more == nullptr && !words.after.empty()) {
             return complain(exitWrongUse, explainExtras(words.after, false));
         }
-        if (steps != nullptr) {
-            steps->insert(steps->end(), words.after.begin(), words.after.end());
+        if (more != nullptr) {
+            more->insert(more->end(), words.after.begin(), words.after.end());
         }
     } catch (const CLI::CallForVersion&) {
         writeOut(versionText());
@@ -190,11 +237,8 @@ int run(int argc, char** argv)
     } catch (const CLI::RequiredError&) {
         const std::string given =
             argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";
-        return complain(
-            exitWrongUse,
-            fmt::format("command{}: allowed find|continuum|modes|mode|families|atlas; see "
-                        "signorini --help",
-                        given));
+        return complain(exitWrongUse, fmt::format("command{}: allowed {}; see signorini --help",
+                                                  given, commands.names()));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         text = text.substr(0, text.find('\n'));
@@ -203,19 +247,7 @@ int run(int argc, char** argv)
         }
         return complain(exitWrongUse, text + "; see signorini --help");
     }
-    if (atlasApp.parsed()) {
-        return atlas.run();
-    }
-    if (modesApp.parsed()) {
-        return modes.run();
-    }
-    if (familiesApp.parsed()) {
-        return families.run();
-    }
-    if (modeApp.parsed()) {
-        return mode.run();
-    }
-    return continuumApp.parsed() ? continuum.run() : find.run();
+    return commands.run();
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "files.hpp"
-#include "mode_words.hpp"
+#include "mode_report.hpp"
 #include "rational.hpp"
 #include "report.hpp"
 #include "signorini/families.hpp"
@@ -64,52 +64,6 @@ std::optional<std::int64_t> stepsOn(std::int64_t cells, const GivenNumber& perio
     return cells / period.exact->denominator * period.exact->numerator;
 }
 
-std::string reportAsJson(const Mode& mode, const ModeMotion& motion, const Bar& bar)
-{
-    const Scales unit = scales(bar);
-    const double energy = energyRatio(mode, motion.period());
-    const Physical physical = physicalOf(motion.extremes(), bar);
-    Json list = Json::array();
-    for (const ModeJump& jump : jumps(mode)) {
-        list.push_back({2 * jump.k, -jump.turns});
-    }
-    Json json = newAnswer();
-    json.update(Json{{"status", name(Status::found)},
-                     {"bar", barAsJson(bar)},
-                     {"mode", identityAsJson(mode)},
-                     {"period", motion.period() * unit.time},
-                     {"period_ratio", motion.period()},
-                     {"frequency", 1.0 / (motion.period() * unit.time)},
-                     {"frequency_ratio", 4.0 / motion.period()},
-                     {"contact_time", motion.contactTime() * unit.time},
-                     {"contact_time_ratio", motion.contactTime()},
-                     {"energy", energy * unit.energy},
-                     {"energy_ratio", energy},
-                     {"jumps", list},
-                     {"physical", physicalAsJson(physical)},
-                     {"admissible", physical.isAdmissible()}});
-    return asLine(json);
-}
-
-std::string reportAsText(const Mode& mode, const ModeMotion& motion, const Bar& bar)
-{
-    const Scales unit = scales(bar);
-    const std::string family = familyName(mode);
-    const double energy = energyRatio(mode, motion.period());
-    return fmt::format(
-               "found       mode t_c = {}{}, T in ]{}, {}[ L/c\n"
-               "period      {:.10g} s = {:.10g} L/c, ω/ω₁ = {:.10g}\n"
-               "contact     {:.6g} s = {:.10g} L/c\n"
-               "energy      {:.6g} J = {:.10g} E₁, 1/√(E/E₁) = {}\n"
-               "waves       p = ±{:.6g} g/L with {} jumps in a period\n",
-               contactAsText(mode), family.empty() ? "" : fmt::format(" ({})", family),
-               fractionAsText(mode.lowest), fractionAsText(mode.highest),
-               motion.period() * unit.time, motion.period(), 4.0 / motion.period(),
-               motion.contactTime() * unit.time, motion.contactTime(), energy * unit.energy, energy,
-               rootAsText(mode), motion.amplitude(), motion.jumpTimes().size()) +
-           asText(physicalOf(motion.extremes(), bar));
-}
-
 /// The period of at most so many cells that is nearest to the one asked for, as a schedule.
 Schedule nearestSchedule(const Mode& mode, double period, std::int64_t usual)
 {
@@ -133,6 +87,35 @@ Schedule nearestSchedule(const Mode& mode, double period, std::int64_t usual)
     return best;
 }
 
+/// The state at t = 0 on the grid, and a line that says what it is.
+std::string writeState(const std::string& path, const Mode& mode, const ModeMotion& motion,
+                       std::int64_t cells, std::optional<std::int64_t> steps, const Bar& bar)
+{
+    writeStateCsv(path,
+                  steps ? leastEnergyMotion(onePhaseSet(scheduleOf(mode, cells, *steps)))
+                        : cellMeans(motion, cells),
+                  bar);
+    return steps ? fmt::format("state       exact: T is {} steps of {} cells\n", *steps, cells)
+                 : fmt::format(
+                       "state       means over {} cells: T is no whole number of steps there\n",
+                       cells);
+}
+
+/// The motion on a grid that nearly has its period, and a line that says how nearly.
+std::string draw(const std::string& path, FigureFormat format, const Mode& mode, double period,
+                 std::int64_t usualCells, const Bar& bar)
+{
+    const Schedule schedule = nearestSchedule(mode, period, usualCells);
+    FindOptions options;
+    options.bar = bar;
+    drawMotion(findPeriodic(schedule, options), format, path);
+    const double shown = signorini::period(schedule);
+    return shown == period
+               ? ""
+               : fmt::format("figure      shows T = {:.10g} L/c, {:.1e} from the one asked for\n",
+                             shown, std::abs(shown - period));
+}
+
 }  // namespace
 
 void ModeCommand::addTo(CLI::App& command)
@@ -146,6 +129,10 @@ void ModeCommand::addTo(CLI::App& command)
     motionFile.addTo(command);
     command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
         ->type_name("FILE.svg|.png|.pdf");
+    command
+        .add_option("--animate", animationFile,
+                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
+        ->type_name("FILE.gif|.mp4");
     common.addTo(command);
 }
 
@@ -163,45 +150,38 @@ ExitStatus ModeCommand::run() const
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
     }
+    if (!animationFile.empty()) {
+        (void)animationFormat(animationFile);
+    }
     motionFile.validate();
     const OutputOption stateOption{"--state", stateFile};
     const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({stateOption, motionFile.option(), figureOption});
+    const OutputOption animationOption{"--animate", animationFile};
+    validateOutputs({stateOption, motionFile.option(), motionFile.folderOption(), figureOption,
+                     animationOption});
 
     OutputFiles files;
     const std::string state = stage(files, stateOption);
     MotionFile::Staged moving(motionFile, files);
     const std::string figure = stage(files, figureOption);
+    const std::string animation = stage(files, animationOption);
     const std::int64_t cells = common.usualCells();
     std::string notes;
     if (!state.empty()) {
-        const std::optional<std::int64_t> steps = stepsOn(cells, *period);
-        forFile("--state", stateFile, [&] {
-            writeStateCsv(state,
-                          steps ? leastEnergyMotion(onePhaseSet(scheduleOf(mode, cells, *steps)))
-                                : cellMeans(motion, cells),
-                          bar);
+        notes += forFile("--state", stateFile, [&] {
+            return writeState(state, mode, motion, cells, stepsOn(cells, *period), bar);
         });
-        notes += steps
-                     ? fmt::format("state       exact: T is {} steps of {} cells\n", *steps, cells)
-                     : fmt::format(
-                           "state       means over {} cells: T is no whole number of steps "
-                           "there\n",
-                           cells);
     }
     if (!figure.empty()) {
-        const Schedule schedule = nearestSchedule(mode, motion.period(), cells);
-        FindOptions options;
-        options.bar = bar;
-        forFile("--figure", figureFile, [&] {
-            drawMotion(findPeriodic(schedule, options), figureFormat(figureFile), figure);
+        notes += forFile("--figure", figureFile, [&] {
+            return draw(figure, figureFormat(figureFile), mode, motion.period(), cells, bar);
         });
-        const double shown = signorini::period(schedule);
-        if (shown != motion.period()) {
-            notes +=
-                fmt::format("figure      shows T = {:.10g} L/c, {:.1e} from the one asked for\n",
-                            shown, std::abs(shown - motion.period()));
-        }
+    }
+    if (!animation.empty()) {
+        forFile("--animate", animationFile, [&] {
+            animateMotion(MotionSamples(motion, bar, cells), animationFormat(animationFile),
+                          animation);
+        });
     }
     moving.write([&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
     files.commit();
@@ -209,12 +189,12 @@ ExitStatus ModeCommand::run() const
         warnUnlessAdmissible("mode", physicalOf(motion.extremes(), bar));
     }
     if (common.wantsJson) {
-        writeOut(reportAsJson(mode, motion, bar));
+        writeOut(asJson(mode, motion, bar));
         if (!common.quiet) {
             tell(notes);
         }
     } else {
-        writeOut(reportAsText(mode, motion, bar) + notes);
+        writeOut(asText(mode, motion, bar) + notes);
     }
     common.useOneThread("mode");
     return exitFound;

@@ -20,6 +20,7 @@ struct ModeCommand {
     std::string stateFile;
     MotionFile motionFile;
     std::string figureFile;
+    std::string animationFile;
 
     void addTo(CLI::App& command);
 

@@ -13,7 +13,7 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
-#include "mode_words.hpp"
+#include "mode_report.hpp"
 #include "progress.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"

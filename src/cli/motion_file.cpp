@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <filesystem>
+#include <string_view>
 
 #include "arguments.hpp"
 
@@ -52,6 +53,13 @@ void MotionFile::validate() const
     }
 }
 
+std::string MotionFile::folderOf(const std::string& path)
+{
+    return path.ends_with(seriesEnding)
+               ? path.substr(0, path.size() - std::string_view(seriesEnding).size()) + "_files"
+               : "";
+}
+
 MotionFile::Staged::Staged(const MotionFile& file, OutputFiles& files)
     : path_(file.path_), files_(files), staged_(stage(files, file.option()))
 {
@@ -62,17 +70,20 @@ void MotionFile::Staged::write(const Sampling& sampled)
     if (path_.empty()) {
         return;
     }
-    forFile("--motion", path_, [&] {
-        if (!path_.ends_with(seriesEnding)) {
+    if (!path_.ends_with(seriesEnding)) {
+        forFile("--motion", path_, [&] {
             (path_.ends_with(".vtk") ? writeMotionVtk : writeMotionCsv)(staged_,
                                                                         sampled(maxMotionInstants));
-            return;
-        }
-        held_.emplace();
-        const std::string stem = path_.substr(0, path_.size() - std::string(seriesEnding).size());
-        const std::string folder = stem + "_files";
-        writeMotionSeries(staged_, files_.stageFolder(folder, ".vtu", "--motion " + folder),
-                          std::filesystem::path(folder).filename().string(),
+        });
+        return;
+    }
+    held_.emplace();
+    const std::string folder = folderOf(path_);
+    const std::string members = forFile("--motion", folder, [&] {
+        return files_.stageFolder(folder, ".vtu", "--motion " + folder);
+    });
+    forFile("--motion", path_, [&] {
+        writeMotionSeries(staged_, members, std::filesystem::path(folder).filename().string(),
                           sampled(maxSeriesInstants));
     });
 }

@@ -34,6 +34,8 @@ public:
     void addTo(CLI::App& command);
 
     [[nodiscard]] OutputOption option() const { return {"--motion", path_}; }
+    /// The folder of a time series, an output like the file.
+    [[nodiscard]] OutputOption folderOption() const { return {"--motion", folderOf(path_)}; }
     [[nodiscard]] bool isWanted() const { return !path_.empty(); }
 
     /// \throws std::invalid_argument on another ending.
@@ -59,6 +61,9 @@ public:
     };
 
 private:
+    /// Empty if there is none.
+    static std::string folderOf(const std::string& path);
+
     std::string path_;
 };
 

@@ -29,11 +29,11 @@ void QuestionReport::add(const PeriodicResult& result)
     if (result.status == Status::found) {
         ++found_;
         motions_.push_back(std::move(answer));
-        motionsAsText_ += "\n" + asText(result, target_);
+        motionsAsText_.append("\n").append(asText(result, target_));
         return;
     }
     isUndecided_ = isUndecided_ || result.status == Status::undecided;
-    othersAsText_ += "\n" + asText(result, target_);
+    othersAsText_.append("\n").append(asText(result, target_));
 }
 
 Status QuestionReport::status() const

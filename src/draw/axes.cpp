@@ -13,6 +13,9 @@ namespace {
 constexpr std::array prefixes{"p", "n", "µ", "m", "", "k", "M", "G"};
 constexpr int unprefixed = 4;  ///< place of "" among them
 
+/// Powers of 1000 that a double and its inverse hold.
+constexpr int mostThousands = 100;
+
 /// Rounding must not make 1000 of 999.9999.
 constexpr double nearlyOne = 1.0 - 1e-9;
 
@@ -20,8 +23,9 @@ constexpr double nearlyOne = 1.0 - 1e-9;
 
 Unit unitFor(double largest, const std::string& base)
 {
+    const double magnitude = largest > 0.0 ? std::log10(largest / nearlyOne) : 0.0;
     const int thousands =
-        largest > 0.0 ? static_cast<int>(std::floor(std::log10(largest / nearlyOne) / 3.0)) : 0;
+        std::clamp(static_cast<int>(std::floor(magnitude / 3.0)), -mostThousands, mostThousands);
     const double factor = std::pow(10.0, -3 * thousands);
     const int place = thousands + unprefixed;
     if (!base.empty() && place >= 0 && place < static_cast<int>(prefixes.size())) {
@@ -36,6 +40,10 @@ Unit unitFor(double largest, const std::string& base)
 std::string withUnit(double value, const std::string& base)
 {
     const Unit unit = unitFor(std::abs(value), base);
+    if (base.empty()) {
+        return fmt::format("{:.4g}{}", value * unit.factor,
+                           unit.factor == 1.0 ? "" : "·" + unit.name);
+    }
     return fmt::format("{:.4g} {}", value * unit.factor, unit.name);
 }
 

@@ -16,7 +16,7 @@ struct Unit {
 /// millimetre for 0.002; of the pure number "", 10^{-3}.
 [[nodiscard]] Unit unitFor(double largest, const std::string& base);
 
-/// 0.001, "m" -> "1 mm".
+/// 0.001, "m" -> "1 mm"; 0.001, "" -> "1·10^{-3}".
 [[nodiscard]] std::string withUnit(double value, const std::string& base);
 
 /// The least of 1, 2, 5 times a power of ten that is not below `least` > 0.

@@ -5,95 +5,144 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
+#include "axes.hpp"
 #include "gnuplot.hpp"
 #include "palette.hpp"
 #include "signorini/motion.hpp"
 #include "text.hpp"
+#include "wall_force.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr std::size_t maxMembers = 31;
-constexpr std::int64_t maxNodes = 301;
+constexpr std::size_t maxMembers = 16;
+constexpr std::int64_t maxNodes = 201;
 constexpr std::int64_t maxInstants = 401;
 
-/// Points to stack, evenly, and the places among them of the two members drawn in full.
+/// The dashes of the first, the middle and the last member, in every panel.
+constexpr std::array dashes{"dt solid", "dt (6,3)", "dt (2,2)"};
+constexpr std::array dashNames{"solid", "dashed", "dotted"};
+
+/// Points to stack, evenly, and the places among them of those drawn in full.
 struct Choice {
     std::vector<std::size_t> members;
-    std::array<std::size_t, 2> black;
+    std::vector<std::size_t> full;
 };
 
 Choice choose(const Continuum& curve)
 {
     const std::size_t last = curve.points.size() - 1;
     const std::size_t gaps = std::min(last, maxMembers - 1);
-    Choice choice{{}, {0, 0}};
+    Choice choice;
     for (std::size_t k = 0; k <= gaps; ++k) {
         choice.members.push_back(gaps == 0 ? 0 : k * last / gaps);
     }
-    // The first is drawn left, the second right: a little inside, as in the paper.
-    choice.black = {gaps / 10, gaps - gaps / 10};
+    for (const std::size_t k : {std::size_t{0}, gaps / 2, gaps}) {
+        if (choice.full.empty() || choice.full.back() != k) {
+            choice.full.push_back(k);
+        }
+    }
     return choice;
 }
 
-/// Strain and velocity of one member, raised to its lambda: the height of the steps is chosen so
-/// that the largest spans about a sixth of the panel.
-void printMember(Text& script, const ContinuumPoint& point, double base, double raise,
-                 const char* name, std::size_t number)
-{
-    const Eigen::VectorXd s = strain(point.state);
-    const Eigen::VectorXd v = velocity(point.state);
-    const auto cells = static_cast<double>(point.state.cells());
-    print(script, "${}{} << EOD\n", name, number);
-    print(script, "0 {} {} {}\n", base + raise * s[0], base + raise * v[0], base);
-    // Only where a value changes, and both sides of the change: steps stay upright.
-    for (Eigen::Index i = 1; i < s.size(); ++i) {
-        if (s[i] != s[i - 1] || v[i] != v[i - 1]) {
-            const double x = static_cast<double>(i) / cells;
-            print(script, "{} {} {} {}\n", x, base + raise * s[i - 1], base + raise * v[i - 1],
-                  base);
-            print(script, "{} {} {} {}\n", x, base + raise * s[i], base + raise * v[i], base);
+/// What is stacked in one panel: a profile of each member, constant on pieces of equal width.
+struct Stack {
+    const char* table;
+    std::string title;
+    std::string axis;
+    const char* colour;
+    double width;  ///< [unit of the axis], of a piece
+    double scale;  ///< [SI], of 1
+    const char* base;
+    std::vector<std::vector<double>> profiles;
+
+    [[nodiscard]] double largest() const
+    {
+        double size = 0.0;
+        for (const std::vector<double>& profile : profiles) {
+            for (const double value : profile) {
+                size = std::max(size, std::abs(value));
+            }
         }
+        return size;
     }
-    const Eigen::Index end = s.size() - 1;
-    print(script, "1 {} {} {}\nEOD\n", base + raise * s[end], base + raise * v[end], base);
+    /// The longest profile, without the zeros at its end.
+    [[nodiscard]] double length() const
+    {
+        std::size_t pieces = 0;
+        for (const std::vector<double>& profile : profiles) {
+            const auto last = std::find_if(profile.rbegin(), profile.rend(),
+                                           [](double value) { return value != 0.0; });
+            pieces = std::max(pieces, static_cast<std::size_t>(profile.rend() - last));
+        }
+        return width * static_cast<double>(pieces > 0 ? pieces : profiles.front().size());
+    }
+};
+
+std::vector<double> values(const Eigen::VectorXd& vector)
+{
+    return {vector.begin(), vector.end()};
 }
 
-/// Largest |s| and |v| of the stacked members.
-double largest(const Continuum& curve, const Choice& choice)
+std::vector<Stack> stacksOf(const Continuum& curve, const Choice& choice)
 {
-    double size = 0.0;
+    const Scales unit = scales(curve.bar);
+    const auto cells = static_cast<double>(curve.schedule.cells);
+    const Unit metre = unitFor(curve.bar.length, "m");
+    Schedule folded = curve.schedule;
+    fold(folded);
+    const Unit second = unitFor(period(folded) * unit.time, "s");
+    const std::string position = fmt::format("position  x  [{}]", metre.name);
+    const double dx = curve.bar.length * metre.factor / cells;
+    std::vector<Stack> stacks{
+        {"force",
+         "force of the wall",
+         fmt::format("time  t  [{}]", second.name),
+         palette::contact,
+         unit.time * second.factor / cells,
+         curve.bar.axialStiffness * unit.strain,
+         "N",
+         {}},
+        {"strain", "strain  s(x, 0)", position, palette::strain, dx, unit.strain, "", {}},
+        {"velocity",
+         "velocity  v(x, 0)",
+         position,
+         palette::velocity,
+         dx,
+         unit.velocity,
+         "m/s",
+         {}}};
     for (const std::size_t k : choice.members) {
         const State& state = curve.points[k].state;
-        size = std::max(
-            {size, strain(state).cwiseAbs().maxCoeff(), velocity(state).cwiseAbs().maxCoeff()});
+        stacks[0].profiles.push_back(wallForce(state, curve.schedule));
+        stacks[1].profiles.push_back(values(strain(state)));
+        stacks[2].profiles.push_back(values(velocity(state)));
     }
-    return size;
+    return stacks;
 }
 
-/// u(x, t) on an even grid, and its lowest value.
-double printField(Text& script, const Motion& motion, std::size_t number)
+/// One profile, raised to its lambda: only where it changes, and both sides of the change.
+void printProfile(Text& script, const Stack& stack, std::size_t k, double base, double raise)
 {
-    const auto cells = static_cast<double>(motion.cells());
-    double lowest = 0.0;
-    print(script, "$field{} << EOD\n", number);
-    for (const std::int64_t m : evenly(motion.steps(), maxInstants)) {
-        for (const std::int64_t i : evenly(motion.cells(), maxNodes)) {
-            const double u = motion.displacement(i, m);
-            lowest = std::min(lowest, u);
-            print(script, "{} {} {:.5g}\n", static_cast<double>(i) / cells,
-                  static_cast<double>(m) / cells, u);
+    const std::vector<double>& profile = stack.profiles[k];
+    const auto row = [&](std::size_t place, double value) {
+        print(script, "{:.7g} {:.7g} {}\n", static_cast<double>(place) * stack.width,
+              base + raise * value, base);
+    };
+    print(script, "${}{} << EOD\n", stack.table, k);
+    row(0, profile.front());
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        if (profile[i] != profile[i - 1]) {
+            row(i, profile[i - 1]);
+            row(i, profile[i]);
         }
     }
-    print(script, "EOD\n$tip{} << EOD\n", number);
-    for (const std::int64_t m : thinned(motion.steps(), 4001)) {
-        print(script, "{} {}\n", motion.displacement(motion.cells(), m),
-              static_cast<double>(m) / cells);
-    }
+    row(profile.size(), profile.back());
     print(script, "EOD\n");
-    return lowest;
 }
 
 const char* unitOf(Parameter parameter)
@@ -109,83 +158,122 @@ const char* unitOf(Parameter parameter)
     return "λ";
 }
 
-/// One waterfall: column 2 (strain) or 3 (velocity) of every member.
-void plotWaterfall(Text& script, const Choice& choice, int column, const char* colour)
+/// The members stacked upwards by lambda, those drawn in full in black.
+void plotStack(Text& script, const Stack& stack, const Choice& choice)
 {
-    const std::size_t count = choice.members.size();
     print(script, "plot ");
-    for (std::size_t k = count; k-- > 0;) {
+    for (std::size_t k = choice.members.size(); k-- > 0;) {
         // From the top down: each member covers what stands behind it.
         print(script,
-              "$member{0} using 1:{1}:4 with filledcurves fillcolor '{2}' fillstyle transparent "
-              "solid 0.18 noborder notitle, $member{0} using 1:{1} with lines lw 0.8 lc '{2}' "
-              "notitle, ",
-              k, column, colour);
+              "${0}{1} using 1:2:3 with filledcurves fillcolor '{2}' fillstyle transparent solid "
+              "0.25 noborder, ${0}{1} using 1:2 with lines lw 0.8 lc '{2}', ",
+              stack.table, k, stack.colour);
     }
-    print(script,
-          "$member{} using 1:{} with lines lw 2 lc 'black' notitle, "
-          "$member{} using 1:{} with lines lw 2 lc 'black' dt (6,2) notitle\n",
-          choice.black[0], column, choice.black[1], column);
+    for (std::size_t k = 0; k < choice.full.size(); ++k) {
+        print(script, "{}${}{} using 1:2 with lines lw 1.8 lc '{}' {}", k == 0 ? "" : ", ",
+              stack.table, choice.full[k], palette::ink, dashes.at(k));
+    }
+    print(script, "\n");
 }
 
-void printWaterfalls(Text& script, const Continuum& curve, const Choice& choice)
+/// The paper's Fig. 2, and the force that tells orbits apart: it is the same at every start.
+void printStacks(Text& script, const Continuum& curve, const Choice& choice)
 {
+    const std::vector<Stack> stacks = stacksOf(curve, choice);
     const double low = curve.points.front().lambda;
     const double high = curve.points.back().lambda;
     const double range = high > low ? high - low : 1.0;
-    const double size = largest(curve, choice);
-    const double raise = range / (6.0 * std::max(size, 1e-300));
-    for (std::size_t k = 0; k < choice.members.size(); ++k) {
-        const ContinuumPoint& point = curve.points[choice.members[k]];
-        printMember(script, point, point.lambda, raise, "member", k);
+    const double step = range / static_cast<double>(choice.members.size());
+    print(script,
+          "set border lw 0.8\nset tics out nomirror scale 0.6\nunset key\n"
+          "set yrange [{}:{}]\nset tmargin at screen 0.90\nset bmargin at screen 0.54\n"
+          "set ylabel '{}'\n",
+          low - 1.5 * step, high + 2.6 * step, unitOf(curve.parameter));
+    double left = 0.105;
+    for (const Stack& stack : stacks) {
+        const double size = stack.largest();
+        const double raise = size > 0.0 ? 2.2 * step / size : 0.0;
+        for (std::size_t k = 0; k < choice.members.size(); ++k) {
+            printProfile(script, stack, k, curve.points[choice.members[k]].lambda, raise);
+        }
+        print(script,
+              "set lmargin at screen {}\nset rmargin at screen {}\nset xrange [0:{:.6g}]\n"
+              "set xlabel '{}' offset 0,0.4\nset xtics {:.3g}\n"
+              "set label 3 '{}' at graph 0.5,1.05 center\n"
+              "set arrow 1 from graph 1.03,first {} to graph 1.03,first {} heads size graph "
+              "0.01,90 lw 1.2\n"
+              "set label 4 '{}' at graph 1.07,first {} left rotate\n",
+              left, left + 0.235, stack.length(), stack.axis, niceStep(stack.length() / 3.0),
+              stack.title, low, low + raise * size, withUnit(size * stack.scale, stack.base), low);
+        plotStack(script, stack, choice);
+        print(script,
+              "unset label 1\nunset label 3\nunset label 4\nunset arrow 1\n"
+              "set ylabel ''\nset format y ''\n");
+        left += 0.3;
     }
-    print(script,
-          "set border lw 0.8\nset tics out nomirror scale 0.6\nset xrange [0:1]\n"
-          "set yrange [{}:{}]\nset tmargin at screen 0.90\nset bmargin at screen 0.55\n"
-          "set xlabel 'position  x/L' offset 0,0.4\n",
-          low - 0.2 * range, high + 0.2 * range);
-    print(script,
-          "set lmargin at screen 0.11\nset rmargin at screen 0.49\nset ylabel '{}'\n"
-          "set label 3 'strain  s L/g at t = 0' at graph 0.5,1.05 center\n"
-          "set arrow 1 from graph 1.03,first {} to graph 1.03,first {} heads size graph 0.01,90 "
-          "lw 1.2\nset label 4 '{:.3g}' at graph 1.045,first {} left\n",
-          unitOf(curve.parameter), low, low + raise * size, size, low + 0.5 * raise * size);
-    plotWaterfall(script, choice, 2, "#0072b2");
-    print(script, "unset label 1\n");
-    print(script,
-          "set lmargin at screen 0.56\nset rmargin at screen 0.96\nset ylabel ''\n"
-          "set format y ''\nunset arrow 1\nunset label 4\n"
-          "set label 3 'velocity  v L/(c g) at t = 0, same scale'\n");
-    plotWaterfall(script, choice, 3, "#d55e00");
-    print(script, "set format y '%g'\nunset label 3\n");
 }
 
+/// u(x, t) on an even grid and the path of the tip; the lowest and highest u, in [g].
+std::pair<double, double> printField(Text& script, const Motion& motion, std::size_t number,
+                                     double length, double time, double gap)
+{
+    const auto cells = static_cast<double>(motion.cells());
+    std::pair<double, double> range{0.0, 0.0};
+    print(script, "$field{} << EOD\n", number);
+    for (const std::int64_t m : evenly(motion.steps(), maxInstants)) {
+        for (const std::int64_t i : evenly(motion.cells(), maxNodes)) {
+            const double u = motion.displacement(i, m);
+            range = {std::min(range.first, u), std::max(range.second, u)};
+            print(script, "{:.7g} {:.7g} {:.5g}\n", static_cast<double>(i) / cells * length,
+                  static_cast<double>(m) / cells * time, u * gap);
+        }
+    }
+    print(script, "EOD\n");
+    return range;
+}
+
+/// The paper's Fig. 3, for the members drawn in full above.
 void printMotions(Text& script, const Continuum& curve, const Choice& choice)
 {
+    const Scales scale = scales(curve.bar);
+    const Unit metre = unitFor(curve.bar.length, "m");
+    const Unit deflection = unitFor(scale.displacement, "m");
+    const Unit second = unitFor(period(curve.schedule) * scale.time, "s");
+    const double time = scale.time * second.factor;
     double lowest = 0.0;
-    double time = 0.0;
-    for (std::size_t k = 0; k < 2; ++k) {
-        const ContinuumPoint& point = curve.points[choice.members[choice.black[k]]];
+    double highest = 0.0;
+    double end = 0.0;
+    for (std::size_t k = 0; k < choice.full.size(); ++k) {
+        const ContinuumPoint& point = curve.points[choice.members[choice.full[k]]];
         const Motion motion(point.state, curve.schedule);
-        lowest = std::min(lowest, printField(script, motion, k));
-        time = static_cast<double>(motion.steps()) / static_cast<double>(motion.cells());
+        const auto [low, high] = printField(script, motion, k, curve.bar.length * metre.factor,
+                                            time, scale.displacement * deflection.factor);
+        lowest = std::min(lowest, low);
+        highest = std::max(highest, high);
+        end = static_cast<double>(motion.steps()) / static_cast<double>(motion.cells()) * time;
     }
-    print(script,
-          "{}set cbrange [{}:1]\nset cblabel 'displacement  u/g'\nset yrange [0:{}]\n"
-          "set tmargin at screen 0.41\nset bmargin at screen 0.08\n",
-          palette::sequential(), lowest, time);
-    for (std::size_t k = 0; k < 2; ++k) {
-        const ContinuumPoint& point = curve.points[choice.members[choice.black[k]]];
-        const double left = k == 0 ? 0.11 : 0.51;
+    print(
+        script,
+        "{}set cbrange [{:.5g}:{:.5g}]\nset xrange [0:{}]\nset yrange [0:{}]\n"
+        "set tmargin at screen 0.42\nset bmargin at screen 0.08\n"
+        "set xlabel 'position  x  [{}]'\nset xtics {}\nset cblabel 'displacement  u(x, t)  [{}]'\n"
+        "set ylabel 'time  t  [{}]'\nset format y '%g'\nunset colorbox\n",
+        palette::sequential(), lowest * scale.displacement * deflection.factor,
+        highest * scale.displacement * deflection.factor, curve.bar.length * metre.factor, end,
+        metre.name, niceStep(curve.bar.length * metre.factor / 3.0), deflection.name, second.name);
+    double left = 0.105;
+    for (std::size_t k = 0; k < choice.full.size(); ++k, left += 0.265) {
+        const ContinuumPoint& point = curve.points[choice.members[choice.full[k]]];
         print(script,
-              "set lmargin at screen {}\nset rmargin at screen {}\nset ylabel '{}'\n"
-              "set format y '{}'\n{}\n"
-              "set label 3 'u(x, t) at λ = {:.4g}  ({})' at graph 0.5,1.05 center\n"
-              "plot $field{} using 1:2:3 with image notitle\n",
-              left, left + 0.355, k == 0 ? "time  t c/L" : "", k == 0 ? "%g" : "",
-              k == 0 ? "unset colorbox"
-                     : "set colorbox user origin screen 0.88,0.08 size screen 0.018,0.33",
-              point.lambda, k == 0 ? "solid above" : "dashed above", k);
+              "set lmargin at screen {}\nset rmargin at screen {}\n{}"
+              "set label 3 'λ = {:.4g}, {}' at graph 0.5,1.05 center\n"
+              "plot $field{} using 1:2:3 with image\nset ylabel ''\nset format y ''\n",
+              left, left + 0.24,
+              k + 1 == choice.full.size()
+                  ? fmt::format("set colorbox user origin screen {},0.08 size screen 0.015,0.34\n",
+                                left + 0.26)
+                  : std::string(),
+              point.lambda, dashNames.at(k), k);
     }
 }
 
@@ -203,7 +291,7 @@ void drawContinuum(const Continuum& curve, FigureFormat format, const std::strin
           "screen 0.5,0.97 center\n",
           describe(curve.schedule), frequencyRatio(curve.schedule), curve.energyRatio, curve.family,
           curve.points.size());
-    printWaterfalls(script, curve, choice);
+    printStacks(script, curve, choice);
     printMotions(script, curve, choice);
     print(script, "unset multiplot\n");
     runGnuplot(fmt::to_string(script), format, 18.0, 19.0, path);

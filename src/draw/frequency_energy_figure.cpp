@@ -29,7 +29,7 @@ constexpr int detailLabels = 4;         ///< in the detail
 constexpr std::size_t maxMarked = 200;  // modes; beyond, no labels and smaller marks
 
 /// Bottom of the ordinate: no motion that reaches the wall has less than E_1.
-constexpr double lowest = 0.7;
+constexpr double lowest = 0.65;
 
 /// The crowded part of the abscissa, T in ]3, 4], drawn once more.
 constexpr double detailLeft = 0.985;
@@ -230,8 +230,8 @@ void printFamilies(Text& script, const FrequencyEnergyPlot& plot, const Frame& f
     for (const Family& family : plot.families) {
         const auto at = foot(family);
         if (at && family.order <= maxNamedOrder && at->second < 0.8 * frame.top) {
-            print(script, "{:.7g} {:.6g} \"{{/*0.8 ({}, {}, {})}}\"\n", at->first, at->second, family.order,
-                  family.blocks, family.contactBlocks);
+            print(script, "{:.7g} {:.6g} \"{{/*0.8 ({}, {}, {})}}\"\n", at->first, at->second,
+                  family.order, family.blocks, family.contactBlocks);
         }
     }
     print(script, "{}EOD\n$dots << EOD\n", offThePlot);

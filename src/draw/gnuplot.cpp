@@ -115,22 +115,23 @@ std::string_view ending(FigureFormat format)
     throw std::logic_error("unnamed FigureFormat");
 }
 
-/// Runs gnuplot and returns its wait status, or -1 if it could not be started.
-int spawnGnuplot(const NamelessFile& script, const NamelessFile& picture,
-                 const NamelessFile& messages)
+/// Runs a program and returns its wait status, or -1 if it could not be started.
+int spawn(std::vector<std::string> words, const NamelessFile& input, const NamelessFile& output,
+          const NamelessFile& messages)
 {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, script.descriptor(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, picture.descriptor(), STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, input.descriptor(), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output.descriptor(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, messages.descriptor(), STDERR_FILENO);
-    std::string program = "gnuplot";
-    std::string defaults = "-d";       // without the user's own settings
-    std::string input = "/dev/stdin";  // by this name it is read in blocks, as "-" byte by byte
-    const std::array<char*, 4> arguments{program.data(), defaults.data(), input.data(), nullptr};
+    std::vector<char*> arguments;
+    for (std::string& word : words) {
+        arguments.push_back(word.data());
+    }
+    arguments.push_back(nullptr);
     pid_t child = 0;
     const int error =
-        posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+        posix_spawnp(&child, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
         return -1;
@@ -141,36 +142,74 @@ int spawnGnuplot(const NamelessFile& script, const NamelessFile& picture,
     return status;
 }
 
-}  // namespace
-
-void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
-                const std::string& path)
+/// What a program makes of its input. \throws BackendUnavailable if it is missing or fails.
+std::string outputOf(const std::vector<std::string>& words, std::string_view input,
+                     const char* missing)
 {
-    // gnuplot neither reports a full disk nor treats every name as a file: it writes to standard
-    // output, and a complete picture is copied.
-    const NamelessFile commands("set encoding utf8\n" + terminal(format, width, height) + script +
-                                "\nset output\n");
-    const NamelessFile picture;
+    const NamelessFile given(input);
+    const NamelessFile output;
     const NamelessFile messages;
-    const int status = spawnGnuplot(commands, picture, messages);
+    const int status = spawn(words, given, output, messages);
     if (status == -1) {
-        throw BackendUnavailable(
-            "figures need the program gnuplot, which was not found: install it "
-            "(Debian: gnuplot-nox)");
+        throw BackendUnavailable(missing);
     }
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         std::string said = messages.content();
         std::replace(said.begin(), said.end(), '\n', ' ');
-        throw BackendUnavailable(fmt::format("gnuplot failed: {}", said));
+        throw BackendUnavailable(fmt::format("{} failed: {}", words.front(), said));
     }
-    const std::string content = picture.content();
-    if (content.size() < 64 ||
-        content.find(ending(format), content.size() - 64) == std::string::npos) {
+    return output.content();
+}
+
+/// gnuplot neither reports a full disk nor treats every name as a file: it writes to standard
+/// output, and a complete picture is copied.
+std::string drawn(const std::string& terminal, const std::string& script)
+{
+    // Without the user's own settings; /dev/stdin is read in blocks, "-" byte by byte.
+    return outputOf({"gnuplot", "-d", "/dev/stdin"},
+                    "set encoding utf8\n" + terminal + script + "\nset output\n",
+                    "figures need the program gnuplot, which was not found: install it "
+                    "(Debian: gnuplot-nox)");
+}
+
+void writeWhole(const std::string& path, const std::string& content, bool isComplete)
+{
+    if (!isComplete) {
         throw FileError(path, "gnuplot left an incomplete picture (is the disk full?)");
     }
     TextFile target(path);
     target.write(content);
     target.close();
+}
+
+}  // namespace
+
+void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
+                const std::string& path)
+{
+    const std::string content = drawn(terminal(format, width, height), script);
+    writeWhole(path, content,
+               content.size() >= 64 &&
+                   content.find(ending(format), content.size() - 64) != std::string::npos);
+}
+
+void runGnuplot(const std::string& script, AnimationFormat format, const std::string& path)
+{
+    const std::string gif = drawn(
+        "set terminal gif animate delay 5 loop 0 optimize size 800,640 font 'Sans,11'\n", script);
+    const bool isComplete = gif.starts_with("GIF89a") && gif.ends_with('\x3b');
+    if (format == AnimationFormat::gif || !isComplete) {
+        writeWhole(path, gif, isComplete);
+        return;
+    }
+    // By its name the input can be searched, which reading a GIF needs, as "pipe:0" cannot.
+    const std::string mp4 = outputOf(
+        {"ffmpeg", "-nostdin", "-v", "error", "-f", "gif", "-i", "/dev/stdin", "-pix_fmt",
+         "yuv420p", "-movflags", "frag_keyframe+empty_moov", "-f", "mp4", "pipe:1"},
+        gif,
+        ".mp4 needs the program ffmpeg, which was not found: install it (Debian: ffmpeg), or ask "
+        "for a .gif");
+    writeWhole(path, mp4, mp4.find("ftyp") != std::string::npos);
 }
 
 std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most)

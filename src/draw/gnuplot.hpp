@@ -15,6 +15,9 @@ namespace signorini {
 void runGnuplot(const std::string& script, FigureFormat format, double width, double height,
                 const std::string& path);
 
+/// The same for a moving picture of all that the script plots, 20 frames a second.
+void runGnuplot(const std::string& script, AnimationFormat format, const std::string& path);
+
 /// A row, left of all that is drawn, for tables that may have no other: without one gnuplot fails,
 /// and it crashes where all labels are undefined.
 inline constexpr const char* offThePlot = "-1e9 1 \"\"\n";

@@ -52,6 +52,21 @@ void walk(ContinuumRecord& record, const EnergySection& section, const trace::Wa
     record.finish();
 }
 
+/// What is to be said of the split pulse where it is not what its name says.
+std::string remarkOn(const EnergySection& section)
+{
+    if (!section.facts().isWhole) {
+        return "the pulses are those of the wave: where motions only graze, the wall feels no "
+               "force";
+    }
+    if (section.facts().simplex->ratio > 0.5) {
+        return "at this energy less than two cells carry force, so a pulse cannot be cut: the "
+               "curve "
+               "stays in the component with the large pulse first; a finer grid has more";
+    }
+    return "";
+}
+
 void splitPulse(ContinuumRecord& record, const EnergySection& section)
 {
     const SphereSection simplex = *section.facts().simplex;
@@ -67,7 +82,7 @@ void splitPulse(ContinuumRecord& record, const EnergySection& section)
             return;
         }
     }
-    record.finish();
+    record.finish(remarkOn(section));
 }
 
 void tracePath(ContinuumRecord& record, const EnergySection& section,

@@ -35,8 +35,7 @@ void validate(const StabilityOptions& options)
     faults.throwIfAny();
 }
 
-/// The motion's waves, each times 1 + a number in [-size, size]; drawn again, smaller, as long as
-/// the tip would stand inside the wall.
+/// The motion's waves, each times 1 + a number in [-size, size].
 Waves besides(const ForcedMotion& motion, double size, std::mt19937_64& generator)
 {
     Waves waves = wavesOf(motion.state);
@@ -46,7 +45,7 @@ Waves besides(const ForcedMotion& motion, double size, std::mt19937_64& generato
             piece.value *= 1.0 + part(generator);
         }
     }
-    // The tip stays in front of the wall: what it is too far, all cells give back evenly.
+    // The tip must not stand inside the wall: by as much as it does, all cells give way evenly.
     const std::int64_t cells = motion.state.cells();
     const double tip = motion.excitation.baseDisplacement(0) + stretching(waves, cells)[cells];
     if (tip > 1.0) {

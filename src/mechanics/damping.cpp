@@ -1,20 +1,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "excited_names.hpp"
 #include "faults.hpp"
-#include "names.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {
-
-namespace {
-
-constexpr Named<Excited> excitedNames[] = {
-    {Excited::tip, "tip"},
-    {Excited::base, "base"},
-};
-
-}  // namespace
 
 double Damping::rho() const
 {

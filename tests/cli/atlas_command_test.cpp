@@ -138,7 +138,19 @@ TEST_CASE("cli atlas: threads and processes write the same rows")
     const std::string launch =
         "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
         "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun --oversubscribe -n 3";
+    // One phase, several batches of families and schedules.
+    const std::string single = "atlas --cells 150 --max-free 1500 --quiet --database ";
+    REQUIRE(program.run(single + "a.sqlite").status == 0);
+    REQUIRE(program.run(single + "b.sqlite --threads 2").status == 0);
+    const auto schedules = dump(program.file("a.sqlite"));
+    const auto families = dump(program.file("a.sqlite"), "families");
+    CHECK(number(program.file("a.sqlite"), "SELECT batches FROM runs") > 3);
+    CHECK(dump(program.file("b.sqlite")) == schedules);
+    CHECK(dump(program.file("b.sqlite"), "families") == families);
     if (SIGNORINI_HAS_MPI != 0) {
+        REQUIRE(program.run(single + "c.sqlite", launch).status == 0);
+        CHECK(dump(program.file("c.sqlite")) == schedules);
+        CHECK(dump(program.file("c.sqlite"), "families") == families);
         REQUIRE(program.run(pairs + " --database three.sqlite", launch).status == 0);
         CHECK(dump(program.file("three.sqlite")) == rows);
         // Trouble of one process ends all, with its status.
@@ -321,7 +333,9 @@ TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
     REQUIRE(program.run("atlas --database a.sqlite --cells 12 --figure plot.svg --map map.svg")
                 .status == 0);
     CHECK_THAT(contentOf(program.file("plot.svg")), containsText("</svg>"));
-    CHECK_THAT(contentOf(program.file("map.svg")), containsText("</svg>"));
+    CHECK_THAT(contentOf(program.file("map.svg")),
+               containsText("</svg>") && containsText("(3, 5, 1)") && containsText("(4, 7, 1)") &&
+                   !containsText("(5, 9, 1)") && containsText("[L/c]"));  // 5 does not divide 24
     REQUIRE(program.run("atlas --database a.sqlite --twins --map again.svg").status == 0);
     CHECK(program.files() == 4);
     // Of an atlas that exists pictures need no range, and nothing is decided for them.

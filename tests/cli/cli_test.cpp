@@ -233,8 +233,8 @@ TEST_CASE("cli: the nearest motion to a state file is found, wrong files are ref
     CHECK(near["target"] == "velocity and strain in 16 rows, averaged onto 8 cells");
     CHECK(near["distance"].get<double>() > 0.01);
     CHECK(near["distance"].get<double>() < 0.5);
-    const auto text = program.run("find 5 23 --cells 8 --objective nearest --target measured.csv");
-    CHECK_THAT(text.out, containsText("distance    0.") && containsText("averaged onto 8 cells"));
+    const auto words = program.run("find 5 23 --cells 8 --objective nearest --target measured.csv");
+    CHECK_THAT(words.out, containsText("distance    0.") && containsText("averaged onto 8 cells"));
     const auto refused = [&](const char* name, const std::string& text, int status,
                              const char* named) {
         std::ofstream(program.file(name)) << text;

@@ -77,9 +77,8 @@ TEST_CASE("cli: one member of a continuum, exactly at the lambda asked for")
     CHECK(r["member"]["lambda"] == 0.137);
     CHECK(r["member"]["energy_ratio"].get<double>() == Approx(20.0).epsilon(1e-12));
     CHECK(r["points"].size() == 3);
-    // It is a motion: the nearest motion of this energy is itself.
-    const json found =
-        program.find("150 900 --objective nearest --target m.csv --energy-ratio 20", 0);
+    // It is a motion: the nearest one is itself.
+    const json found = program.find("150 900 --objective nearest --target m.csv", 0);
     CHECK(found["distance"].get<double>() < 1e-7);
     CHECK(found["target"] == "waves a, b in 300 rows, one per cell");
 

@@ -90,7 +90,7 @@ TEST_CASE("cli: long work shows a line on a terminal, and only there")
 TEST_CASE("cli: a command that works on one thread says so when more are allowed")
 {
     const Program program;
-    for (const char* call : {"find 5 23 --cells 8", "modes --max-order 1",
+    for (const char* call : {"find 5 23 --cells 8", "modes --max-order 1", "families --max-order 3",
                              "continuum 6 36 --cells 12 --energy-ratio 8 --points 2"}) {
         const auto one = program.run(std::string(call) + " --threads 1");
         CHECK(one.status == 0);

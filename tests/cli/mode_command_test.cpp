@@ -1,6 +1,7 @@
 // signorini mode: one motion of a continuous family, at any period.
 
 #include <cmath>
+#include <cstdlib>
 
 #include "program.hpp"
 
@@ -84,6 +85,7 @@ TEST_CASE("cli mode: a mode that is none, or a period outside its interval, is w
           std::pair{"4 -1 -1 --period 3.5", "two numbers"},
           std::pair{"4 -1 --period 3.5 --motion a.txt", "a.txt"},
           std::pair{"4 -1 --period 3.5 --state a.csv --motion a.csv", "two different"},
+          std::pair{"4 -1 --period 3.5 --state a_files --motion a.pvd", "two different"},
           std::pair{"4 -1 --period 3.5 --figure a.gif", "a.gif"}}) {
         const auto outcome = program.run(std::string("mode ") + arguments);
         INFO(arguments << "\n" << outcome.err);
@@ -121,4 +123,36 @@ TEST_CASE("cli mode: a figure between the grids is drawn on the nearest one, and
     REQUIRE(outcome.status == 0);
     CHECK_THAT(outcome.out, containsText("figure      shows T = 3.14159292"));  // 355/113
     CHECK_THAT(contentOf(program.file("m.svg")), containsText("</svg>"));
+}
+
+TEST_CASE("cli: moving pictures of a motion and of a continuum")
+{
+    const Program program;
+    for (const char* call : {"mode 4 -1 --period 3.3 --cells 10", "find 3 18 --cells 6",
+                             "continuum 6 36 --cells 12 --energy-ratio 8 --points 5"}) {
+        const auto outcome = program.run(std::string(call) + " --animate a.gif");
+        INFO(call << "\n" << outcome.err);
+        REQUIRE(outcome.status == 0);
+        const std::string gif = contentOf(program.file("a.gif"));
+        CHECK(gif.starts_with("GIF89a"));
+        CHECK(gif.ends_with('\x3b'));
+        CHECK(gif.find("NETSCAPE2.0") != std::string::npos);  // it is played again and again
+        fs::remove(program.file("a.gif"));
+        const auto wrong = program.run(std::string(call) + " --animate a.avi");
+        CHECK(wrong.status == 2);
+        CHECK_THAT(wrong.err, containsText("a.avi") && containsText(".gif or .mp4"));
+    }
+    if (std::system("command -v ffmpeg >/dev/null") == 0) {
+        REQUIRE(program.run("mode 4 -1 --period 3.3 --cells 5 --animate a.mp4").status == 0);
+        CHECK(contentOf(program.file("a.mp4")).substr(4, 4) == "ftyp");
+        fs::remove(program.file("a.mp4"));
+    }
+    // Without ffmpeg there is no film, and no other file of the call.
+    const auto film = program.run("mode 4 -1 --period 3.3 --cells 5 --animate a.mp4 --state s.csv",
+                                  "mkdir bin && ln -s $(command -v gnuplot) bin/ && PATH=$PWD/bin");
+    CHECK(film.status == 4);
+    CHECK_THAT(film.err, containsText("ffmpeg") && containsText(".gif"));
+    CHECK(lines(film.err) == 1);
+    CHECK_FALSE(fs::exists(program.file("a.mp4")));
+    CHECK_FALSE(fs::exists(program.file("s.csv")));
 }

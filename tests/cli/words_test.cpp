@@ -25,7 +25,12 @@ TEST_CASE("cli: an empty value is refused for every option of every command")
           Command{"families", {"max-energy-ratio", "max-order", "csv", "figure"}},
           Command{"atlas",
                   {"database", "max-contact", "max-free", "phases", "max-energy-ratio", "near",
-                   "within", "period", "figure", "map"}}}) {
+                   "within", "period", "figure", "map"}},
+          Command{"response",
+                  {"damping", "force", "amplitude", "from", "to", "cycles", "csv", "figure"}},
+          Command{"simulate",
+                  {"from", "damping", "force", "amplitude", "frequency", "phase", "time", "periods",
+                   "events", "tip", "figure"}}}) {
         std::vector<const char*> options = command.options;
         options.insert(options.end(), common.begin(), common.end());
         for (const std::string option : options) {

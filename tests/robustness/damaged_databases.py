@@ -16,17 +16,19 @@ from pathlib import Path
 from campaign import FOUND, UNAVAILABLE, UNDECIDED, WRONG_USE, arguments, campaign, strict_json
 
 RANGE = ["atlas", "--cells", "40", "--quiet", "--format", "json", "--database"]
-QUESTIONS = [["--near", "1.143", "20", "--within", "0.3"], ["--period", "7/2"], ["--twins"],
-             ["--period", "15/4", "--cells", "40"]]
+QUESTIONS = [["--near", "1.143", "20", "--within", "0.3", "--schedules"], ["--period", "7/2"],
+             ["--twins"], ["--period", "15/4", "--cells", "40", "--schedules"]]
 VALUES = ["-5", "-1", "0", "1", "7", "1e300", "-9223372036854775808", "9223372036854775807",
           "NULL", "''", "'x'", "'1:2'", "'3:'", "':3'", "'0:0'", "'-1:5'", "'1:2,'", "x'00ff'",
           "'99999999999999999999:1'", "'found'", "zeroblob(100000)", "0.5", "1e999", "-1e999"]
 STATEMENTS = [
-    "DROP TABLE runs", "DROP TABLE schedules", "DELETE FROM runs", "DELETE FROM schedules",
+    "DROP TABLE runs", "DROP TABLE schedules", "DROP TABLE families", "DELETE FROM runs",
+    "DELETE FROM schedules", "DELETE FROM families", "UPDATE families SET schedules = 5",
+    "UPDATE schedules SET family = NULL", "DROP INDEX schedules_without_family",
     "DROP INDEX one_run_per_range", "ALTER TABLE schedules DROP COLUMN canonical",
     "ALTER TABLE schedules RENAME COLUMN kind TO sort", "ALTER TABLE runs ADD COLUMN more TEXT",
     "ALTER TABLE schedules ADD COLUMN more TEXT NOT NULL DEFAULT 'x'",
-    "PRAGMA user_version = 0", "PRAGMA user_version = 2", "PRAGMA application_id = 0",
+    "PRAGMA user_version = 0", "PRAGMA user_version = 1", "PRAGMA application_id = 0",
     "PRAGMA application_id = 7", "PRAGMA journal_mode = WAL",
     "DROP TABLE schedules; CREATE VIEW schedules AS SELECT 1 AS cells, '1:5' AS phases",
     "DROP TABLE runs; CREATE TABLE runs(id INTEGER)",
@@ -34,14 +36,14 @@ STATEMENTS = [
     "CREATE TRIGGER t AFTER UPDATE ON runs BEGIN DELETE FROM schedules; END",
     "INSERT INTO schedules SELECT cells, phases || ',1:1', steps, period, frequency_ratio, status,"
     " reason, kernel_dimension, kind, dimension, contact, canonical, energy_ratio_min,"
-    " energy_ratio_max FROM schedules LIMIT 3",
+    " energy_ratio_max, family FROM schedules LIMIT 3",
     "DELETE FROM schedules WHERE rowid % 2", "UPDATE runs SET next_batch = 0, finished = NULL",
 ]
 
 
 def columns(path):
     with sqlite3.connect(path) as database:
-        found = [(table, row[1]) for table in ("schedules", "runs")
+        found = [(table, row[1]) for table in ("schedules", "families", "runs")
                  for row in database.execute(f"PRAGMA table_info({table})")]
     database.close()
     return found
@@ -105,52 +107,74 @@ def read(path):
         if database.execute("PRAGMA integrity_check").fetchall() != [("ok",)]:
             return None
         rows = database.execute("SELECT * FROM schedules ORDER BY cells, phases").fetchall()
+        families = database.execute("SELECT * FROM families ORDER BY cells, phases").fetchall()
         runs = database.execute(
             "SELECT cells, max_contact, max_free, phases, max_energy_ratio, keeps_refuted,"
             " batches, next_batch, decided, pressing, grazing, refuted, undecided FROM runs"
         ).fetchall()
-        return rows, runs
+        return rows, runs, families
     except (sqlite3.Error, OverflowError, UnicodeDecodeError):
         return None
     finally:
         database.close()
 
 
+def phases_of(text):
+    return [[int(steps) for steps in phase.split(":")] for phase in text.split(",")]
+
+
+def energies_of(least, most):
+    return [least, None if most == float("inf") else most]
+
+
 def as_told(table_row):
     """A row of schedules as an answer tells it, or None if it makes no sense."""
     (cells, phases, _, _, _, status, reason, kernel, kind, dimension, contact, canonical, least,
-     most) = table_row[:14]
+     most, family) = table_row[:15]
     try:
-        told = {"cells": cells, "status": status, "kernel_dimension": kernel,
-                "schedule": [[int(steps) for steps in phase.split(":")]
-                             for phase in phases.split(",")]}
+        told = {"cells": cells, "status": status, "kernel_dimension": kernel, "family": family,
+                "schedule": phases_of(phases)}
     except (AttributeError, ValueError):
         return None
     if status == "found":
         told |= {"kind": kind, "dimension": dimension, "contact": contact,
                  "canonical": bool(canonical) if isinstance(canonical, int) else None,
-                 "energy_ratio_range": [least, None if most == float("inf") else most]}
+                 "energy_ratio_range": energies_of(least, most)}
     else:
         told["reason"] = reason
     return told
 
 
-def entries_of(answer):
-    for entry in answer.get("schedules", []):
-        yield entry
+def family_as_told(table_row):
+    """The same of a row of families."""
+    (number, cells, order, nu, blocks, phases, _, _, _, contact, kind, dimension, least, most,
+     schedules) = table_row[:15]
+    try:
+        return {"id": number, "cells": cells, "order": order, "nu": nu, "contact_blocks": blocks,
+                "schedule": phases_of(phases), "contact": contact, "kind": kind,
+                "dimension": dimension, "energy_ratio_range": energies_of(least, most),
+                "schedules": schedules}
+    except (AttributeError, ValueError):
+        return None
+
+
+def entries_of(answer, table):
+    yield from answer.get(table, [])
     for group in answer.get("twins", []):
-        yield from group["schedules"]
+        yield from group[table]
 
 
 def untrue(answer, tables):
     """What the answer says and the tables do not; both as Python reads them."""
-    rows = {row[1]: as_told(row) for row in tables[0] if row[1] is not None}
-    for entry in entries_of(answer):
-        phases = ",".join(f"{contact}:{free}" for contact, free in entry["schedule"])
-        told = rows.get(phases)
-        said = {name: entry.get(name) for name in told or entry}
-        if said != told:
-            return f"{said}, the table: {told}"
+    for table, rows, tell, place in (("schedules", tables[0], as_told, 1),
+                                     ("families", tables[2], family_as_told, 5)):
+        known = {row[place]: tell(row) for row in rows if row[place] is not None}
+        for entry in entries_of(answer, table):
+            phases = ",".join(f"{contact}:{free}" for contact, free in entry["schedule"])
+            told = known.get(phases)
+            said = {name: entry.get(name) for name in told or entry}
+            if said != told:
+                return f"{said}, the table: {told}"
     ranges = [list(run[:5]) for run in tables[1]]
     for run in answer["ranges"]:
         said = [run[name] for name in ("cells", "max_contact", "max_free", "phases",

@@ -10,15 +10,16 @@ from pathlib import Path
 
 from campaign import FOUND, arguments, campaign
 
-RANGE = ["atlas", "--cells", "100", "--max-contact", "600", "--max-free", "1200", "--quiet"]
+RANGE = ["atlas", "--cells", "400", "--max-contact", "2400", "--max-free", "4800", "--quiet"]
 MOST_KILLS = 5
 
 
 def contents(path):
-    """The rows in their order, and the runs without times; the check of SQLite itself."""
+    """Both tables in their order, and the runs without times; the check of SQLite itself."""
     with sqlite3.connect(path) as database:
         check = database.execute("PRAGMA integrity_check").fetchall()
-        rows = database.execute("SELECT * FROM schedules ORDER BY rowid").fetchall()
+        rows = [row for table in ("families", "schedules")
+                for row in database.execute(f"SELECT * FROM {table} ORDER BY rowid")]
         runs = database.execute("SELECT cells, max_contact, max_free, phases, batches, next_batch,"
                                 " decided, pressing, grazing, refuted, undecided,"
                                 " finished IS NULL FROM runs").fetchall()

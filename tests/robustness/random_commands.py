@@ -19,7 +19,8 @@ NASTY = ["", " ", "0", "-1", "-0", "nan", "-nan", "inf", "-inf", "1e400", "1e-40
          "+3", " 3", "3 ", "3x", "3,5", "1/0", "0/0", "7/", "/2", "٣", "½", "−5", "NaN", "true",
          "null", "--", "-", "---", "-x", "--cells", "=", "a=b", "%s%n", "\n", "\t3", "\x1b[31m",
          "\x7f", "x\ny", "é.csv", b"\xff\xfe", b"\xc3", "a" * 5000, "9" * 400, "1e9999999999"]
-COMMANDS = ["find", "continuum", "modes", "mode", "families", "atlas"]
+COMMANDS = ["find", "continuum", "modes", "mode", "families", "atlas",
+            "response", "simulate"]
 WORDS = [*COMMANDS, "help", "", "--help", "-h", "--version", "-V", "--frobnicate", "--cell",
          "--formatt=json", "-5", "7", "--quiet=no", "--quiet", "@file"]
 
@@ -30,12 +31,14 @@ READ = ["state.csv", "other.csv", "measured.csv", "text.txt", "empty", "folder",
 TABLES = ["out.csv", "out.vtk", "out.pvd", "busy.pvd", "state.csv", "folder", "no/such/out.csv", "out.pdf", "out",
           "/dev/null", "folder/out.csv", "text.txt/out.csv", "ünï code.csv", "-out.csv"]
 PICTURES = ["out.svg", "out.gif", "folder", "no/such/out.svg", "state.csv/out.svg", "out"]
+MOVING = ["out.gif", "out.mp4", "folder", "no/such/out.gif", "out.svg", "out"]
 DATABASES = ["atlas.sqlite", "new.sqlite", "state.csv", "empty", "folder", "no/such.sqlite",
              "text.txt", "/dev/null", ":memory:", "file:x?mode=ro"]
 COMMON = {"--cells": COUNTS, "--length": REALS, "--wave-speed": REALS, "--axial-stiffness": REALS,
           "--gap": REALS, "--young": REALS, "--density": REALS, "--area": REALS,
           "--format": [*["json"] * 9, *["text"] * 2, "xml"], "--quiet": None,
           "--threads": ["1", "2", "3"], "--help": None}
+FORCES = ["tip", "base", "tip", "base", "rope"]
 STEPS = [*COUNTS, *COUNTS, "10", "15", "18", "20", "27", "41", "1000000000000000000"]
 OPTIONS = {
     "find": {"--solver": ["auto", "closed-form", "glpk-simplex", "glpk-interior", "glpk-exact",
@@ -49,24 +52,34 @@ OPTIONS = {
              "--frequency": ["8/7", "1.25", "1", "3", "6/5", "1.1428571428571428"],
              "--tip-floor": ["-1", "-0.01", "-1e-3", "0", "1e-3", "-0.5"], "--tolerance": REALS,
              "--time-limit": ["1e-9", "0.1", "1"], "--state": TABLES, "--motion": TABLES,
-             "--figure": PICTURES},
+             "--figure": PICTURES, "--animate": MOVING},
     "continuum": {"--energy-ratio": REALS, "--points": ["2", "3", "10"], "--from": READ,
                   "--to": READ, "--direction": READ, "--sample": None, "--seed": COUNTS,
                   "--engine": ["auto", "geometric", "ipopt", "nlopt", "hand"],
                   "--strain-limit": REALS, "--tolerance": REALS, "--csv": TABLES,
                   "--member": ["0", "0.1", "0.25", "1", "3"], "--state": TABLES,
-                  "--figure": PICTURES},
+                  "--figure": PICTURES, "--animate": MOVING},
     "modes": {"--max-energy-ratio": REALS, "--max-order": COUNTS, "--max-period": REALS,
               "--csv": TABLES, "--figure": PICTURES},
     "families": {"--max-energy-ratio": REALS, "--max-order": [*COUNTS, "60"], "--csv": TABLES,
                  "--figure": PICTURES},
     "mode": {"--period": ["3.5", "7/2", "3.14159265358979", "10/3", "2.5", "3", "4", "29/11"],
-             "--state": TABLES, "--motion": TABLES, "--figure": PICTURES},
+             "--state": TABLES, "--motion": TABLES, "--figure": PICTURES,
+             "--animate": MOVING},
     "atlas": {"--database": DATABASES, "--max-contact": COUNTS, "--max-free": COUNTS,
               "--phases": ["1", "2"], "--max-energy-ratio": REALS, "--all": None,
-              "--resume": None, "--near": REALS, "--within": REALS,
+              "--families-only": None, "--resume": None,
+              "--near": [*REALS, "8/7", "1/0"], "--within": REALS, "--schedules": None,
               "--period": ["7/2", "3.5", "4", "10/3", "1/1000000007"], "--twins": None,
               "--figure": PICTURES, "--map": PICTURES},
+    "response": {"--damping": ["0.01", "0.1", "1", "0", "-1"], "--force": FORCES,
+                 "--amplitude": REALS, "--from": ["0.5", "1", "1.9", "3"],
+                 "--to": ["0.6", "1.2", "2", "3"], "--cycles": COUNTS, "--stability": None,
+                 "--csv": TABLES, "--figure": PICTURES},
+    "simulate": {"--from": READ, "--rest": None, "--damping": ["0.01", "0.1", "1", "0", "-1"],
+                 "--force": FORCES, "--amplitude": REALS, "--frequency": ["0.5", "1", "1.1", "3"],
+                 "--phase": ["0", "-1", "3.14"], "--time": ["1", "0.5", "20", "1e-12", "1e300"],
+                 "--periods": COUNTS, "--events": TABLES, "--tip": TABLES, "--figure": PICTURES},
 }
 MATERIAL = {"--young", "--density", "--area"}
 # Options that make sense together; what they clash with.
@@ -80,9 +93,15 @@ TOGETHER = [(MATERIAL, MATERIAL, {"--wave-speed", "--axial-stiffness"}),
             ({"--from"}, {"--to"}, {"--direction", "--sample"}),
             ({"--member"}, {"--state"}, set()),
             ({"--within"}, {"--near"}, {"--period", "--twins"}),
+            ({"--families-only"}, set(), {"--all", "--phases"}),
+            ({"--schedules"}, {"--near"}, {"--period", "--twins"}),
+            ({"--force"}, {"--amplitude"}, set()),
+            ({"--time"}, set(), {"--periods"}), ({"--rest"}, set(), {"--from"}),
             ({"--near", "--period", "--twins"}, set(),
-             {"--max-contact", "--max-free", "--phases", "--max-energy-ratio", "--all", "--resume"})]
-OUTPUTS = {"--state", "--motion", "--figure", "--csv", "--map", "--database"}
+             {"--max-contact", "--max-free", "--phases", "--max-energy-ratio", "--all",
+              "--families-only", "--resume"})]
+OUTPUTS = {"--animate", "--state", "--motion", "--figure", "--csv", "--map", "--database",
+           "--events", "--tip"}
 STATUS_OF = {"found": FOUND, "done": FOUND, "none": NONE, "undecided": UNDECIDED,
              "interrupted": UNDECIDED}
 
@@ -103,6 +122,9 @@ def options_of(case, command, nasty):
         chosen = ["--database", *(name for name in chosen if name != "--database")]
     if command == "continuum" and case.random.random() < 0.9:
         chosen = ["--energy-ratio", *(name for name in chosen if name != "--energy-ratio")]
+    usual = {"response": ["--damping", "--force", "--amplitude"], "simulate": ["--time"]}
+    if command in usual and case.random.random() < 0.8:
+        chosen = list(dict.fromkeys([*usual[command], *chosen]))
     if command == "find" and case.random.random() < 0.05:
         return [["--cells", "12"], ["--time-limit", "1e-9"], ["--format", "json"],
                 ["--solver", case.random.choice(["ipopt", "nlopt-slsqp", "glpk-interior"])],
@@ -111,11 +133,11 @@ def options_of(case, command, nasty):
         for some, needed, clashing in TOGETHER:
             if some & set(chosen):
                 chosen = [name for name in chosen if name not in clashing]
-                chosen += sorted(name for name in needed if name not in chosen)
+                chosen += sorted(name for name in needed if name not in chosen and name in known)
     groups = []
     for name in chosen:
         # gnuplot takes a second: drawn now and then only.
-        if name in ("--figure", "--map", "--help") and case.random.random() < 0.9:
+        if name in ("--figure", "--map", "--animate", "--help") and case.random.random() < 0.9:
             continue
         count = 2 if name == "--near" and case.random.random() < 0.9 else 1
         values = [value_for(case, known[name], nasty) for _ in range(count if known[name] else 0)]

@@ -62,6 +62,52 @@ TEST_CASE("figure: each format is written, with labels and units in the vector o
     }
 }
 
+TEST_CASE("figure: axes are in the units of the bar, contact is where the wall presses")
+{
+    const auto drawn = [](const PeriodicResult& result) {
+        const std::string path = temporary("units.svg");
+        drawMotion(result, FigureFormat::svg, path);
+        std::string content = contentOf(path);
+        fs::remove(path);
+        return content;
+    };
+    FindOptions steel;
+    steel.bar = barOfMaterial(2.0, 210e9, 7800.0, 1e-4, 1e-5);
+    CHECK_THAT(drawn(findPeriodic(150, 900, 300, steel)),
+               containsText("[ms]") && containsText("[m]") && containsText("[µm]") &&
+                   containsText("741.2 Hz") && containsText("c = 5.189 km/s"));
+    CHECK_THAT(drawn(findPeriodic(2, 6, 2)), containsText("contact without force"));
+    CHECK_THAT(drawn(findPeriodic({4, {{1, 12}, {3, 12}}})), containsText("wall force"));
+}
+
+TEST_CASE("figure: a continuum is drawn whatever its points are, down to one")
+{
+    const auto drawn = [](const Continuum& curve) {
+        const std::string path = temporary("curve.svg");
+        drawContinuum(curve, FigureFormat::svg, path);
+        std::string content = contentOf(path);
+        fs::remove(path);
+        return content;
+    };
+    const Schedule schedule{12, {{6, 36}}};
+    Continuum curve = traceContinuum(schedule, 8.0);
+    REQUIRE(curve.points.size() > 10);
+    CHECK_THAT(drawn(curve), containsText("force of the wall") && containsText(" mN") &&
+                                 containsText("s(x, 0)") && containsText("v(x, 0)") &&
+                                 containsText("solid") && containsText("dashed") &&
+                                 containsText("dotted") && containsText("u(x, t)"));
+    curve.points.resize(2);
+    CHECK_THAT(drawn(curve), containsText("dashed") && !containsText("dotted"));
+    curve.points.resize(1);
+    CHECK_THAT(drawn(curve), containsText("solid") && !containsText("dashed"));
+    ContinuumOptions sample;
+    sample.trace = trace::Sample{};
+    sample.points = 5;
+    CHECK_THAT(drawn(traceContinuum(schedule, 8.0, sample)), containsText("number"));
+    curve.points.clear();
+    CHECK_THROWS_AS(drawn(curve), std::invalid_argument);
+}
+
 TEST_CASE("figure: without a motion there is nothing to draw")
 {
     CHECK_THROWS_AS(drawMotion(findPeriodic(2, 4, 2), FigureFormat::svg, temporary("none")),

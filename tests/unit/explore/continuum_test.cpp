@@ -221,6 +221,8 @@ TEST_CASE("continuum: at 400 E_1 the motions of the paper's case fall into 150 c
     const Continuum whole = traceContinuum(paper, 400.0);
     requirePoints(whole, 201, 1e-12);
     CHECK(whole.connected == false);
+    CHECK(whole.orbits == 201);
+    CHECK_THAT(whole.detail, containsText("cannot be cut"));
 }
 
 TEST_CASE("continuum: connectivity is decided exactly at rho = 1/2")
@@ -311,6 +313,39 @@ TEST_CASE("continuum: grazing motions of one sign are a curve of the simplex in 
     CHECK(curve.solver == "closed-form");
     CHECK(curve.connected == true);
     CHECK(curve.components == 1);
+    CHECK(curve.orbits == 201);
+    CHECK_THAT(curve.detail, containsText("feels no force"));
+}
+
+TEST_CASE("continuum: a member between the points is the curve's own, elsewhere the nearest point")
+{
+    const Continuum curve = traceContinuum(paper, 20.0, {.points = 5});
+    const Member member = memberAt(curve, 0.137);
+    CHECK(member.isExact);
+    CHECK(member.point.lambda == 0.137);
+    CHECK(energyRatio(member.point.state) == Approx(20.0).epsilon(1e-12));
+    CHECK(verify(member.point.state, paper).residuals.worst() < 1e-12);
+    // 0.05 L/c of force, then nothing for 0.137, then 0.05 again: cells 15 and 56.1 to 71.1.
+    const std::vector<double> p = arrivals(member.point.state, paper);
+    CHECK(p[14] > 0.0);
+    CHECK(p[15] == 0.0);
+    CHECK(p[55] == 0.0);
+    CHECK(p[57] > 0.0);
+    CHECK(p[70] > 0.0);
+    CHECK(p[72] == 0.0);
+    // The same as the point of a finer curve there.
+    const Continuum finer = traceContinuum(paper, 20.0, {.points = 401});
+    CHECK(memberAt(curve, finer.points[137].lambda).point.state == finer.points[137].state);
+    CHECK_THROWS_WITH(memberAt(curve, 0.41), containsText("member = 0.41"));
+    CHECK_THROWS_WITH(memberAt(Continuum(), 0.0), containsText("no points"));
+
+    const Continuum path =
+        traceContinuum(paper, 20.0, {.points = 5, .trace = trace::RandomPath{2}});
+    const Member nearest =
+        memberAt(path, 0.9 * path.points[3].lambda + 0.1 * path.points[4].lambda);
+    CHECK_FALSE(nearest.isExact);
+    CHECK(nearest.point.state == path.points[3].state);
+    CHECK(memberAt(path, path.points[4].lambda).isExact);
 }
 
 TEST_CASE("continuum: a cancelled trace keeps its points")

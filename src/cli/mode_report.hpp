@@ -18,4 +18,10 @@ namespace signorini::cli {
 /// contact, period_range, inverse_sqrt_energy, and family, null if it has no name.
 [[nodiscard]] Json identityAsJson(const Mode& mode);
 
+/// The motion of a mode: several lines for people, with a final newline.
+[[nodiscard]] std::string asText(const Mode& mode, const ModeMotion& motion, const Bar& bar);
+
+/// The JSON of the contract, with a final newline.
+[[nodiscard]] std::string asJson(const Mode& mode, const ModeMotion& motion, const Bar& bar);
+
 }  // namespace signorini::cli

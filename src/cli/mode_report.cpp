@@ -1,0 +1,95 @@
+#include "mode_report.hpp"
+
+#include <fmt/format.h>
+
+#include "arguments.hpp"
+#include "report.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+/// "7T" or "T".
+std::string timesT(std::int64_t factor)
+{
+    return factor == 1 ? "T" : fmt::format("{}T", factor);
+}
+
+Json fraction(const ExactPeriod& period)
+{
+    return {period.numerator, period.denominator};
+}
+
+}  // namespace
+
+std::string contactAsText(const Mode& mode)
+{
+    return fmt::format("{} - {}", 4 * mode.a, timesT(-mode.b));
+}
+
+std::string rootAsText(const Mode& mode)
+{
+    return mode.kappa > 0 ? fmt::format("{} - {}", timesT(mode.kappa), mode.mu)
+                          : fmt::format("{} - {}", -mode.mu, timesT(-mode.kappa));
+}
+
+Json identityAsJson(const Mode& mode)
+{
+    Json json{{"contact", {4 * mode.a, mode.b}},
+              {"period_range", {fraction(mode.lowest), fraction(mode.highest)}},
+              {"inverse_sqrt_energy", {mode.kappa, mode.mu}},
+              {"family", nullptr}};
+    if (const std::string family = familyName(mode); !family.empty()) {
+        json["family"] = family;
+    }
+    return json;
+}
+
+std::string asJson(const Mode& mode, const ModeMotion& motion, const Bar& bar)
+{
+    const Scales unit = scales(bar);
+    const Physical physical = physicalOf(motion.extremes(), bar);
+    const double energy = energyRatio(mode, motion.period());
+    Json list = Json::array();
+    for (const ModeJump& jump : jumps(mode)) {
+        list.push_back({2 * jump.k, -jump.turns});
+    }
+    Json json = newAnswer();
+    json.update(Json{{"status", name(Status::found)},
+                     {"bar", barAsJson(bar)},
+                     {"mode", identityAsJson(mode)},
+                     {"period", motion.period() * unit.time},
+                     {"period_ratio", motion.period()},
+                     {"frequency", 1.0 / (motion.period() * unit.time)},
+                     {"frequency_ratio", 4.0 / motion.period()},
+                     {"contact_time", motion.contactTime() * unit.time},
+                     {"contact_time_ratio", motion.contactTime()},
+                     {"energy", energy * unit.energy},
+                     {"energy_ratio", energy},
+                     {"jumps", list},
+                     {"physical", physicalAsJson(physical)},
+                     {"admissible", physical.isAdmissible()}});
+    return asLine(json);
+}
+
+std::string asText(const Mode& mode, const ModeMotion& motion, const Bar& bar)
+{
+    const Scales unit = scales(bar);
+    const Physical physical = physicalOf(motion.extremes(), bar);
+    const std::string family = familyName(mode);
+    const double energy = energyRatio(mode, motion.period());
+    return fmt::format(
+               "found       mode t_c = {}{}, T in ]{}, {}[ L/c\n"
+               "period      {:.10g} s = {:.10g} L/c, ω/ω₁ = {:.10g}\n"
+               "contact     {:.6g} s = {:.10g} L/c\n"
+               "energy      {:.6g} J = {:.10g} E₁, 1/√(E/E₁) = {}\n"
+               "waves       p = ±{:.6g} g/L with {} jumps in a period\n",
+               contactAsText(mode), family.empty() ? "" : fmt::format(" ({})", family),
+               fractionAsText(mode.lowest), fractionAsText(mode.highest),
+               motion.period() * unit.time, motion.period(), 4.0 / motion.period(),
+               motion.contactTime() * unit.time, motion.contactTime(), energy * unit.energy, energy,
+               rootAsText(mode), motion.amplitude(), motion.jumpTimes().size()) +
+           asText(physical);
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// signorini response
+
+#include <string>
+
+#include "arguments.hpp"
+#include "force_options.hpp"
+#include "signorini/response.hpp"
+
+namespace signorini::cli {
+
+/// One call.
+struct ResponseCommand {
+    CommonOptions common;
+    ForceOptions force;
+    ResponseRange range;
+    bool wantsStability = false;
+    std::string csvFile;
+    std::string figureFile;
+
+    void addTo(CLI::App& command);
+
+    /// Does the work; the report goes to stdout. SIGINT and SIGTERM end it, and the frequencies
+    /// that were done are reported. Exceptions are for `main` to translate.
+    [[nodiscard]] ExitStatus run() const;
+};
+
+}  // namespace signorini::cli

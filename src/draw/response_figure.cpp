@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "faults.hpp"
+#include "gnuplot.hpp"
+#include "signorini/figures.hpp"
+#include "text.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// A sort of dots, and how it is drawn.
+struct Sort {
+    const char* block;
+    const char* title;
+    const char* style;
+    std::optional<Stability> stability;
+};
+
+constexpr Sort sorts[] = {
+    {"repels", "one contact: repels", "pt 6 ps 0.6 lw 1.2 lc '#d55e00'", Stability::repels},
+    {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2 lc '#777777'", Stability::unclear},
+    {"attracts", "one contact: attracts", "pt 7 ps 0.6 lc '#0072b2'", Stability::attracts},
+    {"untried", "one contact", "pt 7 ps 0.6 lc '#0072b2'", std::nullopt},
+};
+
+/// omega/omega_1, impulse, swing of each motion of one sort. \return are there any?
+bool printMotions(Text& script, const Sort& sort, std::span<const FrequencyResponse> frequencies)
+{
+    bool any = false;
+    print(script, "${} << EOD\n", sort.block);
+    for (const FrequencyResponse& response : frequencies) {
+        for (const ForcedMotion& motion : response.motions) {
+            if (motion.stability == sort.stability) {
+                any = true;
+                print(script, "{:.8g} {:.6g} {:.6g}\n", response.frequencyRatio, motion.impulse,
+                      -motion.lowest);
+            }
+        }
+    }
+    print(script, "EOD\n");
+    return any;
+}
+
+/// The bar without a wall, in two columns: where it stays clear, and where the wall is in its way.
+void printLinear(Text& script, std::span<const FrequencyResponse> frequencies)
+{
+    print(script, "$linear << EOD\n");
+    for (std::size_t k = 0; k < frequencies.size(); ++k) {
+        const FrequencyResponse& response = frequencies[k];
+        const bool isNear = k > 0 && frequencies[k - 1].touches != response.touches;
+        const std::string value = fmt::format("{:.6g}", response.linearPeak);
+        print(script, "{:.8g} {} {}\n", response.frequencyRatio,
+              !response.touches || isNear ? value : "NaN",
+              response.touches || isNear ? value : "NaN");
+    }
+    print(script, "EOD\n");
+}
+
+/// The height of the lower panel: what motions need, and twice the gap for the linear one.
+double heightOf(std::span<const FrequencyResponse> frequencies)
+{
+    double most = 2.0;
+    for (const FrequencyResponse& response : frequencies) {
+        for (const ForcedMotion& motion : response.motions) {
+            most = std::max(most, -motion.lowest);
+        }
+    }
+    return 1.08 * most;
+}
+
+std::string titleOf(const ResponseRange& range)
+{
+    return fmt::format(
+        "{} of amplitude {:.4g} {},  ζ = {:.4g},  N = {}{}",
+        range.place == Excited::tip ? "force on the tip" : "base moving", range.amplitude,
+        range.place == Excited::tip ? "EA g/L" : "g", range.damping.ratio, range.cells,
+        range.cycles > 1 ? fmt::format(",  period of {} cycles of the excitation", range.cycles)
+                         : "");
+}
+
+}  // namespace
+
+void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
+                  FigureFormat format, const std::string& path)
+{
+    if (frequencies.empty()) {
+        throw std::invalid_argument("figure: the response holds no frequency to draw");
+    }
+    Text script;
+    printLinear(script, frequencies);
+    std::string upper;
+    std::string lower;
+    for (const Sort& sort : sorts) {
+        if (printMotions(script, sort, frequencies)) {
+            upper += fmt::format(", ${} using 1:2 with points {} title '{}'", sort.block,
+                                 sort.style, sort.title);
+            lower += fmt::format(", ${} using 1:3 with points {} notitle", sort.block, sort.style);
+        }
+    }
+    const auto [least, most] =
+        std::minmax(frequencies.front().frequencyRatio, frequencies.back().frequencyRatio);
+    const double margin = most > least ? 0.01 * (most - least) : 0.05;
+    print(script,
+          "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
+          "set grid lw 0.4 lc '#cccccc'\nset xrange [{}:{}]\nset lmargin at screen 0.12\n"
+          "set rmargin at screen 0.97\nset label 1 \"{}\" at screen 0.54,0.965 center\n"
+          "set tmargin at screen 0.92\nset bmargin at screen 0.54\nset format x ''\n"
+          "set ylabel 'impulse  [EA g/c]'\nset yrange [0:*]\n"
+          "set key top left reverse Left samplen 2 spacing 1.1\n"
+          "plot NaN with lines lw 2 lc 'black' title 'no contact', "
+          "NaN with lines lw 1.5 dt (6,3) lc '#888888' title 'no wall in its way'{}\n",
+          least - margin, most + margin, titleOf(range), upper);
+    print(script,
+          "unset label 1\nunset key\nset format x '%g'\nset tmargin at screen 0.49\n"
+          "set bmargin at screen 0.12\nset xlabel 'frequency of the excitation  ω/ω_1'\n"
+          "set ylabel 'swing  −min u(L)/g'\nset yrange [0:{:.4g}]\n"
+          "plot $linear using 1:2 with lines lw 2 lc 'black', "
+          "$linear using 1:3 with lines lw 1.5 dt (6,3) lc '#888888'{}\nunset multiplot\n",
+          heightOf(frequencies), lower);
+    runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
+}
+
+}  // namespace signorini

@@ -1,0 +1,144 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "gnuplot.hpp"
+#include "signorini/figures.hpp"
+#include "text.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double shownPeriods = 4.0;
+constexpr double shownTime = 16.0;  // [L/c], of a bar that nothing excites
+constexpr std::size_t maxPoints = 4000;
+constexpr std::size_t maxContacts = 20'000;
+
+/// A stretch of time [L/c].
+struct Window {
+    double begin;
+    double end;
+};
+
+/// About four ticks in so long a time: 1, 2 or 5 times a power of ten apart.
+double tickStep(double duration)
+{
+    const double least = duration / 5.0;
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    const double part = least / power;
+    return power * (part <= 1.0 ? 1.0 : part <= 2.0 ? 2.0 : part <= 5.0 ? 5.0 : 10.0);
+}
+
+/// The path of the tip in a window, thinned to what print can show.
+void printTip(Text& script, const char* block, const std::vector<TipPoint>& path, Window window)
+{
+    const auto isBefore = [](const TipPoint& point, double time) { return point.time < time; };
+    auto first = std::lower_bound(path.begin(), path.end(), window.begin, isBefore);
+    const auto last = std::lower_bound(first, path.end(), window.end, isBefore);
+    first -= first == path.begin() ? 0 : 1;
+    const auto count = static_cast<std::size_t>(last - first);
+    const std::size_t stride = 1 + count / maxPoints;
+    print(script, "${} << EOD\n", block);
+    for (std::size_t k = 0; k <= count; k += stride) {
+        const auto at = first + static_cast<std::ptrdiff_t>(k);
+        if (at != path.end()) {
+            print(script, "{:.9g} {:.7g}\n", at->time, at->displacement);
+        }
+    }
+    print(script, "EOD\n");
+}
+
+/// The contacts of a window as strokes at the wall.
+void printStrokes(Text& script, const char* block, const std::vector<ContactEvent>& contacts,
+                  Window window)
+{
+    print(script, "${} << EOD\nNaN NaN\n", block);
+    for (const ContactEvent& contact : contacts) {
+        if (contact.end > window.begin && contact.start < window.end) {
+            const double start = std::max(contact.start, window.begin);
+            print(script, "{:.9g} {:.6g}\n", start, std::min(contact.end, window.end) - start);
+        }
+    }
+    print(script, "EOD\n");
+}
+
+void printImpulses(Text& script, const std::vector<ContactEvent>& contacts)
+{
+    const std::size_t stride = 1 + contacts.size() / maxContacts;
+    print(script, "$impulses << EOD\nNaN NaN\n");
+    for (std::size_t k = 0; k < contacts.size(); k += stride) {
+        print(script, "{:.9g} {:.7g}\n", contacts[k].start, contacts[k].impulse);
+    }
+    print(script, "EOD\n");
+}
+
+void plotTip(Text& script, const char* name, Window window)
+{
+    print(script,
+          "set xrange [{1:.9g}:{2:.9g}]\nset xtics {3:.9g}\nset object 1 rectangle from graph "
+          "0,first 1 to graph "
+          "1,graph 1 fillcolor '#bbbbbb' fillstyle solid border lc '#555555' behind\n"
+          "plot $tip{0} using 1:2 with lines lw 1.2 lc 'black' notitle, "
+          "$contact{0} using 1:(1):2:(0) with vectors nohead lw 5 lc '#cc79a7' notitle\n",
+          name, window.begin, window.end, tickStep(window.end - window.begin));
+}
+
+}  // namespace
+
+void drawSimulation(const BarSimulation& simulation, const Excitation& excitation,
+                    FigureFormat format, const std::string& path)
+{
+    const std::vector<TipPoint>& tip = simulation.tipPath();
+    if (tip.size() < 2) {
+        throw std::invalid_argument("figure: the simulation holds no path of the tip to draw");
+    }
+    const double end = simulation.time();
+    const double period = excitation.steps() > 0 ? static_cast<double>(excitation.steps()) /
+                                                       excitation.stepsPerCrossing
+                                                 : shownTime / shownPeriods;
+    const double shown = std::min(end, shownPeriods * period);
+    const Window windows[] = {{0.0, shown}, {end - shown, end}};
+    const char* const names[] = {"first", "last"};
+    Text script;
+    double lowest = 0.0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        printTip(script, fmt::format("tip{}", names[k]).c_str(), tip, windows[k]);
+        printStrokes(script, fmt::format("contact{}", names[k]).c_str(), simulation.contacts(),
+                     windows[k]);
+    }
+    for (const TipPoint& point : tip) {
+        lowest = std::min(lowest, point.displacement);
+    }
+    printImpulses(script, simulation.contacts());
+    print(script,
+          "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
+          "set grid lw 0.4 lc '#cccccc'\nset tmargin at screen 0.92\nset bmargin at screen 0.58\n"
+          "set yrange [{:.5g}:{:.5g}]\nset xlabel 'time  t c/L' offset 0,0.4\n"
+          "set lmargin at screen 0.12\nset rmargin at screen 0.53\n"
+          "set ylabel 'tip  u(L,t)/g'\nset label 1 'the beginning' at graph 0.5,1.06 center\n",
+          1.0 - 1.05 * (1.0 - lowest), 1.0 + 0.08 * (1.0 - lowest));
+    plotTip(script, "first", windows[0]);
+    print(script,
+          "set lmargin at screen 0.57\nset rmargin at screen 0.97\nset ylabel ''\n"
+          "set format y ''\nset label 1 'the end' at graph 0.5,1.06 center\n");
+    plotTip(script, "last", windows[1]);
+    print(script,
+          "unset label 1\nunset object 1\nset format y '%g'\nset lmargin at screen 0.12\n"
+          "set tmargin at screen 0.44\nset bmargin at screen 0.12\nset xtics auto\nset xrange "
+          "[0:{:.9g}]\n"
+          "set yrange [0:*]\nset xlabel 'time  t c/L' offset 0,0\n"
+          "set ylabel 'impulse of a contact  [EA g/c]'\n",
+          end);
+    if (simulation.contacts().empty()) {
+        print(script, "set yrange [0:1]\nset label 2 'no contact' at graph 0.5,0.5 center\n");
+    }
+    print(script,
+          "plot $impulses using 1:2 with points pt 7 ps 0.4 lc '#cc79a7' notitle\n"
+          "unset multiplot\n");
+    runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
+}
+
+}  // namespace signorini

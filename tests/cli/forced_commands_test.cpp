@@ -1,0 +1,208 @@
+// signorini response and signorini simulate: fields, units, files, wrong use.
+
+#include <cmath>
+#include <sstream>
+
+#include "program.hpp"
+
+using namespace signorini;
+using namespace signorini::test;
+
+namespace {
+
+/// rho = 0.9, a force of 0.25 EA g/L on the tip, on 30 cells: the bar of theory.md, section 15.
+const std::string section15 =
+    " --cells 30 --damping 0.03353713 --force tip --amplitude 2.5e-4 --quiet";
+
+json parsed(const Program& program, const std::string& arguments, int status = 0)
+{
+    const auto outcome = program.run(arguments + " --format json");
+    INFO(arguments << "\n" << outcome.err);
+    REQUIRE(outcome.status == status);
+    return json::parse(outcome.out);
+}
+
+}  // namespace
+
+TEST_CASE("cli response: every field of the contract, and the numbers of section 15")
+{
+    const Program program;
+    const json answer =
+        parsed(program, "response --from 1.1 --to 1.16 --stability --csv r.csv" + section15);
+    CHECK(answer["schema"] == 2);
+    CHECK(answer["status"] == "found");
+    CHECK(answer["cells"] == 30);
+    CHECK(answer["bar"]["gap"] == 1e-3);
+    CHECK(answer["damping"]["ratio"] == 0.03353713);
+    CHECK(answer["damping"]["dashpot"].get<double>() == Approx(1.0 / 19.0).epsilon(1e-5));
+    CHECK(answer["force"] == "tip");
+    CHECK(answer["amplitude"] == 2.5e-4);
+    CHECK(answer["complete"] == true);
+    REQUIRE(answer["frequencies"].size() == 6);  // n = 104 ... 109
+    int rows = 1;
+    for (const json& frequency : answer["frequencies"]) {
+        CHECK(frequency["frequency_ratio"].get<double>() ==
+              Approx(120.0 / frequency["steps"].get<double>()));
+        CHECK(frequency["frequency"].get<double>() ==
+              Approx(30.0 / frequency["steps"].get<double>()));
+        CHECK(frequency["touches"] == false);
+        REQUIRE(frequency["motions"].size() == 2);
+        CHECK(frequency["motions"][0]["stable"] == false);
+        CHECK(frequency["motions"][1]["stable"] == true);
+        rows += 2;
+    }
+    const json& motions = answer["frequencies"][4]["motions"];  // n = 108
+    CHECK(motions[0]["schedule"] == json::parse("[[8,100]]"));
+    CHECK(motions[1]["schedule"] == json::parse("[[12,96]]"));
+    CHECK(motions[0]["impulse"].get<double>() == Approx(0.1907e-3).margin(1e-7));
+    CHECK(motions[1]["impulse"].get<double>() == Approx(1.0710e-3).margin(1e-7));
+    CHECK(motions[1]["peak_force"].get<double>() > 0.0);
+    CHECK(motions[1]["phase"].is_number());
+    CHECK(lines(contentOf(program.file("r.csv"))) == rows);
+}
+
+TEST_CASE("cli response: threads share the work, units are those of the bar")
+{
+    const Program program;
+    const std::string range = "response --from 0.9 --to 1.2 --cells 20 --damping 0.05 --quiet";
+    const json base = parsed(program, range + " --force base --amplitude 3e-4");
+    CHECK(base["frequencies"] ==
+          parsed(program, range + " --force base --amplitude 3e-4 --threads 3")["frequencies"]);
+    // EA = 2e7 N, g/L = 5e-7, L/c = 4e-4 s: forces in 10 N, impulses in 4e-3 N s.
+    const std::string steel = " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6";
+    const json big = parsed(program, range + " --force base --amplitude 3e-7" + steel);
+    const json& plain = base["frequencies"];
+    REQUIRE(big["frequencies"].size() == plain.size());
+    int motions = 0;
+    for (std::size_t k = 0; k < plain.size(); ++k) {
+        const json& one = big["frequencies"][k];
+        CHECK(one["frequency"].get<double>() == Approx(plain[k]["frequency"].get<double>() / 4e-4));
+        REQUIRE(one["motions"].size() == plain[k]["motions"].size());
+        for (std::size_t j = 0; j < one["motions"].size(); ++j) {
+            const json& here = one["motions"][j];
+            const json& there = plain[k]["motions"][j];
+            CHECK(here["impulse"].get<double>() ==
+                  Approx(there["impulse"].get<double>() * 4e-3 / 1e-3));
+            CHECK(here["peak_force"].get<double>() ==
+                  Approx(there["peak_force"].get<double>() * 10.0 / 1e-3));
+            CHECK(here["phase"].get<double>() == Approx(there["phase"].get<double>()));
+            ++motions;
+        }
+    }
+    CHECK(motions > 0);
+}
+
+TEST_CASE("cli simulate: from rest to the motion of section 15, with its tables")
+{
+    const Program program;
+    const json answer = parsed(program,
+                               "simulate --rest --frequency 1.1111111111111112 "
+                               "--periods 300 --events e.csv --tip t.csv" +
+                                   section15);
+    CHECK(answer["schema"] == 2);
+    CHECK(answer["status"] == "done");
+    CHECK(answer["settled"]["periods"] == 1);
+    CHECK(answer["settled"]["contacts"] == 1);
+    CHECK(answer["settled"]["impulse"].get<double>() == Approx(1.0710e-3).margin(5e-7));
+    CHECK(answer["excitation"]["steps"] == 108);
+    CHECK(answer["excitation"]["frequency"].get<double>() == Approx(1.0 / 3.6));
+    CHECK(answer["time"].get<double>() == Approx(1080.0));
+    CHECK(std::abs(answer["balance"]["error"].get<double>()) < 1e-15);
+    std::istringstream table(contentOf(program.file("e.csv")));
+    std::string row;
+    std::getline(table, row);
+    CHECK(row == "start,end,impulse,peak_force");
+    std::int64_t contacts = 0;
+    double impulse = 0.0;
+    double before = 0.0;
+    while (std::getline(table, row)) {
+        double start = 0.0;
+        double end = 0.0;
+        double one = 0.0;
+        REQUIRE(std::sscanf(row.c_str(), "%lf,%lf,%lf", &start, &end, &one) == 3);
+        CHECK(start >= before);
+        CHECK(end > start);
+        before = end;
+        impulse += one;
+        ++contacts;
+    }
+    CHECK(answer["contacts"] == contacts);
+    CHECK(answer["impulse"].get<double>() == Approx(impulse));
+    CHECK(lines(contentOf(program.file("t.csv"))) > 1000);
+}
+
+TEST_CASE("cli simulate: a state of find goes on as find says, in seconds of the bar")
+{
+    const Program program;
+    const std::string steel =
+        " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6 --quiet";
+    REQUIRE(program.run("find 15 90 --cells 30 --state s.csv" + steel).status == 0);
+    // Ten periods of 3.5 L/c = 1.4e-3 s; E = 4 E_1 = 4 EA g^2/(2L).
+    const json answer = parsed(program, "simulate --from s.csv --time 1.4e-2" + steel);
+    CHECK(answer["contacts"] == 10);
+    CHECK(answer["settled"].is_null());
+    CHECK(answer["excitation"].is_null());
+    CHECK(answer["energy_ratio"].get<double>() == Approx(4.0).epsilon(1e-9));
+    CHECK(answer["energy"].get<double>() == Approx(4.0 * 2e7 * 1e-12 / 4.0).epsilon(1e-9));
+    CHECK(answer["tip"].get<double>() == Approx(1e-6).epsilon(1e-6));
+}
+
+TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
+{
+    const Program program;
+    const std::string force = " --force tip --amplitude 1";
+    const std::string out = " --csv r.csv";
+    const std::pair<std::string, const char*> calls[] = {
+        {"response" + force + out, "--damping = missing"},
+        {"response --damping 0.1 --amplitude 1" + out, "--force"},
+        {"response --damping 0.1 --force tip" + out, "--amplitude"},
+        {"response --damping 0" + force + out, "--damping = 0"},
+        {"response --damping -1" + force + out, "--damping = -1"},
+        {"response --damping nan" + force + out, "--damping"},
+        {"response --damping 0.1 --force rope --amplitude 1" + out, "tip|base"},
+        {"response --damping 0.1 --force tip --amplitude 0" + out, "--amplitude = 0"},
+        {"response --damping 0.1 --from 3" + force + out, "--from = 3"},
+        {"response --damping 0.1 --from 9 --to 9.001 --cells 2" + force + out, "frequency ratios"},
+        {"response --damping 0.1 --cycles 0" + force + out, "--cycles"},
+        {"response --damping 0.1 --figure r.gif" + force + out, "figure"},
+        {"simulate --rest", "--time"},
+        {"simulate --time 1 --periods 2" + force + " --frequency 1", "--periods"},
+        {"simulate --periods 2", "--force"},
+        {"simulate --time 1" + force, "all three"},
+        {"simulate --time 1 --frequency 1000" + force + " --events r.csv", "--frequency"},
+        {"simulate --time 0 --events r.csv", "--time"},
+        {"simulate --time 1e308 --length 1e-100 --gap 1e-103 --events r.csv", "--time"},
+        {"simulate --time 1 --phase x --events r.csv", "--phase"},
+    };
+    for (const auto& [call, word] : calls) {
+        const auto outcome = program.run(call);
+        INFO(call << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK_THAT(outcome.err, containsText(word) && containsText("allowed"));
+        CHECK(outcome.out.empty());
+        CHECK(program.files() == 0);
+    }
+    CHECK(program.run("simulate --time 1 --from no.csv").status == 4);
+}
+
+TEST_CASE("cli response, simulate: figures with their labels")
+{
+    const Program program;
+    const auto outcome =
+        program.run("response --from 1.1 --to 1.16 --stability --figure r.svg" + section15);
+    if (outcome.status == 4) {
+        return;  // no gnuplot here
+    }
+    CHECK(outcome.status == 0);
+    for (const char* label : {"impulse", "swing", "attracts", "repels", "no contact"}) {
+        CHECK_THAT(contentOf(program.file("r.svg")), containsText(label));
+    }
+    CHECK(program.run("simulate --frequency 1.1 --periods 40 --figure s.svg" + section15).status ==
+          0);
+    CHECK(program.run("simulate --time 40 --figure rest.svg --quiet").status == 0);
+    for (const char* label : {"the beginning", "the end", "impulse of a contact"}) {
+        CHECK_THAT(contentOf(program.file("s.svg")), containsText(label));
+    }
+    CHECK_THAT(contentOf(program.file("rest.svg")), containsText("no contact"));
+}
