@@ -175,11 +175,6 @@ std::string absenceAsText(const Absence& absence)
 
 }  // namespace
 
-double TargetReport::distanceTo(const State& other) const
-{
-    return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
-}
-
 std::string asText(const Physical& p)
 {
     return fmt::format(
@@ -202,6 +197,11 @@ void warnUnlessAdmissible(std::string_view command, const Physical& physical)
                         "demands s > -1 everywhere\n",
                         command, -physical.peakCompression));
     }
+}
+
+double TargetReport::distanceTo(const State& other) const
+{
+    return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
 }
 
 std::string asText(const PeriodicResult& result, const std::optional<TargetReport>& target)
