@@ -187,9 +187,8 @@ Waves SimulateCommand::start(const Bar& bar) const
     if (fromFile.empty()) {
         return wavesAtRest(static_cast<double>(common.usualCells()));
     }
-    const std::int64_t cells = common.usualCells();
-    return wavesOf(
-        forFile("--from", fromFile, [&] { return readState(fromFile, bar, cells).state; }));
+    return wavesOf(forFile("--from", fromFile,
+                           [&] { return readState(fromFile, bar, common.usualCells()).state; }));
 }
 
 Excitation SimulateCommand::excitation(const Bar& bar, double cells) const

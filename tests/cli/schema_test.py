@@ -46,6 +46,12 @@ CALLS = [
     ("mode", f"mode 4 -1 --period 3.7 {STEEL}"),
     ("families", "families"),
     ("families", f"families --max-order 5 --max-energy-ratio 9 {STEEL}"),
+    ("response", "response --cells 10 --damping 0.02 --force tip --amplitude 2e-4 --from 1 --to 1.2"),
+    ("response", "response --cells 10 --damping 0.02 --force base --amplitude 1e-4 --from 1 --to 1.1"
+                 " --stability"),
+    ("simulate", "simulate --rest --damping 0.05 --force tip --amplitude 2e-4 --frequency 1.1"
+                 " --periods 20"),
+    ("simulate", "simulate --rest --damping 0.05 --time 3"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 1.143 5"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 8/7 5 --schedules"),
