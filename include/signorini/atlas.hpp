@@ -103,6 +103,7 @@ struct AtlasTally {
     std::int64_t grazing = 0;    ///< found, without force
     std::int64_t refuted = 0;    ///< proved to have no motion
     std::int64_t undecided = 0;  ///< beyond the limits of `lumpedSet`
+    std::int64_t families = 0;   ///< sets of orbits that those found with one phase belong to
 
     AtlasTally& operator+=(const AtlasTally& other);
     friend bool operator==(const AtlasTally&, const AtlasTally&) = default;

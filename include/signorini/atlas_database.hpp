@@ -19,11 +19,12 @@
 /// the frequency of its motions.
 ///
 /// Table `runs`, one row for each range: version, options, its bounds, next_batch of batches, the
-/// tally so far, started, finished, seconds, workers. A batch and the progress it means are one
-/// transaction, so that a process killed at any moment loses the batches in flight, nothing else.
+/// tally so far (schedules, and the families of those with one phase), started, finished, seconds,
+/// workers. A batch and the progress it means are one transaction, so that a process killed at any
+/// moment loses the batches in flight, nothing else.
 ///
 /// This is version 2 of the tables (user_version). An atlas of version 1, without `families`, is
-/// refused: its range is decided anew in less time than reading it would take.
+/// refused: decide its range anew.
 
 #include <cstdint>
 #include <functional>
@@ -119,7 +120,8 @@ public:
                        const std::function<void(const AtlasFamily&)>& action) const;
     /// Every row of `schedules` with status found, in order. \throws FileError.
     void forEachFound(std::optional<std::int64_t> cells,
-                      const std::function<void(const AtlasEntry&)>& action) const;
+                      const std::function<void(const AtlasEntry&)>& action,
+                      AtlasSchedules which = AtlasSchedules::all) const;
     /// Families with motions near a point of the frequency-energy plot, nearest first: the
     /// distance is that of omega/omega_1, relative, and of the energy range, relative, as one
     /// Euclidean norm; at most `distance`. \throws FileError.

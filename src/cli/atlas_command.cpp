@@ -265,6 +265,10 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (schedules) {
         throw std::invalid_argument("--schedules: allowed only together with --near or --period");
     }
+    if (familiesOnly && !mapFile.empty()) {
+        throw std::invalid_argument(
+            "--map draws schedules, which --families-only leaves out: allowed one of them");
+    }
     const Bar bar = common.bar();
     AtlasOptions options;
     options.threads = common.threads;

@@ -286,11 +286,12 @@ std::string asText(const AtlasRun& run, const std::string& database)
     return fmt::format(
         "{:<12}{}: {}\n"
         "decided     {} schedules in {:.3g} s\n"
-        "found       {}: {} pressing, {} grazing\n"
+        "found       {}: {} pressing, {} grazing; {} families on this grid\n"
         "none        {}{}\n",
         run.isFinished() ? "done" : "interrupted", onOneLine(database), describe(run.range),
         tally.decided, run.seconds, tally.pressing + tally.grazing, tally.pressing, tally.grazing,
-        tally.refuted, tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
+        tally.families, tally.refuted,
+        tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
 }
 
 std::string asJson(const AtlasRun& run, const std::string& database, const Bar& bar)
@@ -310,6 +311,7 @@ std::string asJson(const AtlasRun& run, const std::string& database, const Bar& 
                      {"found", tally.pressing + tally.grazing},
                      {"pressing", tally.pressing},
                      {"grazing", tally.grazing},
+                     {"family_count", tally.families},
                      {"refuted", tally.refuted},
                      {"undecided", tally.undecided},
                      {"batches", {run.nextBatch, run.batches}},

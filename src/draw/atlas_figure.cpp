@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -30,14 +29,6 @@ constexpr double nameDistance = 0.11;  ///< [L/c]
 
 /// Families of any grid that the frequency-energy plot shows.
 constexpr std::int64_t maxShadedOrder = 60;
-
-/// omega/omega_1 of the linear motions of one phase that only touch the wall: p changes its sign
-/// after G steps, so their period is 2G steps, whatever the schedule repeats.
-double grazingFrequency(const Schedule& schedule)
-{
-    return 2.0 * static_cast<double>(schedule.cells) /
-           static_cast<double>(std::gcd(2 * schedule.cells, steps(schedule)));
-}
 
 /// What the map shows of an atlas.
 struct Map {
@@ -120,27 +111,26 @@ void printNames(Text& script, std::span<const Family> tents)
 void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                              FigureFormat format, const std::string& path)
 {
-    std::set<std::array<std::int64_t, 3>> seen;
+    std::set<std::array<std::int64_t, 3>> seen;  // on several grids, each once
     std::vector<Family> onGrid;
     std::vector<EnergyBar> bars;
-    atlas.forEachFound(cells, [&](const AtlasEntry& entry) {
-        const bool hasOnePhase = entry.schedule.phases.size() == 1;
-        if (hasOnePhase && entry.row.contact == Contact::pressing) {
-            const Family family = familyOf(entry.schedule).value().family;
-            if (seen.insert({family.order, family.blocks, family.contactBlocks}).second) {
-                onGrid.push_back(family);
-            }
-            return;
-        }
-        const EnergyBar bar{.frequencyRatio = hasOnePhase ? grazingFrequency(entry.schedule)
-                                                          : frequencyRatio(entry.schedule),
-                            .least = entry.row.energy.least,
-                            .most = entry.row.energy.most,
-                            .contact = entry.row.contact};
-        if (!hasOnePhase || bars.empty() || bars.back() != bar) {
-            bars.push_back(bar);
+    const auto addBar = [&bars](const auto& row, const EnergyRange& energy, Contact contact) {
+        bars.push_back({.frequencyRatio = frequencyRatio(row),
+                        .least = energy.least,
+                        .most = energy.most,
+                        .contact = contact});
+    };
+    atlas.forEachFamily(cells, [&](const AtlasFamily& all) {
+        if (!all.family) {
+            addBar(all, all.energy, Contact::grazing);
+        } else if (seen.insert({all.family->order, all.family->blocks, all.family->contactBlocks})
+                       .second) {
+            onGrid.push_back(*all.family);
         }
     });
+    atlas.forEachFound(
+        cells, [&](const AtlasEntry& entry) { addBar(entry, entry.row.energy, entry.row.contact); },
+        AtlasSchedules::withoutFamily);
     const std::vector<Mode> modes = findModes();
     const std::vector<Family> families = findFamilies(maxShadedOrder);
     writeFrequencyEnergyFigure(

@@ -91,6 +91,7 @@ AtlasTally& AtlasTally::operator+=(const AtlasTally& other)
     grazing += other.grazing;
     refuted += other.refuted;
     undecided += other.undecided;
+    families += other.families;
     return *this;
 }
 

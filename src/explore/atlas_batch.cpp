@@ -131,8 +131,11 @@ private:
     void enter(Tent& tent)
     {
         (tent.family ? batch_.tally.pressing : batch_.tally.grazing) += tent.count();
-        if (tent.keepsAny() && tent.isOwn()) {
-            batch_.families.push_back(tents_.familyOf(tent));
+        if (tent.isOwn()) {
+            batch_.tally.families += tent.count() > 0 ? 1 : 0;
+            if (tent.keepsAny()) {
+                batch_.families.push_back(tents_.familyOf(tent));
+            }
         }
         if (range_.familiesOnly) {
             return;

@@ -39,9 +39,10 @@ CREATE INDEX schedules_without_family ON schedules(cells, steps) WHERE family IS
 CREATE TABLE runs(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, options TEXT NOT NULL, cells INTEGER NOT NULL,
   max_contact INTEGER NOT NULL, max_free INTEGER NOT NULL, phases INTEGER NOT NULL,
-  max_energy_ratio REAL, keeps_refuted INTEGER NOT NULL, families_only INTEGER NOT NULL, batches INTEGER NOT NULL,
-  next_batch INTEGER NOT NULL, decided INTEGER NOT NULL, pressing INTEGER NOT NULL,
-  grazing INTEGER NOT NULL, refuted INTEGER NOT NULL, undecided INTEGER NOT NULL,
+  max_energy_ratio REAL, keeps_refuted INTEGER NOT NULL, families_only INTEGER NOT NULL,
+  batches INTEGER NOT NULL, next_batch INTEGER NOT NULL, decided INTEGER NOT NULL,
+  pressing INTEGER NOT NULL, grazing INTEGER NOT NULL, refuted INTEGER NOT NULL,
+  undecided INTEGER NOT NULL, families INTEGER NOT NULL,
   started TEXT NOT NULL, finished TEXT, seconds REAL NOT NULL, workers TEXT NOT NULL);
 CREATE UNIQUE INDEX one_run_per_range ON runs(
   cells, max_contact, max_free, phases, ifnull(max_energy_ratio, -1), keeps_refuted,
@@ -64,7 +65,7 @@ constexpr const char* insertFamily =
 
 constexpr const char* updateRun =
     "UPDATE runs SET next_batch = ?, decided = ?, pressing = ?, grazing = ?, refuted = ?, "
-    "undecided = ?, finished = ?, seconds = ?, workers = ?, version = ? "
+    "undecided = ?, families = ?, finished = ?, seconds = ?, workers = ?, version = ? "
     "WHERE id = ? AND next_batch = ?";
 
 std::string now()
@@ -145,8 +146,8 @@ public:
     {
         return run(update_, after.nextBatch, after.tally.decided, after.tally.pressing,
                    after.tally.grazing, after.tally.refuted, after.tally.undecided,
-                   after.isFinished() ? std::optional(now()) : std::nullopt, after.seconds, workers,
-                   SIGNORINI_VERSION, after.id, after.nextBatch - 1) == 1;
+                   after.tally.families, after.isFinished() ? std::optional(now()) : std::nullopt,
+                   after.seconds, workers, SIGNORINI_VERSION, after.id, after.nextBatch - 1) == 1;
     }
 
 private:
@@ -264,8 +265,8 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
             database,
             "INSERT INTO runs(version, options, cells, max_contact, max_free, phases, "
             "max_energy_ratio, keeps_refuted, families_only, batches, next_batch, decided, "
-            "pressing, grazing, refuted, undecided, started, seconds, workers) "
-            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, ?, 0, '')");
+            "pressing, grazing, refuted, undecided, families, started, seconds, workers) "
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
         run(insert, SIGNORINI_VERSION, options, range.cells, range.maxContact, range.maxFree,
             range.maxPhases, range.maxEnergyRatio, range.keepsRefuted, range.familiesOnly,
             entered.batches, now());

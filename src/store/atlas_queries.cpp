@@ -208,9 +208,11 @@ void AtlasDatabase::forEachFamily(std::optional<std::int64_t> cells,
 }
 
 void AtlasDatabase::forEachFound(std::optional<std::int64_t> cells,
-                                 const std::function<void(const AtlasEntry&)>& action) const
+                                 const std::function<void(const AtlasEntry&)>& action,
+                                 AtlasSchedules which) const
 {
-    forEachRow<Schedules>(*connection_, Schedules::any() + onCells(cells) + " ORDER BY rowid",
+    forEachRow<Schedules>(*connection_,
+                          Schedules::any() + onCells(cells) + onFamily(which) + " ORDER BY rowid",
                           action);
 }
 

@@ -264,7 +264,8 @@ AtlasRun readRun(const SQLite::Statement& s)
                  .pressing = readWhole(s, 10, 0, most),
                  .grazing = readWhole(s, 11, 0, most),
                  .refuted = readWhole(s, 12, 0, most),
-                 .undecided = readWhole(s, 13, 0, most)};
+                 .undecided = readWhole(s, 13, 0, most),
+                 .families = readWhole(s, 16, 0, most)};
     run.seconds = real(s, 14);
     return run;
 }

@@ -27,6 +27,7 @@ TEST_CASE("cli atlas: the default range of N = 12 in JSON and in the tables of t
     CHECK(r["found"].get<int>() == r["pressing"].get<int>() + r["grazing"].get<int>());
     CHECK(r["refuted"].get<int>() + r["found"].get<int>() == 24 * 48);
     const fs::path plain = program.file("a.sqlite");
+    CHECK(number(plain, "SELECT COUNT(*) FROM families") == r["family_count"]);
     CHECK(number(plain, "SELECT COUNT(*) FROM schedules") == r["found"]);
     CHECK(number(plain,
                  "SELECT COUNT(*) FROM schedules WHERE cells = 12 AND phases = '6:36' AND period = "
@@ -69,6 +70,14 @@ TEST_CASE("cli atlas: --families-only writes the same families and no schedules"
     const auto near = program.run("atlas --database few.sqlite --near 8/7 20 --format json");
     CHECK(near.status == 0);
     CHECK(json::parse(near.out)["families"].size() == 1);
+    // Its frequency-energy plot is the same.
+    for (const char* name : {"whole", "few"}) {
+        REQUIRE(
+            program
+                .run(std::string("atlas --database ") + name + ".sqlite --figure " + name + ".svg")
+                .status == 0);
+    }
+    CHECK(contentOf(program.file("whole.svg")) == contentOf(program.file("few.svg")));
     const auto rows = program.run("atlas --database few.sqlite --near 8/7 20 --schedules");
     CHECK(rows.status == 0);
     CHECK_THAT(rows.err, containsText("no schedules"));
@@ -297,6 +306,7 @@ TEST_CASE("cli atlas: wrong use is status 2, one line, and no file")
                                   "--database a --schedules",
                                   "--database a --twins --schedules",
                                   "--database a --all --families-only",
+                                  "--database a --families-only --map m.svg",
                                   "--database a --phases 2 --families-only",
                                   "--database a --twins --families-only",
                                   "--database a --near 8/0 5",

@@ -42,6 +42,10 @@ CALLS = [
     ("continuum", "continuum 1 12 3 12 --cells 4 --energy-ratio 6 --points 3"),
     ("modes", "modes --max-order 9"),
     ("modes", f"modes --max-order 3 {STEEL}"),
+    ("mode", "mode 4 -1 --period 7/2"),
+    ("mode", f"mode 4 -1 --period 3.7 {STEEL}"),
+    ("families", "families"),
+    ("families", f"families --max-order 5 --max-energy-ratio 9 {STEEL}"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 1.143 5"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --period 7/2"),
@@ -59,6 +63,8 @@ SPOILT = [
     ("find-question", "find --period 7/2", lambda answer: answer["motions"][0].pop("bar")),
     ("continuum", "continuum 150 900 --energy-ratio 20 --points 5",
      lambda answer: answer["points"][0].pop("lambda")),
+    ("mode", "mode 4 -1 --period 7/2", lambda answer: answer["physical"].pop("peak_stress")),
+    ("families", "families --max-order 5", lambda answer: answer["families"][0].pop("nu")),
     ("modes", "modes --max-order 3", lambda answer: answer["modes"][0].update(contact=[4])),
 ]
 

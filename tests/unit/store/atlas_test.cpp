@@ -123,11 +123,15 @@ void compareWithEach(AtlasRange range)
     }
     AtlasTally tally;
     std::map<Phase, std::int64_t> families;
+    std::set<Phase> all;  // those of an energy that is not kept, too
     for (const auto& [phase, verdict] : decideEach(range)) {
         ++tally.decided;
         ++(verdict.reason                         ? tally.refuted
            : verdict.contact == Contact::pressing ? tally.pressing
                                                   : tally.grazing);
+        if (!verdict.reason) {
+            all.insert(topOf(phase, verdict, signs));
+        }
         const auto row = rows.find(phase);
         REQUIRE((row != rows.end()) == isKept(verdict, range));
         if (row == rows.end()) {
@@ -147,16 +151,17 @@ void compareWithEach(AtlasRange range)
             ++families[*row->second.familyTop];
         }
     }
+    tally.families = static_cast<std::int64_t>(all.size());
     CHECK(whole.tally == tally);
     REQUIRE(whole.families.size() == families.size());
-    for (const AtlasFamily& all : whole.families) {
-        REQUIRE(families[all.top] == all.schedules);
-        const Verdict top = decide(range.cells, all.top, signs);
-        REQUIRE(all.contact() == top.contact);
-        REQUIRE(all.steps == all.top.contact + all.top.free);
-        REQUIRE(all.dimension == top.set.dimension());
-        REQUIRE(all.energy.least == energyRange(top).least);
-        REQUIRE(all.energy.most == energyRange(top).most);
+    for (const AtlasFamily& family : whole.families) {
+        REQUIRE(families[family.top] == family.schedules);
+        const Verdict top = decide(range.cells, family.top, signs);
+        REQUIRE(family.contact() == top.contact);
+        REQUIRE(family.steps == family.top.contact + family.top.free);
+        REQUIRE(family.dimension == top.set.dimension());
+        REQUIRE(family.energy.least == energyRange(top).least);
+        REQUIRE(family.energy.most == energyRange(top).most);
     }
     if (!range.keepsRefuted) {
         range.familiesOnly = true;
@@ -304,6 +309,25 @@ TEST_CASE("atlas: N = 300, n_c <= 600, n_f <= 2400: 18,012 of 1.44 million sched
         members += all.schedules;
     }
     CHECK(members == 18'012);
+    // Rows are by n and n_c; the exhaustive search goes through them in that order.
+    auto row = whole.rows.begin();
+    std::vector<std::int8_t> signs;
+    for (std::int64_t n = 2; n <= range.maxContact + range.maxFree; ++n) {
+        for (std::int64_t contact = std::max<std::int64_t>(1, n - range.maxFree);
+             contact <= std::min(range.maxContact, n - 1); ++contact) {
+            const Phase phase{contact, n - contact};
+            const Verdict verdict = decide(range.cells, phase, signs);
+            if (!verdict.reason) {
+                REQUIRE(row != whole.rows.end());
+                REQUIRE(phasesAt(range, row->number).front() == phase);
+                REQUIRE(row->dimension == verdict.set.dimension());
+                REQUIRE(row->energy.least == energyRange(verdict).least);
+                REQUIRE(row->energy.most == energyRange(verdict).most);
+                ++row;
+            }
+        }
+    }
+    CHECK(row == whole.rows.end());
     range.maxEnergyRatio = 50.0;
     const Whole low = decideAll(range);
     CHECK(low.tally == whole.tally);
