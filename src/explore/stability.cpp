@@ -10,11 +10,11 @@ namespace signorini {
 
 namespace {
 
-constexpr Named<Stability> stabilityNames[] = {
+constexpr auto stabilityNames = std::to_array<Named<Stability>>({
     {Stability::attracts, "attracts"},
     {Stability::repels, "repels"},
     {Stability::unclear, "unclear"},
-};
+});
 
 constexpr double diesOut = 0.1;
 constexpr double grows = 10.0;

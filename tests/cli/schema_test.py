@@ -17,6 +17,7 @@ warnings.simplefilter("ignore", DeprecationWarning)
 
 # Schema and call, {} the folder of the test; what stands first is done first.
 STEEL = "--length 2 --young 210e9 --density 7800 --area 1e-4 --gap 1e-5"
+FORCE = "--damping 0.05 --force tip --amplitude 3e-4"
 CALLS = [
     ("find", "find 150 900"),
     ("find", f"find 150 900 --energy-ratio 20 {STEEL}"),
@@ -46,6 +47,10 @@ CALLS = [
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 1.143 5"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --period 7/2"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --twins"),
+    ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2 --stability"),
+    ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2 {STEEL}"),
+    ("simulate", f"simulate --cells 20 {FORCE} --frequency 1.1 --periods 60"),
+    ("simulate", "simulate --time 3"),
 ]
 # Spoilt answers that a schema worth its name refuses.
 SPOILT = [
@@ -59,6 +64,9 @@ SPOILT = [
     ("find-question", "find --period 7/2", lambda answer: answer["motions"][0].pop("bar")),
     ("continuum", "continuum 150 900 --energy-ratio 20 --points 5",
      lambda answer: answer["points"][0].pop("lambda")),
+    ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2",
+     lambda answer: answer["frequencies"][0].pop("touches")),
+    ("simulate", "simulate --time 3", lambda answer: answer.pop("settled")),
     ("modes", "modes --max-order 3", lambda answer: answer["modes"][0].update(contact=[4])),
 ]
 
