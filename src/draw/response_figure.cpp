@@ -24,9 +24,9 @@ struct Sort {
 };
 
 constexpr auto sorts = std::to_array<Sort>({
-    {"repels", "one contact: repels", "pt 6 ps 0.6 lw 1.2", palette::contact, Stability::repels},
+    {"repels", "one contact: repels", "pt 2 ps 0.45 lw 1", palette::contact, Stability::repels},
     {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2", palette::faint, Stability::unclear},
-    {"attracts", "one contact: attracts", "pt 7 ps 0.6", palette::contact, Stability::attracts},
+    {"attracts", "one contact: attracts", "pt 7 ps 0.7", palette::contact, Stability::attracts},
     {"untried", "one contact", "pt 7 ps 0.6", palette::contact, std::nullopt},
 });
 
