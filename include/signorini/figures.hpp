@@ -11,7 +11,6 @@
 
 #include "signorini/atlas_database.hpp"
 #include "signorini/continuum.hpp"
-#include "signorini/families.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/output.hpp"

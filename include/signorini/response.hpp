@@ -27,7 +27,6 @@
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"
-#include "signorini/verdict.hpp"
 
 namespace signorini {
 
