@@ -43,6 +43,35 @@ bool readAll(std::string_view text, Number& value)
     return error == std::errc{} && stop == end;
 }
 
+/// A whole number > 0 of at most 18 digits.
+std::optional<std::int64_t> wholeOf(std::string_view digits)
+{
+    constexpr std::size_t mostDigits = 18;
+    std::int64_t value = 0;
+    const bool isWhole = digits.size() <= mostDigits && readAll(digits, value) && value > 0;
+    return isWhole ? std::optional(value) : std::nullopt;
+}
+
+/// A decimal number without an exponent, of at most 18 digits.
+std::optional<ExactPeriod> decimalOf(std::string_view text)
+{
+    std::string digits(text);
+    std::size_t places = 0;
+    if (const std::size_t point = digits.find('.'); point != std::string::npos) {
+        digits.erase(point, 1);
+        places = digits.size() - point;
+    }
+    const auto numerator = wholeOf(digits);
+    if (!numerator) {
+        return std::nullopt;
+    }
+    std::int64_t denominator = 1;
+    for (; places > 0; --places) {
+        denominator *= 10;
+    }
+    return exactPeriod(*numerator, denominator);
+}
+
 }  // namespace
 
 void refuse(std::string_view name, std::string_view text, std::string_view allowed)
@@ -122,40 +151,32 @@ double parseReal(std::string_view name, std::string_view text, std::string_view 
     return value;
 }
 
+GivenNumber parseNumber(std::string_view name, std::string_view text, std::string_view unit)
+{
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) {
+        return {parsePositive(name, text, unit), decimalOf(text)};
+    }
+    const auto above = wholeOf(text.substr(0, slash));
+    const auto below = wholeOf(text.substr(slash + 1));
+    if (!above || !below) {
+        refuse(name, text, fmt::format("numbers > 0 like 3.14, 3 or 22/7 [{}]", unit));
+    }
+    const ExactPeriod exact = exactPeriod(*above, *below);
+    return {exact.value(), exact};
+}
+
 ExactPeriod parseFraction(std::string_view name, std::string_view text, std::string_view unit)
 {
-    constexpr std::size_t mostDigits = 9;
-    const auto wrong = [&] {
-        refuse(
-            name, text,
-            fmt::format("fractions like 7/2 or decimal numbers > 0 [{}] of at most {} digits, in a "
-                        "fraction on each side",
-                        unit, mostDigits));
-    };
-    const auto whole = [&](std::string_view word) {
-        std::int64_t value = 0;
-        if (word.size() > mostDigits || word.find('-') != std::string_view::npos ||
-            !readAll(word, value)) {
-            wrong();
-        }
-        return value;
-    };
-    ExactPeriod fraction;
-    if (const std::size_t slash = text.find('/'); slash != std::string_view::npos) {
-        fraction = {whole(text.substr(0, slash)), whole(text.substr(slash + 1))};
-    } else {
-        const std::size_t point = std::min(text.find('.'), text.size());
-        std::string digits(text.substr(0, point));
-        for (std::size_t k = point + 1; k < text.size(); ++k) {
-            digits += text[k];
-            fraction.denominator *= digits.size() <= mostDigits ? 10 : 1;
-        }
-        fraction.numerator = whole(digits);
+    constexpr std::int64_t most = 999'999'999;
+    const auto exact = parseNumber(name, text, unit).exact;
+    if (!exact || std::max(exact->numerator, exact->denominator) > most) {
+        refuse(name, text,
+               fmt::format("fractions like 7/2 or decimals > 0 [{}], in lowest terms of at most 9 "
+                           "digits above and below",
+                           unit));
     }
-    if (fraction.numerator == 0 || fraction.denominator == 0) {
-        wrong();
-    }
-    return exactPeriod(fraction.numerator, fraction.denominator);
+    return *exact;
 }
 
 std::string fractionAsText(const ExactPeriod& fraction)

@@ -49,8 +49,18 @@ void removeOnSignal(const std::string& path);
 /// Says that a value cannot be. \throws std::invalid_argument naming argument, value and range.
 [[noreturn]] void refuse(std::string_view name, std::string_view text, std::string_view allowed);
 
-/// "7/2", "3.5" or "4" as an exact fraction > 0 in lowest terms. \throws std::invalid_argument
-/// naming argument, value and range.
+/// A number > 0 as people give it: 22/7, 3.14, 3.
+struct GivenNumber {
+    double value = 0.0;
+    std::optional<ExactPeriod> exact;  ///< unless it needs more than 18 digits, or has an exponent
+};
+
+/// \throws std::invalid_argument naming argument, value and range.
+[[nodiscard]] GivenNumber parseNumber(std::string_view name, std::string_view text,
+                                      std::string_view unit);
+
+/// The same as an exact fraction of at most 9 digits above and below, in lowest terms.
+/// \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] ExactPeriod parseFraction(std::string_view name, std::string_view text,
                                         std::string_view unit);
 

@@ -222,12 +222,7 @@ void FindCommand::warn(const Physical& physical) const
     if (common.quiet) {
         return;
     }
-    if (!physical.isAdmissible()) {
-        tell(
-            fmt::format("signorini find: not admissible: the strain reaches {:.6g}, and the paper "
-                        "demands s > -1 everywhere\n",
-                        -physical.peakCompression));
-    }
+    warnUnlessAdmissible("find", physical);
     if (yieldStress && *physical.peakStress > *yieldStress) {
         tell(fmt::format(
             "signorini find: the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} "

@@ -4,61 +4,20 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "files.hpp"
 #include "mode_report.hpp"
 #include "rational.hpp"
-#include "signorini/families.hpp"
+#include "report.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
+#include "signorini/modes.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {
 
 namespace {
-
-/// A decimal number without an exponent as a fraction, if it has at most 18 digits.
-std::optional<ExactPeriod> fractionOf(const std::string& decimal)
-{
-    constexpr std::size_t mostDigits = 18;
-    std::string digits = decimal;
-    std::int64_t denominator = 1;
-    if (const std::size_t point = digits.find('.'); point != std::string::npos) {
-        digits.erase(point, 1);
-        for (std::size_t k = point; k < std::min(digits.size(), mostDigits); ++k) {
-            denominator *= 10;
-        }
-    }
-    std::int64_t numerator = 0;
-    const char* end = digits.data() + digits.size();
-    const auto [stop, error] = std::from_chars(digits.data(), end, numerator);
-    if (error != std::errc{} || stop != end || digits.size() > mostDigits || numerator <= 0) {
-        return std::nullopt;
-    }
-    return exactPeriod(numerator, denominator);
-}
-
-ModePeriod parsePeriod(const std::string& text)
-{
-    constexpr const char* option = "--period";
-    constexpr std::int64_t most = 1'000'000'000'000'000'000;
-    const std::size_t slash = text.find('/');
-    if (slash == std::string::npos) {
-        return {parsePositive(option, text, "L/c"), fractionOf(text)};
-    }
-    std::int64_t numerator = 0;
-    std::int64_t denominator = 0;
-    try {
-        numerator = parseWhole(option, text.substr(0, slash), 1, most);
-        denominator = parseWhole(option, text.substr(slash + 1), 1, most);
-    } catch (const std::invalid_argument&) {
-        refuse(option, text, "numbers > 0 like 3.14, 3 or 22/7 [L/c]");
-    }
-    const ExactPeriod exact = exactPeriod(numerator, denominator);
-    return {exact.value(), exact};
-}
 
 Mode modeOf(const std::vector<std::string>& words)
 {
@@ -84,7 +43,7 @@ Rational asRational(const ExactPeriod& period)
 }
 
 /// An end of the interval is no member.
-void requireInside(const Mode& mode, const ModePeriod& period)
+void requireInside(const Mode& mode, const GivenNumber& period)
 {
     const Rational asked = period.exact ? asRational(*period.exact) : Rational(period.value);
     if (!(asRational(mode.lowest) < asked && asked < asRational(mode.highest))) {
@@ -97,7 +56,7 @@ void requireInside(const Mode& mode, const ModePeriod& period)
 }
 
 /// n where n steps of a grid are exactly the period.
-std::optional<std::int64_t> stepsOn(std::int64_t cells, const ModePeriod& period)
+std::optional<std::int64_t> stepsOn(std::int64_t cells, const GivenNumber& period)
 {
     if (!period.exact || cells % period.exact->denominator != 0) {
         return std::nullopt;
@@ -164,7 +123,7 @@ void ModeCommand::addTo(CLI::App& command)
     command.add_option("contact", contact, "the mode of contact time A4 + B T, e.g. 4 -1")
         ->type_name("A4 B");
     addWord(command, "--period", "T", "in L/c: 3.14, 22/7 or 3; required",
-            [this](const std::string& text) { period = parsePeriod(text); });
+            [this](const std::string& text) { period = parseNumber("--period", text, "L/c"); });
     command.add_option("--state", stateFile, "write the state at t = 0 on the grid")
         ->type_name("FILE.csv");
     motionFile.addTo(command);
@@ -226,6 +185,9 @@ ExitStatus ModeCommand::run() const
     }
     moving.write([&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
     files.commit();
+    if (!common.quiet) {
+        warnUnlessAdmissible("mode", physicalOf(motion.extremes(), bar));
+    }
     if (common.wantsJson) {
         writeOut(asJson(mode, motion, bar));
         if (!common.quiet) {

@@ -12,17 +12,11 @@
 
 namespace signorini::cli {
 
-/// T in L/c as people give it: 22/7, 3.14, 3.
-struct ModePeriod {
-    double value = 0.0;
-    std::optional<ExactPeriod> exact;  ///< unless it needs more than 18 digits
-};
-
 /// One call.
 struct ModeCommand {
     CommonOptions common;
     std::vector<std::string> contact;  ///< 4a and b
-    std::optional<ModePeriod> period;
+    std::optional<GivenNumber> period;
     std::string stateFile;
     MotionFile motionFile;
     std::string figureFile;

@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "arguments.hpp"
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 
 namespace signorini::cli {
 
@@ -19,26 +19,6 @@ namespace {
 /// Periods of so many steps are within exact arithmetic on every grid.
 constexpr std::int64_t leastSteps = 2;
 constexpr std::int64_t mostSteps = 1'000'000'000'000'000;
-
-/// A number as given: exact if it has few digits.
-struct Given {
-    double value;
-    std::optional<ExactPeriod> exact;
-};
-
-Given given(const char* option, const std::string& word, const char* unit)
-{
-    constexpr std::size_t exactDigits = 10;  // nine and a point
-    if (word.find('/') != std::string::npos) {
-        const ExactPeriod exact = parseFraction(option, word, unit);
-        return {exact.value(), exact};
-    }
-    const double value = parsePositive(option, word, unit);
-    const bool isPlain = word.find_first_not_of("0123456789.") == std::string::npos;
-    return {value, isPlain && word.size() <= exactDigits
-                       ? std::optional(parseFraction(option, word, unit))
-                       : std::nullopt};
-}
 
 /// 4/x: a period in L/c from a frequency in omega_1, and back.
 ExactPeriod reciprocal(const ExactPeriod& x)
@@ -53,7 +33,7 @@ struct Rounded {
     bool isExact;
 };
 
-Rounded rounded(const Given& period, std::int64_t cells)
+Rounded rounded(const GivenNumber& period, std::int64_t cells)
 {
     const double wanted =
         std::clamp(period.value * static_cast<double>(cells), static_cast<double>(leastSteps),
@@ -68,8 +48,9 @@ Rounded rounded(const Given& period, std::int64_t cells)
 }
 
 /// Says which period of the grid is nearest, and which grid has the one asked for.
-[[noreturn]] void refuseOffGrid(const char* option, const std::string& word, const Given& period,
-                                std::int64_t steps, std::int64_t cells, bool isFrequency)
+[[noreturn]] void refuseOffGrid(const char* option, const std::string& word,
+                                const GivenNumber& period, std::int64_t steps, std::int64_t cells,
+                                bool isFrequency)
 {
     const ExactPeriod grid = exactPeriod(steps, cells);
     std::string remedy =
@@ -83,7 +64,7 @@ Rounded rounded(const Given& period, std::int64_t cells)
                        remedy));
 }
 
-AskedPeriod onGrid(const char* option, const std::string& word, const Given& period,
+AskedPeriod onGrid(const char* option, const std::string& word, const GivenNumber& period,
                    std::int64_t cells, bool isFrequency)
 {
     const Rounded on = rounded(period, cells);
@@ -117,10 +98,10 @@ AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) const
         throw std::invalid_argument("--period, --frequency, --hertz: allowed one of them");
     }
     if (!period.empty()) {
-        return onGrid("--period", period, given("--period", period, "L/c"), cells, false);
+        return onGrid("--period", period, parseNumber("--period", period, "L/c"), cells, false);
     }
     if (!frequency.empty()) {
-        Given asked = given("--frequency", frequency, "ω₁");
+        GivenNumber asked = parseNumber("--frequency", frequency, "ω₁");
         asked = {4.0 / asked.value,
                  asked.exact ? std::optional(reciprocal(*asked.exact)) : std::nullopt};
         return onGrid("--frequency", frequency, asked, cells, true);

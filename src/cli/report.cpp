@@ -175,11 +175,6 @@ std::string absenceAsText(const Absence& absence)
 
 }  // namespace
 
-double TargetReport::distanceTo(const State& other) const
-{
-    return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
-}
-
 std::string asText(const Physical& p)
 {
     return fmt::format(
@@ -192,6 +187,21 @@ std::string asText(const Physical& p)
                p.frequency, p.contactTime, p.peakForce, p.impulse, p.approachSpeed, p.tipLowest,
                p.peakCompression, p.peakTension) +
            (p.peakStress ? fmt::format("; stress {:.6g} Pa\n", *p.peakStress) : "\n");
+}
+
+void warnUnlessAdmissible(std::string_view command, const Physical& physical)
+{
+    if (!physical.isAdmissible()) {
+        tell(
+            fmt::format("signorini {}: not admissible: the strain reaches {:.6g}, and the paper "
+                        "demands s > -1 everywhere\n",
+                        command, -physical.peakCompression));
+    }
+}
+
+double TargetReport::distanceTo(const State& other) const
+{
+    return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
 }
 
 std::string asText(const PeriodicResult& result, const std::optional<TargetReport>& target)

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "json.hpp"
 #include "signorini/find_periodic.hpp"
@@ -32,6 +33,9 @@ struct TargetReport {
 
 /// The same in lines for people.
 [[nodiscard]] std::string asText(const Physical& physical);
+
+/// Says on stderr that a motion breaks the paper's condition, if it does.
+void warnUnlessAdmissible(std::string_view command, const Physical& physical);
 
 /// Said of a range that has no proof.
 inline constexpr const char* rangeNote =

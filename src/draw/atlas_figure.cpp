@@ -1,5 +1,3 @@
-#include "signorini/figures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +9,6 @@
 
 #include "gnuplot.hpp"
 #include "palette.hpp"
-#include "signorini/families.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 #include "text.hpp"
@@ -157,7 +154,7 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
     print(script,
           "set size ratio -1\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
           "set grid lw 0.4 lc '{}'\nset xrange [0:{}]\nset yrange [0:{}]\n"
-          "set xlabel 'time of flight  t_f  [L/c]'\nset ylabel 'time of contact  t_c  [L/c]'\n"
+          "set xlabel 'flight time  t_f  [L/c]'\nset ylabel 'contact time  t_c  [L/c]'\n"
           "{}set logscale cb\nset cbrange [1:{}]\nset format cb '10^{{%L}}'\n"
           "set cblabel 'least energy  E_{{min}}/E_1' offset 1,0\n"
           "set key above left Left reverse samplen 1\nplot NaN notitle, ",

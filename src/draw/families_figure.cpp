@@ -9,8 +9,8 @@
 #include "axes.hpp"
 #include "gnuplot.hpp"
 #include "palette.hpp"
-#include "signorini/families.hpp"
 #include "signorini/figures.hpp"
+#include "signorini/modes.hpp"
 #include "text.hpp"
 
 namespace signorini {
@@ -35,9 +35,10 @@ constexpr double bandMargin = 0.09;  ///< [L/c]
 /// A family in its column.
 struct Cell {
     Family family;
-    double left;    ///< [-], order
-    double right;   ///< [-], order
-    bool isShared;  ///< with families of the same period
+    double left;        ///< [-], order
+    double right;       ///< [-], order
+    std::size_t place;  ///< among the families of its order and period
+    std::size_t count;  ///< of them
     double period;
     double energy;
 };
@@ -53,10 +54,11 @@ std::vector<Cell> cellsOf(std::span<const Family> families)
     std::vector<Cell> cells;
     for (auto first = families.begin(); first != families.end();) {
         const auto last = std::find_if_not(first, families.end(), sameAs(*first));
-        const double width = 0.88 / static_cast<double>(last - first);
+        const auto count = static_cast<std::size_t>(last - first);
+        const double width = 0.88 / static_cast<double>(count);
         double left = static_cast<double>(first->order) - 0.44;
-        for (; first != last; ++first, left += width) {
-            cells.push_back({*first, left, left + width, width < 0.8, exactPeriod(*first).value(),
+        for (std::size_t place = 0; place < count; ++place, ++first, left += width) {
+            cells.push_back({*first, left, left + width, place, count, exactPeriod(*first).value(),
                              leastEnergy(*first).value()});
         }
     }
@@ -178,13 +180,17 @@ void printCells(Text& script, std::span<const Cell> cells, const Frame& frame)
               cell.right, cell.period - half, cell.period + half, cell.energy);
         const bool isDark = std::log(cell.energy) < 0.6 * std::log(frame.energy);
         Text& labels = isDark ? dark : light;
-        if (cell.isShared) {
-            print(labels, "{0} {1:.8g} \"{{/*0.75 {2}}}\"\n{0} {3:.8g} \"{{/*0.75 {4}}}\"\n",
-                  centre, cell.period + 0.5 * half, cell.family.blocks, cell.period - 0.5 * half,
-                  cell.family.contactBlocks);
-        } else {
+        if (cell.count == 1) {
             print(labels, "{} {:.8g} \"{},{}\"\n", centre, cell.period, cell.family.blocks,
                   cell.family.contactBlocks);
+            continue;
+        }
+        // They have one nu: above, in the middle, and k below.
+        print(labels, "{} {:.8g} \"{{/*0.75 {}}}\"\n", centre, cell.period - 0.5 * half,
+              cell.family.contactBlocks);
+        if (cell.place == cell.count / 2) {
+            print(labels, "{} {:.8g} \"{{/*0.75 {}}}\"\n", cell.family.order,
+                  cell.period + 0.5 * half, cell.family.blocks);
         }
     }
     print(script, "EOD\n$dark << EOD\n{0}{2}EOD\n$light << EOD\n{1}{2}EOD\n", fmt::to_string(dark),

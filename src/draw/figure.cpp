@@ -114,7 +114,7 @@ Axes axesOf(const Drawing& drawing, const Bar& bar)
         velocity.take(motion.velocity(i, 0));
     }
     const Scales unit = scales(bar);
-    const double size = static_cast<double>(motion.cells());
+    const auto size = static_cast<double>(motion.cells());
     const double most = *std::max_element(drawing.force.begin(), drawing.force.end());
     return {.x = {bar.length, 1.0, "m"},
             .t = {unit.time, static_cast<double>(motion.steps()) / size, "s"},
@@ -228,7 +228,7 @@ void plotInitialState(Text& script, const Axes& axes)
     print(script,
           "set lmargin at screen 0.11\nset rmargin at screen 0.51\n"
           "set xrange [0:{}]\nset format x ''\nset xlabel ''\n"
-          "set offsets 0,0,graph 0.12,graph 0.12\n"
+          "set offsets 0,0,graph 0.12,graph 0.12\nset yrange [*<0:0<*]\n"
           "set tmargin at screen 0.94\nset bmargin at screen 0.80\n"
           "set ylabel 's(x, 0)  [{}]'\nset ytics {}\n"
           "plot $initial using 1:2 with lines lw 2 lc '{}'\n"

@@ -181,6 +181,7 @@ MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int6
     const std::vector<std::int64_t> counts = thinned(cells, maxMotionNodes);
     const std::vector<double> nodes = inUnits(counts, 1.0 / static_cast<double>(cells));
     std::vector<double> middles;
+    middles.reserve(counts.size());
     for (const std::int64_t i : counts) {
         middles.push_back((static_cast<double>(std::max<std::int64_t>(i, 1)) - 0.5) /
                           static_cast<double>(cells));
@@ -278,7 +279,7 @@ void writeMotionSeries(const std::string& path, const std::string& folder, const
     writeWall(folder + "/wall.vtu", samples.bar());
     for (std::size_t m = 0; m < samples.instants(); ++m) {
         const std::string member = fmt::format("bar_{:04}.vtu", m);
-        writeBar(folder + "/" + member, samples, m);
+        writeBar(fmt::format("{}/{}", folder, member), samples, m);
         add(m, 0, member);
         add(m, 1, "wall.vtu");
     }
