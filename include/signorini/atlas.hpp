@@ -10,7 +10,7 @@
 /// ## By what exists
 ///
 /// One contact phase costs what exists, not what is asked: no schedule without motions is looked
-/// at. The schedules that press are the tents of the grid's families (families.hpp). Those that
+/// at. The schedules that press are the tents of the grid's families (modes.hpp). Those that
 /// graze are known at once: n has more factors 2 than 2N, and n_c < G = gcd(2N, n); then
 /// d = G - n_c. docs/theory.md, section 14. Only a range that keeps the refuted schedules asks
 /// `decide` for the reason of each. Several phases are decided one by one by the exact sums
@@ -23,10 +23,9 @@
 #include <vector>
 
 #include "signorini/control.hpp"
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/verdict.hpp"
 
 namespace signorini {
 
@@ -56,7 +55,7 @@ inline constexpr std::int64_t maxAtlasPhases = 8;
 void validate(const AtlasRange& range);
 
 /// A set of orbits on a grid, and how many schedules of the range show some of them: the simplex of
-/// a family (families.hpp), or all grazing motions of one period, which have no (w, nu, k).
+/// a family (modes.hpp), or all grazing motions of one period, which have no (w, nu, k).
 struct AtlasFamily {
     std::int64_t id = 0;           ///< of its row in a database
     std::int64_t cells = 0;        ///< [-], N

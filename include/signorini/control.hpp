@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// How a long call is stopped, and what every call may throw beside std::invalid_argument (wrong
-/// use) and std::bad_alloc. What the mathematics answers is no error: see verdict.hpp.
+/// use) and std::bad_alloc. What the mathematics answers is no error: see schedule.hpp.
 
 #include <functional>
 #include <stdexcept>

@@ -25,10 +25,9 @@
 #include "signorini/certificate.hpp"
 #include "signorini/control.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/verdict.hpp"
 #include "signorini/verification.hpp"
 
 namespace signorini {

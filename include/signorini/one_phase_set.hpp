@@ -31,7 +31,6 @@
 #include "signorini/certificate.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/verdict.hpp"
 
 namespace signorini {
 

@@ -5,10 +5,13 @@
 /// The bar is cut into N equal cells, dx = L/N, and time into steps dt = dx/c, equation (26) and
 /// what follows it. One period is a list of phases, each n_c contact steps followed by n_f free
 /// steps; the paper has one phase. Period T = n dt with n the sum of all steps.
+///
+/// Below: the words in which answers about a schedule are given.
 
 #include <compare>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace signorini {
@@ -80,5 +83,42 @@ void fold(std::int64_t cells, Phase& phase);
 
 /// "N = 300, (150, 900)", for people; more than eight phases are abridged.
 [[nodiscard]] std::string describe(const Schedule& schedule);
+
+/// What the mathematics answers.
+enum class Status {
+    found,      ///< a motion, verified
+    none,       ///< no motion, proved
+    undecided,  ///< neither; `PeriodicResult::detail` says why
+};
+
+/// "found", "none", "undecided".
+[[nodiscard]] std::string_view name(Status status);
+
+/// Why no motion exists; the first that applies, in this order.
+enum class Reason {
+    noLiveClass,  ///< ker(W - 1) = 0: only the bar at rest repeats
+    contactSign,  ///< the same amplitude would have to push and to pull on the wall
+    penetration,  ///< a prefix sum of (12) is positive whatever the amplitudes
+    gap,          ///< the tip cannot be at the wall at t = 0: row (31) reads 0 or < 0 = g
+    constraints,  ///< motions exist, but none meets the further demands
+};
+
+/// "no-live-class", "contact-sign", "penetration", "gap", "constraints".
+[[nodiscard]] std::string_view name(Reason reason);
+
+/// Does the wall feel the motion?
+enum class Contact {
+    pressing,  ///< positive force at some contact step
+    grazing,   ///< the tip touches, the force is zero throughout: a linear motion
+};
+
+/// "pressing" or "grazing".
+[[nodiscard]] std::string_view name(Contact contact);
+
+/// Both ends of the energies E/E_1 that the motions of a set have.
+struct EnergyRange {
+    double least = 0.0;  ///< [E_1]
+    double most = 0.0;   ///< [E_1]
+};
 
 }  // namespace signorini

@@ -11,7 +11,6 @@
 #include "signorini/continuum.hpp"
 #include "signorini/control.hpp"
 #include "signorini/demands.hpp"
-#include "signorini/families.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/lumped_set.hpp"
@@ -22,5 +21,4 @@
 #include "signorini/response.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"
-#include "signorini/verdict.hpp"
 #include "signorini/verification.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 
 namespace signorini::cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "signorini/bar.hpp"
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 
 namespace signorini::cli {
 

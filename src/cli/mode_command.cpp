@@ -10,9 +10,9 @@
 #include "mode_report.hpp"
 #include "rational.hpp"
 #include "report.hpp"
-#include "signorini/families.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
+#include "signorini/modes.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {

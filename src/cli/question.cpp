@@ -10,7 +10,7 @@
 #include <numeric>
 
 #include "arguments.hpp"
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 
 namespace signorini::cli {
 

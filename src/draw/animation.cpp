@@ -92,9 +92,10 @@ public:
         Text script;
         print(script,
               "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 lc '{}'\n"
-              "set palette defined (0 '{}', 1 '#dddddd', 2 '{}')\nset cbrange [{}:{}]\n"
+              "set palette defined (0 '{}', 1 '{}', 2 '{}')\nset cbrange [{}:{}]\n"
               "unset colorbox\n",
-              palette::grid, "#b2182b", "#2166ac", -size_, size_);
+              palette::grid, palette::diverging[0], palette::diverging[1], palette::diverging[2],
+              -size_, size_);
         // The last instant is the first one again.
         for (std::size_t k = 0; k + 1 < std::max<std::size_t>(instants_.size(), 2); ++k) {
             printFrame(script, instants_[k]);
@@ -125,17 +126,17 @@ private:
               "set xrange [-0.02:1.25]\nset yrange [-1:1]\nunset ytics\nset ylabel ''\n"
               "set format x ''\nset xlabel ''\n"
               "set object 1 rectangle from first {0},graph 0 to graph 1,graph 1 fillcolor "
-              "'#bbbbbb' fillstyle solid noborder front\n"
-              "set object 2 rectangle from graph 0,graph 0 to first 0,graph 1 fillcolor '#bbbbbb' "
+              "'{1}' fillstyle solid noborder front\n"
+              "set object 2 rectangle from graph 0,graph 0 to first 0,graph 1 fillcolor '{1}' "
               "fillstyle solid noborder front\n"
               "plot $frame using 6:(0):5:6:(-0.5):(0.5):2 with boxxyerror fillcolor palette "
               "fillstyle solid noborder\n"
               "unset object 1\nunset object 2\nset ytics\n",
-              1.0 + gapShown);
+              1.0 + gapShown, palette::faint);
         panel(script, 0.46, 0.71);
         print(script,
               "set yrange {}\nset ylabel 'displacement  u/g'\n"
-              "plot 1 with lines lw 1 dt (4,4) lc '#555555', $frame using 1:4 with lines lw 2 lc "
+              "plot 1 with lines lw 1 dt (4,4) lc 'black', $frame using 1:4 with lines lw 2 lc "
               "'black'\n",
               tip_.text());
         panel(script, 0.12, 0.41);
@@ -239,7 +240,7 @@ private:
         print(script,
               "set yrange {}\nset ylabel 'u(L,t)/g'\nset format x '%g'\n"
               "set xlabel 'time  t c/L' offset 0,0.6\n"
-              "plot 1 with lines lw 1 dt (4,4) lc '#555555', $time using 1:3 with lines lw 2 lc "
+              "plot 1 with lines lw 1 dt (4,4) lc 'black', $time using 1:3 with lines lw 2 lc "
               "'black'\n",
               tip_.text());
         panel(script, 0.11, 0.35);

@@ -9,7 +9,6 @@
 
 #include "gnuplot.hpp"
 #include "palette.hpp"
-#include "signorini/families.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 #include "text.hpp"

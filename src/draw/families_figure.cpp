@@ -9,8 +9,8 @@
 #include "axes.hpp"
 #include "gnuplot.hpp"
 #include "palette.hpp"
-#include "signorini/families.hpp"
 #include "signorini/figures.hpp"
+#include "signorini/modes.hpp"
 #include "text.hpp"
 
 namespace signorini {

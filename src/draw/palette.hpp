@@ -25,6 +25,9 @@ inline constexpr std::array sequence{"#440154", "#472d7b", "#3b528b", "#2c728e",
 /// How many of them are dark enough for lines and dots on paper.
 inline constexpr std::size_t onPaper = 8;
 
+/// From compression through nothing to tension.
+inline constexpr std::array diverging{"#b2182b", grid, "#2166ac"};
+
 /// From bold to faint: what matters less and less.
 inline constexpr std::array fading{"#440154", "#3b528b", "#21918c",
                                    "#86bdb9", "#b3d5d3", "#dbebea"};

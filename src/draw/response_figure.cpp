@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "faults.hpp"
 #include "gnuplot.hpp"
+#include "palette.hpp"
 #include "signorini/figures.hpp"
 #include "text.hpp"
 
@@ -17,15 +19,16 @@ struct Sort {
     const char* block;
     const char* title;
     const char* style;
+    const char* colour;
     std::optional<Stability> stability;
 };
 
-constexpr Sort sorts[] = {
-    {"repels", "one contact: repels", "pt 6 ps 0.6 lw 1.2 lc '#d55e00'", Stability::repels},
-    {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2 lc '#777777'", Stability::unclear},
-    {"attracts", "one contact: attracts", "pt 7 ps 0.6 lc '#0072b2'", Stability::attracts},
-    {"untried", "one contact", "pt 7 ps 0.6 lc '#0072b2'", std::nullopt},
-};
+constexpr auto sorts = std::to_array<Sort>({
+    {"repels", "one contact: repels", "pt 2 ps 0.45 lw 1", palette::contact, Stability::repels},
+    {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2", palette::faint, Stability::unclear},
+    {"attracts", "one contact: attracts", "pt 7 ps 0.7", palette::contact, Stability::attracts},
+    {"untried", "one contact", "pt 7 ps 0.6", palette::contact, std::nullopt},
+});
 
 /// omega/omega_1, impulse, swing of each motion of one sort. \return are there any?
 bool printMotions(Text& script, const Sort& sort, std::span<const FrequencyResponse> frequencies)
@@ -96,9 +99,10 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
     std::string lower;
     for (const Sort& sort : sorts) {
         if (printMotions(script, sort, frequencies)) {
-            upper += fmt::format(", ${} using 1:2 with points {} title '{}'", sort.block,
-                                 sort.style, sort.title);
-            lower += fmt::format(", ${} using 1:3 with points {} notitle", sort.block, sort.style);
+            upper += fmt::format(", ${} using 1:2 with points {} lc '{}' title '{}'", sort.block,
+                                 sort.style, sort.colour, sort.title);
+            lower += fmt::format(", ${} using 1:3 with points {} lc '{}' notitle", sort.block,
+                                 sort.style, sort.colour);
         }
     }
     const auto [least, most] =
@@ -106,21 +110,22 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
     const double margin = most > least ? 0.01 * (most - least) : 0.05;
     print(script,
           "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
-          "set grid lw 0.4 lc '#cccccc'\nset xrange [{}:{}]\nset lmargin at screen 0.12\n"
+          "set grid lw 0.4 lc '{}'\nset xrange [{}:{}]\nset lmargin at screen 0.12\n"
           "set rmargin at screen 0.97\nset label 1 \"{}\" at screen 0.54,0.965 center\n"
           "set tmargin at screen 0.92\nset bmargin at screen 0.54\nset format x ''\n"
           "set ylabel 'impulse  [EA g/c]'\nset yrange [0:*]\n"
           "set key top left reverse Left samplen 2 spacing 1.1\n"
-          "plot NaN with lines lw 2 lc 'black' title 'no contact', "
-          "NaN with lines lw 1.5 dt (6,3) lc '#888888' title 'no wall in its way'{}\n",
-          least - margin, most + margin, titleOf(range), upper);
+          "plot NaN with lines lw 2 lc '{}' title 'no contact', "
+          "NaN with lines lw 1.5 dt (6,3) lc '{}' title 'no wall in its way'{}\n",
+          palette::grid, least - margin, most + margin, titleOf(range), palette::ink,
+          palette::faint, upper);
     print(script,
           "unset label 1\nunset key\nset format x '%g'\nset tmargin at screen 0.49\n"
           "set bmargin at screen 0.12\nset xlabel 'frequency of the excitation  ω/ω_1'\n"
           "set ylabel 'swing  −min u(L)/g'\nset yrange [0:{:.4g}]\n"
-          "plot $linear using 1:2 with lines lw 2 lc 'black', "
-          "$linear using 1:3 with lines lw 1.5 dt (6,3) lc '#888888'{}\nunset multiplot\n",
-          heightOf(frequencies), lower);
+          "plot $linear using 1:2 with lines lw 2 lc '{}', "
+          "$linear using 1:3 with lines lw 1.5 dt (6,3) lc '{}'{}\nunset multiplot\n",
+          heightOf(frequencies), palette::ink, palette::faint, lower);
     runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
 }
 

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "axes.hpp"
 #include "gnuplot.hpp"
+#include "palette.hpp"
 #include "signorini/figures.hpp"
 #include "text.hpp"
 
@@ -22,15 +24,6 @@ struct Window {
     double begin;
     double end;
 };
-
-/// About four ticks in so long a time: 1, 2 or 5 times a power of ten apart.
-double tickStep(double duration)
-{
-    const double least = duration / 5.0;
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    const double part = least / power;
-    return power * (part <= 1.0 ? 1.0 : part <= 2.0 ? 2.0 : part <= 5.0 ? 5.0 : 10.0);
-}
 
 /// The path of the tip in a window, thinned to what print can show.
 void printTip(Text& script, const char* block, const std::vector<TipPoint>& path, Window window)
@@ -80,10 +73,11 @@ void plotTip(Text& script, const char* name, Window window)
     print(script,
           "set xrange [{1:.9g}:{2:.9g}]\nset xtics {3:.9g}\nset object 1 rectangle from graph "
           "0,first 1 to graph "
-          "1,graph 1 fillcolor '#bbbbbb' fillstyle solid border lc '#555555' behind\n"
-          "plot $tip{0} using 1:2 with lines lw 1.2 lc 'black' notitle, "
-          "$contact{0} using 1:(1):2:(0) with vectors nohead lw 5 lc '#cc79a7' notitle\n",
-          name, window.begin, window.end, tickStep(window.end - window.begin));
+          "1,graph 1 fillcolor '{4}' fillstyle solid noborder behind\n"
+          "plot $tip{0} using 1:2 with lines lw 1.2 lc '{5}' notitle, "
+          "$contact{0} using 1:(1):2:(0) with vectors nohead lw 5 lc '{6}' notitle\n",
+          name, window.begin, window.end, niceStep((window.end - window.begin) / 5.0),
+          palette::faint, palette::ink, palette::contact);
 }
 
 }  // namespace
@@ -115,11 +109,11 @@ void drawSimulation(const BarSimulation& simulation, const Excitation& excitatio
     printImpulses(script, simulation.contacts());
     print(script,
           "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
-          "set grid lw 0.4 lc '#cccccc'\nset tmargin at screen 0.92\nset bmargin at screen 0.58\n"
+          "set grid lw 0.4 lc '{}'\nset tmargin at screen 0.92\nset bmargin at screen 0.58\n"
           "set yrange [{:.5g}:{:.5g}]\nset xlabel 'time  t c/L' offset 0,0.4\n"
           "set lmargin at screen 0.12\nset rmargin at screen 0.53\n"
           "set ylabel 'tip  u(L,t)/g'\nset label 1 'the beginning' at graph 0.5,1.06 center\n",
-          1.0 - 1.05 * (1.0 - lowest), 1.0 + 0.08 * (1.0 - lowest));
+          palette::grid, 1.0 - 1.05 * (1.0 - lowest), 1.0 + 0.08 * (1.0 - lowest));
     plotTip(script, "first", windows[0]);
     print(script,
           "set lmargin at screen 0.57\nset rmargin at screen 0.97\nset ylabel ''\n"
@@ -136,8 +130,9 @@ void drawSimulation(const BarSimulation& simulation, const Excitation& excitatio
         print(script, "set yrange [0:1]\nset label 2 'no contact' at graph 0.5,0.5 center\n");
     }
     print(script,
-          "plot $impulses using 1:2 with points pt 7 ps 0.4 lc '#cc79a7' notitle\n"
-          "unset multiplot\n");
+          "plot $impulses using 1:2 with points pt 7 ps 0.4 lc '{}' notitle\n"
+          "unset multiplot\n",
+          palette::contact);
     runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
 }
 

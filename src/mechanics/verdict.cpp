@@ -1,4 +1,4 @@
-#include "signorini/verdict.hpp"
+#include "signorini/schedule.hpp"
 
 #include "verdict_names.hpp"
 

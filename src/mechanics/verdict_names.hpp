@@ -3,7 +3,7 @@
 /// The names of verdicts.
 
 #include "names.hpp"
-#include "signorini/verdict.hpp"
+#include "signorini/schedule.hpp"
 
 namespace signorini {
 

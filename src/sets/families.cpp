@@ -1,4 +1,4 @@
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 
 namespace signorini {
 

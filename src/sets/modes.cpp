@@ -13,7 +13,6 @@
 #include "mode_line.hpp"
 #include "names.hpp"
 #include "rational.hpp"
-#include "signorini/families.hpp"
 
 namespace signorini {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "program.hpp"
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 #include "signorini/one_phase_set.hpp"
 
 using namespace signorini;

@@ -148,6 +148,16 @@ TEST_CASE("palette: maps grow lighter step by step, for everybody")
     checkMap(palette::fading, 8.0);
 }
 
+TEST_CASE("palette: compression, nothing and tension stay apart for everybody")
+{
+    for (const Vision& vision : visions) {
+        INFO(vision.name);
+        CHECK(distance(palette::diverging[0], palette::diverging[1], vision) > 24.0);
+        CHECK(distance(palette::diverging[1], palette::diverging[2], vision) > 24.0);
+        CHECK(distance(palette::diverging[2], palette::diverging[0], vision) > 24.0);
+    }
+}
+
 TEST_CASE("palette: the frequency-energy figure has no colour from elsewhere")
 {
     const std::string path =

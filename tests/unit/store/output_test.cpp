@@ -7,7 +7,7 @@
 
 #include "catch.hpp"
 #include "folder.hpp"
-#include "signorini/families.hpp"
+#include "signorini/modes.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
