@@ -26,8 +26,8 @@ ExactPeriod reciprocal(const ExactPeriod& x)
     return exactPeriod(4 * x.denominator, x.numerator);
 }
 
-/// The nearest number of steps, and whether it is the period itself: a decimal of many digits is,
-/// if it is that number as a double.
+/// The nearest number of steps, and whether it is the period itself, to the last digit of a double:
+/// so that what an answer prints can be asked again.
 struct Rounded {
     std::int64_t steps;
     bool isExact;
@@ -39,10 +39,6 @@ Rounded rounded(const GivenNumber& period, std::int64_t cells)
         std::clamp(period.value * static_cast<double>(cells), static_cast<double>(leastSteps),
                    static_cast<double>(mostSteps));
     const std::int64_t steps = std::llround(wanted);
-    if (period.exact) {
-        const ExactPeriod grid = exactPeriod(steps, cells);
-        return {steps, grid == *period.exact};
-    }
     const double grid = static_cast<double>(steps) / static_cast<double>(cells);
     return {steps, std::abs(grid - period.value) <= 4e-16 * grid};
 }
