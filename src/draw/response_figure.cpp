@@ -23,7 +23,7 @@ struct Sort {
 };
 
 constexpr Sort sorts[] = {
-    {"repels", "one contact: repels", "pt 6 ps 0.6 lw 1.2", palette::contact, Stability::repels},
+    {"repels", "one contact: repels", "pt 6 ps 0.6 lw 1.2", palette::ink, Stability::repels},
     {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2", palette::faint, Stability::unclear},
     {"attracts", "one contact: attracts", "pt 7 ps 0.6", palette::contact, Stability::attracts},
     {"untried", "one contact", "pt 7 ps 0.6", palette::contact, std::nullopt},
