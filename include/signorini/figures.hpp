@@ -121,7 +121,7 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
                       FigureFormat format, const std::string& path);
 
 /// Draws impulse on the wall and reach of the tip against the frequency of the excitation: motions
-/// with one contact phase as dots, filled where they attract, open where they repel (their
+/// with one contact phase as dots, heavy where they attract, fine where they repel (their
 /// `stability`, if it was tried), and the bar without a wall as a line.
 /// \throws std::invalid_argument if there is no frequency; BackendUnavailable, FileError as above.
 void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,

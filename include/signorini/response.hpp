@@ -44,7 +44,7 @@ struct Forcing {
 enum class Stability {
     attracts,  ///< every disturbance that was tried died out
     repels,    ///< one grew
-    unclear,   ///< neither in the time given
+    unclear,   ///< neither in the time given, or by 2e7 events
 };
 
 /// "attracts", "repels", "unclear".

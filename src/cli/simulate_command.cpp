@@ -15,7 +15,7 @@ namespace signorini::cli {
 
 namespace {
 
-constexpr double longest = 1e12;  // [L/c]
+constexpr double longest = 1e9;  // [L/c]
 
 /// The outcome of one call.
 struct Answer {
@@ -23,6 +23,8 @@ struct Answer {
     const ForceOptions& force;
     Excitation excitation;
     double frequencyRatio = 0.0;
+    double phase = 0.0;
+    std::int64_t cells = 0;
     std::optional<Settled> settled;
     bool isComplete = true;
 
@@ -76,6 +78,7 @@ std::string asJson(const Answer& answer, const BarSimulation& simulation)
     const double energy = energyRatio(simulation.waves());
     Json json = newAnswer();
     json.update(Json{{"status", answer.isComplete ? "done" : "interrupted"},
+                     {"cells", answer.cells},
                      {"bar", barAsJson(bar)},
                      {"damping", dampingAsJson(answer.force.damping(), bar)},
                      {"excitation", nullptr},
@@ -100,6 +103,7 @@ std::string asJson(const Answer& answer, const BarSimulation& simulation)
                               {"amplitude", *answer.force.amplitude},
                               {"frequency_ratio", answer.frequencyRatio},
                               {"frequency", 1.0 / (answer.period() * unit.time)},
+                              {"phase", answer.phase},
                               {"steps", answer.excitation.steps()}};
     }
     if (answer.settled) {
@@ -187,7 +191,8 @@ Waves SimulateCommand::start(const Bar& bar) const
     if (fromFile.empty()) {
         return wavesAtRest(static_cast<double>(common.usualCells()));
     }
-    return wavesOf(forFile("--from", fromFile, [&] { return readStateCsv(fromFile, bar); }));
+    return wavesOf(forFile("--from", fromFile,
+                           [&] { return readState(fromFile, bar, common.usualCells()).state; }));
 }
 
 Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
@@ -216,7 +221,7 @@ Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
 ExitStatus SimulateCommand::run() const
 {
     requireWhole();
-    Answer answer{common.bar(), force, {}, frequencyRatio.value_or(0.0), {}};
+    Answer answer{common.bar(), force, {}, frequencyRatio.value_or(0.0), phase, 0, {}};
     if (!figureFile.empty()) {
         (void)figureFormat(figureFile);
     }
@@ -225,6 +230,7 @@ ExitStatus SimulateCommand::run() const
     const OutputOption figureOption{"--figure", figureFile};
     validateOutputs({eventsOption, tipOption, figureOption});
     const Waves waves = start(answer.bar);
+    answer.cells = static_cast<std::int64_t>(waves.crossing);
     answer.excitation =
         excitation(answer.bar, common.cells ? static_cast<double>(*common.cells) : waves.crossing);
     BarSimulation simulation(

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "faults.hpp"
@@ -22,12 +23,12 @@ struct Sort {
     std::optional<Stability> stability;
 };
 
-constexpr Sort sorts[] = {
-    {"repels", "one contact: repels", "pt 6 ps 0.6 lw 1.2", palette::ink, Stability::repels},
+constexpr auto sorts = std::to_array<Sort>({
+    {"repels", "one contact: repels", "pt 2 ps 0.45 lw 1", palette::contact, Stability::repels},
     {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2", palette::faint, Stability::unclear},
-    {"attracts", "one contact: attracts", "pt 7 ps 0.6", palette::contact, Stability::attracts},
+    {"attracts", "one contact: attracts", "pt 7 ps 0.7", palette::contact, Stability::attracts},
     {"untried", "one contact", "pt 7 ps 0.6", palette::contact, std::nullopt},
-};
+});
 
 /// omega/omega_1, impulse, swing of each motion of one sort. \return are there any?
 bool printMotions(Text& script, const Sort& sort, std::span<const FrequencyResponse> frequencies)
@@ -114,16 +115,17 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
           "set tmargin at screen 0.92\nset bmargin at screen 0.54\nset format x ''\n"
           "set ylabel 'impulse  [EA g/c]'\nset yrange [0:*]\n"
           "set key top left reverse Left samplen 2 spacing 1.1\n"
-          "plot NaN with lines lw 2 lc 'black' title 'no contact', "
+          "plot NaN with lines lw 2 lc '{}' title 'no contact', "
           "NaN with lines lw 1.5 dt (6,3) lc '{}' title 'no wall in its way'{}\n",
-          palette::grid, least - margin, most + margin, titleOf(range), palette::faint, upper);
+          palette::grid, least - margin, most + margin, titleOf(range), palette::ink,
+          palette::faint, upper);
     print(script,
           "unset label 1\nunset key\nset format x '%g'\nset tmargin at screen 0.49\n"
           "set bmargin at screen 0.12\nset xlabel 'frequency of the excitation  ω/ω_1'\n"
           "set ylabel 'swing  −min u(L)/g'\nset yrange [0:{:.4g}]\n"
-          "plot $linear using 1:2 with lines lw 2 lc 'black', "
+          "plot $linear using 1:2 with lines lw 2 lc '{}', "
           "$linear using 1:3 with lines lw 1.5 dt (6,3) lc '{}'{}\nunset multiplot\n",
-          heightOf(frequencies), palette::faint, lower);
+          heightOf(frequencies), palette::ink, palette::faint, lower);
     runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
 }
 

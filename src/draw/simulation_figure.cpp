@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "axes.hpp"
 #include "gnuplot.hpp"
 #include "palette.hpp"
 #include "signorini/figures.hpp"
@@ -23,15 +24,6 @@ struct Window {
     double begin;
     double end;
 };
-
-/// About four ticks in so long a time: 1, 2 or 5 times a power of ten apart.
-double tickStep(double duration)
-{
-    const double least = duration / 5.0;
-    const double power = std::pow(10.0, std::floor(std::log10(least)));
-    const double part = least / power;
-    return power * (part <= 1.0 ? 1.0 : part <= 2.0 ? 2.0 : part <= 5.0 ? 5.0 : 10.0);
-}
 
 /// The path of the tip in a window, thinned to what print can show.
 void printTip(Text& script, const char* block, const std::vector<TipPoint>& path, Window window)
@@ -81,11 +73,11 @@ void plotTip(Text& script, const char* name, Window window)
     print(script,
           "set xrange [{1:.9g}:{2:.9g}]\nset xtics {3:.9g}\nset object 1 rectangle from graph "
           "0,first 1 to graph "
-          "1,graph 1 fillcolor '{4}' fillstyle transparent solid 0.5 noborder behind\n"
-          "plot $tip{0} using 1:2 with lines lw 1.2 lc 'black' notitle, "
-          "$contact{0} using 1:(1):2:(0) with vectors nohead lw 5 lc '{5}' notitle\n",
-          name, window.begin, window.end, tickStep(window.end - window.begin), palette::faint,
-          palette::contact);
+          "1,graph 1 fillcolor '{4}' fillstyle solid noborder behind\n"
+          "plot $tip{0} using 1:2 with lines lw 1.2 lc '{5}' notitle, "
+          "$contact{0} using 1:(1):2:(0) with vectors nohead lw 5 lc '{6}' notitle\n",
+          name, window.begin, window.end, niceStep((window.end - window.begin) / 5.0),
+          palette::faint, palette::ink, palette::contact);
 }
 
 }  // namespace

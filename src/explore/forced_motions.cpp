@@ -14,12 +14,12 @@ namespace signorini {
 
 namespace {
 
-constexpr Named<ForcedKind> forcedKindNames[] = {
+constexpr auto forcedKindNames = std::to_array<Named<ForcedKind>>({
     {ForcedKind::empty, "empty"},
     {ForcedKind::point, "point"},
     {ForcedKind::segment, "segment"},
     {ForcedKind::ray, "ray"},
-};
+});
 
 void validate(const Schedule& schedule, const Forcing& forcing)
 {

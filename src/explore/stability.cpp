@@ -10,14 +10,15 @@ namespace signorini {
 
 namespace {
 
-constexpr Named<Stability> stabilityNames[] = {
+constexpr auto stabilityNames = std::to_array<Named<Stability>>({
     {Stability::attracts, "attracts"},
     {Stability::repels, "repels"},
     {Stability::unclear, "unclear"},
-};
+});
 
 constexpr double diesOut = 0.1;
 constexpr double grows = 10.0;
+constexpr std::int64_t mostEvents = 20'000'000;  // of one disturbance, less than a second
 
 void validate(const StabilityOptions& options)
 {
@@ -76,6 +77,7 @@ StabilityResult stabilityOf(const ForcedMotion& motion, const StabilityOptions& 
     const Eigen::VectorXd still = stretching(wavesOf(motion.state), cells);
     const auto period = static_cast<double>(motion.excitation.steps());
     StabilityResult result;
+    bool isShort = false;
     std::mt19937_64 generator(options.seed);
     for (const double size : options.sizes) {
         for (std::int64_t draw = 0; draw < options.draws; ++draw) {
@@ -83,9 +85,13 @@ StabilityResult stabilityOf(const ForcedMotion& motion, const StabilityOptions& 
             StabilityTrial trial{size, distance(stretching(start, cells), still), 0.0};
             BarSimulation simulation(start, motion.damping, motion.excitation,
                                      {.mergeBelow = options.mergeBelow, .recordsTip = false});
-            for (std::int64_t k = 0; k < options.periods && !isRequested(options.cancel); ++k) {
+            const auto goesOn = [&] {
+                return simulation.events() < mostEvents && !isRequested(options.cancel);
+            };
+            for (std::int64_t k = 0; k < options.periods && goesOn(); ++k) {
                 simulation.advance(period);
             }
+            isShort = isShort || !goesOn();
             trial.end = distance(stretching(simulation.waves(), cells), still);
             result.trials.push_back(trial);
         }
@@ -97,7 +103,8 @@ StabilityResult stabilityOf(const ForcedMotion& motion, const StabilityOptions& 
     if (std::any_of(trials.begin(), trials.end(),
                     [](const StabilityTrial& trial) { return trial.end > grows * trial.start; })) {
         result.stability = Stability::repels;
-    } else if (std::all_of(trials.begin(), trials.end(), [](const StabilityTrial& trial) {
+    } else if (!isShort &&
+               std::all_of(trials.begin(), trials.end(), [](const StabilityTrial& trial) {
                    return trial.end < diesOut * trial.start;
                })) {
         result.stability = Stability::attracts;

@@ -7,9 +7,9 @@
 
 namespace signorini {
 
-inline constexpr Named<Excited> excitedNames[] = {
+inline constexpr auto excitedNames = std::to_array<Named<Excited>>({
     {Excited::tip, "tip"},
     {Excited::base, "base"},
-};
+});
 
 }  // namespace signorini

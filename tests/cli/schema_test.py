@@ -17,6 +17,7 @@ warnings.simplefilter("ignore", DeprecationWarning)
 
 # Schema and call, {} the folder of the test; what stands first is done first.
 STEEL = "--length 2 --young 210e9 --density 7800 --area 1e-4 --gap 1e-5"
+FORCE = "--damping 0.05 --force tip --amplitude 3e-4"
 CALLS = [
     ("find", "find 150 900"),
     ("find", f"find 150 900 --energy-ratio 20 {STEEL}"),
@@ -46,10 +47,22 @@ CALLS = [
     ("mode", f"mode 4 -1 --period 3.7 {STEEL}"),
     ("families", "families"),
     ("families", f"families --max-order 5 --max-energy-ratio 9 {STEEL}"),
+    ("response", "response --cells 10 --damping 0.02 --force base --amplitude 1e-4 --from 1 --to 1.1"
+                 " --stability"),
+    ("simulate", "simulate --rest --damping 0.05 --time 3"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 1.143 5"),
+    ("atlas", "atlas --database {}/a.sqlite --cells 8 --near 8/7 5 --schedules"),
+    ("atlas", "atlas --database {}/a.sqlite --cells 8 --period 4 --schedules"),
+    ("atlas", "atlas --database {}/b.sqlite --cells 8 --max-free 26 --phases 2 --max-contact 4"),
+    ("atlas", "atlas --database {}/b.sqlite --twins"),
+    ("atlas", "atlas --database {}/c.sqlite --cells 8 --families-only"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --period 7/2"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --twins"),
+    ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2 --stability"),
+    ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2 {STEEL}"),
+    ("simulate", f"simulate --cells 20 {FORCE} --frequency 1.1 --periods 60"),
+    ("simulate", "simulate --time 3"),
 ]
 # Spoilt answers that a schema worth its name refuses.
 SPOILT = [
@@ -65,6 +78,9 @@ SPOILT = [
      lambda answer: answer["points"][0].pop("lambda")),
     ("mode", "mode 4 -1 --period 7/2", lambda answer: answer["physical"].pop("peak_stress")),
     ("families", "families --max-order 5", lambda answer: answer["families"][0].pop("nu")),
+    ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2",
+     lambda answer: answer["frequencies"][0].pop("touches")),
+    ("simulate", "simulate --time 3", lambda answer: answer.pop("settled")),
     ("modes", "modes --max-order 3", lambda answer: answer["modes"][0].update(contact=[4])),
 ]
 

@@ -192,9 +192,10 @@ def command_line(case):
 
 
 def too_much(words):
-    """Work that was asked for and takes its time: the default grid of 300 cells for an atlas."""
+    """Work that was asked for and takes its time: the default grid of 300 cells."""
     texts = [os.fsdecode(word) for word in words]
-    return "atlas" in texts and not any(text.startswith("--cells") for text in texts)
+    isLong = "atlas" in texts or "response" in texts
+    return isLong and not any(text.startswith("--cells") for text in texts)
 
 
 def only_explains(outcome):

@@ -333,7 +333,7 @@ TEST_CASE("atlas: N = 300, n_c <= 600, n_f <= 2400: 18,012 of 1.44 million sched
     CHECK(low.tally == whole.tally);
     CHECK(static_cast<std::ptrdiff_t>(low.rows.size()) ==
           std::count_if(whole.rows.begin(), whole.rows.end(),
-                        [](const AtlasRow& row) { return row.energy.least <= 50.0; }));
+                        [](const AtlasRow& kept) { return kept.energy.least <= 50.0; }));
 }
 
 TEST_CASE("atlas: at N = 12, T <= 8, 36 schedules press through every contact step")
