@@ -74,9 +74,9 @@ private:
         }
         print(pressing, "{:.6g} {:.6g} {:.4g}\n", flight, contact, entry.row.energy.least);
         energy = std::max(energy, entry.row.energy.least);
-        const TentPlace place = familyOf(entry.schedule).value();
-        if (place.offset == 0 && place.family.order <= maxNamedOrder) {
-            tents.push_back(place.family);
+        const std::optional<TentPlace> place = familyOf(entry.schedule);
+        if (place && place->offset == 0 && place->family.order <= maxNamedOrder) {
+            tents.push_back(place->family);
         }
     }
 };
