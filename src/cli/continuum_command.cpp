@@ -13,6 +13,7 @@
 #include "interrupt.hpp"
 #include "json.hpp"
 #include "progress.hpp"
+#include "report.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
@@ -173,12 +174,31 @@ std::string asText(const Continuum& curve, const std::optional<Member>& member)
     return text;
 }
 
-Json asJson(const ContinuumPoint& point)
+Physical physicalOf(const ContinuumPoint& point, const Continuum& curve)
 {
+    return signorini::physicalOf(extremesOf(point.state, curve.schedule), curve.bar);
+}
+
+/// Of the member that is compressed most.
+void warnUnlessAdmissible(const Continuum& curve)
+{
+    const auto worst = std::max_element(
+        curve.points.begin(), curve.points.end(),
+        [](const auto& one, const auto& other) { return one.peakStrain < other.peakStrain; });
+    if (worst != curve.points.end()) {
+        warnUnlessAdmissible("continuum", physicalOf(*worst, curve));
+    }
+}
+
+Json asJson(const ContinuumPoint& point, const Continuum& curve)
+{
+    const Physical physical = physicalOf(point, curve);
     return {{"lambda", point.lambda},
             {"energy_ratio", point.energyRatio},
             {"residual", point.residual},
-            {"peak_strain", point.peakStrain}};
+            {"peak_strain", point.peakStrain},
+            {"physical", physicalAsJson(physical)},
+            {"admissible", physical.isAdmissible()}};
 }
 
 std::string asJson(const Continuum& curve, const std::optional<Member>& member)
@@ -188,6 +208,9 @@ std::string asJson(const Continuum& curve, const std::optional<Member>& member)
                      {"cells", curve.schedule.cells},
                      {"schedule", phasesAsJson(curve.schedule.phases)},
                      {"bar", barAsJson(curve.bar)},
+                     {"period", period(curve.schedule) * scales(curve.bar).time},
+                     {"period_ratio", period(curve.schedule)},
+                     {"frequency_ratio", frequencyRatio(curve.schedule)},
                      {"energy_ratio", curve.energyRatio},
                      {"connected", nullptr},
                      {"components", nullptr},
@@ -219,10 +242,10 @@ std::string asJson(const Continuum& curve, const std::optional<Member>& member)
         json["reason"] = name(*curve.reason);
     }
     for (const ContinuumPoint& point : curve.points) {
-        json["points"].push_back(asJson(point));
+        json["points"].push_back(asJson(point, curve));
     }
     if (member) {
-        json["member"] = asJson(member->point);
+        json["member"] = asJson(member->point, curve);
         json["member"]["exact"] = member->isExact;
     }
     if (!curve.detail.empty()) {
@@ -332,6 +355,9 @@ ExitStatus ContinuumCommand::run() const
         tell("signorini continuum: no motion to write, so no file was written\n");
     }
     writeOut(common.wantsJson ? asJson(curve, chosen) : asText(curve, chosen));
+    if (!common.quiet) {
+        warnUnlessAdmissible(curve);
+    }
     common.useOneThread("continuum");
     return exitStatusOf(curve.status);
 }
