@@ -36,6 +36,8 @@ inline constexpr std::array figureColumns{
     "energy_error",    ///< relative to what was asked for
     "tip_error",       ///< largest over time, relative to the reach of the tip
     "checked",         ///< how many schedules, periods or dimensions one record stands for
+    "found",           ///< of them those with motions
+    "families",        ///< sets of orbits that these belong to
     "wrong",           ///< how many of them came out wrong
     "peak_megabytes",  ///< of the process that measured
     "case_seconds",    ///< from its start to its end

@@ -180,7 +180,7 @@ Physical physicalOf(const ContinuumPoint& point, const Continuum& curve)
 }
 
 /// Of the member that is compressed most.
-void warnUnlessAdmissible(const Continuum& curve)
+void warnOfWorst(const Continuum& curve)
 {
     const auto worst = std::max_element(
         curve.points.begin(), curve.points.end(),
@@ -356,7 +356,7 @@ ExitStatus ContinuumCommand::run() const
     }
     writeOut(common.wantsJson ? asJson(curve, chosen) : asText(curve, chosen));
     if (!common.quiet) {
-        warnUnlessAdmissible(curve);
+        warnOfWorst(curve);
     }
     common.useOneThread("continuum");
     return exitStatusOf(curve.status);

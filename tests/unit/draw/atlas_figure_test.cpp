@@ -22,6 +22,6 @@ TEST_CASE("atlas figures: both are drawn, of an empty atlas, too")
     drawFrequencyEnergyPlot(database, 12, FigureFormat::svg, folder.file("plot.svg"));
     std::ifstream map(folder.file("map.svg"));
     const std::string text{std::istreambuf_iterator<char>(map), {}};
-    CHECK_THAT(text, containsText("time of contact"));
+    CHECK_THAT(text, containsText("contact time"));
     CHECK(fs::file_size(folder.file("plot.svg")) > 2000);
 }
