@@ -35,10 +35,10 @@ struct ForcedLine {
     Plane direction;
     double low = -std::numeric_limits<double>::infinity();
     double high = std::numeric_limits<double>::infinity();
-    std::int64_t lowRow = -1;   ///< steps whose rows are met with equality there; -1: none
-    std::int64_t highRow = -1;  ///< see lowRow
-    bool hasLine = true;        ///< false: u(L, 0) is 0 for any C, S, but for rounding
-    bool isBlocked = false;     ///< a row parallel to the line is met nowhere on it ...
+    std::int64_t lowRow = -1;    ///< steps whose rows are met with equality there; -1: none
+    std::int64_t highRow = -1;   ///< see lowRow
+    bool hasLine = true;         ///< false: u(L, 0) is 0 for any C, S, but for rounding
+    bool isBlocked = false;      ///< a row parallel to the line is met nowhere on it ...
     std::int64_t blocking = -1;  ///< ... of such rows the one that is missed by most
 
     [[nodiscard]] bool isEmpty() const { return !hasLine || isBlocked || low > high; }
