@@ -58,6 +58,8 @@ void AtlasCommand::addTo(CLI::App& command)
         ->type_name("FILE.svg|.png|.pdf");
     command.add_option("--map", mapFile, "draw the existence map over contact and flight times")
         ->type_name("FILE.svg|.png|.pdf");
+    command.add_option("--csv", csvFile, "write the families, the bars of the plot, as a table")
+        ->type_name("FILE.csv");
     common.addTo(command);
 }
 
@@ -113,10 +115,13 @@ ExitStatus AtlasCommand::run() const
                 (void)figureFormat(figure);
             }
         }
-        validateOutputs({{"--database", database}, {"--figure", figureFile}, {"--map", mapFile}});
+        validateOutputs({{"--database", database},
+                         {"--figure", figureFile},
+                         {"--map", mapFile},
+                         {"--csv", csvFile}});
         // A picture of an atlas that exists needs no range.
-        const bool draws = (!figureFile.empty() || !mapFile.empty()) && !namesRange() &&
-                           std::filesystem::exists(database);
+        const bool draws = (!figureFile.empty() || !mapFile.empty() || !csvFile.empty()) &&
+                           !namesRange() && std::filesystem::exists(database);
         if (isQuery() || draws) {
             checkQuery();
             return !ranks || ranks->rank() == 0 ? answer() : exitFound;
@@ -196,6 +201,7 @@ void AtlasCommand::stagePictures(Pictures& pictures) const
 {
     pictures.figure = stage(pictures.files, {"--figure", figureFile});
     pictures.map = stage(pictures.files, {"--map", mapFile});
+    pictures.csv = stage(pictures.files, {"--csv", csvFile});
 }
 
 void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
@@ -209,6 +215,9 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
     if (!pictures.map.empty()) {
         forFile("--map", mapFile,
                 [&] { drawExistenceMap(atlas, cells, figureFormat(mapFile), pictures.map); });
+    }
+    if (!pictures.csv.empty()) {
+        forFile("--csv", csvFile, [&] { writeAtlasCsv(pictures.csv, atlas, cells, common.bar()); });
     }
     pictures.files.commit();
 }

@@ -33,6 +33,7 @@ struct AtlasCommand {
     bool schedules = false;  ///< an answer lists those of families, too
     std::string figureFile;
     std::string mapFile;
+    std::string csvFile;
 
     void addTo(CLI::App& command);
 
@@ -41,11 +42,13 @@ struct AtlasCommand {
     [[nodiscard]] ExitStatus run() const;
 
 private:
-    /// Pictures to be drawn, under their temporary names; empty: not asked for.
+    /// Pictures to be drawn and the table behind them, under their temporary names; empty: not
+    /// asked for.
     struct Pictures {
         OutputFiles files;
         std::string figure;
         std::string map;
+        std::string csv;
     };
 
     [[nodiscard]] bool isQuery() const;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "json.hpp"
+#include "signorini/output.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {
@@ -317,6 +318,29 @@ std::string asJson(const AtlasRun& run, const std::string& database, const Bar& 
                      {"batches", {run.nextBatch, run.batches}},
                      {"seconds", run.seconds}});
     return asLine(json);
+}
+
+void writeAtlasCsv(const std::string& path, const AtlasDatabase& atlas,
+                   std::optional<std::int64_t> cells, const Bar& bar)
+{
+    const Scales unit = scales(bar);
+    TextFile file(path);
+    file.write(
+        "cells,order,nu,contact_blocks,contact,contact_steps,free_steps,period_ratio,"
+        "frequency_ratio,period,frequency,kind,dimension,energy_ratio_min,energy_ratio_max,"
+        "energy_min,energy_max,schedules\n");
+    atlas.forEachFamily(cells, [&](const AtlasFamily& all) {
+        const double time = period(all) * unit.time;
+        file.write(fmt::format(
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", all.cells,
+            all.family ? fmt::format("{},{},{}", all.family->order, all.family->blocks,
+                                     all.family->contactBlocks)
+                       : ",,",
+            name(all.contact()), all.top.contact, all.top.free, period(all), frequencyRatio(all),
+            time, 1.0 / time, name(all.kind), all.dimension, all.energy.least, all.energy.most,
+            all.energy.least * unit.energy, all.energy.most * unit.energy, all.schedules));
+    });
+    file.close();
 }
 
 }  // namespace signorini::cli

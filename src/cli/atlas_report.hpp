@@ -38,6 +38,10 @@ struct AtlasAnswer {
 [[nodiscard]] std::string asText(const AtlasAnswer& answer);
 [[nodiscard]] std::string asJson(const AtlasAnswer& answer);
 
+/// The families of all cells, or of those asked for, one row each. \throws FileError.
+void writeAtlasCsv(const std::string& path, const AtlasDatabase& atlas,
+                   std::optional<std::int64_t> cells, const Bar& bar);
+
 [[nodiscard]] std::string asText(const AtlasRun& run, const std::string& database);
 [[nodiscard]] std::string asJson(const AtlasRun& run, const std::string& database, const Bar& bar);
 

@@ -337,6 +337,22 @@ TEST_CASE("cli atlas: the report stays on its lines, whatever the file is called
     CHECK(fs::exists(program.file("a\nb\033[31m")));
 }
 
+TEST_CASE("cli atlas: --csv is table families, with seconds, hertz and joules of the bar")
+{
+    const Program program;
+    REQUIRE(program.run("atlas --database a.sqlite --cells 12").status == 0);
+    const auto table = program.run(
+        "atlas --database a.sqlite --csv f.csv --length 2 --wave-speed 4 --gap 3 --quiet");
+    REQUIRE(table.status == 0);
+    CHECK(table.out.empty());
+    const std::string text = contentOf(program.file("f.csv"));
+    CHECK(lines(text) ==
+          1 + number(program.file("a.sqlite").string(), "SELECT COUNT(*) FROM families"));
+    // (4, 7, 1): n = 42 of 12 cells, G = 6; L/c = 0.5 s, E_1 = 9/4 J; tent of 2G - 1 schedules.
+    CHECK_THAT(text, containsText("\n12,4,7,1,pressing,6,36,3.5,1.1428571428571428,1.75,"
+                                  "0.5714285714285714,simplex,5,4,24,9,54,11\n"));
+}
+
 TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
 {
     const Program program;

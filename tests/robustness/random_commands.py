@@ -71,7 +71,7 @@ OPTIONS = {
               "--families-only": None, "--resume": None,
               "--near": [*REALS, "8/7", "1/0"], "--within": REALS, "--schedules": None,
               "--period": ["7/2", "3.5", "4", "10/3", "1/1000000007"], "--twins": None,
-              "--figure": PICTURES, "--map": PICTURES},
+              "--figure": PICTURES, "--map": PICTURES, "--csv": TABLES},
     "response": {"--damping": ["0.01", "0.1", "1", "0", "-1"], "--force": FORCES,
                  "--amplitude": REALS, "--from": ["0.5", "1", "1.9", "3"],
                  "--to": ["0.6", "1.2", "2", "3"], "--cycles": COUNTS, "--stability": None,
