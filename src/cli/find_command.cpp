@@ -3,6 +3,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -191,6 +192,7 @@ void FindCommand::addTo(CLI::App& command)
                     "velocity and strain or displacement); may be a pipe")
         ->type_name("FILE.csv");
     question.addTo(command);
+    forced.addTo(command);
     addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X",
                 "hold E/E_1 = X: the motion of least peak compression");
     addPositive(command, "--energy", "J", energy, "J", "hold the energy, in joules");
@@ -231,14 +233,49 @@ void FindCommand::warn(const Physical& physical) const
     }
 }
 
+/// Forced motions are what conditions leave of a line: nothing is to be chosen but the amplitude.
+void FindCommand::requireNothingFree() const
+{
+    const FindOptions usual;
+    const std::array<std::pair<const char*, bool>, 13> others{{
+        {"--period, --frequency, --hertz", question.isAsked()},
+        {"--energy", energy.has_value()},
+        {"--energy-ratio", options.energyRatio.has_value()},
+        {"--objective", options.objective != usual.objective},
+        {"--target", !targetFile.empty()},
+        {"--solver", options.solver != usual.solver},
+        {"--formulation", options.formulation != usual.formulation},
+        {"--strain-limit", options.strainLimit != usual.strainLimit},
+        {"--yield-stress", yieldStress.has_value()},
+        {"--tip-floor", options.tipFloor != usual.tipFloor},
+        {"--motion", motionFile.isWanted()},
+        {"--figure", !figureFile.empty()},
+        {"--animate", !animationFile.empty()},
+    }};
+    for (const auto& [option, isGiven] : others) {
+        if (isGiven) {
+            throw std::invalid_argument(
+                fmt::format("{} clashes with --damping, --force and --amplitude: allowed with them "
+                            "--cycles and --state",
+                            option));
+        }
+    }
+}
+
 ExitStatus FindCommand::run() const
 {
+    if (!forced.isAsked() && forced.cycles != 1) {
+        throw std::invalid_argument("--cycles: allowed only together with --damping and --force");
+    }
     if (question.isAsked() && !steps.empty()) {
         throw std::invalid_argument(
             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     }
     ExitStatus status = exitUndecided;
-    if (question.isAsked()) {
+    if (forced.isAsked()) {
+        requireNothingFree();
+        status = forced.answer({common.usualCells(), parsePhases(steps)}, common, stateFile);
+    } else if (question.isAsked()) {
         const AskedPeriod asked = question.on(common.usualCells(), common.bar());
         status = answerQuestion(asked, completed(*this));
     } else {

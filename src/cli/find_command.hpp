@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "forced_find.hpp"
 #include "motion_file.hpp"
 #include "question.hpp"
 #include "signorini/output.hpp"
@@ -19,6 +20,7 @@ struct FindCommand {
     CommonOptions common;
     std::vector<std::string> steps;
     PeriodQuestion question;
+    ForcedFind forced;
     FindOptions options;
     std::optional<double> energy;       ///< [J]
     std::optional<double> yieldStress;  ///< [Pa]
@@ -36,6 +38,7 @@ struct FindCommand {
 
 private:
     void warn(const Physical& physical) const;
+    void requireNothingFree() const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
                                             const FindRequest& request) const;
     [[nodiscard]] ExitStatus answerQuestion(const AskedPeriod& asked,

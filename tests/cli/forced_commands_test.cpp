@@ -1,5 +1,6 @@
 // signorini response and signorini simulate: fields, units, files, wrong use.
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -90,6 +91,65 @@ TEST_CASE("cli response: threads share the work, units are those of the bar")
         }
     }
     CHECK(motions > 0);
+}
+
+TEST_CASE("cli find: the forced motions of a schedule, by amplitude or of the least")
+{
+    const Program program;
+    // n = 104, n_c = 16: two motions at 0.25 EA g/L.
+    const json two = parsed(program, "find 16 88 --state s.csv" + section15);
+    CHECK(two["status"] == "found");
+    CHECK(two["schedule"] == json::parse("[[16,88]]"));
+    CHECK(two["frequency_ratio"].get<double>() == Approx(120.0 / 104.0));
+    REQUIRE(two["motions"].size() == 2);
+    CHECK(two["motions"][0]["impulse"].get<double>() == Approx(0.6285e-3).margin(1e-7));
+    CHECK(two["motions"][1]["impulse"].get<double>() == Approx(1.5609e-3).margin(1e-7));
+    CHECK(two["amplitude"].get<double>() == Approx(2.5e-4));
+    CHECK(two["phase"] == two["motions"][1]["phase"]);
+    // The state is that of the last one: the bar goes on and comes back, as long as it is told to.
+    const json on = parsed(program,
+                           "simulate --from s.csv --frequency 1.153846153846154 --periods 9 "
+                           "--phase " +
+                               two["phase"].dump() + section15);
+    CHECK(on["contacts"] == 9);
+    CHECK(on["impulse"].get<double>() == Approx(9.0 * two["motions"][1]["impulse"].get<double>()));
+
+    // Without an amplitude the least one; over all n_c at n = 108 it is 0.1254 EA g/L.
+    const std::string free = " --cells 30 --damping 0.03353713 --force tip --quiet";
+    double least = 1.0;
+    for (int contact = 1; contact <= 30; ++contact) {
+        const auto outcome = program.run("find " + std::to_string(contact) + " " +
+                                         std::to_string(108 - contact) + free + " --format json");
+        const json answer = json::parse(outcome.out);
+        if (answer["status"] == "found") {
+            CHECK(outcome.status == 0);
+            CHECK(answer["amplitude"].get<double>() ==
+                  Approx(answer["amplitude_range"][0].get<double>()).epsilon(1e-14));
+            least = std::min(least, answer["amplitude"].get<double>());
+        } else {
+            CHECK(outcome.status == (answer["status"] == "none" ? 1 : 3));
+            CHECK((answer["status"] != "none" || answer["certificate"]["verified"] == true));
+        }
+    }
+    CHECK(least == Approx(0.1254e-3).margin(5e-8));
+
+    const json beyond = parsed(program, "find 12 96 --amplitude 1e-5" + free, 1);
+    CHECK(beyond["reason"] == "constraints");
+    CHECK(beyond["certificate"]["kind"] == "amplitude-range");
+    CHECK(parsed(program, "find 12 96 --cells 30 --damping 0 --force base", 3)["status"] ==
+          "undecided");
+    for (const char* wrong :
+         {"find 12 96 --force tip", "find 12 96 --damping 0.1", "find 12 96 --cycles 2",
+          "find 12 96 --damping 0.1 --force tip --energy-ratio 3",
+          "find 12 96 --damping 0.1 --force tip --figure f.svg",
+          "find 12 96 --damping 0.1 --force tip --cycles 54",
+          "find 12 96 12 96 --damping 0.1 --force tip",
+          "find --period 7/2 --damping 0.1 --force tip"}) {
+        const auto outcome = program.run(wrong);
+        INFO(wrong << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+    }
 }
 
 TEST_CASE("cli simulate: from rest to the motion of section 15, with its tables")

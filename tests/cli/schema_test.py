@@ -61,6 +61,10 @@ CALLS = [
     ("atlas", "atlas --database {}/a.sqlite --cells 8 --twins"),
     ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2 --stability"),
     ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2 {STEEL}"),
+    ("find-forced", f"find 8 72 --cells 20 {FORCE}"),
+    ("find-forced", "find 8 72 --cells 20 --damping 0.05 --force base"),
+    ("find-forced", "find 12 96 --cells 30 --damping 0.03 --force tip --amplitude 1e-5"),
+    ("find-forced", "find 30 40 --cells 20 --damping 0.03 --force tip"),
     ("simulate", f"simulate --cells 20 {FORCE} --frequency 1.1 --periods 60"),
     ("simulate", "simulate --time 3"),
 ]
