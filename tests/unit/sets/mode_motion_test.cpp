@@ -159,7 +159,7 @@ TEST_CASE("modes: the state on cells is exact where the grid has the period")
 
 TEST_CASE("modes: the state on cells holds the mean of velocity and strain, and u at their ends")
 {
-    const Mode& mode = find(findModes(upTo(5)), 2, -3);
+    const Mode mode = find(findModes(upTo(5)), 2, -3);
     const ModeMotion motion(mode, 0.5 * (mode.lowest.value() + mode.highest.value()) + 1e-3 / 3.0);
     constexpr std::int64_t cells = 17;
     const State state = cellMeans(motion, cells);
