@@ -22,13 +22,15 @@ void SettlingWatch::see(const BarSimulation& simulation)
 bool SettlingWatch::repeats(std::size_t length, double tolerance) const
 {
     const std::size_t compared = length * static_cast<std::size_t>(repeats_);
+    if (compared + length > periods_.size()) {
+        return false;
+    }
     const auto isAlike = [tolerance](const Period& one, const Period& other) {
         return std::abs(one.tip - other.tip) <= tolerance * std::max(1.0, std::abs(other.tip)) &&
                std::abs(one.impulse - other.impulse) <= tolerance * std::max(1.0, other.impulse);
     };
     const auto last = periods_.end() - static_cast<std::ptrdiff_t>(compared);
-    return compared + length <= periods_.size() &&
-           std::equal(last, periods_.end(), last - static_cast<std::ptrdiff_t>(length), isAlike);
+    return std::equal(last, periods_.end(), last - static_cast<std::ptrdiff_t>(length), isAlike);
 }
 
 std::optional<Settled> SettlingWatch::settled() const
