@@ -251,7 +251,8 @@ TEST_CASE("cli atlas: queries")
     }
     CHECK(canonical == 6);
     // Motions that graze are listed at their own period, not at that of a repetition.
-    for (const json& entry : ask("--period 4 --schedules")["schedules"]) {
+    const json grazing = ask("--period 4 --schedules");
+    for (const json& entry : grazing["schedules"]) {
         CHECK(entry["contact"] == "grazing");
         CHECK(entry["frequency_ratio"] == 1.0);
     }
