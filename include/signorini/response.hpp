@@ -15,6 +15,7 @@
 /// segment, a ray, a point or nothing, and an amplitude hypot(C, S) is met by at most two.
 /// docs/theory.md, section 15.
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -99,12 +100,12 @@ struct ForcedSet {
     /// whatever was rounded (isCertain).
     std::vector<ForcedCondition> conflict;
     ForcedKind kind = ForcedKind::empty;
-    double leastAmplitude = 0.0;  ///< [EA g/L] or [g]
-    double mostAmplitude = 0.0;   ///< infinite for a ray
-    double foot[2] = {};          ///< (C, S) nearest to 0 on the line
-    double direction[2] = {};     ///< of length 1, at right angles to it; 0 for a shape
-    double low = 0.0;             ///< of t
-    double high = 0.0;            ///< of t
+    double leastAmplitude = 0.0;           ///< [EA g/L] or [g]
+    double mostAmplitude = 0.0;            ///< infinite for a ray
+    std::array<double, 2> foot = {};       ///< (C, S) nearest to 0 on the line
+    std::array<double, 2> direction = {};  ///< of length 1, at right angles to it; 0 for a shape
+    double low = 0.0;                      ///< of t
+    double high = 0.0;                     ///< of t
 };
 
 /// Decides a schedule. O(n). Undecided: classes of steps that nothing damps (their flights are 0,
