@@ -324,8 +324,8 @@ private:
         for (int speed = -6; speed <= 9; speed += 3) {
             for (int gap = -12; gap <= 3; gap += 3) {
                 const Bar bar{.waveSpeed = std::pow(10.0, speed), .gap = std::pow(10.0, gap)};
-                const PeriodicResult found = findPeriodic(150, 900, 300, {.bar = bar});
-                const PeriodicResult none = findPeriodic(150, 1200, 300, {.bar = bar});
+                const PeriodicResult found = findPeriodic(150, 900, 300, {.scene = bar});
+                const PeriodicResult none = findPeriodic(150, 1200, 300, {.scene = bar});
                 const double energy = 2.0 * bar.axialStiffness * bar.gap * bar.gap / bar.length;
                 const double error = std::abs(found.motion->energy / energy - 1.0);
                 sweep.worst = std::max({sweep.worst, error, found.motion->residuals.worst()});

@@ -196,7 +196,7 @@ private:
         for (std::int64_t m = 0; m < 2 * schedule_.cells; ++m) {
             addWave(row, m, 1.0);
         }
-        equal_.add(row, -static_cast<double>(schedule_.cells));
+        equal_.add(row, -static_cast<double>(schedule_.stops.right * schedule_.cells));
     }
 
     /// (10).

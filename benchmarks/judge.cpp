@@ -56,7 +56,7 @@ void judgeFound(const Problem& problem, const State& state, double tolerance, Re
         record.outcome = "wrong";
         return;
     }
-    if (problem.schedule.phases.size() == 1) {
+    if (problem.schedule.phases.size() == 1 && !problem.schedule.stops.left) {
         figures["set_distance"] = distanceToSet(problem.schedule, state);
         error = worseOf(error, figures["set_distance"]);
     }

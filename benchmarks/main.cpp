@@ -1,6 +1,9 @@
-// The program signorini-bench: measures, writes one table, and makes a report and figures from it.
+// The program signorini-bench: measures and writes one table, and has report.py make a report and
+// figures from it.
 
 #include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -14,7 +17,6 @@
 #include <system_error>
 
 #include "provenance.hpp"
-#include "report.hpp"
 #include "runner.hpp"
 #include "signorini/output.hpp"
 #include "solver.hpp"
@@ -48,8 +50,8 @@ constexpr Limits limitsOf(Extent extent)
 std::vector<Case> allCases(Extent extent)
 {
     std::vector<Case> cases;
-    for (const auto suite :
-         {extremesSuite, leavingOutSuite, scalingSuite, rivalsSuite, accuracySuite}) {
+    for (const auto suite : {extremesSuite, leavingOutSuite, scalingSuite, steppedSuite,
+                             rivalsSuite, forcedSuite, accuracySuite}) {
         std::vector<Case> more = suite(extent);
         std::move(more.begin(), more.end(), std::back_inserter(cases));
     }
@@ -62,6 +64,32 @@ void keepMatching(std::vector<Case>& cases, const std::string& filter)
     std::erase_if(cases, [&pattern](const Case& work) {
         return !std::regex_search(keyOf(work.record), pattern);
     });
+}
+
+std::string tableIn(const std::string& folder)
+{
+    return folder + "/results.csv";
+}
+
+/// report.md and figures from the table alone, by benchmarks/report.py.
+int report(const Arguments& arguments)
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        // The system's, which has the system's matplotlib; else that of the path.
+        for (const char* python : {"/usr/bin/python3", "python3"}) {
+            (void)execlp(python, python, SIGNORINI_REPORT, arguments.output.c_str(), nullptr);
+        }
+        _exit(127);
+    }
+    int status = 0;
+    if (child < 0 || waitpid(child, &status, 0) != child || !WIFEXITED(status) ||
+        WEXITSTATUS(status) != 0) {
+        fmt::print(stderr, "signorini-bench: no report: cannot run python3 {} {}\n",
+                   SIGNORINI_REPORT, arguments.output);
+        return exitUnavailable;
+    }
+    return exitDone;
 }
 
 int measure(const Arguments& arguments)
@@ -125,8 +153,8 @@ int runProgram(int argc, char** argv)
             return status;
         }
     }
-    fmt::print("{}", makeReport(arguments.output));
-    return exitDone;
+    (void)std::fflush(stdout);
+    return report(arguments);
 }
 
 }  // namespace

@@ -59,6 +59,25 @@ Problem familyC(std::int64_t cells)
     return family("C", cells, 4 * cells, false);
 }
 
+Problem familyD(std::int64_t cells)
+{
+    Problem problem = family("D", cells, cells, true);
+    problem.schedule.phases.front().contact = 3 * cells / 2;
+    problem.scene = Bar{.gap = -1e-3};
+    problem.schedule.stops = stopsOf(problem.scene);
+    return problem;
+}
+
+Problem familyE(std::int64_t wanted)
+{
+    const std::int64_t cells = (wanted + 3) / 4 * 4;
+    Problem problem = family("E", cells, 5 * cells / 4, true);
+    problem.schedule.phases = {{cells / 4, 5 * cells / 4}, {cells / 4, 5 * cells / 4, Stop::left}};
+    problem.scene = Scene(Bar{}, 1e-3);
+    problem.schedule.stops = stopsOf(problem.scene);
+    return problem;
+}
+
 Problem leastEnergyOf(Problem problem, double leastEnergy)
 {
     problem.demands.objective = Objective::minEnergy;

@@ -17,6 +17,7 @@ struct Problem {
     Demands demands = {.objective = Objective::any};
     bool exists = false;                               ///< is there such a motion?
     std::optional<double> leastEnergy = std::nullopt;  ///< [E_1], when it is asked for
+    Scene scene = {};                                  ///< the stops are the schedule's, too
 };
 
 /// Family A, n_c = N/2, n_f = 3N: motions exist, E_min = 4 E_1, a simplex.
@@ -25,6 +26,12 @@ struct Problem {
 [[nodiscard]] Problem familyB(std::int64_t cells);
 /// Family C, n_c = N/2, n_f = 4N: none exists.
 [[nodiscard]] Problem familyC(std::int64_t cells);
+
+/// Family D, pressed at rest, n_c = 3N/2, n_f = N: motions exist, E_min = 4 E_1, a simplex.
+[[nodiscard]] Problem familyD(std::int64_t cells);
+/// Family E, two stops at equal distances, on the next N divisible by 4, n_c = N/4, n_f = 5N/4 on
+/// each: motions exist, E_min = 8 E_1: p = +-2 g/L in steps that are N/2 apart.
+[[nodiscard]] Problem familyE(std::int64_t wanted);
 
 /// The same request for the motion of least energy, or for a motion of given energy.
 [[nodiscard]] Problem leastEnergyOf(Problem problem, double leastEnergy);

@@ -1,22 +1,15 @@
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <memory>
-#include <sstream>
 
 #include "common/stopwatch.hpp"
 #include "equations.hpp"
 #include "judge.hpp"
+#include "siconos.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/one_phase_set.hpp"
-#include "signorini/output.hpp"
-#include "solver.hpp"
 #include "solving.hpp"
 #include "suites.hpp"
 #include "timing.hpp"
@@ -43,77 +36,6 @@ void findNullSpace(std::int64_t cells, Record& record)
     record.claim = "found";
     record.outcome = dimension == exact ? "right" : "wrong";
     record.detail = fmt::format("null space of {} dimensions, no motion yet", dimension);
-}
-
-struct Sample {
-    double time;    ///< [L/c]
-    double tip;     ///< [g]
-    double energy;  ///< [EA g^2/L]
-};
-
-struct TimeSteps {
-    double seconds = 0.0;
-    std::vector<Sample> samples;
-};
-
-/// The initial state at nodes, as other codes want it.
-void writeNodes(const std::filesystem::path& path, const State& state)
-{
-    const Eigen::VectorXd u = displacement(state);
-    const Eigen::VectorXd v = velocity(state);
-    const Eigen::Index last = u.size() - 1;
-    TextFile file(path.string());
-    file.write("x,displacement,velocity\n0,0,0\n");
-    for (Eigen::Index i = 0; i <= last; ++i) {
-        const double nodal = i < last ? 0.5 * (v[i] + v[i + 1]) : v[i];
-        file.write(fmt::format(
-            "{},{},{}\n", static_cast<double>(i + 1) / static_cast<double>(last + 1), u[i], nodal));
-    }
-    file.close();
-}
-
-/// Which Python has Siconos; Debian's own is not always the first in the path.
-std::string pythonWithSiconos()
-{
-    for (const char* python : {"python3", "/usr/bin/python3"}) {
-        if (std::system(fmt::format("{} -c 'import siconos.kernel'", python).c_str()) == 0) {
-            return python;
-        }
-    }
-    throw BackendUnavailable("no python3 here imports siconos: install python3-siconos");
-}
-
-TimeSteps runSiconos(const State& state, int elements, int periods)
-{
-    const std::string python = pythonWithSiconos();
-    const std::filesystem::path input =
-        temporaryDirectory() / fmt::format("signorini-bench-{}.csv", getpid());
-    writeNodes(input, state);
-    const int steps = 7 * elements / 2;  // as many as our grid of that size takes: T = 3.5
-    const std::string command =
-        fmt::format("{} '{}/siconos_bar.py' '{}' {} {} 3.5 {}", python, SIGNORINI_RIVALS,
-                    input.string(), elements, steps, periods);
-    TimeSteps result;
-    {
-        const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-        std::string line(200, '\0');
-        while (pipe && std::fgets(line.data(), static_cast<int>(line.size()), pipe.get())) {
-            std::istringstream words(line);
-            Sample sample{};
-            if (line.starts_with("seconds ")) {
-                words.ignore(8);
-                words >> result.seconds;
-            } else if (words >> sample.time >> sample.tip >> sample.energy) {
-                result.samples.push_back(sample);
-            }
-        }
-    }
-    std::filesystem::remove(input);
-    if (result.samples.size() !=
-        static_cast<std::size_t>(steps) * static_cast<std::size_t>(periods)) {
-        throw std::runtime_error("Siconos ended before the last step");
-    }
-    return result;
 }
 
 /// The exact displacement of the tip at any time: linear between the steps of our grid.
@@ -221,7 +143,12 @@ std::vector<Case> rivalsSuite(Extent extent)
                 {siconos, fmt::format("siconos {}", periods), [cells, periods](Record& row) {
                      const Schedule schedule = familyA(300).schedule;
                      const State state = leastEnergyMotion(onePhaseSet(schedule));
-                     compareWithExact(runSiconos(state, cells, periods), state, schedule, row);
+                     const TimeSteps steps = runSiconos({.state = state,
+                                                         .elements = cells,
+                                                         .steps = 7 * cells / 2,
+                                                         .period = 3.5,
+                                                         .periods = periods});
+                     compareWithExact(steps, state, schedule, row);
                  }});
             Record ours = identified("rivals", "main mode T=3.5", "signorini", "-", setting);
             ours.figures["cells"] = cells;

@@ -90,7 +90,8 @@ void solveProgram(const Problem& problem, std::string_view backEnd, std::string_
 
 FindOptions optionsFor(const Problem& problem, double tolerance)
 {
-    return {.objective = problem.demands.objective,
+    return {.scene = problem.scene,
+            .objective = problem.demands.objective,
             .strainLimit = problem.demands.strainLimit,
             .energyRatio = problem.demands.energyRatio,
             .tolerance = tolerance};

@@ -17,7 +17,11 @@ enum class Extent { quick, full };
 [[nodiscard]] std::vector<Case> leavingOutSuite(Extent extent);
 /// Run time against N.
 [[nodiscard]] std::vector<Case> scalingSuite(Extent extent);
+/// Family F, stepped bars: error against run time of each form and back end.
+[[nodiscard]] std::vector<Case> steppedSuite(Extent extent);
 /// What a user would otherwise run.
 [[nodiscard]] std::vector<Case> rivalsSuite(Extent extent);
+/// The same for forced, damped bars; part of the suite "rivals".
+[[nodiscard]] std::vector<Case> forcedSuite(Extent extent);
 
 }  // namespace signorini::bench

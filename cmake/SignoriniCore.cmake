@@ -40,3 +40,8 @@ if(EMSCRIPTEN)
   # One file, for Node fetches no other one from a disk; and the status of main.
   target_link_options(core-program PRIVATE -sSINGLE_FILE=1 -sEXIT_RUNTIME=1 -sALLOW_MEMORY_GROWTH=1)
 endif()
+
+# The explorer's bridge; nlohmann-json from the same folder of headers.
+if(SIGNORINI_BUILD_WEB)
+  add_subdirectory(web/core)
+endif()

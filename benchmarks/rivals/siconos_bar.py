@@ -5,7 +5,8 @@ What a user of a general code for nonsmooth mechanics would run: linear elements
 consistent mass, Moreau-Jean time stepping with theta = 1/2, Newton's impact law with e = 0.
 Dense matrices: the sparse ones of Debian's Siconos 4.4 end the process.
 
-usage: siconos_bar.py STATE.csv ELEMENTS STEPS_PER_PERIOD PERIOD PERIODS
+usage: siconos_bar.py STATE.csv ELEMENTS STEPS_PER_PERIOD PERIOD PERIODS [DASHPOT AMPLITUDE PHASE]
+DASHPOT at the tip in EA/c; a force AMPLITUDE cos(2 pi t/PERIOD - PHASE) pulls the tip to the wall.
 STATE.csv holds columns x, displacement, velocity at equidistant nodes (units L = c = g = 1, EA = 1).
 Prints one line "seconds S", then one line "t tip energy" per step.
 """
@@ -37,7 +38,8 @@ def bar_matrices(elements):
 
 
 def main():
-    path, elements, steps, period, periods = sys.argv[1:]
+    path, elements, steps, period, periods = sys.argv[1:6]
+    dashpot, amplitude, phase = (float(word) for word in sys.argv[6:9] or (0.0, 0.0, 0.0))
     elements, steps, periods = int(elements), int(steps), int(periods)
     h = float(period) / steps
     q0, v0 = read_state(path, elements)
@@ -45,6 +47,13 @@ def main():
 
     bar = sk.LagrangianLinearTIDS(q0, v0, mass)
     bar.setKPtr(stiffness)
+    if dashpot > 0.0:
+        damping = np.zeros_like(mass)
+        damping[-1, -1] = dashpot
+        bar.setCPtr(damping)
+    force = np.zeros(elements)
+    if amplitude > 0.0:
+        bar.setFExtPtr(force)
     tip = np.zeros((1, elements))
     tip[0, -1] = -1.0  # gap 1 - u(L) >= 0
     relation = sk.LagrangianLinearTIR(tip, np.array([1.0]))
@@ -57,6 +66,8 @@ def main():
     lines = []
     started = time.perf_counter()
     for k in range(1, steps * periods + 1):
+        # Constant in a step, as the state is marched with it.
+        force[-1] = amplitude * np.cos(2.0 * np.pi * (k - 0.5) / steps - phase)
         simulation.computeOneStep()
         q, v = bar.q(), bar.velocity()
         lines.append((k * h, q[-1], 0.5 * v @ mass @ v + 0.5 * q @ stiffness @ q))

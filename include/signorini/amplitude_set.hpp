@@ -5,7 +5,8 @@
 ///     simplex   z >= 0,  sum z = S
 ///     box       lower <= Z_j <= upper for the partial sums Z_j = z_1 + ... + z_j,  Z_d = S
 ///
-/// Both have d - 1 dimensions; with d = 1 either is a single point.
+/// Both have d - 1 dimensions; with d = 1 either is a single point. A cone, z >= 0 of any size, is
+/// held by its section of one sum S: all below treats it as that simplex.
 ///
 /// The closed-form solver: extremes of sum z^2 over a simplex or a box, and the nearest
 /// member, without a library.
@@ -29,21 +30,25 @@ enum class SetKind {
     simplex,   ///< amplitudes of one sign with a given sum
     box,       ///< independent bounds on each partial sum
     polytope,  ///< a general polytope
+    cone,      ///< motions of every size: without a gap a multiple of a motion is one
 };
 
-/// "empty", "point", "simplex", "box", "polytope".
+/// "empty", "point", "simplex", "box", "polytope", "cone".
 [[nodiscard]] std::string_view name(SetKind kind);
 
-/// A simplex or a box of amplitudes, scaled units (g/L).
+/// A simplex or a box of amplitudes, or the section of a cone, scaled units (g/L).
 struct AmplitudeSet {
-    SetKind kind = SetKind::empty;  ///< empty, point, simplex or box
+    SetKind kind = SetKind::empty;  ///< empty, point, simplex, box or cone
     std::int64_t count = 0;         ///< [-], d, number of amplitudes
     double sum = 0.0;               ///< [g/L], S
     double lower = 0.0;             ///< [g/L], bound on partial sums (box)
     double upper = 0.0;             ///< [g/L], bound on partial sums (box)
 
-    /// d - 1, or -1 for the empty set.
-    [[nodiscard]] std::int64_t dimension() const { return count - 1; }
+    /// d - 1, d for a cone, or -1 for the empty set.
+    [[nodiscard]] std::int64_t dimension() const
+    {
+        return kind == SetKind::cone ? count : count - 1;
+    }
 };
 
 /// How far z lies outside the set, relative to |S|: the largest violation of a bound or of the sum.

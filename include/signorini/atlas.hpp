@@ -5,15 +5,18 @@
 /// A range holds all schedules on N cells with 1..K phases of 1..maxContact contact and 1..maxFree
 /// free steps each. Schedules are numbered; those of one phase come first, by contact and then by
 /// free steps, those of several phases follow in the same lexicographic order. Phases that are
-/// the same but for the one the period starts with are one schedule, the first in this order.
+/// the same but for the one the period starts with are one schedule, the first in this order. All
+/// are of one stop; without a gap energies have no meaning, and ranges of energy are from 0 on.
 ///
 /// ## By what exists
 ///
 /// One contact phase costs what exists, not what is asked: no schedule without motions is looked
 /// at. The schedules that press are the tents of the grid's families (modes.hpp). Those that
 /// graze are known at once: n has more factors 2 than 2N, and n_c < G = gcd(2N, n); then
-/// d = G - n_c. docs/theory.md, section 14. Only a range that keeps the refuted schedules asks
-/// `decide` for the reason of each. Several phases are decided one by one by the exact sums
+/// d = G - n_c. docs/theory.md, section 14. With a negative gap none graze, and those with n_f < G
+/// have motions whose tip never leaves the wall, d = G - n_f. Only a range that keeps the refuted
+/// schedules asks `decide` for the reason of each. Several phases are decided one by one by the
+/// exact sums
 /// (`lumpedSet`).
 
 #include <cstdint>
@@ -39,6 +42,7 @@ struct AtlasRange {
     double maxEnergyRatio = std::numeric_limits<double>::infinity();
     bool keepsRefuted = false;  ///< keep the schedules that no motion follows, too
     bool familiesOnly = false;  ///< keep no schedule; one phase only
+    int gapSign = 1;            ///< [-], of the gap: 1, 0 or -1
 
     friend bool operator==(const AtlasRange&, const AtlasRange&) = default;
 };
@@ -146,9 +150,9 @@ bool forEachSchedule(const AtlasRange& range, const ScheduleVisitor& visitor,
                      const Cancel& cancel = {});
 
 /// The steps after which the motions of a schedule repeat: n if they press (no member repeats
-/// sooner), 2G if they graze, as p is then antiperiodic after G steps whatever n is (single members
-/// with p antiperiodic after G/3, G/5, ... repeat sooner). O(1).
-/// \throws std::invalid_argument if the set is empty.
+/// sooner), G if the tip never leaves the wall, 2G if they graze, as p is then antiperiodic after G
+/// steps whatever n is (single members with p antiperiodic after G/3, G/5, ... repeat sooner).
+/// O(1). \throws std::invalid_argument if the set is empty.
 [[nodiscard]] std::int64_t ownSteps(const Phase& phase, const Verdict& verdict);
 
 }  // namespace signorini

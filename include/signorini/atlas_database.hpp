@@ -23,7 +23,11 @@
 /// workers. A batch and the progress it means are one transaction, so that a process killed at any
 /// moment loses the batches in flight, nothing else.
 ///
-/// This is version 2 of the tables (user_version). An atlas of version 1, without `families`, is
+/// All ranges of a file have a gap of one sign, runs.gap_sign. Without a gap energies have no
+/// meaning: energy_ratio_min is 0, energy_ratio_max NULL.
+///
+/// This is version 3 of the tables (user_version). An atlas of version 1, without `families`, or 2,
+/// without gap_sign, is
 /// refused: decide its range anew.
 
 #include <cstdint>

@@ -7,14 +7,20 @@
 /// the problem are integer once the gap row is multiplied by N/g:
 ///
 ///     (30)  (W x - x)_i = 0              i = 0 .. 2N-1 over x = (a_1..a_N, b_1..b_N)
-///     (31)  sum(b_i - a_i) = N
+///     (31)  sum(b_i - a_i) = N                one wall; -N where it presses at rest, 0 for no gap
 ///     (10)  -p_m <= 0                    one row per contact step, numbered through all phases
 ///     (12)  p_m0 + ... + p_m <= 0        one row per free step, numbered through all phases,
 ///                                        m0 the first free step of its phase
+///     size  p summed over all contact = N     only without a gap, where every multiple of a motion
+///                                             is one and 0 is to be excluded; steps that folding
+///                                             (schedule.hpp) leaves out are not counted
 ///
-/// so the check needs no tolerance. Row (11) is the first row (12) of its phase.
+/// so the check needs no tolerance. They are the rows of scenes with one stop. Row (11) is the
+/// first row (12) of its phase.
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace signorini {
@@ -29,7 +35,8 @@ struct Multiplier {
 
 /// Integer multipliers of the rows above, in ascending order of the row.
 struct FarkasCertificate {
-    std::int64_t gap = 0;                 ///< y of (31), negative in a proof
+    std::int64_t gap = 0;                 ///< y of (31), negative in a proof with a gap
+    std::int64_t size = 0;                ///< y of the row of size, negative in a proof without
     std::vector<Multiplier> periodicity;  ///< y of (30)
     std::vector<Multiplier> pressure;     ///< mu of (10)
     std::vector<Multiplier> penetration;  ///< mu of (12)
@@ -42,6 +49,43 @@ void divideByCommonFactor(FarkasCertificate& certificate);
 struct InfeasibilityProof {
     std::vector<Multiplier> equalities;    ///< y
     std::vector<Multiplier> inequalities;  ///< mu >= 0
+};
+
+/// What a forced motion obeys.
+enum class ForcedRule {
+    gap,          ///< u(L, 0) = g; part of every proof, not listed
+    pressure,     ///< R >= 0 in this step of contact
+    held,         ///< R >= 0 on average in this step and every 2N later, all of them in contact
+    penetration,  ///< u(L) <= g at the end of this step of flight
+    closure,      ///< u(L) = g at the end of this step, the last of a flight
+    work,         ///< no work on the waves that pass the tip in this step and every 2N later, which
+                  ///< nothing damps: so they come back as they were
+    strain,       ///< no compression beyond the limit by the wave that arrives in this step
+};
+
+/// "gap", "pressure", "held", "penetration", "closure", "work", "strain".
+[[nodiscard]] std::string_view name(ForcedRule rule);
+
+/// A rule in one step, as it appears in a proof.
+struct ForcedCondition {
+    ForcedRule rule = ForcedRule::gap;
+    std::int64_t step = 0;  ///< zero-based, from the start of the first contact
+
+    friend bool operator==(const ForcedCondition&, const ForcedCondition&) = default;
+};
+
+/// The multiplier of one row, of any size.
+struct RationalMultiplier {
+    std::int64_t row = 0;  ///< zero-based
+    std::string value;     ///< "p/q" or "p", in lowest terms
+
+    friend bool operator==(const RationalMultiplier&, const RationalMultiplier&) = default;
+};
+
+/// Rational multipliers of the rows of a program, ascending; others are 0.
+struct RationalProof {
+    std::vector<RationalMultiplier> equalities;    ///< y
+    std::vector<RationalMultiplier> inequalities;  ///< mu >= 0
 };
 
 }  // namespace signorini

@@ -75,7 +75,8 @@ using Trace =
 
 /// What a curve is to do beyond staying in the set.
 struct ContinuumOptions {
-    Bar bar = {};  ///< unit of the strain limit and of peak strains
+    /// Unit of the strain limit and of peak strains; the sign of its gap is that of the schedule.
+    Bar bar = {};
     /// [-], 2..1e6, of a curve or a sample. Programs keep more where the resolution asks for it.
     std::int64_t points = 201;
     Trace trace = {};  ///< the split pulse, if nothing is said

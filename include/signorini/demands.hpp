@@ -28,9 +28,11 @@ enum class Formulation {
     state,      ///< the paper's a and b, equations (30)-(32) as they stand
     reduced,    ///< class amplitudes
     lumped,     ///< sums of class amplitudes
+    joints,     ///< waves at joints and tip, of a bar of several segments
+    kernel,     ///< coordinates of ker(W - 1), of a bar of several segments
 };
 
-/// "auto", "state", "reduced", "lumped".
+/// "auto", "state", "reduced", "lumped", "joints", "kernel".
 [[nodiscard]] std::string_view name(Formulation formulation);
 
 /// Which motion of the solution set to return.

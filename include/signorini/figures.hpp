@@ -105,6 +105,13 @@ struct FrequencyEnergyOptions {
 void writeFrequencyEnergyFigure(const std::string& path, const FrequencyEnergyPlot& plot,
                                 const FrequencyEnergyOptions& options = {});
 
+/// Draws motions with K contacts on no grid: how long the first contact may last against T, for K =
+/// 2 the polygons themselves, and all on the frequency-energy plot beside the modes of one contact.
+/// `polytopes` have one K. \throws std::invalid_argument if there are none, or an option is out of
+/// range; BackendUnavailable, FileError as above.
+void drawPolytopes(std::span<const ModePolytope> polytopes, const FrequencyEnergyOptions& options,
+                   const std::string& path);
+
 /// The frequency-energy plot of what a database holds: the families of its schedules as dots, sets
 /// of several contacts as bars, linear motions once each; over the exact modes and the families of
 /// order 60 at most, whatever the grid.
@@ -121,10 +128,18 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
 
 /// Draws impulse on the wall and reach of the tip against the frequency of the excitation: motions
 /// with one contact phase as dots, heavy where they attract, fine where they repel (their
-/// `stability`, if it was tried), and the bar without a wall as a line.
+/// `stability`, if it was tried), the bar without a wall as a line, and behind them the free,
+/// undamped motions of the modes, the backbones that they stand on.
 /// \throws std::invalid_argument if there is no frequency; BackendUnavailable, FileError as above.
 void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
                   FigureFormat format, const std::string& path);
+
+/// Draws amplitude against frequency of the excitation: how many motions with at most one contact
+/// there are at each place, the amplitude from which the motion without contact meets the wall, and
+/// the least one of a motion with contact; between the two edges several coexist. The amplitude of
+/// the range is a line across. Errors as above.
+void drawResponseMap(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
+                     FigureFormat format, const std::string& path);
 
 /// Draws what a simulation saw: the tip beside the wall with its contacts, at the beginning and at
 /// the end, and the impulse of each contact. \throws std::invalid_argument if the path of the tip

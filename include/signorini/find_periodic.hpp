@@ -33,10 +33,13 @@
 namespace signorini {
 
 /// A request names only what it wants. Lengths, strains and energies are in the scaled units of
-/// motion.hpp, as in `Demands`; divide metres by `bar.gap` and strains by `scales(bar).strain`.
+/// motion.hpp, as in `Demands`; divide metres by `scales(bar).displacement`, strains by
+/// `scales(bar).strain`.
 struct FindOptions {
-    Bar bar = {};                 ///< gives the answer in seconds and joules; decides nothing
-    std::string solver = "auto";  ///< a name from `backends()`, or "auto"
+    /// Bar, gap and stops. Beside the sign of the gap and the place of a second stop it decides
+    /// nothing, but gives the answer in seconds and joules.
+    Scene scene = {};
+    std::string solver = "auto";                       ///< a name from `backends()`, or "auto"
     Formulation formulation = Formulation::automatic;  ///< unknowns handed to a solver
     Objective objective = Objective::automatic;        ///< which motion of the set
     std::optional<State> target = std::nullopt;        ///< [g/L], for Objective::nearest
@@ -45,7 +48,8 @@ struct FindOptions {
     /// [g], lowest displacement of the tip allowed, < 1.
     double tipFloor = -std::numeric_limits<double>::infinity();
     std::vector<FixedValue> fixed = {};  ///< [g/L], prescribed parts of the initial state
-    std::optional<double> energyRatio = std::nullopt;  ///< [E_1], energy to hold
+    /// [E_1], energy to hold; without a gap [EA L/2], and it has to be given.
+    std::optional<double> energyRatio = std::nullopt;
     /// Largest relative residual a found motion may have; also the solver's tolerance. Looser
     /// values do not make the closed form faster.
     double tolerance = 1e-7;
@@ -82,6 +86,7 @@ struct FoundMotion {
     std::vector<Phase> canonical;         ///< phases in which the wall is pressed; empty if grazing
     std::int64_t repetitions = 1;  ///< how often the motion repeats within the schedule's period
     std::vector<bool> pressing;    ///< for each phase of the schedule: is the wall pressed at all?
+    bool isSymmetric = false;      ///< is its second half the first, mirrored from stop to stop?
     double energy = 0.0;           ///< [J]
     double energyRatio = 0.0;      ///< E/E_1
     Physical physical;             ///< in SI units, over the motion's own period
@@ -112,11 +117,20 @@ struct EnergyExclusion {
 /// "E/E_1 = 3 is outside the range [4, 600] of the schedule", or of its motions within the limit.
 [[nodiscard]] std::string describe(const EnergyExclusion& exclusion);
 
+/// Rational multipliers over the rows of the joints form of a bar of several segments (theory.md,
+/// section 19), in blocks, that exclude every motion, even if the tip floor is relaxed by the
+/// tolerance.
+struct SteppedProof {
+    RationalProof multipliers = {};                              ///< checked in rationals
+    double tipFloor = -std::numeric_limits<double>::infinity();  ///< [g], as asked for
+    double tolerance = 0.0;                                      ///< relative
+};
+
 /// Why there is no motion.
 struct Absence {
     Reason reason = Reason::constraints;  ///< in a word
     /// Over the paper's rows, checked in integers; over the rows of a program; or by the energies.
-    std::variant<FarkasCertificate, ProgramProof, EnergyExclusion> proof = {};
+    std::variant<FarkasCertificate, ProgramProof, EnergyExclusion, SteppedProof> proof = {};
 };
 
 /// Who did the work, and how long it took.
@@ -141,7 +155,7 @@ struct PeriodicResult {
     Status status = Status::undecided;                        ///< the verdict
     std::string detail = "findPeriodic has not been called";  ///< why undecided, else empty
     Schedule schedule;                                        ///< as asked for
-    Bar bar;                                                  ///< as asked for
+    Scene scene;                                              ///< as asked for
     double period = 0.0;                                      ///< [s], T = n dt
     double frequencyRatio = 0.0;                              ///< omega/omega_1
     MotionSet set;                                            ///< all motions
@@ -161,13 +175,22 @@ struct PeriodicResult {
 /// - one contact phase: the closed form, O(N); limits on strain and tip are met by the motion of
 ///   least energy or by none, an energy to hold by the motion of least peak compression (objective
 ///   automatic or minPeakStrain), or where the wall is pressed by the nearest to a target
-/// - several contact phases: the exact verdict of lumped_set.hpp, O(N + blocks); demands as above
+/// - several contact phases, or two stops: the exact verdict of lumped_set.hpp, O(N + blocks);
+///   demands as above
+/// - no gap: the same sets are cones, and the motion is the one of most impulse for its energy
 /// - demands that neither can answer, or phases beyond its limits: a linear, quadratic or nonlinear
 ///   program in as few unknowns as they allow (`cheapestFormulation`), by GLPK, Ipopt or NLopt
+/// - a bar of several segments: the waves at joints and tip in blocks (`Formulation::joints`), or
+///   coordinates of ker(W - 1) where the state of a block is small (`Formulation::kernel`): a
+///   linear program by GLPK decides, a quadratic one by Ipopt or NLopt gives the least energy, and
+///   a march of its own or a proof in rationals confirms. Equal segments without dashpots are one
+///   bar
 /// - the paper's equations in a, b (`Formulation::state`) when asked for, as a witness
 /// Where a program has no solution, absence is claimed only with an exact proof.
 ///
-/// \throws std::invalid_argument on an invalid schedule, bar or option, BackendUnavailable if no
+/// The stops of the schedule are those of `FindOptions::scene`, whatever it says itself.
+///
+/// \throws std::invalid_argument on an invalid schedule, scene or option, BackendUnavailable if no
 /// solver in this build can do what is asked, std::bad_alloc if 2N numbers do not fit.
 [[nodiscard]] PeriodicResult findPeriodic(const Schedule& schedule,
                                           const FindOptions& options = {});
@@ -176,6 +199,13 @@ struct PeriodicResult {
 [[nodiscard]] PeriodicResult findPeriodic(std::int64_t contactSteps, std::int64_t freeSteps,
                                           std::int64_t cells = 300,
                                           const FindOptions& options = {});
+
+/// For each set of motions with one contact in a period of n steps the schedule that has all of it:
+/// the families, by ascending k, then, where nu = 2, the linear motions that touch the wall without
+/// force; `gapSign` is that of the gap. O(log n) and their number.
+/// \throws std::invalid_argument unless 1 <= N <= maxCells, 1 <= n <= maxSteps.
+[[nodiscard]] std::vector<Schedule> schedulesOfPeriod(std::int64_t cells, std::int64_t steps,
+                                                      int gapSign = 1);
 
 /// Steps are whole numbers: anything else does not compile.
 template <typename Contact, typename Free>

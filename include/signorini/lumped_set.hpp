@@ -10,6 +10,11 @@
 ///     sum from take-off to the end of a block <= 0  no penetration (12)
 ///     S >= 0 for a pressing type                    pressure (10)
 ///
+/// With other stops the right sides change, and nothing else: of the gap row to N for a gap < 0, 0
+/// for none (then sum contactMembers S = N holds the size), N h/g where the period starts on the
+/// second stop; a flight from one stop to the other closes with -+N (g + h)/2g, and sums over its
+/// blocks have bounds on both sides (docs/theory.md, section 17).
+///
 /// All coefficients are integers, and the system is decided in rational arithmetic: the verdict
 /// depends on no tolerance and on no solver library. The nearest such S to 0 in the metric
 /// sum S^2/d gives the motion of least energy, with equal amplitudes S/d in each type.
@@ -31,7 +36,7 @@
 ///
 /// - dead: an odd number of free steps per class, p = 0;
 /// - blocked: the kernel allows an amplitude, but contact steps ask for both signs, so z = 0;
-/// - pressing: it has contact steps; epsilon is taken +1 there, so z >= 0;
+/// - pressing: it has contact steps; epsilon is taken +1 there, on the second stop -1, so z >= 0;
 /// - grazing: it has none, and z is free in sign.
 
 #include <cstdint>
@@ -122,12 +127,14 @@ void forEachBlock(const ClassTypes& classes, Action action)
 struct PrefixMultiplier {
     std::vector<std::int64_t> coefficients;  ///< one per live type
     std::int64_t value = 0;                  ///< [-], > 0
+    std::int64_t rhs = 0;                    ///< [-], coefficients . S <= rhs
 };
 
 /// Why no S exists: these rows add up to sum s S <= -r with r > 0 and s >= 0 on pressing types,
 /// 0 on grazing ones.
 struct LumpedAbsence {
     std::int64_t gap = 0;              ///< [-], multiplier of the gap row
+    std::int64_t size = 0;             ///< [-], of the row of size, without a gap
     std::vector<Multiplier> closures;  ///< row: number of the phase whose flight closes
     std::vector<PrefixMultiplier> prefixes;
 };
@@ -138,7 +145,7 @@ struct LumpedSet {
     std::vector<std::size_t> live;         ///< indices of the live types; entry i has the sum S_i
     std::optional<LumpedAbsence> absence;  ///< set exactly when there is no motion
     std::vector<double> leastSums;         ///< [g/L], S of least energy
-    double leastEnergy = 0.0;              ///< [E_1], E_min
+    double leastEnergy = 0.0;              ///< [E_1], E_min; without a gap of the size of the sums
 };
 
 /// Most live types and most blocks (`blockCount`) that `lumpedSet` takes on: beyond them exact

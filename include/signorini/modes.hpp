@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Periodic motions with one contact phase on no grid: nonsmooth modes, and the families on them.
+/// Periodic motions on no grid: nonsmooth modes, the families on them, and the polytopes of several
+/// contacts.
 ///
 /// Lengths in L, displacements in g, times in L/c. Between the grid points of a schedule lie
 /// motions of any period T. For irrational T the delay sequence has one size, p(t) = h epsilon(t)
@@ -18,6 +19,11 @@
 ///   branches off one of smaller |b|;
 /// - a <= |b|, so every mode has omega > omega_1, T < 4.
 ///
+/// Where the gap is negative the same pattern presses for kappa T < mu: such modes live on the
+/// other side of the period of infinite energy, 1/sqrt(E/E_1) = mu - kappa T, between jumps that
+/// meet and that period. Without a gap there are no modes, as they have a single period mu/kappa.
+/// docs/theory.md, section 17.
+///
 /// All numbers are integers, nothing is fitted.
 ///
 /// ## Families
@@ -30,6 +36,9 @@
 ///
 ///     T = 2 nu/w,   least E/E_1 = (w/win)^2,   longest contact 2k/w,   win = windowSum < 0.
 ///
+/// With a negative gap win > 0 instead, and there is one more for each w, (w, 1, 1), whose tip
+/// never leaves the wall; without a gap win = 0.
+///
 /// On every grid with w | 2N it is one simplex of G = 2N/w amplitudes, the set of the schedule
 /// n_c = kG, n = nu G, with energies up to G times the least. The schedules with |n_c - kG| < G
 /// and the same n, its *tent*, are the faces of that simplex with d = G - |n_c - kG| amplitudes.
@@ -38,6 +47,12 @@
 /// Families are the rational points of modes: T lies inside the interval of exactly one mode
 /// (a, b), with k = 2aw + b nu and the least energy on its curve. One run of Euclid's algorithm
 /// lists the families of (w, nu) and decides a mode. docs/theory.md, section 14, proves all this.
+///
+/// ## Several contacts
+///
+/// With K contacts [s_i, e_i) the jumps form K chains, from each arrival to some release: e = s_i +
+/// 2k - m T. Beside T up to K - 1 times are free: polytopes with rational corners, on each of which
+/// the energy depends on T alone. docs/theory.md, section 18.
 
 #include <cstdint>
 #include <functional>
@@ -45,6 +60,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "signorini/control.hpp"
@@ -73,7 +89,9 @@ struct Mode {
     ModeEnd lowestEnd = ModeEnd::energyInfinite;    ///< why the mode ends at `lowest`
     ModeEnd highestEnd = ModeEnd::contactVanishes;  ///< why it ends at `highest`
     std::int64_t kappa = 0;                         ///< [-], E/E_1 = 1/(kappa T - mu)^2,
-    std::int64_t mu = 0;                            ///< [-], kappa T - mu > 0 in the interval
+    std::int64_t mu = 0;                            ///< [-], kappa T - mu > 0 in the interval,
+                                                    ///< < 0 where the gap is
+    int gapSign = 1;                                ///< [-], of the gap: 1 or -1
 
     friend bool operator==(const Mode&, const Mode&) = default;
 };
@@ -87,6 +105,7 @@ struct ModeBounds {
     std::int64_t maxOrder = 25;    ///< [-], 1..maxModeOrder
     double maxPeriod = 8.0;        ///< [L/c], > 0; from 4 on it selects nothing
     double maxEnergyRatio = 50.0;  ///< [E_1], > 0
+    int gapSign = 1;               ///< [-], of the gap: 1 or -1
     Cancel cancel = {};            ///< ends the search: what was found so far is returned
     std::function<void(double done, double total)> progress = {};  ///< called for each |b|
 };
@@ -125,6 +144,9 @@ struct ModeJump {
 /// \throws std::invalid_argument unless lowest < steps/cells < highest, or on too many cells.
 [[nodiscard]] Schedule scheduleOf(const Mode& mode, std::int64_t cells, std::int64_t steps);
 
+struct ModePolytope;
+struct ModePoint;
+
 /// The motion of a mode at one period, without a grid: with F the integral of p from 0,
 ///
 ///     u(x, t) = F(t + 1 - x) - F(t + 1 + x)
@@ -136,14 +158,22 @@ class ModeMotion {
 public:
     /// O(a). \throws std::invalid_argument unless lowest < T < highest.
     ModeMotion(const Mode& mode, double period);
+    /// A motion with several contacts, t = 0 at s_0. O(K jumps). \throws std::invalid_argument
+    /// unless the point is in the polytope, its closures within 1e-9.
+    ModeMotion(const ModePolytope& polytope, const ModePoint& point);
 
     /// T [L/c].
     [[nodiscard]] double period() const { return period_; }
-    /// t_c [L/c].
-    [[nodiscard]] double contactTime() const { return times_.front(); }
+    /// t_c, of all contacts together [L/c].
+    [[nodiscard]] double contactTime() const { return contactTime_; }
+    /// [s_l, e_l[, the first from 0 [L/c].
+    [[nodiscard]] const std::vector<std::pair<double, double>>& contacts() const
+    {
+        return contacts_;
+    }
     /// h = |p| > 0 [g/L]; E/E_1 = 4 h^2.
     [[nodiscard]] double amplitude() const { return amplitude_; }
-    /// Where p changes its sign, ascending in ]0, T[ [L/c]: the first is t_c, from + to -.
+    /// Where p changes its sign, ascending in ]0, T[ [L/c]: the first is e_0, from + to -.
     [[nodiscard]] const std::vector<double>& jumpTimes() const { return times_; }
 
     /// p(t), +h or -h: the wave arriving at the tip [g/L].
@@ -157,7 +187,7 @@ public:
     /// s(x, t) [g/L].
     [[nodiscard]] double strain(double x, double t) const;
     /// g - u(L, t) [g].
-    [[nodiscard]] double tipGap(double t) const { return 1.0 - displacement(1.0, t); }
+    [[nodiscard]] double tipGap(double t) const { return gapSign_ - displacement(1.0, t); }
     /// Force on the wall, 2h in contact and 0 in flight [EA g/L].
     [[nodiscard]] double wallForce(double t) const;
     /// What one period reaches. O(a).
@@ -173,7 +203,10 @@ private:
     [[nodiscard]] double integral(double t) const;  ///< of p/h from 0 to t
 
     double period_;
+    int gapSign_ = 1;
     double amplitude_ = 0.0;
+    double contactTime_ = 0.0;
+    std::vector<std::pair<double, double>> contacts_;
     std::vector<double> times_;
     std::vector<double> integrals_;  ///< of p/h up to each jump
 };
@@ -188,7 +221,7 @@ struct Family {
     std::int64_t order = 0;          ///< [-], w, blocks in 2L/c
     std::int64_t blocks = 0;         ///< [-], nu, blocks in a period; coprime to w
     std::int64_t contactBlocks = 0;  ///< [-], k, of them in contact
-    std::int64_t windowSum = 0;      ///< [-], win < 0, sum of epsilon over w blocks
+    std::int64_t windowSum = 0;      ///< [-], win, sum of epsilon over w blocks; < 0 with a gap
 
     friend bool operator==(const Family&, const Family&) = default;
 };
@@ -215,6 +248,7 @@ struct FamilyBounds {
     double maxPeriod = 4.0;  ///< [L/c], > 0; from 4 on it selects nothing
     /// [E_1], > 0, of the least energy; compared exactly.
     double maxEnergyRatio = std::numeric_limits<double>::infinity();
+    int gapSign = 1;     ///< [-], of the gap: 1, 0, -1; without one energies select nothing
     Cancel cancel = {};  ///< ends the search as a visitor does
 };
 
@@ -227,13 +261,14 @@ using FamilyVisitor = std::function<bool(const Family&)>;
 /// 2k/w [L/c], the contact of the motions with no amplitude 0; shorter ones are in the tent.
 [[nodiscard]] ExactPeriod longestContact(const Family& family);
 
-/// (w/win)^2, met on every grid of the family by equal amplitudes.
+/// (w/win)^2, met on every grid of the family by equal amplitudes; 0 without a gap, the infimum of
+/// all sizes.
 [[nodiscard]] ExactEnergy leastEnergy(const Family& family);
 
 /// The family with these numbers, if there is one. O(log nu).
 /// \throws std::invalid_argument unless 1 <= w <= maxFamilyOrder, 1 <= nu, 1 <= k.
 [[nodiscard]] std::optional<Family> findFamily(std::int64_t order, std::int64_t blocks,
-                                               std::int64_t contactBlocks);
+                                               std::int64_t contactBlocks, int gapSign = 1);
 
 /// Visits the families with w <= maxOrder by ascending w, nu, k. O(log w) for each pair
 /// (w, nu), no memory; there are 33 families with w <= 12, 1651 with w <= 60, 326,073 with w <=
@@ -248,7 +283,8 @@ bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const Fami
 /// The families of T = 2 nu/w by ascending k: all that one contact in a period can press. O(log nu)
 /// and their number; none from T = 4 on.
 /// \throws std::invalid_argument unless 1 <= w <= maxFamilyOrder, 1 <= nu, without common factor.
-[[nodiscard]] std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks);
+[[nodiscard]] std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks,
+                                             int gapSign = 1);
 
 /// Visits the families of a grid, those with w | 2N, by ascending w, nu, k. O(N log N) steps and
 /// no memory. \returns false if it was ended early.
@@ -256,8 +292,9 @@ bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const Fami
 bool forEachFamilyOnGrid(std::int64_t cells, const FamilyBounds& bounds,
                          const FamilyVisitor& visitor);
 
-/// The schedule whose set is the family's whole simplex: n_c = kG, n = nu G, G = 2N/w.
-/// \throws std::invalid_argument unless w divides 2N.
+/// The schedule whose set is the family's whole simplex: n_c = kG, n = nu G, G = 2N/w; of (w, 1, 1)
+/// the first face, n_c = G - 1. \throws std::invalid_argument unless w divides 2N (and w < 2N
+/// there).
 [[nodiscard]] Schedule scheduleOf(const Family& family, std::int64_t cells);
 
 /// Where a schedule lies in the tent of its family.
@@ -276,14 +313,110 @@ struct TentPlace {
 
 /// The mode with t_c = 4a + bT, if there is one, by continued fraction. O(log a).
 /// \throws std::invalid_argument unless 1 <= a, -b <= maxFamilyOrder.
-[[nodiscard]] std::optional<Mode> findMode(std::int64_t a, std::int64_t b);
+[[nodiscard]] std::optional<Mode> findMode(std::int64_t a, std::int64_t b, int gapSign = 1);
 
 /// The one mode whose curve the family stands on: lowest < T < highest, k = 2aw + b nu. O(log nu).
-/// \throws std::invalid_argument if there is no such family.
+/// \throws std::invalid_argument if there is no such family, or it stands on no mode: win = 0, and
+/// (w, 1, 1).
 [[nodiscard]] Mode modeThrough(const Family& family);
+
+/// Does a family stand on a mode, inside its interval? Not those at the end of one, of no gap, nor
+/// those whose tip never leaves the wall.
+[[nodiscard]] inline bool standsOnMode(const Family& family)
+{
+    return family.windowSum != 0 && family.contactBlocks < family.blocks;
+}
 
 /// The families that stand on a mode, w <= maxOrder, by ascending w and nu: its rational points.
 /// \throws std::invalid_argument if there is no such mode or maxOrder is out of range.
 [[nodiscard]] std::vector<Family> familiesOf(const Mode& mode, std::int64_t maxOrder);
+
+/// Jumps of a motion with K contacts [s_i, e_i), from an arrival to a release: they stand at s_i +
+/// 2j mod T, j = 1..k, the last at e_release = s_i + 2k - turns T. 0 = s_0 < e_0 < s_1 < ... < T.
+struct ModeChain {
+    std::size_t release = 0;  ///< number of the contact that ends there
+    std::int64_t k = 0;       ///< [-], jumps; even, >= 2
+    std::int64_t turns = 0;   ///< [-], >= 0
+
+    friend bool operator==(const ModeChain&, const ModeChain&) = default;
+};
+
+/// Position s_chain + 2k - turns T, in ]0, T[.
+struct ChainJump {
+    std::size_t chain = 0;   ///< [-]
+    std::int64_t k = 0;      ///< [-], 1..k of the chain
+    std::int64_t turns = 0;  ///< [-]
+
+    friend bool operator==(const ChainJump&, const ChainJump&) = default;
+};
+
+/// Motions with K contacts, one for each (T, s_1, ..., s_{K-1}) in the relative interior of a
+/// polytope of dimension 1 + `dimension`. All contact together lasts 2 sum k - order T. Of several
+/// names that differ by where time begins the type is listed under the one with the largest k, then
+/// turns, then release.
+struct ModePolytope {
+    std::vector<ModeChain> chains;  ///< K of them
+    std::vector<ChainJump> jumps;   ///< ascending in time; the first is the release of contact 0
+    std::int64_t order = 0;         ///< [-], sum of all turns, odd
+    std::int64_t dimension = 0;     ///< [-], times that are free at one T, 0..K-1
+    ExactPeriod lowest;             ///< [L/c], not itself met
+    ExactPeriod highest;            ///< [L/c], not itself met
+    ModeEnd lowestEnd = ModeEnd::energyInfinite;    ///< why it ends at `lowest`
+    ModeEnd highestEnd = ModeEnd::contactVanishes;  ///< why it ends at `highest`
+    std::int64_t kappa = 0;                         ///< [-], E/E_1 = (divisor/(kappa T - mu))^2,
+    std::int64_t mu = 0;                            ///< [-], kappa T - mu > 0
+    std::int64_t divisor = 1;                       ///< [-], > 0; 1 if dimension = K - 1
+    /// (T, s_1, ..., s_{K-1}) in lexicographic order [L/c]
+    std::vector<std::vector<ExactPeriod>> vertices;
+
+    friend bool operator==(const ModePolytope&, const ModePolytope&) = default;
+};
+
+/// Bounds of `findPolytopes`; its cost grows like order^(K + 2).
+inline constexpr std::int64_t maxPolytopePhases = 5;
+inline constexpr std::int64_t maxPolytopeOrder = 101;
+
+/// All types with K contacts and order <= maxOrder that have a motion within the bounds, by order.
+/// Exact, and complete: no grid is asked. Motions that repeat one with fewer contacts are listed
+/// there only where they are part of a continuum here. With one contact these are the modes.
+/// \throws std::invalid_argument naming each bound that is out of range.
+[[nodiscard]] std::vector<ModePolytope> findPolytopes(std::int64_t phases,
+                                                      const ModeBounds& bounds = {});
+
+/// The polytopes of one type, seldom more than one; none if it has no motions or repeats fewer
+/// contacts. \throws std::invalid_argument unless every contact is the release of one chain, k is
+/// even and >= 2, and no number is negative or above 10,000.
+[[nodiscard]] std::vector<ModePolytope> polytopesOf(const std::vector<ModeChain>& chains);
+
+/// The polytope that holds the motion of a schedule with gcd(2N, n) = 1; none if the schedule has
+/// no motion, or one that touches without force, or repeats itself. O(n^2).
+/// \throws std::invalid_argument on an invalid schedule or another gcd.
+[[nodiscard]] std::optional<ModePolytope> polytopeOf(const Schedule& schedule);
+
+/// A point of a polytope.
+struct ModePoint {
+    double period = 0.0;           ///< T [L/c]
+    std::vector<double> arrivals;  ///< s_1, ..., s_{K-1} [L/c]
+};
+
+/// Points that span all motions of one period: the motions are their means, ends excluded.
+/// \throws std::invalid_argument unless lowest < T < highest.
+[[nodiscard]] std::vector<ModePoint> slice(const ModePolytope& polytope, double period);
+
+/// Contact and flight in turn, 2K lengths [L/c].
+/// \throws std::invalid_argument unless the point has K - 1 arrivals.
+[[nodiscard]] std::vector<double> stretches(const ModePolytope& polytope, const ModePoint& point);
+
+/// E/E_1. \throws std::invalid_argument unless lowest < T < highest.
+[[nodiscard]] double energyRatio(const ModePolytope& polytope, double period);
+
+/// The limits of E/E_1 at both ends of its periods, neither reached; most may be infinite.
+[[nodiscard]] EnergyRange energyRange(const ModePolytope& polytope);
+
+/// The schedules on N cells in n steps whose motion is in the polytope: the grid points with T =
+/// n/N, one for each orbit. If gcd(2N, n) = 1 that is the only motion of the schedule.
+/// \throws std::invalid_argument unless 1 <= N <= maxCells, 1 <= n.
+[[nodiscard]] std::vector<Schedule> schedulesOf(const ModePolytope& polytope, std::int64_t cells,
+                                                std::int64_t steps);
 
 }  // namespace signorini

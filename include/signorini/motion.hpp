@@ -41,6 +41,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "signorini/bar.hpp"
@@ -123,6 +124,15 @@ public:
     /// motion is back at its start. \throws std::invalid_argument if the cells do not match.
     Motion(const State& state, const Schedule& schedule);
 
+    /// The same of a bar of several segments (bar.hpp), which has no delay sequence: it is marched
+    /// along the schedule, and all of it kept. Its extremes are not looked for. O(n N) time and
+    /// memory. \throws std::invalid_argument if the cells do not match, or for more than
+    /// maxKeptValues of them.
+    Motion(const State& state, const Schedule& schedule, std::span<const Segment> segments);
+
+    /// Most cells times instants of a motion that is kept.
+    static constexpr std::int64_t maxKeptValues = 20'000'000;
+
     /// N.
     [[nodiscard]] std::int64_t cells() const { return cells_; }
     /// n of the folded schedule: steps after which the motion is back at its start.
@@ -134,17 +144,54 @@ public:
     [[nodiscard]] double velocity(std::int64_t cell, std::int64_t instant) const;
     /// s on cell i in 1..N right after t_m, in units of g/L.
     [[nodiscard]] double strain(std::int64_t cell, std::int64_t instant) const;
-    /// Force on the wall in step m in 0..n-1, 2 p_m in contact and 0 in flight [EA g/L].
+    /// Force on the wall in step m in 0..n-1, 2 p_m in contact and 0 in flight [EA g/L]; negative
+    /// at the second stop. What rounding leaves of a zero, 1e-9 of the largest |p|, is no force.
     [[nodiscard]] double wallForce(std::int64_t step) const;
-    /// Over one period of the schedule, before folding.
-    [[nodiscard]] const Extremes& extremes() const { return extremes_; }
+
+    /// The same at any place and time, exactly, as waves are constant on each cell and step: x in
+    /// cells, 0..N, t in steps, any. Where a wave jumps v and s are those right after it; instants
+    /// and places within 1e-9 of a whole number count as that. O(1).
+    /// \throws std::invalid_argument unless 0 <= x <= N and t is finite.
+    [[nodiscard]] double displacementAt(double x, double t) const;
+    [[nodiscard]] double velocityAt(double x, double t) const;
+    [[nodiscard]] double strainAt(double x, double t) const;
+    [[nodiscard]] double wallForceAt(double t) const;
+    /// p_0 ... p_{n-1} [g/L]; empty for a bar of several segments.
+    [[nodiscard]] std::span<const double> arriving() const
+    {
+        return {p_.data(), p_.empty() ? 0 : static_cast<std::size_t>(steps_)};
+    }
 
 private:
-    Extremes extremes_;
+    /// A place within a cell and an instant within a step.
+    struct Place {
+        std::int64_t cell = 1;     ///< 1..N
+        double offset = 0.0;       ///< [cells], 0..1
+        std::int64_t instant = 0;  ///< 0..n-1
+        double since = 0.0;        ///< [steps], 0..1
+    };
+    [[nodiscard]] Place placeOf(double x, double t) const;
+    /// a and b on cell i in 1..N right after t_m.
+    [[nodiscard]] double rightGoing(std::int64_t cell, std::int64_t instant) const;
+    [[nodiscard]] double leftGoing(std::int64_t cell, std::int64_t instant) const;
+    /// The same at a place.
+    [[nodiscard]] double rightGoing(const Place& at) const;
+    [[nodiscard]] double leftGoing(const Place& at) const;
+    /// s [g/L] of two waves on a cell.
+    [[nodiscard]] double strainOf(std::int64_t cell, double right, double left) const;
+
     std::int64_t cells_;
     std::int64_t steps_;
+    double least_;             ///< force that is more than rounding
     std::vector<double> p_;    ///< p_0 .. p_{n+2N-1}
     std::vector<double> sum_;  ///< P(0) .. P(n+2N)
+    /// Of a bar of several segments: u at N + 1 nodes, a and b in N cells, for every instant, and
+    /// the force of every step.
+    std::vector<double> u_;
+    std::vector<double> a_;
+    std::vector<double> b_;
+    std::vector<double> speed_;  ///< of each cell
+    std::vector<double> force_;
 };
 
 /// 0, k, 2k, ... up to `last`, which is always included, with the least stride k that gives at most

@@ -12,15 +12,17 @@
 ///     p_{alpha G + j} = epsilon_alpha z_j,   epsilon_{alpha + w} = sigma_alpha epsilon_alpha,
 ///
 /// with w = 2N/G. Over a window of 2N steps epsilon adds up to `windowSum`; the gap row (31) says
-/// windowSum * S = -N with S = sum z. What remains of (32):
+/// windowSum * S = -N with S = sum z, N where the gap is negative, 0 where there is none. What
+/// remains of (32):
 ///
 /// - pressing (a live class touches the wall): every contact epsilon is +1, no prefix sum of
-///   epsilon over the free blocks is positive, windowSum < 0. The set is {z >= 0, sum z = S}.
+///   epsilon over the free blocks is positive, windowSum < 0 (gap < 0: > 0; no gap: 0). The set is
+///   {z >= 0, sum z = S}; without a gap S is whatever one likes, and the set a cone.
 /// - grazing (no live class does): nu is even and w odd, so epsilon alternates and windowSum = 1;
 ///   the set is the box -N <= Z_j <= 0, Z_d = S = -N. It is never empty: linear motions that touch
-///   the wall without force.
+///   the wall without force. Around a tip at rest at the wall, or pressed on it, there are none.
 ///
-/// docs/theory.md derives each step. Schedules are folded first (schedule.hpp).
+/// docs/theory.md derives each step (sections 4-6, 17). Schedules are folded first (schedule.hpp).
 
 #include <cstdint>
 #include <optional>
@@ -37,6 +39,7 @@ namespace signorini {
 /// What can be said of a schedule in a few integers: does it have a motion, and how many.
 struct Verdict {
     std::int64_t cells = 0;               ///< [-], N
+    int gapSign = 1;                      ///< [-], of the gap: 1, 0, -1
     std::int64_t classes = 0;             ///< [-], G
     std::int64_t members = 0;             ///< [-], nu, steps in a class
     std::int64_t window = 0;              ///< [-], w = 2N/G, blocks in a window of 2N steps
@@ -63,7 +66,7 @@ struct OnePhaseSet : Verdict {
 
 /// Decides a schedule. O(min(n, 12N)/G) steps on integers, one array of that many bytes; no heap
 /// use at all when `result` is used again for a schedule that needs no more room. \throws
-/// std::invalid_argument on an invalid schedule or more than one phase.
+/// std::invalid_argument on an invalid schedule, more than one phase or a second stop.
 void onePhaseSet(const Schedule& schedule, OnePhaseSet& result);
 
 /// The same, returning a fresh object.
@@ -72,11 +75,12 @@ void onePhaseSet(const Schedule& schedule, OnePhaseSet& result);
 /// The verdict alone, for those who ask about millions of schedules: the walk along a class ends
 /// at the first contradiction, which most schedules show within a few steps. `signs` is room to
 /// work in, to be passed again. \pre the schedule is valid: `validate` holds for cells and phase.
-[[nodiscard]] Verdict decide(std::int64_t cells, Phase phase, std::vector<std::int8_t>& signs);
+[[nodiscard]] Verdict decide(std::int64_t cells, Phase phase, std::vector<std::int8_t>& signs,
+                             int gapSign = 1);
 
 /// [E_min, E_max]/E_1 over the whole set: 2w/N times the extremes of sum z^2, rounded once (where
 /// N < 4e7), so that a double beyond an end is beyond it by as much. O(1).
-/// \throws std::invalid_argument if the set is empty.
+/// A cone has all energies above 0. \throws std::invalid_argument if the set is empty.
 [[nodiscard]] EnergyRange energyRange(const Verdict& verdict);
 
 /// The state at t = 0 of the motion with the given amplitudes. O(N).
@@ -89,7 +93,8 @@ void onePhaseSet(const Schedule& schedule, OnePhaseSet& result);
 /// \throws std::invalid_argument if the set is empty or the state has other cells.
 [[nodiscard]] std::vector<double> amplitudesOf(const OnePhaseSet& whole, const State& state);
 
-/// The state at t = 0 of the motion of least energy, z = S/d throughout. O(N), the time needed to
+/// The state at t = 0 of the motion of least energy, z = S/d throughout; of a cone the flattest, of
+/// some size. O(N), the time needed to
 /// write 2N numbers. \throws std::invalid_argument if the set is empty.
 [[nodiscard]] State leastEnergyMotion(const OnePhaseSet& whole);
 

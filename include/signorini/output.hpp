@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -128,9 +129,10 @@ inline constexpr std::int64_t maxMeasurements = 1'000'000;
 /// not read, nor is a byte order mark. The file may be a pipe. One that was cut short does not
 /// pass: every row has as many fields as the header and ends with a newline.
 /// \throws FileError if it cannot be read, std::invalid_argument naming file, line, column and
-/// fault if it has no such columns, too few rows or too many (more than `cells` of waves), or a
-/// value that is no finite number or out of place.
-[[nodiscard]] StateReading readState(const std::string& path, const Bar& bar, std::int64_t cells);
+/// fault if it has no such columns, too few rows or too many (of waves more than `mostCells`, or,
+/// if that is not given, than `cells`), or a value that is no finite number or out of place.
+[[nodiscard]] StateReading readState(const std::string& path, const Bar& bar, std::int64_t cells,
+                                     std::optional<std::int64_t> mostCells = {});
 
 /// Most nodes and instants in a motion file; longer motions are thinned out evenly.
 inline constexpr std::int64_t maxMotionNodes = 1001;
@@ -142,7 +144,7 @@ class MotionSamples {
 public:
     /// Over `Motion::steps`: one period unless the schedule has flights of 4N steps and more, which
     /// only repeat. Refers to the motion.
-    MotionSamples(const Motion& motion, const Bar& bar,
+    MotionSamples(const Motion& motion, const Scene& scene,
                   std::int64_t mostInstants = maxMotionInstants);
     /// One period on the nodes of N cells; velocity and strain are those in the middle of a cell.
     /// Refers to the motion.
@@ -151,7 +153,8 @@ public:
 
     [[nodiscard]] std::size_t nodes() const { return x_.size(); }
     [[nodiscard]] std::size_t instants() const { return times_.size(); }
-    [[nodiscard]] const Bar& bar() const { return bar_; }
+    [[nodiscard]] const Scene& scene() const { return scene_; }
+    [[nodiscard]] const Bar& bar() const { return scene_.bar; }
     [[nodiscard]] double x(std::size_t node) const { return x_[node]; }               ///< [m]
     [[nodiscard]] double time(std::size_t instant) const { return times_[instant]; }  ///< [s]
     [[nodiscard]] double displacement(std::size_t node, std::size_t instant) const;   ///< [m]
@@ -161,7 +164,7 @@ public:
 private:
     using Field = std::function<double(std::size_t node, std::size_t instant)>;
 
-    Bar bar_;
+    Scene scene_;
     std::vector<double> x_;
     std::vector<double> times_;
     Field displacement_;  ///< in scaled units, like the others

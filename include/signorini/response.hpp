@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Forced, damped motions with one contact phase, exactly: those of one schedule, those of all
-/// schedules at one amplitude (the response), and whether the bar stays near them.
+/// Forced, damped motions, exactly: those of one schedule, those of all schedules with one contact
+/// phase at one amplitude (the response), and whether the bar stays near them.
 ///
 /// Units L = c = g = 1, forces in EA g/L; Damping and Excitation in simulation.hpp. A schedule
 /// (n_c, n_f) is one period of n = n_c + n_f steps in which a harmonic excitation goes through K
@@ -12,8 +12,10 @@
 ///
 /// With damping the waves that arrive at the tip are C p^0 + S p^1, u(L, 0) = g is a line in the
 /// plane (C, S), and the conditions R >= 0 and u(L) <= g cut it: the motions of a schedule are a
-/// segment, a ray, a point or nothing, and an amplitude hypot(C, S) is met by at most two.
-/// docs/theory.md, section 15.
+/// segment, a ray, a point or nothing, and an amplitude hypot(C, S) is met by at most two. Each
+/// further contact phase closes one more flight: with two what is left is a point or nothing.
+/// Waves that nothing damps (without a dashpot, or always in contact) have amplitudes of their own:
+/// a linear program in them and (C, S). docs/theory.md, section 15.
 
 #include <array>
 #include <cstdint>
@@ -24,6 +26,7 @@
 #include <string_view>
 #include <vector>
 
+#include "signorini/certificate.hpp"
 #include "signorini/control.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
@@ -61,43 +64,50 @@ struct ForcedMotion {
     double amplitude = 0.0;  ///< [EA g/L] (tip) or [g] (base)
     double phase = 0.0;      ///< [rad], of the harmonic; 0 for a shape
     State state;             ///< at the start of contact
-    double impulse = 0.0;    ///< int R dt over a period [EA g/c]
-    double peakForce = 0.0;  ///< max R [EA g/L]
-    double lowest = 0.0;     ///< min u(L) [g]
+    Extremes extremes;       ///< of one period; strains those of the bar, base and tip included
     double residual = 0.0;   ///< the worst that a walk along the schedule and a march saw,
                              ///< the balance of work included; relative
     std::optional<Stability> stability = {};  ///< for those who ask stabilityOf, to be kept here
 };
 
-/// A condition of the schedule, as it appears in a proof.
-struct ForcedCondition {
-    bool isContact = false;  ///< R >= 0 in this step; else u(L) <= g at its end
-    std::int64_t step = 0;   ///< zero-based, from the start of contact
-
-    friend bool operator==(const ForcedCondition&, const ForcedCondition&) = default;
-};
-
 /// What the motions of a schedule look like.
 enum class ForcedKind {
-    empty,    ///< none
-    point,    ///< one motion
-    segment,  ///< amplitudes in a closed interval
-    ray,      ///< no largest amplitude
+    empty,     ///< none
+    point,     ///< one motion
+    segment,   ///< amplitudes in a closed interval
+    ray,       ///< no largest amplitude
+    polytope,  ///< with amplitudes of waves that nothing damps
 };
 
-/// "empty", "point", "segment", "ray".
+/// "empty", "point", "segment", "ray", "polytope".
 [[nodiscard]] std::string_view name(ForcedKind kind);
 
-/// All motions of one schedule: (C, S) = foot + t direction, low <= t <= high.
+/// What is demanded of a motion besides.
+struct ForcedLimits {
+    /// [g/L], S > 0: s >= -S for all x and t, -min s being 2 max p. For a force on the tip only: a
+    /// moving base adds its velocity to it.
+    double strain = std::numeric_limits<double>::infinity();
+};
+
+/// A corner of what the motions of a schedule leave of the plane (C, S), with one motion there.
+struct ForcedCorner {
+    std::array<double, 2> place = {};  ///< (C, S)
+    std::vector<double> free = {};     ///< [g/L], amplitudes of the waves that nothing damps
+};
+
+/// All motions of one schedule. Where everything is damped (C, S) = foot + t direction, low <= t <=
+/// high; else (C, S) fills a polygon, and each of its places has motions of its own.
 struct ForcedSet {
     Schedule schedule;
     Damping damping;
     Forcing forcing;
+    ForcedLimits limits;
     Status status = Status::undecided;
-    std::string detail;            ///< why not decided
-    std::optional<Reason> reason;  ///< why there is none: gap, contactSign, penetration
-    /// status none: conditions, at most two, that with u(L, 0) = g contradict each other; certain
-    /// whatever was rounded (isCertain).
+    std::string detail;  ///< why not decided
+    /// Why there is none: contactSign, penetration, gap (flights do not close), constraints.
+    std::optional<Reason> reason;
+    /// status none: conditions that with u(L, 0) = g contradict each other, two where nothing is
+    /// undamped; certain whatever was rounded (isCertain).
     std::vector<ForcedCondition> conflict;
     ForcedKind kind = ForcedKind::empty;
     double leastAmplitude = 0.0;           ///< [EA g/L] or [g]
@@ -106,29 +116,47 @@ struct ForcedSet {
     std::array<double, 2> direction = {};  ///< of length 1, at right angles to it; 0 for a shape
     double low = 0.0;                      ///< of t
     double high = 0.0;                     ///< of t
+    std::int64_t freeWaves = 0;            ///< [-], classes of steps that nothing damps
+    /// kind polytope: of the polygon, counterclockwise; two of a segment, one of a point.
+    std::vector<ForcedCorner> corners;
 };
 
-/// Decides a schedule. O(n). Undecided: classes of steps that nothing damps (their flights are 0,
-/// or there is no damping and they are even in number), and conditions that rounding could turn.
-/// \throws std::invalid_argument on an invalid schedule or damping, more than one phase, more than
-/// maxForcedSteps steps, cycles unless 1 <= K < n/2, or a shape whose length does not divide n,
-/// that is not finite, or 0 throughout.
+/// Decides a schedule. O(n) for each phase; with undamped waves a few dozen linear programs in
+/// their amplitudes. Undecided: conditions that rounding could turn, undamped waves where this
+/// build has no solver of linear programs.
+/// \throws std::invalid_argument on an invalid schedule or damping, more than maxForcedSteps steps,
+/// cycles unless 1 <= K < n/2, a shape whose length does not divide n, that is not finite, or 0
+/// throughout, or a limit that is not > 0 or goes with a base.
 [[nodiscard]] ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping,
-                                      const Forcing& forcing);
+                                      const Forcing& forcing, const ForcedLimits& limits = {});
 
 /// Most steps of a period.
 inline constexpr std::int64_t maxForcedSteps = 100'000'000;
 
 /// The motion at (C, S) = foot + t direction, with residuals. O(n).
-/// \throws std::invalid_argument unless low <= t <= high.
+/// \throws std::invalid_argument unless low <= t <= high, or of a polytope.
 [[nodiscard]] ForcedMotion motionAt(const ForcedSet& set, double t);
 
-/// The motion of least amplitude. \throws std::invalid_argument if the set is empty.
+/// The motion of least amplitude; of a polytope one of them. \throws std::invalid_argument if the
+/// set is empty.
 [[nodiscard]] ForcedMotion leastAmplitudeMotion(const ForcedSet& set);
 
-/// The motions of one amplitude > 0 by ascending impulse, at most two; for a shape its amplitude is
-/// meant without sign. \throws std::invalid_argument unless amplitude is finite and > 0.
+/// The motions of one amplitude > 0 by ascending impulse, at most two; of a polytope one of them,
+/// on the way from the least amplitude to the largest. For a shape its amplitude is meant without
+/// sign. \throws std::invalid_argument unless amplitude is finite and > 0.
 [[nodiscard]] std::vector<ForcedMotion> motionsOfAmplitude(const ForcedSet& set, double amplitude);
+
+/// Why no motion has an amplitude.
+struct AmplitudeExclusion {
+    double amplitude = 0.0;  ///< [EA g/L] or [g]
+    /// What is broken at the two places (C, S) of that amplitude with u(L, 0) = g; none: there are
+    /// no such places.
+    std::vector<ForcedCondition> conflict;
+    bool isCertain = false;  ///< whatever was rounded, says code that did not find it
+};
+
+/// \pre the set is not empty, and motionsOfAmplitude is. O(n).
+[[nodiscard]] AmplitudeExclusion exclusionOf(const ForcedSet& set, double amplitude);
 
 /// Checks the proof of a set with status none by code that did not find it, in numbers that are
 /// enclosed by doubles on both sides. O(n).
@@ -145,6 +173,15 @@ struct ResponseRange {
     double mostFrequencyRatio = 2.0;   ///< >= least
 };
 
+/// Motions of one n_c, one for each amplitude of an interval.
+struct AmplitudeBranch {
+    std::int64_t contact = 0;  ///< n_c
+    double least = 0.0;        ///< [EA g/L] or [g]
+    double most = 0.0;         ///< infinite: without end
+
+    friend bool operator==(const AmplitudeBranch&, const AmplitudeBranch&) = default;
+};
+
 /// All motions with one contact phase at one frequency.
 struct FrequencyResponse {
     std::int64_t steps = 0;             ///< n, of the period of the motions
@@ -153,6 +190,9 @@ struct FrequencyResponse {
     bool touches = false;               ///< would that motion meet the wall?
     std::int64_t undecided = 0;         ///< numbers of contact steps that were not decided
     std::vector<ForcedMotion> motions;  ///< by ascending n_c, then impulse
+    /// Of all amplitudes, by ascending n_c, at most two for each: an amplitude is met by as many
+    /// motions as there are branches that hold it.
+    std::vector<AmplitudeBranch> branches;
 };
 
 /// What a call may do beside its work.
@@ -193,16 +233,26 @@ struct StabilityTrial {
     double end = 0.0;
 };
 
-/// The outcome.
+/// The outcome, with what was tried.
 struct StabilityResult {
     Stability stability = Stability::unclear;
     std::vector<StabilityTrial> trials;
+    double drift = 0.0;         ///< [g], of the undisturbed motion from where it began: 0 but for
+                                ///< rounding, unless it is damped and not forced
+    std::int64_t contacts = 0;  ///< of the undisturbed motion, in the time waited
 };
 
 /// Starts beside the motion and compares displacements after whole periods. It attracts if all end
 /// below a tenth of their start, it repels if one ends above ten times its start.
 /// \throws std::invalid_argument on options out of range.
 [[nodiscard]] StabilityResult stabilityOf(const ForcedMotion& motion,
+                                          const StabilityOptions& options = {});
+
+/// The same of a free motion of a schedule, in its periods. With damping it has no period and fades
+/// itself: disturbances are compared with what it does undisturbed.
+/// \throws std::invalid_argument also on a state with other cells than the schedule.
+[[nodiscard]] StabilityResult stabilityOf(const State& state, const Schedule& schedule,
+                                          const Damping& damping = {},
                                           const StabilityOptions& options = {});
 
 }  // namespace signorini

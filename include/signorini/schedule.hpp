@@ -10,24 +10,38 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "signorini/bar.hpp"
+
 namespace signorini {
+
+/// Which of the stops the tip touches.
+enum class Stop {
+    right,  ///< the wall, at u(L) = g; it pushes the tip to the left
+    left,   ///< the second stop, at u(L) = -h; it pushes the tip to the right
+};
+
+/// "right", "left".
+[[nodiscard]] std::string_view name(Stop stop);
 
 /// One contact phase and the free flight after it.
 struct Phase {
     std::int64_t contact = 0;  ///< [steps], n_c >= 1
     std::int64_t free = 0;     ///< [steps], n_f >= 1
+    Stop stop = Stop::right;   ///< that is touched
 
-    friend auto operator<=>(const Phase&, const Phase&) = default;  ///< by contact, then free
+    /// By contact, then free, then the stop.
+    friend auto operator<=>(const Phase&, const Phase&) = default;
 };
 
-/// A rational period in lowest terms, denominator > 0.
-struct ExactPeriod {
-    std::int64_t numerator = 0;    ///< [L/c]
-    std::int64_t denominator = 1;  ///< [-]
+/// A rational number in lowest terms, denominator > 0.
+struct Fraction {
+    std::int64_t numerator = 0;
+    std::int64_t denominator = 1;
 
     /// Rounded once.
     [[nodiscard]] double value() const
@@ -35,16 +49,38 @@ struct ExactPeriod {
         return static_cast<double>(numerator) / static_cast<double>(denominator);
     }
 
-    friend bool operator==(const ExactPeriod&, const ExactPeriod&) = default;
+    friend bool operator==(const Fraction&, const Fraction&) = default;
 };
+
+/// A rational period [L/c].
+using ExactPeriod = Fraction;
 
 /// numerator/denominator in lowest terms. \pre both > 0.
 [[nodiscard]] ExactPeriod exactPeriod(std::int64_t numerator, std::int64_t denominator);
 
-/// The grid and the phases of one period.
+/// The simplest fraction that rounds to this double. \pre it is finite and > 0, and neither the
+/// fraction nor its inverse exceeds 2^53.
+[[nodiscard]] Fraction simplestFraction(double value);
+
+/// Where the tip stops, in units of displacement (bar.hpp). All that a scene's gap and stops mean
+/// to the equations is here; every unit in metres is gone.
+struct Stops {
+    int right = 1;  ///< u(L) at the wall: the sign of the gap, 1, 0 or -1
+    /// h in the same units: the second stop stands at u(L) = -left.
+    std::optional<Fraction> left = std::nullopt;
+
+    friend bool operator==(const Stops&, const Stops&) = default;
+};
+
+/// The stops of a scene; h/|g| is taken for the simplest fraction that rounds to it, so that proofs
+/// are exact. \throws std::invalid_argument on an invalid scene.
+[[nodiscard]] Stops stopsOf(const Scene& scene);
+
+/// The grid, the phases of one period, and the stops they touch.
 struct Schedule {
     std::int64_t cells = 300;   ///< [-], N, number of equal cells of the bar
     std::vector<Phase> phases;  ///< at least one; the period starts with the first contact
+    Stops stops = {};           ///< where the tip is held
 
     friend bool operator==(const Schedule&, const Schedule&) = default;
 };
@@ -57,7 +93,8 @@ inline constexpr std::int64_t maxCells = 100'000'000;
 inline constexpr std::int64_t maxSteps = std::int64_t{1} << 62;
 
 /// Checks 1 <= N <= maxCells, at least one phase, every phase >= 1 step of each kind, and a sum of
-/// all steps <= maxSteps; reports all faults in one message.
+/// all steps <= maxSteps, and stops that stand apart, a left one if a phase touches it; reports all
+/// faults in one message.
 /// \throws std::invalid_argument with field, value and allowed range.
 void validate(const Schedule& schedule);
 
@@ -81,7 +118,8 @@ void fold(Schedule& schedule);
 /// The same for one phase on N cells.
 void fold(std::int64_t cells, Phase& phase);
 
-/// "N = 300, (150, 900)", for people; more than eight phases are abridged.
+/// "N = 300, (150, 900)", "N = 4, (1, 5) L:(1, 5)", for people; more than eight phases are
+/// abridged.
 [[nodiscard]] std::string describe(const Schedule& schedule);
 
 /// What the mathematics answers.
@@ -99,7 +137,7 @@ enum class Reason {
     noLiveClass,  ///< ker(W - 1) = 0: only the bar at rest repeats
     contactSign,  ///< the same amplitude would have to push and to pull on the wall
     penetration,  ///< a prefix sum of (12) is positive whatever the amplitudes
-    gap,          ///< the tip cannot be at the wall at t = 0: row (31) reads 0 or < 0 = g
+    gap,          ///< the tip cannot be at the wall at t = 0: row (31) has no sign that fits
     constraints,  ///< motions exist, but none meets the further demands
 };
 

@@ -123,8 +123,9 @@ struct Waves {
 /// A state on a grid; its unit of time is the step. O(N).
 [[nodiscard]] Waves wavesOf(const State& state);
 
-/// A bar without waves, for an excitation with so many steps in L/c.
-[[nodiscard]] Waves wavesAtRest(double stepsPerCrossing = 1.0);
+/// A bar at rest, for an excitation with so many steps in L/c: without waves, or pressed on the
+/// wall where the gap is negative (a = 1/2, b = -1/2 throughout).
+[[nodiscard]] Waves wavesAtRest(double stepsPerCrossing = 1.0, const Stops& stops = {});
 
 /// u(x_i) - u(0), x_i = i/cells, i = 0..cells [g]. O(pieces + cells).
 [[nodiscard]] Eigen::VectorXd stretching(const Waves& waves, std::int64_t cells);
@@ -132,12 +133,13 @@ struct Waves {
 /// E/E_1 = 2 int (a^2 + b^2) dx. O(pieces).
 [[nodiscard]] double energyRatio(const Waves& waves);
 
-/// One contact with the wall.
+/// One contact with a stop.
 struct ContactEvent {
     double start = 0.0;      ///< [L/c]
     double end = 0.0;        ///< [L/c]
     double impulse = 0.0;    ///< int R dt [EA g/c]
     double peakForce = 0.0;  ///< [EA g/L]
+    Stop stop = Stop::right;
 
     friend bool operator==(const ContactEvent&, const ContactEvent&) = default;
 };
@@ -162,6 +164,7 @@ struct SimulationOptions {
     /// always do. Unset: 0 without damping, else 1e-12.
     std::optional<double> mergeBelow = {};
     bool recordsTip = false;  ///< keep the path of the tip
+    Stops stops = {};         ///< what the tip meets
 };
 
 /// The bar, event by event: the end of a piece, the end of a step of the excitation, the tip at the
@@ -170,7 +173,7 @@ struct SimulationOptions {
 class BarSimulation {
 public:
     /// \throws std::invalid_argument on values that are not finite, durations that are not positive
-    /// or do not add up, or a tip beyond the wall by more than 1e-9 g.
+    /// or do not add up, or a tip beyond a stop by more than 1e-9 g.
     BarSimulation(const Waves& start, const Damping& damping, Excitation excitation = {},
                   const SimulationOptions& options = {});
 
@@ -183,15 +186,19 @@ public:
     [[nodiscard]] double tip() const;
     /// Displacement of the base [g].
     [[nodiscard]] double base() const;
-    /// Is the tip held by the wall?
+    /// Is the tip held by a stop?
     [[nodiscard]] bool isHeld() const { return isHeld_; }
+    /// The stop that holds the tip, or held it last.
+    [[nodiscard]] Stop stop() const { return stop_; }
+    /// The stops there are.
+    [[nodiscard]] const Stops& stops() const { return stops_; }
     /// The state. O(pieces).
     [[nodiscard]] Waves waves() const;
     /// Pieces under way.
     [[nodiscard]] std::int64_t pieces() const { return static_cast<std::int64_t>(count_); }
     /// Contacts that are over, and pressed.
     [[nodiscard]] const std::vector<ContactEvent>& contacts() const { return contacts_; }
-    /// All impulse so far, that of a contact that lasts included [EA g/c].
+    /// All impulse so far, that of a contact that lasts included, each counted > 0 [EA g/c].
     [[nodiscard]] double impulse() const { return impulse_; }
     /// The path of the tip, if it is recorded.
     [[nodiscard]] const std::vector<TipPoint>& tipPath() const { return path_; }
@@ -225,6 +232,7 @@ private:
     void grow();
     void step(double most);
     void closeContact();
+    void hold(Stop stop);
     void recordTip();
     [[nodiscard]] double storedSquares() const;
 
@@ -235,6 +243,8 @@ private:
     double admittance_;  ///< 1/(1 + eta)
     double mergeBelow_;
     bool recordsTip_;
+    Stops stops_;
+    double way_;  ///< from the wall to the second stop, like opening_; infinite: none
     Excitation excitation_;
     Clock force_;
     Clock base_;               ///< V one crossing ago, as it arrives at the tip
@@ -242,7 +252,8 @@ private:
     std::size_t head_ = 0;
     std::size_t count_ = 0;
     bool isHeld_ = false;
-    Sum opening_;        ///< g - u(L), in g times units of time per crossing
+    Stop stop_ = Stop::right;
+    Sum opening_;        ///< place of the wall - u(L), in g times units of time per crossing
     Sum time_;           ///< units
     double owed_ = 0.0;  ///< units that were asked for and not yet simulated
     std::int64_t events_ = 0;

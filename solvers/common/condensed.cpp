@@ -173,7 +173,8 @@ void decide(const Program& program, double tolerance, const Program& independent
 void requireMemoryForLu(const Eigen::SparseMatrix<double>& matrix)
 {
     const auto entries = static_cast<std::size_t>(matrix.nonZeros() + matrix.cols());
-    void* volatile room = std::malloc(2 * 20 * 20 * entries);  // volatile: not optimised away
+    void* volatile room =
+        std::malloc(std::size_t{2} * 20 * 20 * entries);  // volatile: not optimised away
     if (room == nullptr) {
         throw std::bad_alloc();
     }

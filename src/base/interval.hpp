@@ -46,6 +46,19 @@ struct Interval {
         return widened(least, most);
     }
 
+    /// The roots of what of it is not negative.
+    [[nodiscard]] Interval root() const
+    {
+        return widened(std::sqrt(std::max(low, 0.0)), std::sqrt(std::max(high, 0.0)));
+    }
+    /// The largest |x|.
+    [[nodiscard]] Interval magnitude() const
+    {
+        return {std::max({low, -high, 0.0}), std::max(std::abs(low), std::abs(high))};
+    }
+    /// By one double to each side.
+    [[nodiscard]] Interval widened() const { return widened(low, high); }
+
 private:
     static Interval widened(double low, double high)
     {

@@ -4,10 +4,6 @@
 
 namespace signorini {
 
-namespace {
-
-/// Gauss-Jordan: afterwards row k has a 1 in column pivots[k], and that column is 0 elsewhere.
-/// Only the first `columns` columns are searched for pivots. Zero rows end up last.
 std::vector<std::size_t> reduceRows(std::vector<RationalVector>& rows, std::size_t columns)
 {
     std::vector<std::size_t> pivots;
@@ -39,8 +35,6 @@ std::vector<std::size_t> reduceRows(std::vector<RationalVector>& rows, std::size
     return pivots;
 }
 
-}  // namespace
-
 Homogeneous overCommonDenominator(const RationalVector& x)
 {
     Homogeneous point;
@@ -64,6 +58,25 @@ RationalVector solveRegular(std::vector<RationalVector> rows, RationalVector rhs
         rhs[k] = std::move(rows[k][n]);
     }
     return rhs;
+}
+
+std::optional<RationalVector> solveSome(std::vector<RationalVector> rows, RationalVector rhs,
+                                        std::size_t size)
+{
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].push_back(std::move(rhs[k]));
+    }
+    const std::vector<std::size_t> pivots = reduceRows(rows, size);
+    for (std::size_t k = pivots.size(); k < rows.size(); ++k) {
+        if (!rows[k][size].is_zero()) {
+            return std::nullopt;
+        }
+    }
+    RationalVector x(size);
+    for (std::size_t k = 0; k < pivots.size(); ++k) {
+        x[pivots[k]] = std::move(rows[k][size]);
+    }
+    return x;
 }
 
 std::optional<IntegerVector> nullVector(std::vector<RationalVector> rows, std::size_t size)

@@ -27,6 +27,15 @@ struct Homogeneous {
 /// \pre M is regular.
 [[nodiscard]] RationalVector solveRegular(std::vector<RationalVector> rows, RationalVector rhs);
 
+/// Gauss-Jordan: afterwards row k has a 1 in column pivots[k], and that column is 0 elsewhere.
+/// Only the first `columns` columns are searched for pivots. Rows without one end up last.
+std::vector<std::size_t> reduceRows(std::vector<RationalVector>& rows, std::size_t columns);
+
+/// Some x with M x = rhs for a matrix given by rows of `size` entries, 0 where it is free; empty if
+/// there is none. O(rows size rank).
+[[nodiscard]] std::optional<RationalVector> solveSome(std::vector<RationalVector> rows,
+                                                      RationalVector rhs, std::size_t size);
+
 /// Some c != 0 of integers with row . c = 0 for all rows of `size` entries; empty if there is none.
 /// O(rows size^2).
 [[nodiscard]] std::optional<IntegerVector> nullVector(std::vector<RationalVector> rows,

@@ -114,6 +114,16 @@ void addPenetration(const std::vector<Multiplier>& rows, std::int64_t first, std
     }
 }
 
+/// Is the right side of the combination, gap (b - a) + size p, negative? N > 0 is left out.
+bool isNegative(const FarkasCertificate& certificate, const Stops& stops)
+{
+    if (stops.left) {
+        return false;  // rows with other right sides, which certificates do not know
+    }
+    return stops.right == 0 ? certificate.size < 0
+                            : certificate.size == 0 && certificate.gap * stops.right < 0;
+}
+
 bool combinesToContradiction(const FarkasCertificate& certificate, const Schedule& schedule)
 {
     const std::int64_t cells = schedule.cells;
@@ -126,6 +136,13 @@ bool combinesToContradiction(const FarkasCertificate& certificate, const Schedul
     std::int64_t firstContact = 0;
     std::int64_t firstFree = 0;
     for (const Phase& phase : schedule.phases) {
+        if (certificate.size != 0) {
+            Phase counted = phase;
+            fold(cells, counted);
+            for (std::int64_t step = 0; step < counted.contact; ++step) {
+                total.add(line.unknown(step), line.sign(step), certificate.size);
+            }
+        }
         for (const Multiplier& m : certificate.pressure) {  // (10): -p_m
             if (m.row >= firstContact && m.row < firstContact + phase.contact) {
                 const std::int64_t step = m.row - firstContact;
@@ -163,7 +180,7 @@ bool isProof(const FarkasCertificate& certificate, const Schedule& schedule)
         contactRows += phase.contact;
         freeRows += phase.free;
     }
-    if (certificate.gap >= 0 ||
+    if (!isNegative(certificate, schedule.stops) ||
         !areMultipliers(certificate.periodicity, 2 * schedule.cells, true) ||
         !areMultipliers(certificate.pressure, contactRows, false) ||
         !areMultipliers(certificate.penetration, freeRows, false)) {

@@ -1,13 +1,16 @@
 #pragma once
 /// \file
-/// Checks of forced, damped motions by code that did not find them: the rows of a schedule and a
-/// march that decides contact by itself, both on the cells of the bar, and proofs of absence.
+/// Checks of forced motions by code that did not find them: the rows of a schedule and a march that
+/// decides contact by itself, both on the cells of the bar, and proofs of absence.
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "signorini/certificate.hpp"
 #include "signorini/motion.hpp"
+#include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {
@@ -15,40 +18,49 @@ namespace signorini {
 /// What a walk over one period of the excitation saw. Residuals are relative, 0 for a motion.
 struct ForcedWalk {
     double periodicity = 0.0;  ///< change of the state / its largest value
-    double gap = 0.0;          ///< |u(L, 0) - g| / g
+    double gap = 0.0;          ///< |u(L) - g| / g at the start of each contact phase
     double pressure = 0.0;     ///< largest tension between tip and wall / largest value
     double penetration = 0.0;  ///< depth of the tip inside the wall / g
     double balance = 0.0;      ///< work of the excitation - dissipation / the larger
     double march = 0.0;        ///< the march that knows no schedule: change of the state, or depth
-    double impulse = 0.0;      ///< int R dt [EA g/c]
-    double peakForce = 0.0;    ///< max R [EA g/L]
-    double lowest = 0.0;       ///< min u(L) [g]
+    Extremes extremes;         ///< what the motion reaches
 
     [[nodiscard]] double worst() const;
 };
 
-/// Walks a state along the schedule (contact, n - contact), and marches it. O(n + N).
+/// Walks a state along the schedule, and marches it. O(n + N).
 /// `tolerance`: how near the wall counts as there [g].
-/// \pre N cells = steps per crossing; the excitation has n >= contact steps.
-[[nodiscard]] ForcedWalk walkForced(const State& state, std::int64_t contact,
+/// \pre the schedule has the state's N cells, N steps per crossing, the excitation n steps.
+[[nodiscard]] ForcedWalk walkForced(const State& state, const Schedule& schedule,
                                     const Damping& damping, const Excitation& excitation,
                                     double tolerance = 1e-9);
 
-/// A condition of a schedule: in contact F + 2p >= 0 in this step; in flight sum of F + 2p from
-/// the start of flight to this step <= 0.
-struct ForcedRow {
-    bool isContact = false;
-    std::int64_t step = 0;
-
-    friend bool operator==(const ForcedRow&, const ForcedRow&) = default;
+/// Whose motions are in question: C shape_0 + S shape_1, or a multiple of one shape.
+struct ForcedQuestion {
+    const Schedule& schedule;
+    double rho = 1.0;
+    std::span<const Excitation> shapes;                          ///< one or two, of n steps each
+    double waveLimit = std::numeric_limits<double>::infinity();  ///< [g/L], no p_m beyond it
 };
 
-/// Do the rows, at most two, forbid any excitation C shape_0 + S shape_1 to bring the tip to the
-/// wall? True only if it is certain: -(gap row) is a combination of the rows with factors > 0, and
-/// the signs of the factors hold for every rounding of what they are computed from, the numbers
-/// of the shapes and rho. O(n). \pre all shapes have as many steps.
-[[nodiscard]] bool forbidsContact(std::int64_t cells, std::int64_t contact, double rho,
-                                  std::span<const Excitation> shapes,
-                                  std::span<const ForcedRow> rows);
+/// Amplitudes beyond it are no motions of a bar: where rows cancel but for rounding, a proof holds
+/// up to it [EA g/L or g].
+inline constexpr double mostForcedAmplitude = 1e9;
+
+/// Do the conditions forbid any excitation to bring the tip to the wall at t = 0? True only if it
+/// is certain. With u(L, 0) = g they are rows in C, S and the waves that nothing damps. Their
+/// combination that is 0 in those waves, whose factors are integers, is found in rationals; in C
+/// and S rows are enclosed, whatever was rounded on the way from the numbers of the shapes and rho,
+/// and the combination that is 0 in them, too, is unique. It is a proof if its factors have the
+/// right signs and its right side the wrong one for all values in the intervals.
+/// O(n + conditions^3).
+[[nodiscard]] bool forbidsContact(const ForcedQuestion& question,
+                                  std::span<const ForcedCondition> conditions);
+
+/// Do the conditions forbid all motions whose excitation has this amplitude > 0? Of such there are
+/// at most two with u(L, 0) = g, each of which must break one of the conditions for certain; or two
+/// waves that nothing damps allow no excitation at all. O(n + conditions).
+[[nodiscard]] bool forbidsAmplitude(const ForcedQuestion& question, double amplitude,
+                                    std::span<const ForcedCondition> conditions);
 
 }  // namespace signorini

@@ -1,181 +1,194 @@
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <map>
 
-#include "forced_check.hpp"
-#include "interval.hpp"
+#include "forced_rows.hpp"
+#include "rational.hpp"
 
 namespace signorini {
 
 namespace {
 
-/// A row of the two unknowns C and S.
-struct Row {
-    Interval c;
-    Interval s;
-
-    friend Row operator+(const Row& x, const Row& y) { return {x.c + y.c, x.s + y.s}; }
-    friend Row operator-(const Row& x, const Row& y) { return {x.c - y.c, x.s - y.s}; }
-    friend Row operator*(const Interval& factor, const Row& x)
-    {
-        return {factor * x.c, factor * x.s};
-    }
-};
-
-Interval cross(const Row& x, const Row& y)
+/// All combinations of the rows in which no free wave is left: a basis, one factor for each row.
+std::vector<RationalVector> combinationsWithoutFree(const std::vector<EnclosedRow>& rows)
 {
-    return x.c * y.s - x.s * y.c;
+    // A matrix with one row for each row, its free part, beside the identity, is eliminated: what
+    // becomes 0 in the free part has its combination in the other one.
+    std::map<std::int64_t, std::size_t> columns;
+    for (const EnclosedRow& row : rows) {
+        for (const auto& [which, factor] : row.free) {
+            columns.emplace(which, columns.size());
+        }
+    }
+    std::vector<RationalVector> matrix;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        RationalVector line(columns.size() + rows.size());
+        for (const auto& [which, factor] : rows[i].free) {
+            line[columns.at(which)] = factor;
+        }
+        line[columns.size() + i] = 1;
+        matrix.push_back(std::move(line));
+    }
+    const std::size_t rank = reduceRows(matrix, columns.size()).size();
+    std::vector<RationalVector> basis;
+    for (std::size_t k = rank; k < matrix.size(); ++k) {
+        basis.emplace_back(matrix[k].begin() + static_cast<std::ptrdiff_t>(columns.size()),
+                           matrix[k].end());
+    }
+    return basis;
 }
 
-/// The arrivals p_m of both shapes, enclosed.
-class Enclosure {
-public:
-    Enclosure(std::int64_t cells, std::int64_t contact, double rho,
-              std::span<const Excitation> shapes)
-        : cells_(cells),
-          contact_(contact),
-          steps_(shapes.front().steps()),
-          rho_(rho),
-          shapes_(shapes),
-          p_(static_cast<std::size_t>(steps_)),
-          flies_(static_cast<std::size_t>(std::gcd(2 * cells, steps_)))
-    {
-        for (std::int64_t m = 0; m < std::gcd(2 * cells, steps_); ++m) {
-            enclose(m);
+/// Some number that rounding to a double may have moved by one place to either side.
+Interval enclosed(const Rational& number)
+{
+    return Interval(static_cast<double>(number)).widened();
+}
+
+Interval combined(const RationalVector& factors, const std::vector<EnclosedRow>& rows,
+                  const auto& value)
+{
+    Interval sum;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (!factors[i].is_zero()) {
+            sum = sum + enclosed(factors[i]) * value(rows[i]);
         }
     }
+    return sum;
+}
 
-    [[nodiscard]] Row push(std::int64_t m) const
-    {
-        return force(m) + Interval(2.0) * p_[static_cast<std::size_t>(m)];
-    }
-
-    /// u(L, 0).
-    [[nodiscard]] Row tip() const
-    {
-        Row sum;
-        for (std::int64_t m = 0; m < 2 * cells_; ++m) {
-            sum = sum + p_[static_cast<std::size_t>(m % steps_)];
-        }
-        return each([this](const Excitation& e) { return Interval(e.baseDisplacement(cells_)); }) -
-               (Interval(1.0) / Interval(static_cast<double>(cells_))) * sum;
-    }
-
-    /// Is it a row of the schedule, and one of C and S alone? Where a class never flies it is not.
-    [[nodiscard]] bool isRow(const ForcedRow& row) const
-    {
-        return row.isContact ? row.step >= 0 && row.step < contact_ && flies_[classOf(row.step)]
-                             : row.step >= contact_ && row.step < steps_;
-    }
-
-    /// Written so that it is >= 0.
-    [[nodiscard]] Row row(const ForcedRow& which) const
-    {
-        if (which.isContact) {
-            return push(which.step);
-        }
-        Row sum;
-        for (std::int64_t m = contact_; m <= which.step; ++m) {
-            sum = sum - push(m);
-        }
-        return sum;
-    }
-
-private:
-    [[nodiscard]] std::size_t classOf(std::int64_t m) const
-    {
-        return static_cast<std::size_t>(m) % flies_.size();
-    }
-
-    template <typename Value>
-    [[nodiscard]] Row each(Value value) const
-    {
-        return {value(shapes_.front()), shapes_.size() > 1 ? value(shapes_.back()) : Interval()};
-    }
-
-    [[nodiscard]] Row force(std::int64_t m) const
-    {
-        return each([m](const Excitation& e) { return Interval(e.force(m)); });
-    }
-
-    /// What leaves the tip in step m and comes back with the motion of the base.
-    [[nodiscard]] Row echo(std::int64_t m, const Row& p) const
-    {
-        const Row base = each([m, this](const Excitation& e) {
-            return (Interval(e.baseDisplacement(m + cells_ + 1)) -
-                    Interval(e.baseDisplacement(m + cells_))) *
-                   Interval(e.stepsPerCrossing);
-        });
-        const Interval admittance = Interval(0.5) * (Interval(1.0) + Interval(rho_));
-        return m < contact_ ? base + p : base - (admittance * force(m) + Interval(rho_) * p);
-    }
-
-    /// Once around from 0 tells where the fixed point is. A class that is always in contact has an
-    /// amplitude of its own: the least for which R, summed over it, is not negative. More of it
-    /// only lowers u(L, 0), so that a conflict found with the least is one with any.
-    void enclose(std::int64_t first)
-    {
-        Row p;
-        Row push;
-        Interval factor(1.0);
-        Interval members(0.0);
-        bool isHeld = true;
-        std::int64_t m = first;
-        do {
-            push = push + force(m) + Interval(2.0) * p;
-            members = members + Interval(1.0);
-            p = echo(m, p);
-            isHeld = isHeld && m < contact_;
-            factor = m < contact_ ? factor : Interval(-rho_) * factor;
-            m = (m + 2 * cells_) % steps_;
-        } while (m != first);
-        const Interval grip = isHeld ? Interval(-2.0) * members : Interval(1.0) - factor;
-        p = isHeld ? push : p;
-        p = {p.c / grip, p.s / grip};
-        flies_[classOf(first)] = !isHeld;
-        do {
-            p_[static_cast<std::size_t>(m)] = p;
-            p = echo(m, p);
-            m = (m + 2 * cells_) % steps_;
-        } while (m != first);
-    }
-
-    std::int64_t cells_;
-    std::int64_t contact_;
-    std::int64_t steps_;
-    double rho_;
-    std::span<const Excitation> shapes_;
-    std::vector<Row> p_;
-    std::vector<bool> flies_;  ///< for each class
+/// A combination of vectors that is 0, and what is left of it where that is not certain.
+struct Dependency {
+    std::vector<Interval> weights;  ///< empty: none is known
+    Interval rest;                  ///< |C part| + |S part| is at most its upper end
 };
 
-bool haveOppositeSigns(const Interval& x, const Interval& y)
+/// Of three vectors of a plane, or two of a line, it is unique up to its size. Fewer may cancel but
+/// for rounding.
+Dependency dependency(const std::vector<EnclosedPlane>& x, bool isPlane)
 {
-    return (x.isPositive() && y.isNegative()) || (x.isNegative() && y.isPositive());
+    if (isPlane && x.size() == 3) {
+        return {{x[1].cross(x[2]), x[2].cross(x[0]), x[0].cross(x[1])}, {}};
+    }
+    if (!isPlane && x.size() == 2) {
+        return {{x[1].c, Interval(0.0) - x[0].c}, {}};
+    }
+    if (x.size() == 1) {
+        return {{Interval(1.0)}, x[0].c.magnitude() + x[0].s.magnitude()};
+    }
+    if (x.size() == 2) {
+        const double share = -x[0].dot(x[1]).high / x[1].dot(x[1]).high;
+        if (std::isfinite(share)) {
+            const EnclosedPlane rest = x[0] + Interval(share) * x[1];
+            return {{Interval(1.0), Interval(share)}, rest.c.magnitude() + rest.s.magnitude()};
+        }
+    }
+    return {};
+}
+
+std::optional<std::vector<EnclosedRow>> rowsOf(const EnclosedWaves& waves,
+                                               std::span<const ForcedCondition> conditions)
+{
+    std::vector<EnclosedRow> rows{*waves.row({ForcedRule::gap, 0})};
+    for (const ForcedCondition& condition : conditions) {
+        auto row = waves.row(condition);
+        if (!row) {
+            return std::nullopt;
+        }
+        rows.push_back(std::move(*row));
+    }
+    return rows;
+}
+
+/// Is row . (C, S) at the place certainly not what it has to be? \pre a row without free waves
+bool isBroken(const EnclosedRow& row, const EnclosedPlane& place)
+{
+    const Interval value = row.plane.dot(place) - row.limit;
+    return value.isNegative() || (row.isEquality && value.isPositive());
 }
 
 }  // namespace
 
-bool forbidsContact(std::int64_t cells, std::int64_t contact, double rho,
-                    std::span<const Excitation> shapes, std::span<const ForcedRow> rows)
+bool forbidsContact(const ForcedQuestion& question, std::span<const ForcedCondition> conditions)
 {
-    const Enclosure waves(cells, contact, rho, shapes);
-    if (!std::all_of(rows.begin(), rows.end(),
-                     [&waves](const ForcedRow& row) { return waves.isRow(row); })) {
+    const EnclosedWaves waves(question);
+    const auto rows = rowsOf(waves, conditions);
+    if (!rows) {
         return false;
     }
-    const Row gap = waves.tip();
-    if (shapes.size() == 1 && rows.size() == 1) {
-        return haveOppositeSigns(gap.c, waves.row(rows.front()).c);
+    const std::vector<RationalVector> basis = combinationsWithoutFree(*rows);
+    std::vector<EnclosedPlane> left;
+    for (const RationalVector& factors : basis) {
+        left.push_back({combined(factors, *rows, [](const EnclosedRow& r) { return r.plane.c; }),
+                        combined(factors, *rows, [](const EnclosedRow& r) { return r.plane.s; })});
     }
-    if (shapes.size() != 2 || rows.size() != 2) {
+    const auto [weights, rest] = dependency(left, question.shapes.size() > 1);
+    if (weights.empty()) {
         return false;
     }
-    // -gap = x first + y second; Cramer's rule.
-    const Row first = waves.row(rows.front());
-    const Row second = waves.row(rows.back());
-    const Interval volume = cross(first, second);
-    return haveOppositeSigns(cross(gap, second), volume) &&
-           haveOppositeSigns(cross(first, gap), volume);
+    // 0 = sum factor row >= sum factor limit > 0, if all inequalities have factors > 0. What
+    // rounding leaves of the 0 is less than the right side for all amplitudes that are looked at.
+    std::vector<Interval> factors(rows->size());
+    Interval right;
+    for (std::size_t i = 0; i < rows->size(); ++i) {
+        for (std::size_t k = 0; k < basis.size(); ++k) {
+            factors[i] = factors[i] + enclosed(basis[k][i]) * weights[k];
+        }
+        right = right + factors[i] * (*rows)[i].limit;
+    }
+    const Interval slack = Interval(mostForcedAmplitude) * rest;
+    const auto proves = [&](const Interval& sign) {
+        for (std::size_t i = 0; i < rows->size(); ++i) {
+            if (!(*rows)[i].isEquality && !(sign * factors[i]).isPositive()) {
+                return false;
+            }
+        }
+        return (sign * right - slack).isPositive();
+    };
+    return proves(Interval(1.0)) || proves(Interval(-1.0));
+}
+
+bool forbidsAmplitude(const ForcedQuestion& question, double amplitude,
+                      std::span<const ForcedCondition> conditions)
+{
+    const EnclosedWaves waves(question);
+    const auto rows = rowsOf(waves, conditions);
+    if (!rows) {
+        return false;
+    }
+    const bool isPlane = question.shapes.size() > 1;
+    const auto isWork = [](const ForcedCondition& c) { return c.rule == ForcedRule::work; };
+    if (!conditions.empty() && std::all_of(conditions.begin(), conditions.end(), isWork)) {
+        // No excitation but 0 is without work.
+        const EnclosedPlane& first = (*rows)[1].plane;
+        const Interval volume = isPlane ? first.cross(rows->back().plane) : first.c;
+        return volume.isPositive() || volume.isNegative();
+    }
+    if (std::any_of(rows->begin(), rows->end(),
+                    [](const EnclosedRow& row) { return !row.free.empty(); })) {
+        return false;
+    }
+    // The places with gap . (C, S) = N and |(C, S)| = A: across the gap row by +-sqrt(A^2|gap|^2 -
+    // N^2), over |gap|^2.
+    const EnclosedRow& gap = rows->front();
+    const EnclosedPlane across{Interval(0.0) - gap.plane.s, gap.plane.c};
+    const Interval squares = gap.plane.dot(gap.plane);
+    const Interval reach =
+        Interval(amplitude) * Interval(amplitude) * squares - gap.limit * gap.limit;
+    if (reach.isNegative()) {
+        return true;
+    }
+    if (!isPlane) {
+        return reach.isPositive();
+    }
+    const Interval away = reach.root();
+    const auto isMissed = [&](double side) {
+        const Interval over = Interval(1.0) / squares;
+        const EnclosedPlane place =
+            over * (gap.limit * gap.plane + (Interval(side) * away) * across);
+        return std::any_of(rows->begin() + 1, rows->end(),
+                           [&](const EnclosedRow& row) { return isBroken(row, place); });
+    };
+    return squares.isPositive() && isMissed(1.0) && isMissed(-1.0);
 }
 
 }  // namespace signorini

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 
 #include "compensated_sum.hpp"
@@ -31,13 +32,15 @@ public:
     [[nodiscard]] double tip() const { return tip_.value(); }
     void putTipAtWall() { tip_ = CompensatedSum(1.0); }
     /// F + 2p of the next step, what would press on a wall.
-    [[nodiscard]] double push() const { return excitation_.force(step_) + 2.0 * atTip(); }
+    [[nodiscard]] double push() const { return excitation_.force(step_) + 2.0 * arriving(); }
     [[nodiscard]] double gained() const { return gained_.value(); }
     [[nodiscard]] double spent() const { return spent_.value(); }
+    /// The wave that arrives in the next step.
+    [[nodiscard]] double arriving() const { return a_[tipSlot()]; }
 
     void take(bool isHeld)
     {
-        const double arriving = atTip();
+        const double p = arriving();
         const double force = excitation_.force(step_);
         const double v = isHeld ? 0.0 : push() / (1.0 + eta_);
         const double base = excitation_.baseVelocity(step_);
@@ -45,7 +48,7 @@ public:
         a_[tipSlot()] = base - left;
         gained_.add((base * (base - 2.0 * left) + force * v) * cell());
         spent_.add(eta_ * v * v * cell());
-        left = v - arriving;
+        left = v - p;
         tip_.add(v * cell());
         ++step_;
     }
@@ -67,7 +70,6 @@ private:
         return static_cast<std::size_t>((i % count_ + count_) % count_);
     }
     [[nodiscard]] std::size_t tipSlot() const { return slot(count_ - 1 - step_); }
-    [[nodiscard]] double atTip() const { return a_[tipSlot()]; }
 
     std::int64_t count_;
     std::vector<double> a_;
@@ -97,6 +99,37 @@ double marchForced(Cells bar, std::int64_t steps, const State& start, double siz
     return bar.distance(start) / size;
 }
 
+/// The largest strain of both signs: with p_i what arrives at the tip in step i, and V one crossing
+/// before, s = V - p_i - p_j wherever 0 <= i - j <= 2N.
+void measureStrain(const std::vector<double>& p, const Excitation& excitation, std::int64_t cells,
+                   Extremes& extremes)
+{
+    const auto n = static_cast<std::int64_t>(p.size());
+    const auto at = [&](std::int64_t m) { return p[static_cast<std::size_t>((m % n + n) % n)]; };
+    // The places of the largest and the least p_j of the last 2N + 1, each before smaller ones.
+    std::deque<std::int64_t> high;
+    std::deque<std::int64_t> low;
+    extremes.peakCompression = -std::numeric_limits<double>::infinity();
+    extremes.peakTension = -std::numeric_limits<double>::infinity();
+    for (std::int64_t i = -std::min(n, 2 * cells); i < n; ++i) {
+        const auto keep = [&](std::deque<std::int64_t>& places, double sign) {
+            while (!places.empty() && sign * at(places.back()) <= sign * at(i)) {
+                places.pop_back();
+            }
+            places.push_back(i);
+            while (places.front() < i - 2 * cells) {
+                places.pop_front();
+            }
+        };
+        keep(high, 1.0);
+        keep(low, -1.0);
+        const double base = excitation.baseVelocity(((i - cells) % n + n) % n);
+        extremes.peakCompression =
+            std::max(extremes.peakCompression, at(i) + at(high.front()) - base);
+        extremes.peakTension = std::max(extremes.peakTension, base - at(i) - at(low.front()));
+    }
+}
+
 }  // namespace
 
 double ForcedWalk::worst() const
@@ -104,7 +137,7 @@ double ForcedWalk::worst() const
     return std::max({periodicity, gap, pressure, penetration, balance, march});
 }
 
-ForcedWalk walkForced(const State& state, std::int64_t contact, const Damping& damping,
+ForcedWalk walkForced(const State& state, const Schedule& schedule, const Damping& damping,
                       const Excitation& excitation, double tolerance)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -115,22 +148,38 @@ ForcedWalk walkForced(const State& state, std::int64_t contact, const Damping& d
         return seen;
     }
     Cells bar(state, damping, excitation);
-    seen.gap = std::abs(bar.tip() - 1.0);
-    seen.lowest = bar.tip();
+    Extremes& reached = seen.extremes;
+    reached.lowestTip = bar.tip();
+    const double pressing = tolerance * size;
+    std::vector<double> arrived;
+    arrived.reserve(static_cast<std::size_t>(excitation.steps()));
     CompensatedSum impulse;
-    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
-        const bool isHeld = m < contact;
-        const double push = bar.push();
-        if (isHeld) {
+    for (const Phase& phase : schedule.phases) {
+        seen.gap = std::max(seen.gap, std::abs(bar.tip() - 1.0));
+        for (std::int64_t m = 0; m < phase.contact; ++m) {
+            const double push = bar.push();
             seen.pressure = std::max(seen.pressure, -push / size);
-            seen.peakForce = std::max(seen.peakForce, push);
+            reached.peakForce = std::max(reached.peakForce, push);
+            reached.contactTime += push > pressing ? bar.cell() : 0.0;
             impulse.add(push * bar.cell());
+            arrived.push_back(bar.arriving());
+            bar.take(true);
         }
-        bar.take(isHeld);
-        seen.penetration = std::max(seen.penetration, bar.tip() - 1.0);
-        seen.lowest = std::min(seen.lowest, bar.tip());
+        for (std::int64_t m = 0; m < phase.free; ++m) {
+            const double before = bar.tip();
+            arrived.push_back(bar.arriving());
+            bar.take(false);
+            const double speed = (bar.tip() - before) / bar.cell();
+            if (bar.tip() >= 1.0 - tolerance && speed > pressing) {
+                reached.approachSpeed = std::max(reached.approachSpeed, speed);
+            }
+            seen.penetration = std::max(seen.penetration, bar.tip() - 1.0);
+            reached.lowestTip = std::min(reached.lowestTip, bar.tip());
+        }
     }
-    seen.impulse = impulse.value();
+    reached.period = period(schedule);
+    reached.impulse = impulse.value();
+    measureStrain(arrived, excitation, schedule.cells, reached);
     seen.periodicity = bar.distance(state) / size;
     const double largest = std::max(std::abs(bar.gained()), bar.spent());
     // Energies of the order of the squares of the waves are exchanged within a period.

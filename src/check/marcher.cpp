@@ -12,9 +12,15 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Measures::Measures(const State& state)
-    : halfCells(0.5 * static_cast<double>(state.cells())), opening(halfCells)
+Measures::Measures(const State& state, const Stops& stops)
+    : halfCells(0.5 * static_cast<double>(state.cells())),
+      opening(stops.right * halfCells),
+      crossing(infinity)
 {
+    if (stops.left) {
+        crossing = halfCells * (stops.right + static_cast<double>(stops.left->numerator) /
+                                                  static_cast<double>(stops.left->denominator));
+    }
     // Half the sum of a - b is half the sum of all that arrives in 2N steps.
     Echo echo(state);
     CompensatedSum sum;
@@ -36,18 +42,17 @@ double Measures::relative(double distance) const
     return size > 0.0 ? distance / size : distance;
 }
 
-void ContactRuns::add(bool pressed, std::int64_t count)
+void ContactRuns::press(Stop stop, std::int64_t count)
 {
-    if (pressed) {
-        if (runs_.empty() || runs_.back().free > 0) {
-            runs_.push_back({});
-        }
-        runs_.back().contact += count;
-    } else if (runs_.empty()) {
-        lead_ += count;
-    } else {
-        runs_.back().free += count;
+    if (runs_.empty() || runs_.back().free > 0 || runs_.back().stop != stop) {
+        runs_.push_back({0, 0, stop});
     }
+    runs_.back().contact += count;
+}
+
+void ContactRuns::rest(std::int64_t count)
+{
+    (runs_.empty() ? lead_ : runs_.back().free) += count;
 }
 
 std::vector<Phase> ContactRuns::phases() const
@@ -55,7 +60,8 @@ std::vector<Phase> ContactRuns::phases() const
     std::vector<Phase> result = runs_;
     if (!result.empty()) {
         result.back().free += lead_;
-        if (result.back().free == 0 && result.size() > 1) {
+        if (result.back().free == 0 && result.size() > 1 &&
+            result.front().stop == result.back().stop) {
             result.front().contact += result.back().contact;
             result.pop_back();
         }
@@ -75,40 +81,50 @@ const std::vector<Turn>& Marcher::take(const Arrivals& arrivals)
 {
     turns_.clear();
     const double room = opening_.value();
+    const double roomBehind = measures_.crossing - room;
     CompensatedSum after = opening_;
     after.add(arrivals.sum(), -1.0);
-    if (arrivals.high() <= 0.0 || (arrivals.low() >= 0.0 && after.value() >= 0.0)) {
-        // The tip retreats, or comes nearer and does not arrive.
+    const bool isNearing = arrivals.low() >= 0.0;
+    const bool isRetreating = arrivals.high() <= 0.0;
+    if ((isRetreating && after.value() <= measures_.crossing) ||
+        (isNearing && after.value() >= 0.0)) {
+        // The tip moves one way, and does not arrive.
         opening_ = after;
         fly(arrivals.count());
-    } else if (room <= atWall_ && arrivals.low() > std::max({0.0, room, 2.0 * room}) &&
-               arrivals.low() > pressing_) {
-        runs_.add(true, arrivals.count());
-        add(true, arrivals.count());
-        flight_ = 0;
+    } else if (isPressedThroughout(room, arrivals.low())) {
+        hold(Stop::right, arrivals.count(), true);
+    } else if (isPressedThroughout(roomBehind, -arrivals.high())) {
+        hold(Stop::left, arrivals.count(), true);
     } else {
         takeEach(arrivals);
     }
     return turns_;
 }
 
+/// Is the tip at a stop, and are all pushes on it stronger than what would be needed to be there?
+bool Marcher::isPressedThroughout(double room, double weakest) const
+{
+    return room <= atWall_ && weakest > std::max({0.0, room, 2.0 * room}) && weakest > pressing_;
+}
+
 void Marcher::takeEach(const Arrivals& arrivals)
 {
     for (std::int64_t k = 0; k < arrivals.count(); ++k) {
         const double p = arrivals.at(k);
-        const double room = opening_.value();
-        const bool wouldPass = p > 0.0 && p > room;
+        const Stop ahead = p > 0.0 ? Stop::right : Stop::left;
+        const double push = std::abs(p);
+        const double opening = opening_.value();
+        const double room = ahead == Stop::right ? opening : measures_.crossing - opening;
+        const bool wouldPass = push > 0.0 && push > room;
         // Rounding may make p exceed the room of a tip that lands just now: it is at the wall
         // before the step only if that is nearer than landing.
-        if (wouldPass && room <= atWall_ && room < 0.5 * p) {
-            runs_.add(p > pressing_, 1);
-            add(true, 1);
-            flight_ = 0;
+        if (wouldPass && room <= atWall_ && room < 0.5 * push) {
+            hold(ahead, 1, push > pressing_);
             continue;
         }
-        if (wouldPass && p - room > atWall_) {
+        if (wouldPass && push - room > atWall_) {
             march_.firstFault = step_;
-            march_.residual = (p - room) / measures_.halfCells;
+            march_.residual = (push - room) / measures_.halfCells;
             return;
         }
         opening_.add(-p);
@@ -118,9 +134,20 @@ void Marcher::takeEach(const Arrivals& arrivals)
 
 void Marcher::fly(std::int64_t count)
 {
-    runs_.add(false, count);
+    runs_.rest(count);
     add(false, count);
     flight_ += count;
+}
+
+void Marcher::hold(Stop stop, std::int64_t count, bool pressed)
+{
+    if (pressed) {
+        runs_.press(stop, count);
+    } else {
+        runs_.rest(count);
+    }
+    add(true, count);
+    flight_ = 0;
 }
 
 void Marcher::add(bool isHeld, std::int64_t count)
@@ -144,7 +171,7 @@ void Marcher::run(Echo& echo, std::int64_t count)
         if (flight_ >= repeat) {
             // Back in the state of 4N steps ago: whole further repeats change nothing.
             const std::int64_t skipped = count / repeat * repeat;
-            runs_.add(false, skipped);
+            runs_.rest(skipped);
             count -= skipped;
             step_ += skipped;
             flight_ = 0;

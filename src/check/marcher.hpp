@@ -12,13 +12,14 @@ namespace signorini {
 
 /// What every check of a state starts from. O(N).
 struct Measures {
-    explicit Measures(const State& state);
+    Measures(const State& state, const Stops& stops);
 
     double size = 0.0;       ///< max |x|; infinite if a value is not finite
     double halfCells = 0.0;  ///< N/2
-    /// N (1 - u(L)/g) / 2: how far the tip is from the wall, in units in which a free step with
-    /// arriving wave p brings it nearer by p.
+    /// N (place of the wall - u(L)) / 2: how far the tip is from the wall, in units in which a free
+    /// step with arriving wave p brings it nearer by p.
     CompensatedSum opening;
+    double crossing = 0.0;  ///< from the wall to the second stop, in the same units; infinite: none
 
     /// A distance relative to the size.
     [[nodiscard]] double relative(double distance) const;
@@ -33,7 +34,8 @@ struct Turn {
 /// Runs of pressed and unpressed steps over one period, as seen from its first step.
 class ContactRuns {
 public:
-    void add(bool pressed, std::int64_t count);
+    void press(Stop stop, std::int64_t count);
+    void rest(std::int64_t count);
     /// The same period from the start of a pressed run.
     [[nodiscard]] std::vector<Phase> phases() const;
 
@@ -58,7 +60,9 @@ public:
 
 private:
     void fly(std::int64_t count);
+    void hold(Stop stop, std::int64_t count, bool pressed);
     void takeEach(const Arrivals& arrivals);
+    [[nodiscard]] bool isPressedThroughout(double room, double weakest) const;
     void add(bool isHeld, std::int64_t count);
 
     Measures measures_;

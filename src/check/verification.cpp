@@ -23,18 +23,25 @@ public:
     {
     }
 
-    void beginPhase()
+    void beginPhase(Stop stop)
     {
-        misplaced_ = std::max(misplaced_, std::abs(opening_.value()));
+        const bool isRight = stop == Stop::right;
+        misplaced_ =
+            std::max(misplaced_, std::abs(opening_.value() - (isRight ? 0.0 : measures_.crossing)));
         push_ = 0.0;
         prefix_ = CompensatedSum();
+        isRight_ = isRight;
+        most_ = isRight ? 0.0 : measures_.crossing;
+        least_ = isRight ? -measures_.crossing : 0.0;
     }
 
     void contact(const Arrivals& arrivals)
     {
         highest_ = std::max(highest_, arrivals.high());
-        tension_ = std::max(tension_, -arrivals.low());
-        push_ = std::max(push_, arrivals.high());
+        const double weakest = isRight_ ? arrivals.low() : -arrivals.high();
+        const double strongest = isRight_ ? arrivals.high() : -arrivals.low();
+        tension_ = std::max(tension_, -weakest);
+        push_ = std::max(push_, strongest);
     }
 
     void flight(const Arrivals& arrivals)
@@ -42,12 +49,12 @@ public:
         highest_ = std::max(highest_, arrivals.high());
         if (arrivals.low() >= 0.0 || arrivals.high() <= 0.0) {
             prefix_.add(arrivals.sum(), 1.0);  // the deepest point is at an end
-            deepest_ = std::max(deepest_, prefix_.value());
+            see(prefix_.value());
             return;
         }
         for (std::int64_t k = 0; k < arrivals.count(); ++k) {
             prefix_.add(arrivals.at(k));
-            deepest_ = std::max(deepest_, prefix_.value());
+            see(prefix_.value());
         }
     }
 
@@ -68,10 +75,15 @@ public:
     }
 
 private:
+    void see(double prefix) { deepest_ = std::max({deepest_, prefix - most_, least_ - prefix}); }
+
     const Measures& measures_;
     double pressing_;
     CompensatedSum opening_;
     CompensatedSum prefix_;
+    bool isRight_ = true;  ///< the stop where the flight starts
+    double most_ = 0.0;    ///< limits of prefix sums
+    double least_ = 0.0;
     double misplaced_ = 0.0;
     double push_ = 0.0;
     double tension_ = 0.0;
@@ -152,8 +164,8 @@ bool repeats(const std::vector<Phase>& phases, std::size_t times)
 /// back.
 class ShortestPeriod {
 public:
-    ShortestPeriod(const State& state, std::int64_t count, double tolerance)
-        : state_(state), count_(count), tolerance_(tolerance)
+    ShortestPeriod(const State& state, std::int64_t count, double tolerance, const Stops& stops)
+        : state_(state), count_(count), tolerance_(tolerance), stops_(stops)
     {
     }
 
@@ -190,23 +202,40 @@ public:
 private:
     [[nodiscard]] bool isPeriod(std::int64_t steps) const
     {
-        return march(state_, steps, tolerance_).residual <= tolerance_;
+        return march(state_, steps, tolerance_, stops_).residual <= tolerance_;
     }
 
     const State& state_;
     std::int64_t count_;
     double tolerance_;
+    const Stops& stops_;
 };
+
+/// Are the second half of the phases the first, on the other stop each? Only stops at equal
+/// distances mirror each other.
+bool isMirrored(const Schedule& schedule)
+{
+    const auto& [right, left] = schedule.stops;
+    const std::size_t half = schedule.phases.size() / 2;
+    return left && *left == Fraction{right, 1} && schedule.phases.size() % 2 == 0 &&
+           std::equal(schedule.phases.begin(),
+                      schedule.phases.begin() + static_cast<std::ptrdiff_t>(half),
+                      schedule.phases.begin() + static_cast<std::ptrdiff_t>(half),
+                      [](const Phase& one, const Phase& other) {
+                          return one.contact == other.contact && one.free == other.free &&
+                                 one.stop != other.stop;
+                      });
+}
 
 }  // namespace
 
-March march(const State& state, std::int64_t count, double tolerance)
+March march(const State& state, std::int64_t count, double tolerance, const Stops& stops)
 {
     if (count < 0) {
         throw std::invalid_argument(fmt::format("count = {} is out of range: allowed >= 0", count));
     }
     Echo echo(state);
-    const Measures measures(state);
+    const Measures measures(state, stops);
     if (std::isinf(measures.size)) {
         return {infinity, -1, {}};
     }
@@ -228,9 +257,14 @@ Verification verify(const State& state, const Schedule& schedule, double toleran
                                                 state.cells(), schedule.cells));
     }
     Echo echo(state);
-    const Measures measures(state);
+    const Measures measures(state, schedule.stops);
     if (std::isinf(measures.size)) {
-        return {{infinity, infinity, infinity, infinity, infinity, infinity}, infinity, {}, 1, {}};
+        return {{infinity, infinity, infinity, infinity, infinity, infinity},
+                infinity,
+                {},
+                1,
+                {},
+                false};
     }
     Schedule folded = schedule;
     fold(folded);
@@ -238,11 +272,16 @@ Verification verify(const State& state, const Schedule& schedule, double toleran
     Rows rows(measures, tolerance);
     Companion companion(measures, tolerance, steps(schedule));
     Companion* const beside = folded == schedule ? &companion : nullptr;
+    const std::size_t half = isMirrored(folded) ? folded.phases.size() / 2 : 0;
+    std::size_t walked = 0;
     for (const Phase& phase : folded.phases) {
-        rows.beginPhase();
+        rows.beginPhase(phase.stop);
         walk(echo, phase.contact, true, rows, beside);
         walk(echo, phase.free, false, rows, beside);
         rows.endPhase(result.pressing);
+        if (++walked == half) {
+            result.isSymmetric = measures.relative(echo.distance(true)) <= tolerance;
+        }
     }
     const double distance = echo.distance();
     result.residuals = rows.residuals(distance);
@@ -251,7 +290,7 @@ Verification verify(const State& state, const Schedule& schedule, double toleran
     result.residuals.march = seen.residual;
     result.canonical = std::move(seen.phases);
     const std::int64_t count = steps(schedule);
-    const ShortestPeriod shortest(state, count, tolerance);
+    const ShortestPeriod shortest(state, count, tolerance, schedule.stops);
     const std::size_t pressed = result.canonical.size();
     result.repetitions =
         count / (pressed > 0 ? shortest.pressing(result.canonical) : shortest.grazing());

@@ -109,6 +109,16 @@ void tell(std::string_view text) noexcept
     (void)std::fwrite(text.data(), 1, text.size(), stderr);
 }
 
+void warnUnlessAdmissible(std::string_view command, const Physical& physical)
+{
+    if (!physical.isAdmissible()) {
+        tell(
+            fmt::format("signorini {}: not admissible: the strain reaches {:.6g}, and the paper "
+                        "demands s > -1 everywhere\n",
+                        command, -physical.peakCompression));
+    }
+}
+
 void removeOnSignal(const std::string& path)
 {
     const auto count = static_cast<std::size_t>(stagedCount);
@@ -179,13 +189,6 @@ ExactPeriod parseFraction(std::string_view name, std::string_view text, std::str
     return *exact;
 }
 
-std::string fractionAsText(const ExactPeriod& fraction)
-{
-    return fraction.denominator == 1
-               ? fmt::format("{}", fraction.numerator)
-               : fmt::format("{}/{}", fraction.numerator, fraction.denominator);
-}
-
 void addWord(CLI::App& command, const char* name, const char* type, const char* help,
              const std::function<void(const std::string&)>& take)
 {
@@ -198,7 +201,15 @@ void CommonOptions::addTo(CLI::App& command)
     addPositive(command, "--length", "m", bar_.length, "M", "L (1)");
     addPositive(command, "--wave-speed", "m/s", waveSpeed_, "M/S", "c (1)");
     addPositive(command, "--axial-stiffness", "N", axialStiffness_, "N", "EA (1)");
-    addPositive(command, "--gap", "m", bar_.gap, "M", "g, from the tip at rest to the wall (1e-3)");
+    addWord(command, "--gap", "M",
+            "g, from the tip at rest to the wall (1e-3); < 0: pressed at rest",
+            [this](const std::string& text) { bar_.gap = parseReal("--gap", text, "m"); });
+    addPositive(command, "--second-stop", "m", secondStop_, "M",
+                "h, to a stop on the other side of the tip; phases on it are L:NC NF");
+    addWord(command, "--segments", "N:Z[:C[:D]],...",
+            "cells, relative impedance and speed of each segment, clamp first (one, uniform); a "
+            "fourth number is the dashpot at the joint after it, in units of the first impedance",
+            [this](const std::string& text) { segments_ = parseSegments("--segments", text); });
     addPositive(command, "--young", "Pa", young_, "PA",
                 "E, with --density and --area in place of c and EA");
     addPositive(command, "--density", "kg/m^3", density_, "KG/M3", "rho");
@@ -224,7 +235,45 @@ void CommonOptions::addTo(CLI::App& command)
     }
 }
 
+std::int64_t CommonOptions::usualCells() const
+{
+    if (cells || segments_.empty()) {
+        return cells.value_or(300);
+    }
+    std::int64_t sum = 0;
+    for (const Segment& segment : segments_) {
+        sum += std::min(segment.cells, maxCells);
+    }
+    return sum;
+}
+
 Bar CommonOptions::bar() const
+{
+    const Bar bar = barOfAnyGap();
+    if (bar.gap <= 0.0) {
+        refuse("--gap", fmt::format("{}", bar.gap), "finite numbers > 0 [m] for this command");
+    }
+    return bar;
+}
+
+Bar CommonOptions::barOfAnyGap() const
+{
+    if (secondStop_ || !segments_.empty()) {
+        throw std::invalid_argument(fmt::format(
+            "{}: allowed only where this command knows such scenes: find{}",
+            secondStop_ ? "--second-stop" : "--segments", secondStop_ ? ", simulate" : ""));
+    }
+    return givenBar();
+}
+
+Scene CommonOptions::scene() const
+{
+    Scene scene(givenBar(), secondStop_, segments_);
+    validate(scene);
+    return scene;
+}
+
+Bar CommonOptions::givenBar() const
 {
     if (!young_ && !density_ && !area_) {
         Bar bar = bar_;
@@ -250,6 +299,36 @@ void CommonOptions::useOneThread(std::string_view command) const
     }
 }
 
+std::vector<Segment> parseSegments(std::string_view name, std::string_view text)
+{
+    const auto split = [](std::string_view whole, char mark) {
+        std::vector<std::string_view> parts;
+        for (std::size_t end = 0; end != std::string_view::npos;) {
+            end = whole.find(mark);
+            parts.push_back(whole.substr(0, end));
+            whole.remove_prefix(end == std::string_view::npos ? whole.size() : end + 1);
+        }
+        return parts;
+    };
+    std::vector<Segment> segments;
+    for (const std::string_view word : split(text, ',')) {
+        const auto parts = split(word, ':');
+        if (parts.size() < 2 || parts.size() > 4) {
+            refuse(name, text, "CELLS:IMPEDANCE[:SPEED[:DASHPOT]], separated by commas");
+        }
+        Segment segment{.cells = parseWhole(name, parts[0], 1, maxCells),
+                        .impedance = parsePositive(name, parts[1], "-")};
+        if (parts.size() >= 3) {
+            segment.speed = parsePositive(name, parts[2], "-");
+        }
+        if (parts.size() == 4) {
+            segment.dashpot = parsePositive(name, parts[3], "-");
+        }
+        segments.push_back(segment);
+    }
+    return segments;
+}
+
 std::vector<Phase> parsePhases(const std::vector<std::string>& words)
 {
     if (words.empty() || words.size() % 2 != 0) {
@@ -259,9 +338,13 @@ std::vector<Phase> parsePhases(const std::vector<std::string>& words)
     std::vector<Phase> phases;
     for (std::size_t k = 0; k < words.size(); k += 2) {
         const std::size_t number = k / 2 + 1;
+        std::string_view contact = words[k];
+        const bool isLeft = contact.starts_with("L:");
+        contact.remove_prefix(isLeft ? 2 : 0);
         phases.push_back(
-            {parseWhole(fmt::format("NC (phase {})", number), words[k], 1, maxSteps),
-             parseWhole(fmt::format("NF (phase {})", number), words[k + 1], 1, maxSteps)});
+            {parseWhole(fmt::format("NC (phase {})", number), contact, 1, maxSteps),
+             parseWhole(fmt::format("NF (phase {})", number), words[k + 1], 1, maxSteps),
+             isLeft ? Stop::left : Stop::right});
     }
     return phases;
 }

@@ -42,6 +42,9 @@ void writeOut(std::string_view text);
 /// Words for people, to standard error. Where they cannot be written they are lost, not the work.
 void tell(std::string_view text) noexcept;
 
+/// Says on stderr that a motion breaks the paper's condition, if it does.
+void warnUnlessAdmissible(std::string_view command, const Physical& physical);
+
 /// Stops the removal of temporary files from being skipped when a signal ends the program: files
 /// staged later under `path` are removed by the handlers of SIGINT, SIGTERM and SIGHUP.
 void removeOnSignal(const std::string& path);
@@ -63,9 +66,6 @@ struct GivenNumber {
 /// \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] ExactPeriod parseFraction(std::string_view name, std::string_view text,
                                         std::string_view unit);
-
-/// "7/2" or "4".
-[[nodiscard]] std::string fractionAsText(const ExactPeriod& fraction);
 
 /// Adds an option whose word goes to `take`. Not CLI11's validators: they put words of their own
 /// around a message, and ours shall name argument, value and range in the same way everywhere.
@@ -125,15 +125,25 @@ struct CommonOptions {
     /// Adds them to a command.
     void addTo(CLI::App& command);
 
-    [[nodiscard]] std::int64_t usualCells() const { return cells.value_or(300); }
-    /// \throws std::invalid_argument on a clash, or numbers that do not go together.
+    /// Those given, or those of all segments, or 300.
+    [[nodiscard]] std::int64_t usualCells() const;
+    /// For commands that know a uniform bar and one wall. \throws std::invalid_argument on a clash,
+    /// numbers that do not go together, or a scene with more.
     [[nodiscard]] Bar bar() const;
+    /// The same for commands that know gaps of any sign.
+    [[nodiscard]] Bar barOfAnyGap() const;
+    /// \throws std::invalid_argument on a clash, or numbers that do not go together.
+    [[nodiscard]] Scene scene() const;
     /// For a command that works on one thread: says so where more were allowed. Said last, so that
     /// a wrong call stays one line.
     void useOneThread(std::string_view command) const;
 
 private:
+    [[nodiscard]] Bar givenBar() const;
+
     Bar bar_;  ///< length and gap
+    std::optional<double> secondStop_;
+    std::vector<Segment> segments_;
     std::optional<double> waveSpeed_;
     std::optional<double> axialStiffness_;
     std::optional<double> young_;
@@ -141,7 +151,12 @@ private:
     std::optional<double> area_;
 };
 
-/// NC NF [NC NF ...]. \throws std::invalid_argument on a wrong value or an odd number of words.
+/// "150:1,150:1.3:1": cells, impedance and speed, of one segment after the other.
+/// \throws std::invalid_argument naming argument, value and range.
+[[nodiscard]] std::vector<Segment> parseSegments(std::string_view name, std::string_view text);
+
+/// NC NF [L:NC NF ...], L: before the contact on the second stop. \throws std::invalid_argument on
+/// a wrong value or an odd number of words.
 [[nodiscard]] std::vector<Phase> parsePhases(const std::vector<std::string>& words);
 
 }  // namespace signorini::cli

@@ -34,8 +34,8 @@ double parseRatio(const char* name, const std::string& text, const char* unit)
 
 void AtlasCommand::addTo(CLI::App& command)
 {
-    command.add_option("--database", database, "the atlas, made if it does not exist; required")
-        ->type_name("FILE.sqlite");
+    addFile(command, "--database", database, "the atlas, made if it does not exist; required",
+            "FILE.sqlite");
     constexpr std::int64_t maxEach = maxSteps / (2 * maxAtlasPhases);
     addWhole(command, "--max-contact", 1, maxEach, maxContact, "NC", "contact steps 1..NC (2N)");
     addWhole(command, "--max-free", 1, maxEach, maxFree, "NF", "free steps 1..NF (4N)");
@@ -54,12 +54,9 @@ void AtlasCommand::addTo(CLI::App& command)
             [this](const std::string& text) { period = parseFraction("--period", text, "L/c"); });
     command.add_flag("--twins", twins, "ask: different orbits of equal period and energy");
     command.add_flag("--schedules", schedules, "answer with the schedules of families, too");
-    command.add_option("--figure", figureFile, "draw the frequency-energy plot (needs gnuplot)")
-        ->type_name("FILE.svg|.png|.pdf");
-    command.add_option("--map", mapFile, "draw the existence map over contact and flight times")
-        ->type_name("FILE.svg|.png|.pdf");
-    command.add_option("--csv", csvFile, "write the families, the bars of the plot, as a table")
-        ->type_name("FILE.csv");
+    addFigure(command, "--figure", figureFile, "draw the frequency-energy plot");
+    addFigure(command, "--map", mapFile, "draw the existence map over contact and flight times");
+    addFile(command, "--csv", csvFile, "write the families, the bars of the plot, as a table");
     common.addTo(command);
 }
 
@@ -77,6 +74,7 @@ AtlasRange AtlasCommand::range() const
     range.maxEnergyRatio = maxEnergyRatio.value_or(range.maxEnergyRatio);
     range.keepsRefuted = all;
     range.familiesOnly = familiesOnly;
+    range.gapSign = stopsOf(common.barOfAnyGap()).right;
     if (all && familiesOnly) {
         throw std::invalid_argument("--all, --families-only: allowed one of them");
     }
@@ -109,16 +107,13 @@ ExitStatus AtlasCommand::run() const
             throw std::invalid_argument(
                 "--database is missing: allowed the name of an SQLite file");
         }
-        (void)common.bar();
-        for (const std::string& figure : {figureFile, mapFile}) {
-            if (!figure.empty()) {
-                (void)figureFormat(figure);
-            }
+        if (common.barOfAnyGap().gap <= 0.0 && !figureFile.empty()) {
+            throw std::invalid_argument(
+                "--figure: allowed with a gap > 0, whose plot it is; --csv holds the families");
         }
-        validateOutputs({{"--database", database},
-                         {"--figure", figureFile},
-                         {"--map", mapFile},
-                         {"--csv", csvFile}});
+        std::vector<OutputOption> written = outputs();
+        written.insert(written.begin(), {"--database", database});
+        validateOutputs(written);
         // A picture of an atlas that exists needs no range.
         const bool draws = (!figureFile.empty() || !mapFile.empty() || !csvFile.empty()) &&
                            !namesRange() && std::filesystem::exists(database);
@@ -197,44 +192,38 @@ void AtlasCommand::ask(const AtlasDatabase& atlas, AtlasAnswer& answer) const
     }
 }
 
-void AtlasCommand::stagePictures(Pictures& pictures) const
+std::vector<OutputOption> AtlasCommand::outputs() const
 {
-    pictures.figure = stage(pictures.files, {"--figure", figureFile});
-    pictures.map = stage(pictures.files, {"--map", mapFile});
-    pictures.csv = stage(pictures.files, {"--csv", csvFile});
+    return {{"--figure", figureFile}, {"--map", mapFile}, {"--csv", csvFile}};
 }
 
 void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-                        Pictures& pictures) const
+                        Outputs& outputs) const
 {
-    if (!pictures.figure.empty()) {
-        forFile("--figure", figureFile, [&] {
-            drawFrequencyEnergyPlot(atlas, cells, figureFormat(figureFile), pictures.figure);
-        });
-    }
-    if (!pictures.map.empty()) {
-        forFile("--map", mapFile,
-                [&] { drawExistenceMap(atlas, cells, figureFormat(mapFile), pictures.map); });
-    }
-    if (!pictures.csv.empty()) {
-        forFile("--csv", csvFile, [&] { writeAtlasCsv(pictures.csv, atlas, cells, common.bar()); });
-    }
-    pictures.files.commit();
+    outputs.put("--figure", [&](const std::string& path) {
+        drawFrequencyEnergyPlot(atlas, cells, figureFormat(figureFile), path);
+    });
+    outputs.put("--map", [&](const std::string& path) {
+        drawExistenceMap(atlas, cells, figureFormat(mapFile), path);
+    });
+    outputs.put("--csv", [&](const std::string& path) {
+        writeAtlasCsv(path, atlas, cells, common.barOfAnyGap());
+    });
+    outputs.commit();
 }
 
 ExitStatus AtlasCommand::answer() const
 {
-    Pictures pictures;
-    stagePictures(pictures);
+    Outputs drawing(outputs());
     AtlasAnswer answer;
     answer.isTwins = twins;
-    answer.bar = common.bar();
+    answer.bar = common.barOfAnyGap();
     const AtlasDatabase atlas = forFile("--database", database, [&] {
         AtlasDatabase opened = AtlasDatabase::open(database);
         ask(opened, answer);
         return opened;
     });
-    draw(atlas, common.cells, pictures);
+    draw(atlas, common.cells, drawing);
     const std::string gaps = answer.coverage.gaps();
     if (!gaps.empty() && !common.quiet) {
         tell(fmt::format("signorini atlas: {}\n", gaps));
@@ -278,7 +267,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
         throw std::invalid_argument(
             "--map draws schedules, which --families-only leaves out: allowed one of them");
     }
-    const Bar bar = common.bar();
+    const Bar bar = common.barOfAnyGap();
     AtlasOptions options;
     options.threads = common.threads;
     options.resume = resume;
@@ -288,7 +277,10 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
                                       ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
                                       : "",
                                   range.keepsRefuted ? " --all" : "",
-                                  range.familiesOnly ? " --families-only" : "");
+                                  range.familiesOnly ? " --families-only" : "") +
+                      (range.gapSign < 0    ? " --gap < 0"
+                       : range.gapSign == 0 ? " --gap 0"
+                                            : "");
     if (!interrupt) {
         interrupt.emplace();
     }
@@ -296,8 +288,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (ranks != nullptr && ranks->rank() != 0) {
         return ranks->serve(options.threads, options.cancel) ? exitFound : exitUndecided;
     }
-    Pictures pictures;
-    stagePictures(pictures);
+    Outputs drawing(outputs());
     std::optional<Progress> progress(std::in_place, !common.quiet, "deciding");
     options.progress = [&progress](const AtlasRun& run) {
         progress->show(fmt::format("{} schedules", run.tally.decided),
@@ -324,7 +315,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     progress.reset();
     interrupt.reset();
     if (run.isFinished()) {
-        draw(*atlas, range.cells, pictures);
+        draw(*atlas, range.cells, drawing);
     }
     writeOut(common.wantsJson ? asJson(run, database, bar) : asText(run, database));
     if (!run.isFinished()) {

@@ -8,6 +8,7 @@
 
 #include "arguments.hpp"
 #include "atlas_report.hpp"
+#include "files.hpp"
 #include "interrupt.hpp"
 #include "ranks.hpp"
 #include "signorini/atlas_database.hpp"
@@ -42,15 +43,6 @@ struct AtlasCommand {
     [[nodiscard]] ExitStatus run() const;
 
 private:
-    /// Pictures to be drawn and the table behind them, under their temporary names; empty: not
-    /// asked for.
-    struct Pictures {
-        OutputFiles files;
-        std::string figure;
-        std::string map;
-        std::string csv;
-    };
-
     [[nodiscard]] bool isQuery() const;
     [[nodiscard]] bool namesRange() const;
     [[nodiscard]] bool makesRange() const;
@@ -59,13 +51,13 @@ private:
     [[nodiscard]] std::optional<AtlasPoint> point() const;
     [[nodiscard]] AtlasQuestion question(const std::optional<AtlasPoint>& point) const;
     void ask(const AtlasDatabase& atlas, AtlasAnswer& answer) const;
-    void stagePictures(Pictures& pictures) const;
+    [[nodiscard]] std::vector<OutputOption> outputs() const;
     [[nodiscard]] ExitStatus answer() const;
     [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,
                                    std::optional<Interrupt>& interrupt) const;
     void fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks, const AtlasOptions& options) const;
     void draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-              Pictures& pictures) const;
+              Outputs& outputs) const;
 };
 
 }  // namespace signorini::cli

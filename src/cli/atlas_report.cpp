@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "energy_section.hpp"
 #include "json.hpp"
 #include "signorini/output.hpp"
 #include "text.hpp"
@@ -47,8 +48,9 @@ struct Section {
         const double energy = std::clamp(energyRatio, range.least, range.most);
         const bool isInside = range.least < energy && energy < range.most;
         dimension = isInside ? family.dimension - 1 : 0;
-        if (family.family) {  // docs/theory.md, section 11: rho = E/E_max
-            isConnected = family.dimension == 0 || energy <= range.most / 2.0;
+        if (family.family) {
+            isConnected =
+                connectivityOf(onePhaseSet({family.cells, {family.top}}), energy).isConnected;
         }
     }
 };

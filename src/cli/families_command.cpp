@@ -51,12 +51,9 @@ void FamiliesCommand::addTo(CLI::App& command)
              "only families of at most W blocks in 2 L/c (12)");
     addPositive(command, "--max-energy-ratio", "E_1", bounds.maxEnergyRatio, "X",
                 "only families with a motion of E/E_1 <= X (all)");
-    command
-        .add_option("--figure", figureFile,
-                    "draw them as a periodic table, period against order (needs gnuplot)")
-        ->type_name("FILE.svg|.png|.pdf");
-    command.add_option("--csv", tableFile, "write them as a table, one row a family")
-        ->type_name("FILE.csv");
+    addFigure(command, "--figure", figureFile,
+              "draw them as a periodic table, period against order");
+    addFile(command, "--csv", tableFile, "write them as a table, one row a family");
     common.addTo(command);
     command.footer(
         "A family (w, nu, k) is all motions of one period T = 2 nu/w and one contact pattern, with "
@@ -67,37 +64,30 @@ void FamiliesCommand::addTo(CLI::App& command)
 
 ExitStatus FamiliesCommand::run() const
 {
-    FamilyList list{maxOrder, bounds.maxEnergyRatio, common.bar(), {}, {}};
-    if (!figureFile.empty()) {
-        (void)figureFormat(figureFile);
+    FamilyList list{maxOrder, bounds.maxEnergyRatio, common.barOfAnyGap(), {}, {}};
+    Outputs outputs({{"--csv", tableFile}, {"--figure", figureFile}});
+    if (list.bar.gap == 0.0 && !figureFile.empty()) {
+        throw std::invalid_argument(
+            "--figure: allowed only with a gap: without one families have every energy");
     }
-    const OutputOption tableOption{"--csv", tableFile};
-    const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({tableOption, figureOption});
-    OutputFiles files;
-    const std::string table = stage(files, tableOption);
-    const std::string figure = stage(files, figureOption);
-
-    fill(list, bounds, common.quiet);
+    FamilyBounds asked = bounds;
+    asked.gapSign = stopsOf(list.bar).right;
+    fill(list, asked, common.quiet);
     if (!list.isComplete() && !common.quiet) {
         tell(fmt::format("signorini families: {}; the list is not complete{}\n", list.ended,
-                         table.empty() && figure.empty() ? "" : ", so no file was written"));
+                         outputs.areWanted() ? ", so no file was written" : ""));
     }
     if (list.isComplete()) {
-        if (!table.empty()) {
-            forFile("--csv", tableFile, [&] { writeFamiliesCsv(table, list); });
-        }
-        if (!figure.empty()) {
-            forFile("--figure", figureFile, [&] {
-                drawFamilies(list.families, list.maxOrder, figureFormat(figureFile), figure);
-            });
-        }
-        files.commit();
+        outputs.put("--csv", [&](const std::string& path) { writeFamiliesCsv(path, list); });
+        outputs.put("--figure", [&](const std::string& path) {
+            drawFamilies(list.families, list.maxOrder, figureFormat(figureFile), path);
+        });
+        outputs.commit();
     }
     if (common.wantsJson) {
-        writeJson(list);
+        writeJson(list, writeOut);
     } else {
-        writeText(list);
+        writeText(list, writeOut);
     }
     common.useOneThread("families");
     return list.isComplete() ? exitFound : exitUndecided;

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "arguments.hpp"
-#include "json.hpp"
+#include "mode_report.hpp"
+#include "report.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/output.hpp"
 #include "text.hpp"
@@ -18,14 +18,14 @@ constexpr std::size_t pieceSize = std::size_t{1} << 16;
 
 /// What people ask of a family, in the units of a bar.
 struct FamilyNumbers {
-    double periodRatio;     ///< [L/c]
-    double contactRatio;    ///< [L/c]
-    double frequencyRatio;  ///< [-], omega/omega_1
-    double period;          ///< [s]
-    double frequency;       ///< [Hz]
-    double energyRatio;     ///< [E_1], least
-    double energy;          ///< [J], least
-    Mode mode;              ///< on whose curve it stands
+    double periodRatio;        ///< [L/c]
+    double contactRatio;       ///< [L/c]
+    double frequencyRatio;     ///< [-], omega/omega_1
+    double period;             ///< [s]
+    double frequency;          ///< [Hz]
+    double energyRatio;        ///< [E_1], least
+    double energy;             ///< [J], least
+    std::optional<Mode> mode;  ///< on whose curve it stands, inside
 };
 
 FamilyNumbers numbersOf(const Family& family, const Scales& unit)
@@ -39,42 +39,24 @@ FamilyNumbers numbersOf(const Family& family, const Scales& unit)
             .frequency = 1.0 / (ratio * unit.time),
             .energyRatio = energy,
             .energy = energy * unit.energy,
-            .mode = modeThrough(family)};
-}
-
-std::string asText(std::int64_t numerator, std::int64_t denominator)
-{
-    return denominator == 1 ? fmt::format("{}", numerator)
-                            : fmt::format("{}/{}", numerator, denominator);
-}
-
-std::string asText(const ExactPeriod& period)
-{
-    return asText(period.numerator, period.denominator);
-}
-
-std::string asText(const Mode& mode)
-{
-    return mode.b == -1 ? fmt::format("{} - T", 4 * mode.a)
-                        : fmt::format("{} - {}T", 4 * mode.a, -mode.b);
+            .mode = standsOnMode(family) ? std::optional(modeThrough(family)) : std::nullopt};
 }
 
 Json asJson(const Family& family, const Scales& unit)
 {
     const FamilyNumbers numbers = numbersOf(family, unit);
     const ExactEnergy least = leastEnergy(family);
-    return {{"order", family.order},
-            {"nu", family.blocks},
-            {"contact_blocks", family.contactBlocks},
-            {"period_ratio", {2 * family.blocks, family.order}},
-            {"contact", {2 * family.contactBlocks, family.order}},
-            {"least_energy_ratio", numbers.energyRatio},
-            {"least_energy_exact", {least.numerator, least.denominator}},
-            {"least_energy", numbers.energy},
-            {"frequency_ratio", numbers.frequencyRatio},
-            {"frequency", numbers.frequency},
-            {"period", numbers.period},
-            {"mode", {4 * numbers.mode.a, numbers.mode.b}}};
+    Json json = familyAsJson(family);
+    json.update(Json{{"least_energy_exact", {least.numerator, least.denominator}},
+                     {"least_energy", numbers.energy},
+                     {"frequency_ratio", numbers.frequencyRatio},
+                     {"frequency", numbers.frequency},
+                     {"period", numbers.period},
+                     {"mode", nullptr}});
+    if (numbers.mode) {
+        json["mode"] = {4 * numbers.mode->a, numbers.mode->b};
+    }
+    return json;
 }
 
 /// Calls `add(text, family)` for each and hands the text on to `write` in pieces.
@@ -94,7 +76,17 @@ void inPieces(const std::vector<Family>& families, Add add, Write write)
 
 }  // namespace
 
-void writeText(const FamilyList& list)
+Json familyAsJson(const Family& family)
+{
+    return {{"order", family.order},
+            {"nu", family.blocks},
+            {"contact_blocks", family.contactBlocks},
+            {"period_ratio", {2 * family.blocks, family.order}},
+            {"contact", {2 * family.contactBlocks, family.order}},
+            {"least_energy_ratio", leastEnergy(family).value()}};
+}
+
+void writeText(const FamilyList& list, const Write& write)
 {
     const Scales unit = scales(list.bar);
     const std::string energy = std::isfinite(list.maxEnergyRatio)
@@ -108,7 +100,7 @@ void writeText(const FamilyList& list)
                             "w", "ν", "k", "T [L/c]", "t_c≤[L/c]", "ω/ω₁", "f [Hz]", "E/E₁ from",
                             "= ", "E [J] from", "mode t_c");
     }
-    writeOut(head);
+    write(head);
     inPieces(
         list.families,
         [&unit](Text& text, const Family& family) {
@@ -116,15 +108,16 @@ void writeText(const FamilyList& list)
             const ExactEnergy least = leastEnergy(family);
             print(text,
                   "{:>5} {:>5} {:>4}  {:<10}{:<10}{:<10.6g}{:<13.7g}{:<13}{:<13.6g}{:<14.6g}{}\n",
-                  family.order, family.blocks, family.contactBlocks, asText(exactPeriod(family)),
-                  asText(longestContact(family)), numbers.frequencyRatio, numbers.frequency,
-                  asText(least.numerator, least.denominator), numbers.energyRatio, numbers.energy,
-                  asText(numbers.mode));
+                  family.order, family.blocks, family.contactBlocks,
+                  fractionAsText(exactPeriod(family)), fractionAsText(longestContact(family)),
+                  numbers.frequencyRatio, numbers.frequency,
+                  fractionAsText({least.numerator, least.denominator}), numbers.energyRatio,
+                  numbers.energy, numbers.mode ? contactAsText(*numbers.mode) : "–");
         },
-        [](std::string_view piece) { writeOut(piece); });
+        write);
 }
 
-void writeJson(const FamilyList& list)
+void writeJson(const FamilyList& list, const Write& write)
 {
     const Scales unit = scales(list.bar);
     Json json = newAnswer();
@@ -138,7 +131,7 @@ void writeJson(const FamilyList& list)
     std::string head = asLine(json);
     const std::string tail = head.substr(head.size() - 3);
     head.resize(head.size() - 3);
-    writeOut(head);
+    write(head);
     bool isFirst = true;
     inPieces(
         list.families,
@@ -146,8 +139,8 @@ void writeJson(const FamilyList& list)
             print(text, "{}{}", isFirst ? "" : ",", asJson(family, unit).dump());
             isFirst = false;
         },
-        [](std::string_view piece) { writeOut(piece); });
-    writeOut(tail);
+        write);
+    write(tail);
 }
 
 void writeFamiliesCsv(const std::string& path, const FamilyList& list)
@@ -161,10 +154,12 @@ void writeFamiliesCsv(const std::string& path, const FamilyList& list)
         list.families,
         [&unit](Text& text, const Family& family) {
             const FamilyNumbers numbers = numbersOf(family, unit);
-            print(text, "{},{},{},{},{},{},{},{},{},{},{},{}\n", family.order, family.blocks,
+            const std::string mode =
+                numbers.mode ? fmt::format("{},{}", 4 * numbers.mode->a, numbers.mode->b) : ",";
+            print(text, "{},{},{},{},{},{},{},{},{},{},{}\n", family.order, family.blocks,
                   family.contactBlocks, numbers.periodRatio, numbers.contactRatio,
                   numbers.frequencyRatio, numbers.energyRatio, numbers.period, numbers.frequency,
-                  numbers.energy, 4 * numbers.mode.a, numbers.mode.b);
+                  numbers.energy, mode);
         },
         [&file](std::string_view piece) { file.write(piece); });
     file.close();

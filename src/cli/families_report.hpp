@@ -2,9 +2,12 @@
 /// \file
 /// A list of families in words, as JSON and as a table.
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "json.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/modes.hpp"
 
@@ -21,11 +24,18 @@ struct FamilyList {
     [[nodiscard]] bool isComplete() const { return ended.empty(); }
 };
 
-/// To standard output, piece by piece: a list may be long. \throws FileError.
-void writeText(const FamilyList& list);
-void writeJson(const FamilyList& list);
+/// Where text goes, piece by piece.
+using Write = std::function<void(std::string_view)>;
+
+/// In pieces: a list may be long.
+void writeText(const FamilyList& list, const Write& write);
+void writeJson(const FamilyList& list, const Write& write);
 
 /// One row a family, numbers in the shortest form that reads back exactly. \throws FileError.
 void writeFamiliesCsv(const std::string& path, const FamilyList& list);
+
+/// What names a family: order, nu, contact_blocks; its period and longest contact in L/c as
+/// fractions, and its least energy.
+[[nodiscard]] Json familyAsJson(const Family& family);
 
 }  // namespace signorini::cli

@@ -3,8 +3,13 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
 #include "arguments.hpp"
 #include "faults.hpp"
+#include "signorini/figures.hpp"
 
 namespace signorini::cli {
 
@@ -19,6 +24,31 @@ bool isStandardOutput(const std::string& path)
 }
 
 }  // namespace
+
+void addFile(CLI::App& command, const char* name, std::string& file, const std::string& help,
+             const char* type)
+{
+    command.add_option(name, file, help)->type_name(type);
+}
+
+void addFigure(CLI::App& command, const char* name, std::string& file, const std::string& help)
+{
+    addWord(command, name, "FILE.svg|.png|.pdf", (help + " (needs gnuplot)").c_str(),
+            [&file](const std::string& path) {
+                (void)figureFormat(path);
+                file = path;
+            });
+}
+
+void addAnimation(CLI::App& command, std::string& file)
+{
+    addWord(command, "--animate", "FILE.gif|.mp4",
+            "draw it moving (needs gnuplot, and ffmpeg for .mp4)",
+            [&file](const std::string& path) {
+                (void)animationFormat(path);
+                file = path;
+            });
+}
 
 void validateOutputs(const std::vector<OutputOption>& outputs)
 {
@@ -46,17 +76,46 @@ void validateOutputs(const std::vector<OutputOption>& outputs)
     faults.throwIfAny();
 }
 
-std::string stage(OutputFiles& files, const OutputOption& output)
+SignalsHeld::SignalsHeld() : before_()
 {
-    if (output.path.empty()) {
-        return {};
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        sigaddset(&signals, number);
     }
-    std::string staged = forFile(output.option, output.path, [&] {
-        return files.stage(output.path, fmt::format("{} {}", output.option, output.path));
+    (void)pthread_sigmask(SIG_BLOCK, &signals, &before_);
+}
+
+SignalsHeld::~SignalsHeld()
+{
+    (void)pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+Outputs::Outputs(const std::vector<OutputOption>& outputs, const std::vector<OutputOption>& taken)
+{
+    std::vector<OutputOption> all = outputs;
+    all.insert(all.end(), taken.begin(), taken.end());
+    validateOutputs(all);
+    for (const auto& [option, path] : outputs) {
+        if (path.empty()) {
+            continue;
+        }
+        const std::string staged = forFile(option, path, [&, option = option, &path = path] {
+            return files_.stage(path, fmt::format("{} {}", option, path));
+        });
+        removeOnSignal(staged);
+        removeOnSignal(OutputFiles::keptName(staged));
+        entries_.push_back({option, path, staged});
+    }
+}
+
+std::string Outputs::stageFolder(const OutputOption& folder, const std::string& ending)
+{
+    held_.emplace();
+    return forFile(folder.option, folder.path, [&] {
+        return files_.stageFolder(folder.path, ending,
+                                  fmt::format("{} {}", folder.option, folder.path));
     });
-    removeOnSignal(staged);
-    removeOnSignal(OutputFiles::keptName(staged));
-    return staged;
 }
 
 }  // namespace signorini::cli

@@ -1,14 +1,29 @@
 #pragma once
 /// \file
-/// Output files named on the command line: checks before any work, staging, and messages that name
-/// the option.
+/// Files named on the command line: options for their names, checks before any work, staging, and
+/// messages that name the option.
 
+#include <csignal>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "signorini/output.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace signorini::cli {
+
+/// An option for the name of a table or a state. `type`: what it looks like.
+void addFile(CLI::App& command, const char* name, std::string& file, const std::string& help,
+             const char* type = "FILE.csv");
+
+/// The same for a picture, whose ending names its format, and for a moving one.
+void addFigure(CLI::App& command, const char* name, std::string& file, const std::string& help);
+void addAnimation(CLI::App& command, std::string& file);
 
 /// An option that names a file to write, and the name; empty: not given.
 struct OutputOption {
@@ -30,7 +45,60 @@ auto forFile(const char* option, const std::string& path, Action action)
     }
 }
 
-/// The name to write to, removed if a signal ends the program; empty if the option was not given.
-[[nodiscard]] std::string stage(OutputFiles& files, const OutputOption& output);
+/// Keeps SIGINT, SIGTERM and SIGHUP waiting while it lives.
+class SignalsHeld {
+public:
+    SignalsHeld();
+    SignalsHeld(const SignalsHeld&) = delete;
+    SignalsHeld& operator=(const SignalsHeld&) = delete;
+    ~SignalsHeld();
+
+private:
+    sigset_t before_;
+};
+
+/// The files of one call, under temporary names until all of them are written. Those are removed if
+/// a signal ends the program.
+class Outputs {
+public:
+    /// Stages those that were given. Of `taken` the names are not to be used by others.
+    /// \throws as `validateOutputs`, FileError if a file could not be written.
+    explicit Outputs(const std::vector<OutputOption>& outputs,
+                     const std::vector<OutputOption>& taken = {});
+
+    [[nodiscard]] bool areWanted() const { return !entries_.empty(); }
+
+    /// Calls write(name to write to) if the option was given.
+    template <typename Write>
+    void put(std::string_view option, Write write)
+    {
+        for (const Entry& entry : entries_) {
+            if (entry.option == option) {
+                forFile(entry.option, entry.path, [&] { return write(entry.staged); });
+            }
+        }
+    }
+
+    /// A folder beside the files, replaced whole (`OutputFiles::stageFolder`). As no signal removes
+    /// a folder, signals wait from here on, until `commit` or the end of this object.
+    [[nodiscard]] std::string stageFolder(const OutputOption& folder, const std::string& ending);
+
+    void commit()
+    {
+        files_.commit();
+        held_.reset();
+    }
+
+private:
+    struct Entry {
+        const char* option;
+        std::string path;
+        std::string staged;
+    };
+
+    std::optional<SignalsHeld> held_;
+    OutputFiles files_;
+    std::vector<Entry> entries_;
+};
 
 }  // namespace signorini::cli

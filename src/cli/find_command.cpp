@@ -19,6 +19,8 @@
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
+#include "stability_report.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -40,23 +42,23 @@ FindRequest completed(const FindCommand& call)
 {
     FindRequest request{call.options, {}};
     FindOptions& options = request.options;
-    options.bar = call.common.bar();
+    options.scene = call.common.scene();
     if (call.energy) {
         if (options.energyRatio) {
             throw std::invalid_argument(
                 "--energy clashes with --energy-ratio: allowed one of them");
         }
-        options.energyRatio = *call.energy / scales(options.bar).energy;
+        options.energyRatio = *call.energy / scales(firstMaterial(options.scene)).energy;
     }
-    if (call.yieldStress && !options.bar.young) {
+    if (call.yieldStress && !options.scene.bar.young) {
         throw std::invalid_argument(
             "--yield-stress: allowed only with --young, --density and --area");
     }
-    options.strainLimit /= scales(options.bar).strain;
-    if (!(options.tipFloor < options.bar.gap)) {
+    options.strainLimit /= scales(options.scene.bar).strain;
+    if (std::isfinite(options.tipFloor) && !(options.tipFloor < options.scene.bar.gap)) {
         refuse("--tip-floor", fmt::format("{}", options.tipFloor), "below the gap [m]");
     }
-    options.tipFloor /= options.bar.gap;
+    options.tipFloor /= scales(options.scene.bar).displacement;
     if (options.objective == Objective::nearest && call.targetFile.empty()) {
         throw std::invalid_argument("--target is missing: --objective nearest needs a state file");
     }
@@ -65,7 +67,7 @@ FindRequest completed(const FindCommand& call)
             throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
         }
         StateReading read = forFile("--target", call.targetFile, [&] {
-            return readState(call.targetFile, options.bar, call.common.usualCells());
+            return readState(call.targetFile, options.scene.bar, call.common.usualCells());
         });
         options.target = std::move(read.state);
         request.reading = std::move(read.how);
@@ -86,23 +88,36 @@ PeriodicResult search(const Schedule& schedule, FindOptions options, bool isQuie
     return result;
 }
 
-/// The files that a call names: checked before any work, staged, and written together.
-class MotionFiles {
+constexpr std::int64_t maxStableSteps = 1'000'000;
+
+/// What becomes of a free motion beside it: as it is, and with a little damping.
+std::vector<StabilityReport> stabilityReports(const FoundMotion& motion, const Schedule& schedule)
+{
+    const Interrupt interrupt;
+    std::vector<StabilityReport> reports;
+    for (const double ratio : {0.0, 0.001}) {
+        StabilityReport report{{ratio}, {}, {}};
+        report.options.cancel = interrupt.cancel();
+        report.result = stabilityOf(motion.state, schedule, report.damping, report.options);
+        reports.push_back(std::move(report));
+    }
+    return reports;
+}
+
+/// The files that a call names.
+class MotionOutputs {
 public:
-    explicit MotionFiles(const FindCommand& words)
-        : words_(checked(words)),
-          state_(stage(files_, {"--state", words.stateFile})),
-          motion_(words.motionFile, files_),
-          figure_(stage(files_, {"--figure", words.figureFile})),
-          animation_(stage(files_, {"--animate", words.animationFile}))
+    explicit MotionOutputs(const FindCommand& words)
+        : words_(words),
+          outputs_({{"--state", words.stateFile},
+                    words.motionFile.option(),
+                    {"--figure", words.figureFile},
+                    {"--animate", words.animationFile}},
+                   {words.motionFile.folderOption()})
     {
     }
 
-    [[nodiscard]] bool areWanted() const
-    {
-        return !state_.empty() || words_.motionFile.isWanted() || !figure_.empty() ||
-               !animation_.empty();
-    }
+    [[nodiscard]] bool areWanted() const { return outputs_.areWanted(); }
 
     void sayNone() const
     {
@@ -114,63 +129,42 @@ public:
     /// \pre a motion was found.
     void write(const PeriodicResult& result)
     {
-        if (!state_.empty()) {
-            forFile("--state", words_.stateFile,
-                    [&] { writeStateCsv(state_, result.motion->state, result.bar); });
-        }
-        if (!figure_.empty()) {
-            forFile("--figure", words_.figureFile,
-                    [&] { drawMotion(result, figureFormat(words_.figureFile), figure_); });
-        }
-        if (words_.motionFile.isWanted() || !animation_.empty()) {
+        outputs_.put("--state", [&](const std::string& path) {
+            writeStateCsv(path, result.motion->state, result.scene.bar);
+        });
+        outputs_.put("--figure", [&](const std::string& path) {
+            drawMotion(result, figureFormat(words_.figureFile), path);
+        });
+        if (words_.motionFile.isWanted() || !words_.animationFile.empty()) {
             writeMotion(result);
         }
-        files_.commit();
+        outputs_.commit();
     }
 
 private:
-    static const FindCommand& checked(const FindCommand& words)
-    {
-        if (!words.figureFile.empty()) {
-            (void)figureFormat(words.figureFile);
-        }
-        if (!words.animationFile.empty()) {
-            (void)animationFormat(words.animationFile);
-        }
-        words.motionFile.validate();
-        validateOutputs({{"--state", words.stateFile},
-                         words.motionFile.option(),
-                         words.motionFile.folderOption(),
-                         {"--figure", words.figureFile},
-                         {"--animate", words.animationFile}});
-        return words;
-    }
-
     void writeMotion(const PeriodicResult& result)
     {
-        const Motion field(result.motion->state, result.schedule);
+        const std::vector<Segment>& segments = result.scene.segments;
+        const Motion field = isUniform(segments)
+                                 ? Motion(result.motion->state, result.schedule)
+                                 : Motion(result.motion->state, result.schedule, segments);
         const std::int64_t all = signorini::steps(result.schedule);
-        if (!animation_.empty()) {
-            forFile("--animate", words_.animationFile, [&] {
-                animateMotion(MotionSamples(field, result.bar),
-                              animationFormat(words_.animationFile), animation_);
-            });
-        }
+        outputs_.put("--animate", [&](const std::string& path) {
+            animateMotion(MotionSamples(field, result.scene), animationFormat(words_.animationFile),
+                          path);
+        });
         if (words_.motionFile.isWanted() && field.steps() < all && !words_.common.quiet) {
             tell(
                 fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
                             "free oscillations\n",
                             field.steps(), all));
         }
-        motion_.write([&](std::int64_t most) { return MotionSamples(field, result.bar, most); });
+        words_.motionFile.write(
+            outputs_, [&](std::int64_t most) { return MotionSamples(field, result.scene, most); });
     }
 
     const FindCommand& words_;
-    OutputFiles files_;
-    std::string state_;
-    MotionFile::Staged motion_;
-    std::string figure_;
-    std::string animation_;
+    Outputs outputs_;
 };
 
 }  // namespace
@@ -186,11 +180,9 @@ void FindCommand::addTo(CLI::App& command)
             "unknowns of the problem (auto)");
     addName(command, "--objective", std::span(objectiveNames).subspan(1), options.objective,
             "which motion of the set (least energy; of an energy to hold, least peak strain)");
-    command
-        .add_option("--target", targetFile,
-                    "state to come nearest to: as --state writes it, or measured (columns x, "
-                    "velocity and strain or displacement); may be a pipe")
-        ->type_name("FILE.csv");
+    addFile(command, "--target", targetFile,
+            "state to come nearest to: as --state writes it, or measured (columns x, velocity and "
+            "strain or displacement); may be a pipe");
     question.addTo(command);
     forced.addTo(command);
     addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X",
@@ -207,14 +199,12 @@ void FindCommand::addTo(CLI::App& command)
     addPositive(command, "--tolerance", "-", options.tolerance, "X",
                 "largest relative residual (1e-7)");
     addPositive(command, "--time-limit", "s", options.timeLimit, "S", "for the solver");
-    command.add_option("--state", stateFile, "write the state at t = 0")->type_name("FILE.csv");
+    addFile(command, "--state", stateFile, "write the state at t = 0");
     motionFile.addTo(command);
-    command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
-        ->type_name("FILE.svg|.png|.pdf");
-    command
-        .add_option("--animate", animationFile,
-                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
-        ->type_name("FILE.gif|.mp4");
+    addFigure(command, "--figure", figureFile, "draw the motion");
+    command.add_flag("--stability", wantsStability,
+                     "start beside the motion, undamped and with a damping ratio of 0.001");
+    addAnimation(command, animationFile);
     common.addTo(command);
 }
 
@@ -233,7 +223,7 @@ void FindCommand::warn(const Physical& physical) const
     }
 }
 
-/// Forced motions are what conditions leave of a line: nothing is to be chosen but the amplitude.
+/// Forced motions are chosen by amplitude alone, within a limit on strain.
 void FindCommand::requireNothingFree() const
 {
     const FindOptions usual;
@@ -245,18 +235,18 @@ void FindCommand::requireNothingFree() const
         {"--target", !targetFile.empty()},
         {"--solver", options.solver != usual.solver},
         {"--formulation", options.formulation != usual.formulation},
-        {"--strain-limit", options.strainLimit != usual.strainLimit},
         {"--yield-stress", yieldStress.has_value()},
         {"--tip-floor", options.tipFloor != usual.tipFloor},
         {"--motion", motionFile.isWanted()},
         {"--figure", !figureFile.empty()},
         {"--animate", !animationFile.empty()},
+        {"--stability (of response)", wantsStability},
     }};
     for (const auto& [option, isGiven] : others) {
         if (isGiven) {
             throw std::invalid_argument(
                 fmt::format("{} clashes with --damping, --force and --amplitude: allowed with them "
-                            "--cycles and --state",
+                            "--cycles, --strain-limit and --state",
                             option));
         }
     }
@@ -267,6 +257,15 @@ ExitStatus FindCommand::run() const
     if (!forced.isAsked() && forced.cycles != 1) {
         throw std::invalid_argument("--cycles: allowed only together with --damping and --force");
     }
+    if (question.isAsked() && wantsStability) {
+        throw std::invalid_argument("--stability: allowed only together with NC NF");
+    }
+    const Scene scene = common.scene();
+    if (!haveOneSpeed(scene.segments) && MotionOutputs(*this).areWanted()) {
+        throw std::invalid_argument(
+            "--state, --motion, --figure, --animate: allowed only for segments in which waves have "
+            "one speed");
+    }
     if (question.isAsked() && !steps.empty()) {
         throw std::invalid_argument(
             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
@@ -274,30 +273,54 @@ ExitStatus FindCommand::run() const
     ExitStatus status = exitUndecided;
     if (forced.isAsked()) {
         requireNothingFree();
-        status = forced.answer({common.usualCells(), parsePhases(steps)}, common, stateFile);
+        status = forced.answer({common.usualCells(), parsePhases(steps)}, common, stateFile,
+                               options.strainLimit);
     } else if (question.isAsked()) {
-        const AskedPeriod asked = question.on(common.usualCells(), common.bar());
+        const AskedPeriod asked = question.on(common.usualCells(), common.barOfAnyGap());
         status = answerQuestion(asked, completed(*this));
     } else {
-        const Schedule schedule{common.usualCells(), parsePhases(steps)};
+        const Schedule schedule{common.usualCells(), parsePhases(steps), stopsOf(common.scene())};
         status = answerSchedule(schedule, completed(*this));
     }
     common.useOneThread("find");
     return status;
 }
 
+/// The simulation that stability is seen in knows one wall, beyond a gap.
+void FindCommand::requireStable(const Schedule& schedule) const
+{
+    if (wantsStability && (common.scene().secondStop || !(common.bar().gap > 0.0) ||
+                           !common.scene().segments.empty())) {
+        throw std::invalid_argument(
+            "--stability: allowed with a gap > 0, without --second-stop and --segments");
+    }
+    if (wantsStability && signorini::steps(schedule) > maxStableSteps) {
+        refuse("--stability", fmt::format("{} steps", signorini::steps(schedule)),
+               fmt::format("periods of at most {} steps", maxStableSteps));
+    }
+}
+
 ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindRequest& request) const
 {
     validate(schedule);
-    MotionFiles files(*this);
+    requireStable(schedule);
+    MotionOutputs files(*this);
     const PeriodicResult result = search(schedule, request.options, common.quiet);
     if (result.motion) {
         files.write(result);
     } else {
         files.sayNone();
     }
-    writeOut(common.wantsJson ? asLine(answerOf(result, request.target()))
-                              : asText(result, request.target()));
+    Json json = answerOf(result, request.target());
+    std::string text = asText(result, request.target());
+    if (wantsStability && result.motion) {
+        json["stability"] = Json::array();
+        for (const StabilityReport& report : stabilityReports(*result.motion, schedule)) {
+            json["stability"].push_back(asJson(report, result.scene.bar));
+            text += asText(report, result.scene.bar);
+        }
+    }
+    writeOut(common.wantsJson ? asLine(json) : text);
     if (result.motion) {
         warn(result.motion->physical);
     }
@@ -307,11 +330,12 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
 ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindRequest& request) const
 {
     const std::int64_t cells = common.usualCells();
-    MotionFiles files(*this);
+    MotionOutputs files(*this);
     QuestionReport report(asked, cells, request.options, request.target());
     std::optional<PeriodicResult> first;
     std::vector<Physical> measured;
-    for (const Schedule& schedule : setsOfPeriod(cells, asked.steps)) {
+    for (const Schedule& schedule :
+         schedulesOfPeriod(cells, asked.steps, stopsOf(request.options.scene).right)) {
         PeriodicResult result = search(schedule, request.options, common.quiet);
         report.add(result);
         if (result.motion) {

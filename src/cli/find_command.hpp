@@ -29,6 +29,7 @@ struct FindCommand {
     MotionFile motionFile;
     std::string figureFile;
     std::string animationFile;
+    bool wantsStability = false;
 
     void addTo(CLI::App& command);
 
@@ -39,6 +40,7 @@ struct FindCommand {
 private:
     void warn(const Physical& physical) const;
     void requireNothingFree() const;
+    void requireStable(const Schedule& schedule) const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
                                             const FindRequest& request) const;
     [[nodiscard]] ExitStatus answerQuestion(const AskedPeriod& asked,

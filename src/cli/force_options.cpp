@@ -27,22 +27,7 @@ void ForceOptions::addTo(CLI::App& command)
 
 double ForceOptions::scaledAmplitude(const Bar& bar) const
 {
-    return amplitude.value() / (place == Excited::tip ? forceUnit(bar) : bar.gap);
-}
-
-Json dampingAsJson(const Damping& damping, const Bar& bar)
-{
-    return {{"ratio", damping.ratio}, {"dashpot", dashpot(damping, bar)}};
-}
-
-double forceUnit(const Bar& bar)
-{
-    return bar.axialStiffness * scales(bar).strain;
-}
-
-double impulseUnit(const Bar& bar)
-{
-    return forceUnit(bar) * scales(bar).time;
+    return amplitude.value() / (place == Excited::tip ? forceUnit(bar) : scales(bar).displacement);
 }
 
 }  // namespace signorini::cli

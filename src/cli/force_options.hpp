@@ -6,7 +6,7 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "json.hpp"
+#include "force_report.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::cli {
@@ -23,12 +23,5 @@ struct ForceOptions {
     /// In units of EA g/L (tip) or g (base). \pre place and amplitude were given.
     [[nodiscard]] double scaledAmplitude(const Bar& bar) const;
 };
-
-/// {"ratio": zeta, "dashpot": N s/m}.
-[[nodiscard]] Json dampingAsJson(const Damping& damping, const Bar& bar);
-
-/// One unit of force [N], EA g/L, and of impulse [N s], EA g/c.
-[[nodiscard]] double forceUnit(const Bar& bar);
-[[nodiscard]] double impulseUnit(const Bar& bar);
 
 }  // namespace signorini::cli

@@ -21,9 +21,10 @@ struct ForcedFind {
     [[nodiscard]] bool isAsked() const { return force.ratio || force.place || force.amplitude; }
 
     /// Those of one amplitude if it is given, else the one of least amplitude; the report goes to
-    /// stdout, the state of the last one, which has the largest impulse, to `stateFile`.
+    /// stdout, the state of the last one, which has the largest impulse, to `stateFile`. With a
+    /// limit on strain [-], s >= -strainLimit, only those within it.
     [[nodiscard]] ExitStatus answer(const Schedule& schedule, const CommonOptions& common,
-                                    const std::string& stateFile) const;
+                                    const std::string& stateFile, double strainLimit) const;
 };
 
 }  // namespace signorini::cli

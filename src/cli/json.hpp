@@ -14,12 +14,15 @@ namespace signorini::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// [[n_c, n_f], ...].
+/// [[n_c, n_f], ...]; a phase on the second stop is [n_c, n_f, "left"].
 inline Json phasesAsJson(const std::vector<Phase>& phases)
 {
     Json list = Json::array();
     for (const Phase& phase : phases) {
         list.push_back({phase.contact, phase.free});
+        if (phase.stop == Stop::left) {
+            list.back().push_back(name(phase.stop));
+        }
     }
     return list;
 }
@@ -38,6 +41,24 @@ inline Json barAsJson(const Bar& bar)
             {"axial_stiffness", bar.axialStiffness},
             {"gap", bar.gap},
             {"young", bar.young ? Json(*bar.young) : Json()}};
+}
+
+/// Adds bar, stops and segments to an answer.
+inline void addScene(const Scene& scene, Json& json)
+{
+    json["bar"] = barAsJson(scene.bar);
+    json["stops"] = Json::array({{{"side", name(Stop::right)}, {"place", scene.bar.gap}}});
+    if (scene.secondStop) {
+        json["stops"].push_back({{"side", name(Stop::left)}, {"place", -*scene.secondStop}});
+    }
+    json["segments"] = Json::array();
+    for (const Segment& segment : scene.segments) {
+        json["segments"].push_back({{"cells", segment.cells},
+                                    {"impedance", segment.impedance},
+                                    {"speed", segment.speed},
+                                    {"dashpot", segment.dashpot}});
+    }
+    json["static_force"] = staticForce(scene);
 }
 
 /// One line. Bytes of a file name that are not UTF-8 become U+FFFD: JSON has no other way. DEL, the

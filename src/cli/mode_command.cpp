@@ -19,7 +19,7 @@ namespace signorini::cli {
 
 namespace {
 
-Mode modeOf(const std::vector<std::string>& words)
+Mode modeOf(const std::vector<std::string>& words, int gapSign)
 {
     if (words.size() != 2) {
         throw std::invalid_argument(
@@ -28,7 +28,7 @@ Mode modeOf(const std::vector<std::string>& words)
     }
     const std::int64_t a4 = parseWhole("A4", words[0], 4, 4 * maxFamilyOrder);
     const std::int64_t b = parseWhole("B", words[1], -maxFamilyOrder, -1);
-    const std::optional<Mode> mode = a4 % 4 == 0 ? findMode(a4 / 4, b) : std::nullopt;
+    const std::optional<Mode> mode = a4 % 4 == 0 ? findMode(a4 / 4, b, gapSign) : std::nullopt;
     if (!mode) {
         refuse("A4 B", fmt::format("{} {}", a4, b),
                "multiples of 4 and negative odd numbers that signorini modes lists: there is no "
@@ -107,7 +107,7 @@ std::string draw(const std::string& path, FigureFormat format, const Mode& mode,
 {
     const Schedule schedule = nearestSchedule(mode, period, usualCells);
     FindOptions options;
-    options.bar = bar;
+    options.scene = bar;
     drawMotion(findPeriodic(schedule, options), format, path);
     const double shown = signorini::period(schedule);
     return shown == period
@@ -124,67 +124,43 @@ void ModeCommand::addTo(CLI::App& command)
         ->type_name("A4 B");
     addWord(command, "--period", "T", "in L/c: 3.14, 22/7 or 3; required",
             [this](const std::string& text) { period = parseNumber("--period", text, "L/c"); });
-    command.add_option("--state", stateFile, "write the state at t = 0 on the grid")
-        ->type_name("FILE.csv");
+    addFile(command, "--state", stateFile, "write the state at t = 0 on the grid");
     motionFile.addTo(command);
-    command.add_option("--figure", figureFile, "draw the motion (needs gnuplot)")
-        ->type_name("FILE.svg|.png|.pdf");
-    command
-        .add_option("--animate", animationFile,
-                    "draw it moving (needs gnuplot, and ffmpeg for .mp4)")
-        ->type_name("FILE.gif|.mp4");
+    addFigure(command, "--figure", figureFile, "draw the motion");
+    addAnimation(command, animationFile);
     common.addTo(command);
 }
 
 ExitStatus ModeCommand::run() const
 {
-    const Mode mode = modeOf(contact);
+    const Bar bar = common.barOfAnyGap();
+    const Mode mode = modeOf(contact, gapSignOfModes(bar));
     if (!period) {
         throw std::invalid_argument(fmt::format(
             "--period is missing: allowed ]{}, {}[ [L/c], where the mode t_c = {} lives",
             fractionAsText(mode.lowest), fractionAsText(mode.highest), contactAsText(mode)));
     }
     requireInside(mode, *period);
-    const Bar bar = common.bar();
     const ModeMotion motion(mode, period->value);
-    if (!figureFile.empty()) {
-        (void)figureFormat(figureFile);
-    }
-    if (!animationFile.empty()) {
-        (void)animationFormat(animationFile);
-    }
-    motionFile.validate();
-    const OutputOption stateOption{"--state", stateFile};
-    const OutputOption figureOption{"--figure", figureFile};
-    const OutputOption animationOption{"--animate", animationFile};
-    validateOutputs({stateOption, motionFile.option(), motionFile.folderOption(), figureOption,
-                     animationOption});
-
-    OutputFiles files;
-    const std::string state = stage(files, stateOption);
-    MotionFile::Staged moving(motionFile, files);
-    const std::string figure = stage(files, figureOption);
-    const std::string animation = stage(files, animationOption);
+    Outputs outputs({{"--state", stateFile},
+                     motionFile.option(),
+                     {"--figure", figureFile},
+                     {"--animate", animationFile}},
+                    {motionFile.folderOption()});
     const std::int64_t cells = common.usualCells();
     std::string notes;
-    if (!state.empty()) {
-        notes += forFile("--state", stateFile, [&] {
-            return writeState(state, mode, motion, cells, stepsOn(cells, *period), bar);
-        });
-    }
-    if (!figure.empty()) {
-        notes += forFile("--figure", figureFile, [&] {
-            return draw(figure, figureFormat(figureFile), mode, motion.period(), cells, bar);
-        });
-    }
-    if (!animation.empty()) {
-        forFile("--animate", animationFile, [&] {
-            animateMotion(MotionSamples(motion, bar, cells), animationFormat(animationFile),
-                          animation);
-        });
-    }
-    moving.write([&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
-    files.commit();
+    outputs.put("--state", [&](const std::string& path) {
+        notes += writeState(path, mode, motion, cells, stepsOn(cells, *period), bar);
+    });
+    outputs.put("--figure", [&](const std::string& path) {
+        notes += draw(path, figureFormat(figureFile), mode, motion.period(), cells, bar);
+    });
+    outputs.put("--animate", [&](const std::string& path) {
+        animateMotion(MotionSamples(motion, bar, cells), animationFormat(animationFile), path);
+    });
+    motionFile.write(outputs,
+                     [&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
+    outputs.commit();
     if (!common.quiet) {
         warnUnlessAdmissible("mode", physicalOf(motion.extremes(), bar));
     }

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "arguments.hpp"
+#include "faults.hpp"
 #include "report.hpp"
 
 namespace signorini::cli {
@@ -15,28 +15,36 @@ std::string timesT(std::int64_t factor)
     return factor == 1 ? "T" : fmt::format("{}T", factor);
 }
 
-Json fraction(const ExactPeriod& period)
-{
-    return {period.numerator, period.denominator};
-}
-
 }  // namespace
 
 std::string contactAsText(const Mode& mode)
 {
-    return fmt::format("{} - {}", 4 * mode.a, timesT(-mode.b));
+    return linearAsText(mode.b, -4 * mode.a);
+}
+
+std::string linearAsText(std::int64_t factor, std::int64_t less)
+{
+    if (factor == 0) {
+        return fmt::format("{}", -less);
+    }
+    return factor > 0 ? fmt::format("{} - {}", timesT(factor), less)
+                      : fmt::format("{} - {}", -less, timesT(-factor));
 }
 
 std::string rootAsText(const Mode& mode)
 {
-    return mode.kappa > 0 ? fmt::format("{} - {}", timesT(mode.kappa), mode.mu)
-                          : fmt::format("{} - {}", -mode.mu, timesT(-mode.kappa));
+    return linearAsText(mode.kappa, mode.mu);
+}
+
+Json fractionAsJson(const ExactPeriod& number)
+{
+    return {number.numerator, number.denominator};
 }
 
 Json identityAsJson(const Mode& mode)
 {
     Json json{{"contact", {4 * mode.a, mode.b}},
-              {"period_range", {fraction(mode.lowest), fraction(mode.highest)}},
+              {"period_range", {fractionAsJson(mode.lowest), fractionAsJson(mode.highest)}},
               {"inverse_sqrt_energy", {mode.kappa, mode.mu}},
               {"family", nullptr}};
     if (const std::string family = familyName(mode); !family.empty()) {
@@ -70,6 +78,18 @@ std::string asJson(const Mode& mode, const ModeMotion& motion, const Bar& bar)
                      {"physical", physicalAsJson(physical)},
                      {"admissible", physical.isAdmissible()}});
     return asLine(json);
+}
+
+int gapSignOfModes(const Bar& bar)
+{
+    if (bar.gap == 0.0) {
+        Faults faults;
+        faults.add("--gap", 0.0,
+                   "a gap > 0 or < 0 [m]: without one modes have a single period each, which "
+                   "families lists");
+        faults.throwIfAny();
+    }
+    return bar.gap > 0.0 ? 1 : -1;
 }
 
 std::string asText(const Mode& mode, const ModeMotion& motion, const Bar& bar)

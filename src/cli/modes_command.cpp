@@ -6,6 +6,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -14,7 +15,9 @@
 #include "interrupt.hpp"
 #include "json.hpp"
 #include "mode_report.hpp"
+#include "polytopes_report.hpp"
 #include "progress.hpp"
+#include "report.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 
@@ -92,14 +95,15 @@ std::string asJson(const Listing& listing)
     return asLine(json);
 }
 
-/// The periods of a mode with E/E_1 <= most: kappa T - mu >= 1/sqrt(most).
+/// The periods of a mode with E/E_1 <= most: |kappa T - mu| >= 1/sqrt(most).
 std::pair<double, double> periodsUpTo(const Mode& mode, double most)
 {
     double low = mode.lowest.value();
     double high = mode.highest.value();
-    const double end =
-        (static_cast<double>(mode.mu) + 1.0 / std::sqrt(most)) / static_cast<double>(mode.kappa);
-    (mode.kappa > 0 ? low : high) = mode.kappa > 0 ? std::max(low, end) : std::min(high, end);
+    const double end = (static_cast<double>(mode.mu) + mode.gapSign / std::sqrt(most)) /
+                       static_cast<double>(mode.kappa);
+    const bool isFromBelow = mode.gapSign * mode.kappa > 0;
+    (isFromBelow ? low : high) = isFromBelow ? std::max(low, end) : std::min(high, end);
     return {low, high};
 }
 
@@ -120,72 +124,103 @@ void writeCurves(const std::string& path, const Listing& listing)
     file.close();
 }
 
+/// Runs search(bounds) with progress on stderr until it ends or is interrupted. \returns was it let
+/// finish?
+template <typename Search>
+bool runSearch(ModeBounds& bounds, bool isQuiet, Search search)
+{
+    const Interrupt interrupt;
+    Progress progress(!isQuiet, "listing modes");
+    bounds.cancel = interrupt.cancel();
+    bounds.progress = [&progress](double done, double total) { progress.show(done, total); };
+    search(bounds);
+    return !isRequested(interrupt.cancel());
+}
+
+/// Orders that a few seconds list, by number of contacts.
+std::int64_t usualOrder(std::int64_t phases)
+{
+    constexpr std::array<std::int64_t, maxPolytopePhases> orders{25, 25, 9, 5, 3};
+    return orders[static_cast<std::size_t>(phases - 1)];
+}
+
 }  // namespace
 
 void ModesCommand::addTo(CLI::App& command)
 {
     addPositive(command, "--max-energy-ratio", "E_1", bounds.maxEnergyRatio, "X",
                 "only modes with a motion of E/E_1 <= X (50)");
-    addWhole(command, "--max-order", 1, maxModeOrder, bounds.maxOrder, "B",
-             "only contact times 4a + b T with |b| <= B (25)");
-    addPositive(command, "--max-period", "L/c", bounds.maxPeriod, "T",
-                "only modes with a motion of T <= X, in L/c (8)");
-    command
-        .add_option("--csv", csvFile,
-                    "write their curves: T, ω/ω₁, t_c and E/E₁ of motions along each")
-        ->type_name("FILE.csv");
-    command
-        .add_option("--figure", figureFile, "draw them, energy against frequency (needs gnuplot)")
-        ->type_name("FILE.svg|.png|.pdf");
+    addWhole(command, "--max-order", 1, maxModeOrder, maxOrder, "B",
+             "only contact times 4a + b T with |b| <= B (25; with 3, 4, 5 contacts 9, 5, 3)");
+    addPositive(command, "--max-period", "L/c", maxPeriod, "T",
+                "only modes with a motion of T <= X, in L/c (8, or 4 for each contact)");
+    addWhole(command, "--phases", 1, maxPolytopePhases, phases, "K",
+             "motions with K contacts in a period (1)");
+    addFile(command, "--csv", csvFile,
+            "write their curves: T, ω/ω₁, t_c and E/E₁ of motions along each");
+    addFigure(command, "--figure", figureFile, "draw them, energy against frequency");
     common.addTo(command);
     command.footer(
         "Times are in units of L/c and energies in E_1: the list holds for every bar and every "
-        "grid. JSON adds frequencies in Hz and energies in J of the bar that the options name.");
+        "grid. JSON adds frequencies in Hz and energies in J of the bar that the options name.\n"
+        "With several contacts chains k/turns→release say which release follows which arrival, s "
+        "+ 2k - turns T, and `free` how many times may be chosen beside T.");
 }
 
 ExitStatus ModesCommand::run() const
 {
-    Listing listing{bounds, common.bar(), {}};
+    // Several contacts are known for a gap > 0.
+    const Bar bar = phases == 1 ? common.barOfAnyGap() : common.bar();
+    ModeBounds all = bounds;
+    all.maxOrder = maxOrder.value_or(usualOrder(phases));
+    all.maxPeriod = maxPeriod.value_or(std::max(8.0, 4.0 * static_cast<double>(phases)));
+    all.gapSign = gapSignOfModes(bar);
     FrequencyEnergyOptions drawing;
     if (!figureFile.empty()) {
+        if (bar.gap < 0.0) {
+            throw std::invalid_argument(
+                "--figure: allowed with a gap > 0, whose plot it is; --csv holds the curves");
+        }
         drawing.format = figureFormat(figureFile);
         // From the lowest energy there is to where curves are upright lines.
-        drawing.maxEnergyRatio = std::clamp(listing.bounds.maxEnergyRatio, 2.0, 1e6);
+        drawing.maxEnergyRatio = std::clamp(all.maxEnergyRatio, 2.0, 1e6);
     }
-    const OutputOption csvOption{"--csv", csvFile};
-    const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({csvOption, figureOption});
-    OutputFiles files;
-    const std::string csv = stage(files, csvOption);
-    const std::string figure = stage(files, figureOption);
-
-    {
-        const Interrupt interrupt;
-        Progress progress(!common.quiet, "listing modes");
-        listing.bounds.cancel = interrupt.cancel();
-        listing.bounds.progress = [&progress](double done, double total) {
-            progress.show(done, total);
-        };
-        listing.modes = findModes(listing.bounds);
-        listing.isComplete = !isRequested(interrupt.cancel());
-    }
-    if (!listing.isComplete && !common.quiet) {
+    Listing listing{all, bar, {}};
+    PolytopeListing polytopes{phases, all, bar, {}};
+    Outputs outputs({{"--csv", csvFile}, {"--figure", figureFile}});
+    const bool isComplete = runSearch(all, common.quiet, [&](const ModeBounds& given) {
+        if (phases == 1) {
+            listing.modes = findModes(given);
+        } else {
+            polytopes.polytopes = findPolytopes(phases, given);
+        }
+    });
+    listing.isComplete = isComplete;
+    polytopes.isComplete = isComplete;
+    if (!isComplete && !common.quiet) {
         tell(fmt::format("signorini modes: interrupted; the list is not complete{}\n",
-                         csv.empty() && figure.empty() ? "" : ", so no file was written"));
+                         outputs.areWanted() ? ", so no file was written" : ""));
     }
-    if (listing.isComplete) {
-        if (!csv.empty()) {
-            forFile("--csv", csvFile, [&] { writeCurves(csv, listing); });
-        }
-        if (!figure.empty()) {
-            forFile("--figure", figureFile,
-                    [&] { writeFrequencyEnergyFigure(figure, {.modes = listing.modes}, drawing); });
-        }
-        files.commit();
+    if (isComplete) {
+        outputs.put("--csv", [&](const std::string& path) {
+            phases == 1 ? writeCurves(path, listing) : writePolytopes(path, polytopes);
+        });
+        outputs.put("--figure", [&](const std::string& path) {
+            if (phases == 1) {
+                writeFrequencyEnergyFigure(path, {.modes = listing.modes}, drawing);
+            } else {
+                drawPolytopes(polytopes.polytopes, drawing, path);
+            }
+        });
+        outputs.commit();
     }
-    writeOut(common.wantsJson ? asJson(listing) : asText(listing));
+    if (phases == 1) {
+        writeOut(common.wantsJson ? asJson(listing) : asText(listing));
+    } else {
+        writeOut(common.wantsJson ? asJson(polytopes) : asText(polytopes));
+    }
     common.useOneThread("modes");
-    return listing.isComplete ? exitFound : exitUndecided;
+    return isComplete ? exitFound : exitUndecided;
 }
 
 }  // namespace signorini::cli

@@ -2,6 +2,7 @@
 /// \file
 /// signorini modes
 
+#include <optional>
 #include <string>
 
 #include "arguments.hpp"
@@ -12,7 +13,10 @@ namespace signorini::cli {
 /// One call.
 struct ModesCommand {
     CommonOptions common;
-    ModeBounds bounds;
+    ModeBounds bounds;  ///< of the energy; the others depend on the number of contacts
+    std::optional<std::int64_t> maxOrder;
+    std::optional<double> maxPeriod;
+    std::int64_t phases = 1;
     std::string csvFile;
     std::string figureFile;
 

@@ -7,9 +7,9 @@
 #include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "arguments.hpp"
+#include "report.hpp"
 #include "signorini/modes.hpp"
 
 namespace signorini::cli {
@@ -112,22 +112,6 @@ AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) const
                         unit / static_cast<double>(leastSteps), cells));
     }
     return {"hertz", fmt::format("{}", *hertz), std::llround(wanted)};
-}
-
-std::vector<Schedule> setsOfPeriod(std::int64_t cells, std::int64_t steps)
-{
-    const std::int64_t classes = std::gcd(2 * cells, steps);
-    const std::int64_t order = 2 * cells / classes;
-    const std::int64_t blocks = steps / classes;
-    std::vector<Schedule> sets;
-    for (const Family& family : familiesAt(order, blocks)) {
-        sets.push_back(scheduleOf(family, cells));
-    }
-    // p is antiperiodic after G steps: the period is 2G.
-    if (blocks == 2 && classes > 1) {
-        sets.push_back({cells, {{1, steps - 1}}});
-    }
-    return sets;
 }
 
 }  // namespace signorini::cli

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "signorini/bar.hpp"
 #include "signorini/schedule.hpp"
@@ -42,8 +41,5 @@ struct PeriodQuestion {
     /// \throws std::invalid_argument if more than one is given, or it is not on the grid.
     [[nodiscard]] AskedPeriod on(std::int64_t cells, const Bar& bar) const;
 };
-
-/// For each set of motions with one contact in this period the schedule that has all of it.
-[[nodiscard]] std::vector<Schedule> setsOfPeriod(std::int64_t cells, std::int64_t steps);
 
 }  // namespace signorini::cli

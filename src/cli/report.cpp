@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "arguments.hpp"
-
 namespace signorini::cli {
 
 namespace {
@@ -19,11 +17,11 @@ const char* explain(Reason reason)
         case Reason::noLiveClass:
             return "only the bar at rest repeats with this period: ker(W - 1) = 0";
         case Reason::contactSign:
-            return "the same wave would have to push and to pull on the wall";
+            return "the same wave would have to push and to pull on a stop";
         case Reason::penetration:
-            return "the tip would enter the wall in free flight, whatever the amplitudes";
+            return "the tip would enter a stop in free flight, whatever the amplitudes";
         case Reason::gap:
-            return "the tip cannot be at the wall when contact starts";
+            return "the tip cannot be at the stop when contact starts";
         case Reason::constraints:
             return "motions of the schedule exist, but none meets the further demands";
     }
@@ -64,13 +62,17 @@ std::string familyAsText(const TentPlace& place)
 {
     const Family& family = place.family;
     const ExactEnergy least = leastEnergy(family);
-    return fmt::format("({}, {}, {}): T = {}, t_c up to {} L/c, from {} E₁; this schedule is {}",
-                       family.order, family.blocks, family.contactBlocks,
-                       fractionAsText(exactPeriod(family)), fractionAsText(longestContact(family)),
-                       fractionAsText({least.numerator, least.denominator}),
-                       place.offset == 0 ? "its top, all its motions on this grid"
-                                         : fmt::format("a face of it: {} of {} amplitudes",
-                                                       place.amplitudes, place.classes));
+    const std::string from =
+        family.windowSum == 0
+            ? "of every energy"
+            : fmt::format("from {} E₁", fractionAsText({least.numerator, least.denominator}));
+    return fmt::format(
+        "({}, {}, {}): T = {}, t_c up to {} L/c, {}; this schedule is {}", family.order,
+        family.blocks, family.contactBlocks, fractionAsText(exactPeriod(family)),
+        fractionAsText(longestContact(family)), from,
+        place.offset == 0
+            ? "its top, all its motions on this grid"
+            : fmt::format("a face of it: {} of {} amplitudes", place.amplitudes, place.classes));
 }
 
 /// Which phases press on the wall, and which only touch it.
@@ -90,8 +92,12 @@ std::string pressingAsText(const std::vector<bool>& pressing)
                        pressing.size(), numbers, grazing > maxPrintedPhases ? ", …" : "");
 }
 
-std::string energyAsText(const FoundMotion& motion, const std::optional<EnergyRange>& range)
+std::string energyAsText(const FoundMotion& motion, const std::optional<EnergyRange>& range,
+                         bool hasUnit)
 {
+    if (!hasUnit) {
+        return fmt::format("{:.6g} J   (without a gap every size is a motion)", motion.energy);
+    }
     std::string text = fmt::format("{:.6g} J = {:.10g} E₁", motion.energy, motion.energyRatio);
     if (range && std::isinf(range->most)) {
         text += fmt::format("   (the set reaches from {:.10g} E₁ without bound on this grid)",
@@ -118,7 +124,8 @@ std::string motionAsText(const PeriodicResult& result)
 {
     const FoundMotion& motion = *result.motion;
     const Residuals& r = motion.residuals;
-    std::string text = fmt::format("energy      {}\n", energyAsText(motion, result.set.energy));
+    std::string text = fmt::format(
+        "energy      {}\n", energyAsText(motion, result.set.energy, result.scene.bar.gap != 0.0));
     if (result.set.held) {
         text += fmt::format("            {}\n", heldAsText(*result.set.held));
     }
@@ -135,6 +142,11 @@ std::string motionAsText(const PeriodicResult& result)
     if (motion.pressing.size() > 1 && motion.contact == Contact::pressing) {
         text += fmt::format("phases      {}\n", pressingAsText(motion.pressing));
     }
+    if (result.scene.secondStop) {
+        text +=
+            fmt::format("symmetric   {}\n",
+                        motion.isSymmetric ? "yes: its second half is the first, mirrored" : "no");
+    }
     text += signorini::cli::asText(motion.physical);
     text += fmt::format(
         "residuals   periodicity {:.3g}, gap {:.3g}, pressure {:.3g}, penetration {:.3g}, march "
@@ -146,9 +158,11 @@ std::string motionAsText(const PeriodicResult& result)
 std::string asText(const FarkasCertificate& c)
 {
     return fmt::format(
-        "Farkas certificate, checked in integers: gap row × {}, {} rows of (30), {} of (10), {} of "
+        "Farkas certificate, checked in integers: gap row × {}, {}{} rows of (30), {} of (10), {} "
+        "of "
         "(12)",
-        c.gap, c.periodicity.size(), c.pressure.size(), c.penetration.size());
+        c.gap, c.size != 0 ? fmt::format("row of size × {}, ", c.size) : "", c.periodicity.size(),
+        c.pressure.size(), c.penetration.size());
 }
 
 std::string asText(const ProgramProof& proof)
@@ -158,6 +172,14 @@ std::string asText(const ProgramProof& proof)
         "formulation",
         proof.multipliers.equalities.size(), proof.multipliers.inequalities.size(),
         name(proof.rows));
+}
+
+std::string asText(const SteppedProof& proof)
+{
+    return fmt::format(
+        "Farkas certificate, checked in rationals: {} equalities and {} inequalities of the joints "
+        "formulation",
+        proof.multipliers.equalities.size(), proof.multipliers.inequalities.size());
 }
 
 std::string asText(const EnergyExclusion& exclusion)
@@ -175,6 +197,13 @@ std::string absenceAsText(const Absence& absence)
 
 }  // namespace
 
+std::string fractionAsText(const ExactPeriod& fraction)
+{
+    return fraction.denominator == 1
+               ? fmt::format("{}", fraction.numerator)
+               : fmt::format("{}/{}", fraction.numerator, fraction.denominator);
+}
+
 std::string asText(const Physical& p)
 {
     return fmt::format(
@@ -189,21 +218,6 @@ std::string asText(const Physical& p)
            (p.peakStress ? fmt::format("; stress {:.6g} Pa\n", *p.peakStress) : "\n");
 }
 
-void warnUnlessAdmissible(std::string_view command, const Physical& physical)
-{
-    if (!physical.isAdmissible()) {
-        tell(
-            fmt::format("signorini {}: not admissible: the strain reaches {:.6g}, and the paper "
-                        "demands s > -1 everywhere\n",
-                        command, -physical.peakCompression));
-    }
-}
-
-double TargetReport::distanceTo(const State& other) const
-{
-    return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
-}
-
 std::string asText(const PeriodicResult& result, const std::optional<TargetReport>& target)
 {
     std::string text = fmt::format("{:<12}{}, T = {:.10g} s, ω/ω₁ = {:.10g}\n", name(result.status),
@@ -211,6 +225,9 @@ std::string asText(const PeriodicResult& result, const std::optional<TargetRepor
     text += fmt::format("set         {}\n", setAsText(result.set));
     if (result.set.family) {
         text += fmt::format("family      {}\n", familyAsText(*result.set.family));
+    }
+    if (const double force = staticForce(result.scene); force > 0.0) {
+        text += fmt::format("at rest     the bar presses on the wall with {:.6g} N\n", force);
     }
     switch (result.status) {
         case Status::found:

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "json.hpp"
 #include "signorini/find_periodic.hpp"
@@ -34,8 +33,8 @@ struct TargetReport {
 /// The same in lines for people.
 [[nodiscard]] std::string asText(const Physical& physical);
 
-/// Says on stderr that a motion breaks the paper's condition, if it does.
-void warnUnlessAdmissible(std::string_view command, const Physical& physical);
+/// "7/2" or "4".
+[[nodiscard]] std::string fractionAsText(const ExactPeriod& fraction);
 
 /// Said of a range that has no proof.
 inline constexpr const char* rangeNote =

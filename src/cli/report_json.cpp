@@ -1,5 +1,6 @@
-#include <fmt/format.h>
+#include <cmath>
 
+#include "families_report.hpp"
 #include "report.hpp"
 
 namespace signorini::cli {
@@ -22,6 +23,7 @@ Json asJson(const FarkasCertificate& c)
             {"verified", true},
             {"rows", "paper"},
             {"gap", c.gap},
+            {"size", c.size},
             {"periodicity", multipliersAsJson(c.periodicity)},
             {"pressure", multipliersAsJson(c.pressure)},
             {"penetration", multipliersAsJson(c.penetration)}};
@@ -36,6 +38,24 @@ Json asJson(const ProgramProof& proof)
             {"inequalities", multipliersAsJson(proof.multipliers.inequalities)}};
 }
 
+Json multipliersAsJson(const std::vector<RationalMultiplier>& rows)
+{
+    Json pairs = Json::array();
+    for (const RationalMultiplier& m : rows) {
+        pairs.push_back({m.row, m.value});
+    }
+    return pairs;
+}
+
+Json asJson(const SteppedProof& proof)
+{
+    return {{"kind", "farkas"},
+            {"verified", true},
+            {"rows", name(Formulation::joints)},
+            {"equalities", multipliersAsJson(proof.multipliers.equalities)},
+            {"inequalities", multipliersAsJson(proof.multipliers.inequalities)}};
+}
+
 Json asJson(const EnergyExclusion& exclusion)
 {
     Json json{{"kind", "energy-range"}, {"verified", exclusion.isVerified}};
@@ -45,20 +65,16 @@ Json asJson(const EnergyExclusion& exclusion)
     return json;
 }
 
-Json familyAsJson(const TentPlace& place)
+Json placeAsJson(const TentPlace& place)
 {
-    const Family& family = place.family;
-    return {{"order", family.order},
-            {"nu", family.blocks},
-            {"contact_blocks", family.contactBlocks},
-            {"period_ratio", {2 * family.blocks, family.order}},
-            {"contact", {2 * family.contactBlocks, family.order}},
-            {"least_energy_ratio", leastEnergy(family).value()},
-            {"amplitudes", place.amplitudes},
-            {"offset", place.offset}};
+    Json json = familyAsJson(place.family);
+    json["amplitudes"] = place.amplitudes;
+    json["offset"] = place.offset;
+    return json;
 }
 
-void addMotion(const FoundMotion& motion, Json& json)
+/// Without a gap there is no E_1 to count energies in.
+void addMotion(const FoundMotion& motion, bool hasUnit, Json& json)
 {
     const Residuals& r = motion.residuals;
     json["contact"] = name(motion.contact);
@@ -66,7 +82,8 @@ void addMotion(const FoundMotion& motion, Json& json)
     json["repetitions"] = motion.repetitions;
     json["pressing_phases"] = motion.pressing;
     json["energy"] = motion.energy;
-    json["energy_ratio"] = motion.energyRatio;
+    json["energy_ratio"] = hasUnit ? Json(motion.energyRatio) : Json();
+    json["symmetric"] = motion.isSymmetric;
     json["residuals"] = {
         {"periodicity", r.periodicity}, {"gap", r.gap},     {"pressure", r.pressure},
         {"penetration", r.penetration}, {"march", r.march}, {"demands", r.demands}};
@@ -76,6 +93,11 @@ void addMotion(const FoundMotion& motion, Json& json)
 }
 
 }  // namespace
+
+double TargetReport::distanceTo(const State& other) const
+{
+    return std::sqrt(energyRatio({other.a - state.a, other.b - state.b}) / energyRatio(state));
+}
 
 Json physicalAsJson(const Physical& p)
 {
@@ -93,7 +115,7 @@ Json physicalAsJson(const Physical& p)
 Json answerOf(const PeriodicResult& result, const std::optional<TargetReport>& target)
 {
     Json json = newAnswer();
-    json["bar"] = barAsJson(result.bar);
+    addScene(result.scene, json);
     json.update(Json{{"status", name(result.status)},
                      {"cells", result.schedule.cells},
                      {"schedule", phasesAsJson(result.schedule.phases)},
@@ -132,7 +154,7 @@ Json answerOf(const PeriodicResult& result, const std::optional<TargetReport>& t
         }
     }
     if (result.set.family) {
-        json["family"] = familyAsJson(*result.set.family);
+        json["family"] = placeAsJson(*result.set.family);
     }
     if (const auto& held = result.set.held) {
         json["energy_section"] = {
@@ -140,14 +162,15 @@ Json answerOf(const PeriodicResult& result, const std::optional<TargetReport>& t
             {"connected", held->isConnected},
             {"components", held->components ? Json(*held->components) : Json()}};
     }
-    if (result.set.energy) {
+    const bool hasUnit = result.scene.bar.gap != 0.0;
+    if (result.set.energy && hasUnit) {
         // JSON has no infinity: an unbounded or unknown end prints as null.
         json["energy_ratio_range"] = {result.set.energy->least, result.set.energy->most};
     } else if (result.motion) {
         json["energy_ratio_range"] = {nullptr, nullptr};
     }
     if (result.motion) {
-        addMotion(*result.motion, json);
+        addMotion(*result.motion, hasUnit, json);
     }
     if (target) {
         json["target"] = target->how;

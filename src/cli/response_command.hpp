@@ -18,6 +18,7 @@ struct ResponseCommand {
     bool wantsStability = false;
     std::string csvFile;
     std::string figureFile;
+    std::string mapFile;
 
     void addTo(CLI::App& command);
 

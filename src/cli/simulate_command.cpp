@@ -10,6 +10,7 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "signorini/figures.hpp"
+#include "simulation_report.hpp"
 
 namespace signorini::cli {
 
@@ -17,134 +18,34 @@ namespace {
 
 constexpr double longest = 1e9;  // [L/c]
 
-/// The outcome of one call.
-struct Answer {
-    Bar bar;
-    const ForceOptions& force;
-    Excitation excitation;
-    double frequencyRatio = 0.0;
-    double phase = 0.0;
-    std::int64_t cells = 0;
-    std::optional<Settled> settled;
-    bool isComplete = true;
-
-    /// Period of the excitation [L/c]; 0 without.
-    [[nodiscard]] double period() const
-    {
-        return static_cast<double>(excitation.steps()) / excitation.stepsPerCrossing;
-    }
-};
-
-std::string asText(const Answer& answer, const BarSimulation& simulation)
+/// Simulates so many stretches of time, or until a signal comes, and says what came of it.
+void goOn(BarSimulation& simulation, double stretch, double total, bool isQuiet,
+          SimulationAnswer& answer)
 {
-    const Scales unit = scales(answer.bar);
-    const EnergyBalance balance = simulation.balance();
-    const double energy = energyRatio(simulation.waves());
-    std::string text = fmt::format(
-        "{:<12}{:.6g} s ({:.6g} L/c), {} events\n", answer.isComplete ? "simulated" : "interrupted",
-        simulation.time() * unit.time, simulation.time(), simulation.events());
-    text += fmt::format("contacts    {}, impulse {:.6g} N s in all\n", simulation.contacts().size(),
-                        simulation.impulse() * impulseUnit(answer.bar));
-    if (answer.settled) {
-        const Settled& settled = *answer.settled;
-        text += fmt::format(
-            "settled     repeats every {} of the excitation: {} contact{}, {:.6g} N s\n",
-            settled.periods == 1 ? "period" : fmt::format("{} periods", settled.periods),
-            settled.contacts, settled.contacts == 1 ? "" : "s",
-            settled.impulse * impulseUnit(answer.bar));
-    } else if (answer.force.place) {
-        text += "settled     no\n";
+    const Interrupt interrupt;
+    const Cancel cancel = interrupt.cancel();
+    Progress progress(!isQuiet, "simulating");
+    SettlingWatch watch;
+    double done = 0.0;
+    for (; done + 1.0 <= total && !isRequested(cancel); done += 1.0) {
+        simulation.advance(stretch);
+        watch.see(simulation);
+        progress.show(done, total);
     }
-    text += fmt::format("tip         u = {:.10g} m at the end{}\n",
-                        simulation.tip() * unit.displacement,
-                        simulation.isHeld() ? ", at the wall" : "");
-    text += fmt::format(
-        "energy      {:.10g} J = {:.10g} E₁; work {:.6g} J, dissipated {:.6g} J, "
-        "balance off by {:.3g} of the largest\n",
-        energy * unit.energy, energy, balance.work * unit.energy, balance.dissipated * unit.energy,
-        balance.size > 0.0 ? std::abs(balance.error) / balance.size : 0.0);
-    if (simulation.merged() > 0.0) {
-        text += fmt::format("merged      faded jumps, at most {:.3g} g of displacement in all\n",
-                            simulation.merged());
+    answer.isComplete = done + 1.0 > total;
+    if (answer.isComplete && total > done) {
+        simulation.advance((total - done) * stretch);
     }
-    return text;
-}
-
-std::string asJson(const Answer& answer, const BarSimulation& simulation)
-{
-    const Bar& bar = answer.bar;
-    const Scales unit = scales(bar);
-    const EnergyBalance balance = simulation.balance();
-    const double energy = energyRatio(simulation.waves());
-    Json json = newAnswer();
-    json.update(Json{{"status", answer.isComplete ? "done" : "interrupted"},
-                     {"cells", answer.cells},
-                     {"bar", barAsJson(bar)},
-                     {"damping", dampingAsJson(answer.force.damping(), bar)},
-                     {"excitation", nullptr},
-                     {"time", simulation.time() * unit.time},
-                     {"time_ratio", simulation.time()},
-                     {"contacts", simulation.contacts().size()},
-                     {"impulse", simulation.impulse() * impulseUnit(bar)},
-                     {"settled", nullptr},
-                     {"tip", simulation.tip() * unit.displacement},
-                     {"held", simulation.isHeld()},
-                     {"energy", energy * unit.energy},
-                     {"energy_ratio", energy},
-                     {"balance",
-                      {{"work", balance.work * unit.energy},
-                       {"dissipated", balance.dissipated * unit.energy},
-                       {"error", balance.error * unit.energy}}},
-                     {"events", simulation.events()},
-                     {"pieces", simulation.pieces()},
-                     {"merged", simulation.merged() * unit.displacement}});
-    if (answer.force.place) {
-        json["excitation"] = {{"force", name(*answer.force.place)},
-                              {"amplitude", *answer.force.amplitude},
-                              {"frequency_ratio", answer.frequencyRatio},
-                              {"frequency", 1.0 / (answer.period() * unit.time)},
-                              {"phase", answer.phase},
-                              {"steps", answer.excitation.steps()}};
+    if (answer.amplitude) {
+        answer.settled = watch.settled();
     }
-    if (answer.settled) {
-        json["settled"] = {{"periods", answer.settled->periods},
-                           {"contacts", answer.settled->contacts},
-                           {"impulse", answer.settled->impulse * impulseUnit(bar)}};
-    }
-    return asLine(json);
-}
-
-void writeEvents(const std::string& path, const BarSimulation& simulation, const Bar& bar)
-{
-    const double second = scales(bar).time;
-    TextFile file(path);
-    file.write("start,end,impulse,peak_force\n");
-    for (const ContactEvent& contact : simulation.contacts()) {
-        file.write(fmt::format("{},{},{},{}\n", contact.start * second, contact.end * second,
-                               contact.impulse * impulseUnit(bar),
-                               contact.peakForce * forceUnit(bar)));
-    }
-    file.close();
-}
-
-void writeTip(const std::string& path, const BarSimulation& simulation, const Bar& bar)
-{
-    const Scales unit = scales(bar);
-    TextFile file(path);
-    file.write("time,displacement\n");
-    for (const TipPoint& point : simulation.tipPath()) {
-        file.write(
-            fmt::format("{},{}\n", point.time * unit.time, point.displacement * unit.displacement));
-    }
-    file.close();
 }
 
 }  // namespace
 
 void SimulateCommand::addTo(CLI::App& command)
 {
-    command.add_option("--from", fromFile, "state to start from, as find --state writes it")
-        ->type_name("FILE.csv");
+    addFile(command, "--from", fromFile, "state to start from, as find --state writes it");
     command.add_flag("--rest", fromRest, "start at rest (so without --from)");
     force.addTo(command);
     addPositive(command, "--frequency", "omega_1", frequencyRatio, "W",
@@ -154,12 +55,9 @@ void SimulateCommand::addTo(CLI::App& command)
     addPositive(command, "--time", "s", time, "T", "how long, in seconds");
     addWhole(command, "--periods", 1, 1'000'000'000, periods, "P",
              "or how many periods of the excitation");
-    command
-        .add_option("--events", eventsFile, "write all contacts: start, end, impulse, peak force")
-        ->type_name("FILE.csv");
-    command.add_option("--tip", tipFile, "write the path of the tip")->type_name("FILE.csv");
-    command.add_option("--figure", figureFile, "draw tip, contacts and force (needs gnuplot)")
-        ->type_name("FILE.svg|.png|.pdf");
+    addFile(command, "--events", eventsFile, "write all contacts: start, end, impulse, peak force");
+    addFile(command, "--tip", tipFile, "write the path of the tip");
+    addFigure(command, "--figure", figureFile, "draw tip, contacts and force");
     common.addTo(command);
     command.footer(
         "Nothing is on a grid but the excitation, which is constant for L/(N c), or as much as "
@@ -189,10 +87,12 @@ void SimulateCommand::requireWhole() const
 Waves SimulateCommand::start(const Bar& bar) const
 {
     if (fromFile.empty()) {
-        return wavesAtRest(static_cast<double>(common.usualCells()));
+        return wavesAtRest(static_cast<double>(common.usualCells()), stopsOf(bar));
     }
-    return wavesOf(forFile("--from", fromFile,
-                           [&] { return readState(fromFile, bar, common.usualCells()).state; }));
+    // A table of waves brings its own grid, whatever --cells says of the excitation.
+    return wavesOf(forFile("--from", fromFile, [&] {
+        return readState(fromFile, bar, common.usualCells(), maxMeasurements).state;
+    }));
 }
 
 Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
@@ -218,74 +118,58 @@ Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
                          .stepsPerCrossing = isWhole ? cells : steps * *frequencyRatio / 4.0});
 }
 
+double SimulateCommand::stretches(double stretch, double crossing, const Bar& bar) const
+{
+    const double unit = scales(bar).time;
+    const double total =
+        periods ? static_cast<double>(*periods) : *time / unit * crossing / stretch;
+    if (!(total * stretch <= longest * crossing)) {
+        refuse(time ? "--time" : "--periods",
+               time ? fmt::format("{}", *time) : fmt::format("{}", *periods),
+               fmt::format("what lasts at most {} L/c, {:.3g} s", longest, longest * unit));
+    }
+    return total;
+}
+
 ExitStatus SimulateCommand::run() const
 {
     requireWhole();
-    Answer answer{common.bar(), force, {}, frequencyRatio.value_or(0.0), phase, 0, {}};
-    if (!figureFile.empty()) {
-        (void)figureFormat(figureFile);
+    const Scene scene = common.scene();
+    if (!scene.segments.empty()) {
+        throw std::invalid_argument("--segments: allowed only where stepped bars are known: find");
     }
-    const OutputOption eventsOption{"--events", eventsFile};
-    const OutputOption tipOption{"--tip", tipFile};
-    const OutputOption figureOption{"--figure", figureFile};
-    validateOutputs({eventsOption, tipOption, figureOption});
-    const Waves waves = start(answer.bar);
+    SimulationAnswer answer{.scene = scene,
+                            .damping = force.damping(),
+                            .amplitude = force.amplitude,
+                            .excitation = {},
+                            .frequencyRatio = frequencyRatio.value_or(0.0),
+                            .phase = phase,
+                            .cells = 0,
+                            .settled = {}};
+    Outputs outputs({{"--events", eventsFile}, {"--tip", tipFile}, {"--figure", figureFile}});
+    const Waves waves = start(scene.bar);
     answer.cells = static_cast<std::int64_t>(waves.crossing);
     answer.excitation =
-        excitation(answer.bar, common.cells ? static_cast<double>(*common.cells) : waves.crossing);
-    BarSimulation simulation(
-        waves, force.damping(), answer.excitation,
-        {.mergeBelow = {}, .recordsTip = !tipFile.empty() || !figureFile.empty()});
-    OutputFiles files;
-    const std::string events = stage(files, eventsOption);
-    const std::string tip = stage(files, tipOption);
-    const std::string figure = stage(files, figureOption);
-
+        excitation(scene.bar, common.cells ? static_cast<double>(*common.cells) : waves.crossing);
+    BarSimulation simulation(waves, force.damping(), answer.excitation,
+                             {.mergeBelow = {},
+                              .recordsTip = !tipFile.empty() || !figureFile.empty(),
+                              .stops = stopsOf(scene)});
     // In units of the simulation's; a period of the excitation is a whole number of its steps.
     const double stretch = answer.excitation.steps() > 0
                                ? static_cast<double>(answer.excitation.steps()) * waves.crossing /
                                      answer.excitation.stepsPerCrossing
                                : 16.0 * waves.crossing;
-    const double total = periods ? static_cast<double>(*periods)
-                                 : *time / scales(answer.bar).time * waves.crossing / stretch;
-    if (const double most = longest * scales(answer.bar).time;
-        !(total * stretch <= longest * waves.crossing)) {
-        refuse(time ? "--time" : "--periods",
-               time ? fmt::format("{}", *time) : fmt::format("{}", *periods),
-               fmt::format("what lasts at most {} L/c, {:.3g} s", longest, most));
-    }
-    SettlingWatch watch;
-    {
-        const Interrupt interrupt;
-        const Cancel cancel = interrupt.cancel();
-        Progress progress(!common.quiet, "simulating");
-        double done = 0.0;
-        for (; done + 1.0 <= total && !isRequested(cancel); done += 1.0) {
-            simulation.advance(stretch);
-            watch.see(simulation);
-            progress.show(done, total);
-        }
-        answer.isComplete = done + 1.0 > total;
-        if (answer.isComplete && total > done) {
-            simulation.advance((total - done) * stretch);
-        }
-    }
-    if (force.place) {
-        answer.settled = watch.settled();
-    }
+    goOn(simulation, stretch, stretches(stretch, waves.crossing, scene.bar), common.quiet, answer);
     if (answer.isComplete) {
-        if (!events.empty()) {
-            forFile("--events", eventsFile, [&] { writeEvents(events, simulation, answer.bar); });
-        }
-        if (!tip.empty()) {
-            forFile("--tip", tipFile, [&] { writeTip(tip, simulation, answer.bar); });
-        }
-        if (!figure.empty()) {
-            forFile("--figure", figureFile, [&] {
-                drawSimulation(simulation, answer.excitation, figureFormat(figureFile), figure);
-            });
-        }
-        files.commit();
+        outputs.put("--events",
+                    [&](const std::string& path) { writeEvents(path, simulation, scene.bar); });
+        outputs.put("--tip",
+                    [&](const std::string& path) { writeTip(path, simulation, scene.bar); });
+        outputs.put("--figure", [&](const std::string& path) {
+            drawSimulation(simulation, answer.excitation, figureFormat(figureFile), path);
+        });
+        outputs.commit();
     } else if (!common.quiet) {
         tell("signorini simulate: interrupted; no file was written\n");
     }

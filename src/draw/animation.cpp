@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "gnuplot.hpp"
 #include "palette.hpp"
@@ -74,9 +75,14 @@ public:
         : samples_(samples),
           unit_(scales(samples.bar())),
           nodes_(chosen(samples.nodes(), maxNodes)),
-          instants_(chosen(samples.instants(), maxFrames))
+          instants_(chosen(samples.instants(), maxFrames)),
+          wall_(samples.bar().gap / unit_.displacement)
     {
-        tip_.see(1.0);
+        tip_.see(wall_);
+        if (const auto& second = samples.scene().secondStop) {
+            second_ = -*second / unit_.displacement;
+            tip_.see(*second_);
+        }
         for (const std::size_t m : instants_) {
             for (const std::size_t i : nodes_) {
                 fields_.see(samples.strain(i, m) / unit_.strain);
@@ -132,13 +138,18 @@ private:
               "plot $frame using 6:(0):5:6:(-0.5):(0.5):2 with boxxyerror fillcolor palette "
               "fillstyle solid noborder\n"
               "unset object 1\nunset object 2\nset ytics\n",
-              1.0 + gapShown, palette::faint);
+              1.0 + gapShown * wall_, palette::faint);
         panel(script, 0.46, 0.71);
-        print(script,
-              "set yrange {}\nset ylabel 'displacement  u/g'\n"
-              "plot 1 with lines lw 1 dt (4,4) lc 'black', $frame using 1:4 with lines lw 2 lc "
-              "'black'\n",
-              tip_.text());
+        print(
+            script,
+            "set yrange {}\nset ylabel 'displacement  u/{}'\n"
+            "plot {} with lines lw 1 dt (4,4) lc 'black', {} with lines lw 1 dt (4,4) lc 'black', "
+            "$frame using 1:4 with lines lw 2 lc 'black'\n",
+            tip_.text(),
+            wall_ > 0.0   ? "g"
+            : wall_ < 0.0 ? "|g|"
+                          : "L",
+            wall_, second_.value_or(wall_));
         panel(script, 0.12, 0.41);
         print(script,
               "set yrange {}\nset ylabel 's L/g,  v L/(c g)'\nset format x '%g'\n"
@@ -155,27 +166,24 @@ private:
     std::vector<std::size_t> instants_;
     Range fields_;
     Range tip_;
-    double size_ = 0.0;  ///< of the fields
+    double wall_;                   ///< u(L) there
+    std::optional<double> second_;  ///< u(L) at the second stop
+    double size_ = 0.0;             ///< of the fields
 };
 
 /// Force and tip over a period, strain and velocity at t = 0, one frame for each member.
 class CurveFrames {
 public:
     explicit CurveFrames(const Continuum& curve)
-        : curve_(curve), folded_(curve.schedule), members_(chosen(curve.points.size(), maxFrames))
+        : curve_(curve), members_(chosen(curve.points.size(), maxFrames))
     {
-        fold(folded_);
-        for (const Phase& phase : folded_.phases) {
-            isContact_.insert(isContact_.end(), static_cast<std::size_t>(phase.contact), true);
-            isContact_.insert(isContact_.end(), static_cast<std::size_t>(phase.free), false);
-        }
         for (const std::size_t k : members_) {
             const State& state = curve.points[k].state;
             const Motion motion(state, curve.schedule);
-            const std::vector<double> p = arrivals(state, curve.schedule);
-            for (std::size_t m = 0; m < p.size(); ++m) {
-                force_.see(forceAt(p, m));
-                tip_.see(motion.displacement(motion.cells(), static_cast<std::int64_t>(m)));
+            period_ = static_cast<double>(motion.steps()) / static_cast<double>(motion.cells());
+            for (std::int64_t m = 0; m < motion.steps(); ++m) {
+                force_.see(motion.wallForce(m));
+                tip_.see(motion.displacement(motion.cells(), m));
             }
             for (const double value : strain(state)) {
                 fields_.see(value);
@@ -199,20 +207,14 @@ public:
     }
 
 private:
-    [[nodiscard]] double forceAt(const std::vector<double>& p, std::size_t m) const
-    {
-        return isContact_[m] ? 2.0 * p[m] : 0.0;
-    }
-
     void printData(Text& script, const State& state) const
     {
         const Motion motion(state, curve_.schedule);
-        const std::vector<double> p = arrivals(state, curve_.schedule);
         const auto cells = static_cast<double>(motion.cells());
         print(script, "$time << EOD\n");
         for (const std::int64_t m : thinned(motion.steps() - 1, maxInstants)) {
             print(script, "{:.5g} {:.5g} {:.5g}\n", static_cast<double>(m) / cells,
-                  forceAt(p, static_cast<std::size_t>(m)), motion.displacement(motion.cells(), m));
+                  motion.wallForce(m), motion.displacement(motion.cells(), m));
         }
         print(script, "EOD\n$bar << EOD\n");
         for (const std::int64_t i : thinned(motion.cells(), maxInstants)) {
@@ -235,7 +237,7 @@ private:
               "plot $time using 1:2 with fillsteps fillcolor '{}' fillstyle solid noborder "
               "title 'force on the wall'\n"
               "unset key\n",
-              period(folded_), force_.text(), palette::contact);
+              period_, force_.text(), palette::contact);
         panel(script, 0.48, 0.68);
         print(script,
               "set yrange {}\nset ylabel 'u(L,t)/g'\nset format x '%g'\n"
@@ -255,9 +257,8 @@ private:
     }
 
     const Continuum& curve_;
-    Schedule folded_;
-    std::vector<bool> isContact_;
     std::vector<std::size_t> members_;
+    double period_ = 0.0;  ///< [L/c], of the folded schedule
     Range force_;
     Range tip_;
     Range fields_;

@@ -118,7 +118,7 @@ std::vector<Stack> stacksOf(const Continuum& curve, const Choice& choice)
          {}}};
     for (const std::size_t k : choice.members) {
         const State& state = curve.points[k].state;
-        stacks[0].profiles.push_back(wallForce(state, curve.schedule));
+        stacks[0].profiles.push_back(wallForces(Motion(state, curve.schedule)));
         stacks[1].profiles.push_back(values(strain(state)));
         stacks[2].profiles.push_back(values(velocity(state)));
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "axes.hpp"
@@ -12,6 +13,7 @@
 #include "gnuplot.hpp"
 #include "palette.hpp"
 #include "signorini/motion.hpp"
+#include "stepped_bar.hpp"
 #include "text.hpp"
 #include "wall_force.hpp"
 
@@ -65,7 +67,11 @@ struct Drawing {
 Drawing finelyDrawn(const PeriodicResult& result)
 {
     Schedule schedule = result.schedule;
-    fold(schedule);
+    std::vector<Segment> segments = result.scene.segments;
+    const bool isStepped = !isUniform(segments);
+    if (!isStepped) {
+        fold(schedule);  // a stepped bar does not repeat itself in contact or flight
+    }
     const std::int64_t longest = std::max(schedule.cells, steps(schedule) / 4);
     const std::int64_t factor = std::max<std::int64_t>(1, (maxNodes - 1) / longest);
     schedule.cells *= factor;
@@ -74,7 +80,14 @@ Drawing finelyDrawn(const PeriodicResult& result)
         phase.free *= factor;
     }
     const State state = refined(result.motion->state, factor);
-    return {schedule, Motion(state, schedule), wallForce(state, schedule)};
+    if (isStepped) {
+        for (Segment& segment : segments) {
+            segment.cells *= factor;
+        }
+    }
+    Motion motion = isStepped ? Motion(state, schedule, segments) : Motion(state, schedule);
+    std::vector<double> force = wallForces(motion);
+    return {schedule, std::move(motion), std::move(force)};
 }
 
 /// The axes of the figure.
@@ -85,10 +98,12 @@ struct Axes {
     Axis s;
     Axis v;
     Axis force;
-    Span tip;       ///< [g]
-    Span strain;    ///< [g/L], at t = 0
-    Span velocity;  ///< [c g/L], at t = 0
-    double cells;   ///< N: steps and cells are 1/N
+    Span tip;                      ///< [g]
+    Span strain;                   ///< [g/L], at t = 0
+    Span velocity;                 ///< [c g/L], at t = 0
+    double cells;                  ///< N: steps and cells are 1/N
+    double wall;                   ///< [g], where the tip meets it
+    std::optional<double> second;  ///< [g], the second stop
 
     [[nodiscard]] double position(std::int64_t node) const
     {
@@ -100,8 +115,9 @@ struct Axes {
     }
 };
 
-Axes axesOf(const Drawing& drawing, const Bar& bar)
+Axes axesOf(const Drawing& drawing, const Scene& scene)
 {
+    const Bar& bar = scene.bar;
     const Motion& motion = drawing.motion;
     Span tip;
     Span strain;
@@ -115,17 +131,20 @@ Axes axesOf(const Drawing& drawing, const Bar& bar)
     }
     const Scales unit = scales(bar);
     const auto size = static_cast<double>(motion.cells());
-    const double most = *std::max_element(drawing.force.begin(), drawing.force.end());
+    const auto [least, most] = std::minmax_element(drawing.force.begin(), drawing.force.end());
     return {.x = {bar.length, 1.0, "m"},
             .t = {unit.time, static_cast<double>(motion.steps()) / size, "s"},
             .u = {unit.displacement, tip.largest(), "m"},
             .s = {unit.strain, strain.largest(), ""},
             .v = {unit.velocity, velocity.largest(), "m/s"},
-            .force = {bar.axialStiffness * unit.strain, most, "N"},
+            .force = {bar.axialStiffness * unit.strain, std::max(*most, -*least), "N"},
             .tip = tip,
             .strain = strain,
             .velocity = velocity,
-            .cells = size};
+            .cells = size,
+            .wall = bar.gap / unit.displacement,
+            .second = scene.secondStop ? std::optional(-*scene.secondStop / unit.displacement)
+                                       : std::nullopt};
 }
 
 /// Strain and velocity as steps: only where they change, and both sides of the change.
@@ -185,9 +204,10 @@ void printForce(Text& script, const std::vector<double>& force, const Axes& axes
     }
     print(script, "{:.7g} {:.7g}\n0 {:.7g}\nEOD\n$pressed << EOD\n", last, axes.time(count),
           axes.time(count));
-    const double wall = axes.u.factor;
     for (const Pressed& one : pressed(force)) {
-        print(script, "{0:.7g} {1:.7g}\n{0:.7g} {2:.7g}\n\n", wall, axes.time(one.from),
+        const bool isWall = force[static_cast<std::size_t>(one.from)] > 0.0;
+        const double stop = (isWall ? axes.wall : axes.second.value()) * axes.u.factor;
+        print(script, "{0:.7g} {1:.7g}\n{0:.7g} {2:.7g}\n\n", stop, axes.time(one.from),
               axes.time(one.to));
     }
     print(script, "{}EOD\n", offThePlot);
@@ -196,16 +216,20 @@ void printForce(Text& script, const std::vector<double>& force, const Axes& axes
 /// Who moves, and the key, where the panels leave room.
 void printLegend(Text& script, const PeriodicResult& result, double folded)
 {
-    const Bar& bar = result.bar;
+    const Bar& bar = result.scene.bar;
     const bool isFolded = folded < period(result.schedule);
     const std::array lines{
         fmt::format("T = {:.6g} L/c = {}", period(result.schedule), withUnit(result.period, "s")),
         fmt::format("f = {},  ω/ω_1 = {:.5g}", withUnit(1.0 / result.period, "Hz"),
                     result.frequencyRatio),
-        fmt::format("E = {},  E/E_1 = {:.5g}", withUnit(result.motion->energy, "J"),
-                    result.motion->energyRatio),
+        fmt::format("E = {}", withUnit(result.motion->energy, "J")) +
+            (bar.gap == 0.0 ? std::string()
+                            : fmt::format(",  E/E_1 = {:.5g}", result.motion->energyRatio)),
         fmt::format("L = {},  c = {}", withUnit(bar.length, "m"), withUnit(bar.waveSpeed, "m/s")),
-        fmt::format("EA = {},  g = {}", withUnit(bar.axialStiffness, "N"), withUnit(bar.gap, "m")),
+        fmt::format("EA = {},  g = {}{}", withUnit(bar.axialStiffness, "N"), withUnit(bar.gap, "m"),
+                    result.scene.secondStop
+                        ? fmt::format(",  h = {}", withUnit(*result.scene.secondStop, "m"))
+                        : std::string()),
         isFolded ? fmt::format("drawn without repetitions: {:.6g} L/c", folded) : std::string()};
     print(script, "set label 1 \"{}\" at screen 0.5,0.975 center\n", describe(result.schedule));
     double height = 0.925;
@@ -215,8 +239,9 @@ void printLegend(Text& script, const PeriodicResult& result, double folded)
     print(script,
           "set key at screen 0.565,0.715 left top reverse Left samplen 2 spacing 1.2\n"
           "plot NaN with lines lw 1.5 lc '{}' title 'path of the tip', "
-          "NaN with lines lw 5 lc '{}' title 'contact: the wall presses'\nunset key\n",
-          palette::ink, palette::contact);
+          "NaN with lines lw 5 lc '{}' title 'contact: {}'\nunset key\n",
+          palette::ink, palette::contact,
+          result.scene.secondStop ? "a stop presses" : "the wall presses");
     for (std::size_t k = 0; k <= lines.size(); ++k) {
         print(script, "unset label {}\n", k + 1);
     }
@@ -251,11 +276,36 @@ void plotField(Text& script, const Axes& axes, double period)
           palette::sequential(), axes.x.unit, axes.t.unit, period, axes.u.unit);
 }
 
-/// Beside the field, with its axis of time: the tip and the wall, and the force between them.
-void plotWall(Text& script, const Axes& axes, double mostForce)
+/// Lines where segments meet.
+void markJoints(Text& script, const PeriodicResult& result, const Axes& axes)
 {
-    const double reach = std::max(1.0 - axes.tip.low, 1e-3) * axes.u.factor;
-    const double wall = axes.u.factor;
+    if (isUniform(result.scene.segments)) {
+        return;
+    }
+    std::int64_t cells = 0;
+    const auto all = static_cast<double>(result.schedule.cells);
+    for (std::size_t k = 0; k + 1 < result.scene.segments.size(); ++k) {
+        cells += result.scene.segments[k].cells;
+        const double place = static_cast<double>(cells) / all * axes.x.factor;
+        print(script,
+              "set arrow {0} from {1},graph 0 to {1},graph 1 nohead front lw 1.5 dt 2 lc '{2}'\n",
+              k + 1, place, palette::ink);
+    }
+}
+
+/// Beside the field, with its axis of time: the tip and the wall, and the force between them.
+void plotWall(Text& script, const Axes& axes, double leastForce, double mostForce)
+{
+    const double lowest = std::min(axes.tip.low, axes.second.value_or(axes.tip.low));
+    const double reach = std::max(axes.wall - lowest, 1e-3) * axes.u.factor;
+    const double wall = axes.wall * axes.u.factor;
+    if (axes.second) {
+        print(script,
+              "set object 2 rectangle from graph 0,graph 0 to first {},graph 1 fillcolor '{}' "
+              "fillstyle transparent solid 0.5 noborder behind\n"
+              "set label 2 'stop' at graph 0,1.03 left\n",
+              *axes.second * axes.u.factor, palette::faint);
+    }
     print(script,
           "set lmargin at screen 0.55\nset rmargin at screen 0.715\nset ylabel ''\n"
           "set format y ''\nset xlabel 'tip  u(L, t)  [{}]'\nset xrange [{}:{}]\nset xtics {}\n"
@@ -264,26 +314,31 @@ void plotWall(Text& script, const Axes& axes, double mostForce)
           "transparent solid 0.5 noborder behind\n"
           "set label 1 'wall' at graph 1,1.03 right\n"
           "plot $tip using 1:2 with lines lw 1.5 lc '{}', "
-          "$pressed using 1:2 with lines lw 5 lc '{}'\nunset object 1\nunset label 1\n",
-          axes.u.unit, wall - 1.05 * reach, wall + 0.12 * reach, niceStep(reach / 3.0),
-          palette::grid, wall, palette::faint, palette::ink, palette::contact);
-    const double top = mostForce > 0.0 ? 1.15 * mostForce : 1.0;
+          "$pressed using 1:2 with lines lw 5 lc '{}'\nunset object 1\nunset label 1\n"
+          "unset object 2\nunset label 2\n",
+          axes.u.unit, wall - (axes.second ? 1.12 : 1.05) * reach, wall + 0.12 * reach,
+          niceStep(reach / 3.0), palette::grid, wall, palette::faint, palette::ink,
+          palette::contact);
+    const bool isPressed = mostForce > 0.0 || leastForce < 0.0;
+    const double top = isPressed ? 1.15 * mostForce : 1.0;
+    const double bottom = 1.15 * leastForce;
     print(script,
           "set lmargin at screen 0.74\nset rmargin at screen 0.86\n"
-          "set xlabel 'wall force  [{}]'\nset xrange [0:{}]\nset xtics {}\n{}"
+          "set xlabel '{}  [{}]'\nset xrange [{}:{}]\nset xtics {}\n{}"
           "plot $force using 1:2 with filledcurves closed fillcolor '{}' fillstyle solid 0.35 "
           "noborder, $force using 1:2 with lines lw 1.5 lc '{}'\n",
-          axes.force.unit, top, niceStep(top / 2.5),
-          mostForce > 0.0 ? ""
-                          : "set label 1 'none: contact without force' at graph 0.5,0.5 center "
-                            "rotate\n",
+          axes.second ? "force" : "wall force", axes.force.unit, bottom, top,
+          niceStep((top - bottom) / (axes.second ? 4.0 : 2.5)),
+          isPressed ? ""
+                    : "set label 1 'none: contact without force' at graph 0.5,0.5 center "
+                      "rotate\n",
           palette::contact, palette::contact);
 }
 
 std::string scriptFor(const PeriodicResult& result)
 {
     const Drawing drawing = finelyDrawn(result);
-    const Axes axes = axesOf(drawing, result.bar);
+    const Axes axes = axesOf(drawing, result.scene);
     const std::vector<double>& force = drawing.force;
     Text script;
     printInitialState(script, drawing.motion, axes);
@@ -295,9 +350,12 @@ std::string scriptFor(const PeriodicResult& result)
           "set autoscale y\nset border 31 lw 0.8\nset tics out nomirror scale 0.6\n"
           "set grid lw 0.6 lc '{}'\n",
           palette::grid);
+    markJoints(script, result, axes);
     plotInitialState(script, axes);
     plotField(script, axes, axes.time(drawing.motion.steps()));
-    plotWall(script, axes, *std::max_element(force.begin(), force.end()) * axes.force.factor);
+    print(script, "unset arrow\n");
+    const auto [least, most] = std::minmax_element(force.begin(), force.end());
+    plotWall(script, axes, *least * axes.force.factor, *most * axes.force.factor);
     print(script, "unset multiplot\n");
     return fmt::to_string(script);
 }
@@ -325,6 +383,10 @@ void drawMotion(const PeriodicResult& result, FigureFormat format, const std::st
 {
     if (!result.motion) {
         throw std::invalid_argument("figure: the result holds no motion to draw");
+    }
+    if (!isUniform(result.scene.segments) && !haveOneSpeed(result.scene.segments)) {
+        throw std::invalid_argument(
+            "figure: allowed only for segments in which waves have one speed");
     }
     runGnuplot(scriptFor(result), format, 18.0, 16.0, path);
 }

@@ -39,8 +39,8 @@ bool printMotions(Text& script, const Sort& sort, std::span<const FrequencyRespo
         for (const ForcedMotion& motion : response.motions) {
             if (motion.stability == sort.stability) {
                 any = true;
-                print(script, "{:.8g} {:.6g} {:.6g}\n", response.frequencyRatio, motion.impulse,
-                      -motion.lowest);
+                print(script, "{:.8g} {:.6g} {:.6g}\n", response.frequencyRatio,
+                      motion.extremes.impulse, -motion.extremes.lowestTip);
             }
         }
     }
@@ -63,13 +63,41 @@ void printLinear(Text& script, std::span<const FrequencyResponse> frequencies)
     print(script, "EOD\n");
 }
 
+/// The backbones: frequency, impulse and swing of the free motions of each mode, over the range of
+/// frequencies. One cycle of the excitation in a period of the motion, or `cycles`. \return are
+/// there any?
+bool printModes(Text& script, double least, double most, std::int64_t cycles, double height)
+{
+    constexpr int samples = 160;
+    bool any = false;
+    print(script, "$modes << EOD\n");
+    for (const Mode& mode : findModes({.maxOrder = 15})) {
+        const double unit = 4.0 * static_cast<double>(cycles);
+        const double from = std::max(unit / most, mode.lowest.value());
+        const double to = std::min(unit / least, mode.highest.value());
+        bool isDrawn = false;
+        for (int k = 0; k < samples && from < to; ++k) {
+            const double t = std::lerp(from, to, (k + 0.5) / samples);
+            const Extremes free = ModeMotion(mode, t).extremes();
+            if (-free.lowestTip <= 1.5 * height) {
+                print(script, "{:.8g} {:.6g} {:.6g}\n", unit / t, free.impulse, -free.lowestTip);
+                isDrawn = true;
+            }
+        }
+        any = any || isDrawn;
+        print(script, "{}", isDrawn ? "\n" : "");
+    }
+    print(script, "NaN NaN NaN\nEOD\n");
+    return any;
+}
+
 /// The height of the lower panel: what motions need, and twice the gap for the linear one.
 double heightOf(std::span<const FrequencyResponse> frequencies)
 {
     double most = 2.0;
     for (const FrequencyResponse& response : frequencies) {
         for (const ForcedMotion& motion : response.motions) {
-            most = std::max(most, -motion.lowest);
+            most = std::max(most, -motion.extremes.lowestTip);
         }
     }
     return 1.08 * most;
@@ -95,6 +123,11 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
     }
     Text script;
     printLinear(script, frequencies);
+    const auto [least, most] =
+        std::minmax(frequencies.front().frequencyRatio, frequencies.back().frequencyRatio);
+    const double margin = most > least ? 0.01 * (most - least) : 0.05;
+    const bool hasModes =
+        printModes(script, least - margin, most + margin, range.cycles, heightOf(frequencies));
     std::string upper;
     std::string lower;
     for (const Sort& sort : sorts) {
@@ -105,27 +138,35 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
                                  sort.style, sort.colour);
         }
     }
-    const auto [least, most] =
-        std::minmax(frequencies.front().frequencyRatio, frequencies.back().frequencyRatio);
-    const double margin = most > least ? 0.01 * (most - least) : 0.05;
+    double pushed = 0.0;
+    for (const FrequencyResponse& response : frequencies) {
+        for (const ForcedMotion& motion : response.motions) {
+            pushed = std::max(pushed, motion.extremes.impulse);
+        }
+    }
     print(script,
           "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
           "set grid lw 0.4 lc '{}'\nset xrange [{}:{}]\nset lmargin at screen 0.12\n"
           "set rmargin at screen 0.97\nset label 1 \"{}\" at screen 0.54,0.965 center\n"
           "set tmargin at screen 0.92\nset bmargin at screen 0.54\nset format x ''\n"
-          "set ylabel 'impulse  [EA g/c]'\nset yrange [0:*]\n"
+          "set ylabel 'impulse  [EA g/c]'\nset yrange [0:{}]\n"
           "set key top left reverse Left samplen 2 spacing 1.1\n"
-          "plot NaN with lines lw 2 lc '{}' title 'no contact', "
+          "plot {}NaN with lines lw 2 lc '{}' title 'no contact', "
           "NaN with lines lw 1.5 dt (6,3) lc '{}' title 'no wall in its way'{}\n",
-          palette::grid, least - margin, most + margin, titleOf(range), palette::ink,
-          palette::faint, upper);
+          palette::grid, least - margin, most + margin, titleOf(range),
+          pushed > 0.0 ? fmt::format("{:.4g}", 1.15 * pushed) : std::string("*"),
+          hasModes ? fmt::format("$modes using 1:2 with lines lw 5 lc '{}' title 'modes: free, "
+                                 "undamped', ",
+                                 palette::fading.back())
+                   : std::string(),
+          palette::ink, palette::faint, upper);
     print(script,
           "unset label 1\nunset key\nset format x '%g'\nset tmargin at screen 0.49\n"
           "set bmargin at screen 0.12\nset xlabel 'frequency of the excitation  ω/ω_1'\n"
           "set ylabel 'swing  −min u(L)/g'\nset yrange [0:{:.4g}]\n"
-          "plot $linear using 1:2 with lines lw 2 lc '{}', "
-          "$linear using 1:3 with lines lw 1.5 dt (6,3) lc '{}'{}\nunset multiplot\n",
-          heightOf(frequencies), palette::ink, palette::faint, lower);
+          "plot $modes using 1:3 with lines lw 5 lc '{}', $linear using 1:2 with lines lw 2 lc "
+          "'{}', $linear using 1:3 with lines lw 1.5 dt (6,3) lc '{}'{}\nunset multiplot\n",
+          heightOf(frequencies), palette::fading.back(), palette::ink, palette::faint, lower);
     runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
 }
 

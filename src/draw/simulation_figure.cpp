@@ -8,6 +8,7 @@
 #include "gnuplot.hpp"
 #include "palette.hpp"
 #include "signorini/figures.hpp"
+#include "stops.hpp"
 #include "text.hpp"
 
 namespace signorini {
@@ -44,15 +45,16 @@ void printTip(Text& script, const char* block, const std::vector<TipPoint>& path
     print(script, "EOD\n");
 }
 
-/// The contacts of a window as strokes at the wall.
-void printStrokes(Text& script, const char* block, const std::vector<ContactEvent>& contacts,
-                  Window window)
+/// The contacts of a window as strokes at the stop that is touched.
+void printStrokes(Text& script, const char* block, const BarSimulation& simulation, Window window)
 {
-    print(script, "${} << EOD\nNaN NaN\n", block);
-    for (const ContactEvent& contact : contacts) {
+    print(script, "${} << EOD\nNaN NaN NaN\n", block);
+    for (const ContactEvent& contact : simulation.contacts()) {
         if (contact.end > window.begin && contact.start < window.end) {
             const double start = std::max(contact.start, window.begin);
-            print(script, "{:.9g} {:.6g}\n", start, std::min(contact.end, window.end) - start);
+            print(script, "{:.9g} {:.6g} {:.6g}\n", start,
+                  std::min(contact.end, window.end) - start,
+                  placeOf(simulation.stops(), contact.stop).value());
         }
     }
     print(script, "EOD\n");
@@ -68,16 +70,22 @@ void printImpulses(Text& script, const std::vector<ContactEvent>& contacts)
     print(script, "EOD\n");
 }
 
-void plotTip(Text& script, const char* name, Window window)
+void plotTip(Text& script, const char* name, Window window, const Stops& stops)
 {
+    if (stops.left) {
+        print(script,
+              "set object 2 rectangle from graph 0,graph 0 to graph 1,first {:.9g} fillcolor '{}' "
+              "fillstyle solid noborder behind\n",
+              placeOf(stops, Stop::left).value(), palette::faint);
+    }
     print(script,
           "set xrange [{1:.9g}:{2:.9g}]\nset xtics {3:.9g}\nset object 1 rectangle from graph "
-          "0,first 1 to graph "
+          "0,first {7} to graph "
           "1,graph 1 fillcolor '{4}' fillstyle solid noborder behind\n"
           "plot $tip{0} using 1:2 with lines lw 1.2 lc '{5}' notitle, "
-          "$contact{0} using 1:(1):2:(0) with vectors nohead lw 5 lc '{6}' notitle\n",
+          "$contact{0} using 1:3:2:(0) with vectors nohead lw 5 lc '{6}' notitle\n",
           name, window.begin, window.end, niceStep((window.end - window.begin) / 5.0),
-          palette::faint, palette::ink, palette::contact);
+          palette::faint, palette::ink, palette::contact, stops.right);
 }
 
 }  // namespace
@@ -97,11 +105,12 @@ void drawSimulation(const BarSimulation& simulation, const Excitation& excitatio
     const Window windows[] = {{0.0, shown}, {end - shown, end}};
     const char* const names[] = {"first", "last"};
     Text script;
-    double lowest = 0.0;
+    const Stops& stops = simulation.stops();
+    const double wall = stops.right;
+    double lowest = std::min(0.0, stops.left ? placeOf(stops, Stop::left).value() : wall - 0.1);
     for (std::size_t k = 0; k < 2; ++k) {
         printTip(script, fmt::format("tip{}", names[k]).c_str(), tip, windows[k]);
-        printStrokes(script, fmt::format("contact{}", names[k]).c_str(), simulation.contacts(),
-                     windows[k]);
+        printStrokes(script, fmt::format("contact{}", names[k]).c_str(), simulation, windows[k]);
     }
     for (const TipPoint& point : tip) {
         lowest = std::min(lowest, point.displacement);
@@ -112,15 +121,19 @@ void drawSimulation(const BarSimulation& simulation, const Excitation& excitatio
           "set grid lw 0.4 lc '{}'\nset tmargin at screen 0.92\nset bmargin at screen 0.58\n"
           "set yrange [{:.5g}:{:.5g}]\nset xlabel 'time  t c/L' offset 0,0.4\n"
           "set lmargin at screen 0.12\nset rmargin at screen 0.53\n"
-          "set ylabel 'tip  u(L,t)/g'\nset label 1 'the beginning' at graph 0.5,1.06 center\n",
-          palette::grid, 1.0 - 1.05 * (1.0 - lowest), 1.0 + 0.08 * (1.0 - lowest));
-    plotTip(script, "first", windows[0]);
+          "set ylabel 'tip  u(L,t)/{}'\nset label 1 'the beginning' at graph 0.5,1.06 center\n",
+          palette::grid, wall - 1.08 * (wall - lowest), wall + 0.08 * (wall - lowest),
+          stops.right == 0  ? "L"
+          : stops.right < 0 ? "|g|"
+                            : "g");
+    plotTip(script, "first", windows[0], stops);
     print(script,
           "set lmargin at screen 0.57\nset rmargin at screen 0.97\nset ylabel ''\n"
           "set format y ''\nset label 1 'the end' at graph 0.5,1.06 center\n");
-    plotTip(script, "last", windows[1]);
+    plotTip(script, "last", windows[1], stops);
     print(script,
-          "unset label 1\nunset object 1\nset format y '%g'\nset lmargin at screen 0.12\n"
+          "unset label 1\nunset object 1\nunset object 2\nset format y '%g'\nset lmargin at screen "
+          "0.12\n"
           "set tmargin at screen 0.44\nset bmargin at screen 0.12\nset xtics auto\nset xrange "
           "[0:{:.9g}]\n"
           "set yrange [0:*]\nset xlabel 'time  t c/L' offset 0,0\n"

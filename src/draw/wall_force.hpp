@@ -1,17 +1,16 @@
 #pragma once
 /// \file
-/// The force of the wall on the tip, step by step.
+/// Where in a period the wall presses.
 
 #include <cstdint>
 #include <vector>
 
 #include "signorini/motion.hpp"
-#include "signorini/schedule.hpp"
 
 namespace signorini {
 
-/// R = 2 p_m in contact, 0 in flight [EA g/L], for each step of the folded schedule. O(n).
-[[nodiscard]] std::vector<double> wallForce(const State& state, const Schedule& schedule);
+/// `Motion::wallForce` of all steps. O(n).
+[[nodiscard]] std::vector<double> wallForces(const Motion& motion);
 
 /// Steps [from, to[ in which the wall presses.
 struct Pressed {

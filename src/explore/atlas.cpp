@@ -58,6 +58,9 @@ void validate(const AtlasRange& range)
     check("max contact", range.maxContact, maxSteps / (2 * maxAtlasPhases));
     check("max free", range.maxFree, maxSteps / (2 * maxAtlasPhases));
     check("phases", range.maxPhases, maxAtlasPhases);
+    if (range.gapSign < -1 || range.gapSign > 1) {
+        faults.add("gap sign", range.gapSign, "-1..1");
+    }
     if (!(range.maxEnergyRatio > 0.0)) {
         faults.add("max energy ratio", range.maxEnergyRatio, "numbers > 0 [E_1]");
     }

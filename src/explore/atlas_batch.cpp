@@ -154,8 +154,8 @@ private:
                 return false;
             }
             const Phase phase{contact, n - contact};
-            batch_.rows.push_back(
-                rowOf(range_, phase, signorini::decide(range_.cells, phase, signs_)));
+            batch_.rows.push_back(rowOf(
+                range_, phase, signorini::decide(range_.cells, phase, signs_, range_.gapSign)));
         }
         return true;
     }
@@ -194,7 +194,7 @@ std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batc
         if (isRequested(cancel)) {
             return std::nullopt;
         }
-        const Schedule schedule{range.cells, phasesAt(range, number)};
+        const Schedule schedule{range.cells, phasesAt(range, number), {.right = range.gapSign}};
         const Rotation rotation = rotationOf(schedule.phases);
         if (rotation.isFirst) {
             enter(range, decideSeveral(schedule, rotation.length, number), result);

@@ -33,6 +33,10 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
     if (!(energyRatio > 0.0 && std::isfinite(energyRatio))) {
         faults.add("energyRatio", energyRatio, "finite numbers > 0");
     }
+    if (options.bar.gap == 0.0) {
+        faults.add("gap", 0.0,
+                   "a gap > 0 or < 0: without one the motions of an energy are a part of a sphere");
+    }
     if (options.points < 2 || options.points > maxContinuumPoints) {
         faults.add("points", options.points, fmt::format("2..{}", maxContinuumPoints));
     }
@@ -187,7 +191,7 @@ private:
             return true;
         }
         FindOptions find;
-        find.bar = options_.bar;
+        find.scene = options_.bar;
         find.strainLimit = record_.demands.strainLimit;
         find.energyRatio = record_.energy();
         find.tolerance = options_.tolerance;
@@ -262,7 +266,9 @@ Continuum traceContinuum(const Schedule& schedule, double energyRatio,
                          const ContinuumOptions& options)
 {
     validate(schedule, energyRatio, options);
-    Continuum curve = Tracing(schedule, energyRatio, options).run();
+    Schedule placed = schedule;
+    placed.stops = stopsOf(options.bar);
+    Continuum curve = Tracing(placed, energyRatio, options).run();
     curve.orbits = countOrbits(curve);
     return curve;
 }

@@ -38,7 +38,11 @@ std::int64_t ownSteps(const Phase& phase, const Verdict& verdict)
     if (verdict.reason) {
         throw std::invalid_argument("verdict: the schedule has no motion");
     }
-    return verdict.contact == Contact::grazing ? 2 * verdict.classes : phase.contact + phase.free;
+    if (verdict.contact == Contact::grazing) {
+        return 2 * verdict.classes;
+    }
+    const bool isHeld = verdict.contactMembers == verdict.members;
+    return isHeld ? verdict.classes : phase.contact + phase.free;
 }
 
 }  // namespace signorini

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "forced_check.hpp"
 #include "forced_line.hpp"
 #include "signorini/response.hpp"
 
@@ -22,11 +23,13 @@ struct ForcedCase {
     const ForcedWaves& waves;
 };
 
-/// The motion at a point of the plane, walked and marched. O(n).
-[[nodiscard]] ForcedMotion forcedMotion(const ForcedCase& all, Plane place);
+/// The motion at a place of the plane, with the amplitudes of the waves that nothing damps, walked
+/// and marched. O(n).
+[[nodiscard]] ForcedMotion forcedMotion(const ForcedCase& all, Plane place,
+                                        std::span<const double> free = {});
 
-/// The t with low <= t <= high and hypot(offset, t) = amplitude, at most two.
-[[nodiscard]] std::vector<double> placesOfAmplitude(double offset, double low, double high,
-                                                    double amplitude);
+/// The motions of one amplitude on what is left of the line, by ascending impulse. O(n).
+[[nodiscard]] std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine& line,
+                                                      double amplitude);
 
 }  // namespace signorini

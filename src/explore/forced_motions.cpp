@@ -1,14 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
-#include "echo.hpp"
 #include "faults.hpp"
 #include "forced_case.hpp"
-#include "forced_check.hpp"
+#include "forced_polytope.hpp"
 #include "names.hpp"
-#include "signorini/response.hpp"
 
 namespace signorini {
 
@@ -19,17 +16,20 @@ constexpr auto forcedKindNames = std::to_array<Named<ForcedKind>>({
     {ForcedKind::point, "point"},
     {ForcedKind::segment, "segment"},
     {ForcedKind::ray, "ray"},
+    {ForcedKind::polytope, "polytope"},
 });
 
-void validate(const Schedule& schedule, const Forcing& forcing)
+void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimits& limits)
 {
     Faults faults;
     const std::int64_t n = steps(schedule);
-    if (schedule.phases.size() != 1) {
-        faults.add("phases", schedule.phases.size(), "1");
-    }
     if (n > maxForcedSteps) {
         faults.add("steps", n, fmt::format("at most {}", maxForcedSteps));
+    }
+    if (!(limits.strain > 0.0)) {
+        faults.add("strain limit", limits.strain, "> 0 [g/L]");
+    } else if (std::isfinite(limits.strain) && forcing.place == Excited::base) {
+        faults.add("strain limit", limits.strain, "none with a base that moves");
     }
     if (forcing.shape.empty()) {
         if (const std::int64_t most = (n - 1) / 2; forcing.cycles < 1 || forcing.cycles > most) {
@@ -54,52 +54,92 @@ void validate(const Schedule& schedule, const Forcing& forcing)
     faults.throwIfAny();
 }
 
-std::vector<ForcedRow> rowsOf(const ForcedLine& line, std::int64_t contact)
+/// A set with its waves solved once.
+struct Solved {
+    const ForcedSet& set;
+    std::vector<Excitation> shapes;
+    ForcedWaves waves;
+
+    explicit Solved(const ForcedSet& of)
+        : set(of),
+          shapes(shapesOf(of.forcing, of.schedule.cells, steps(of.schedule))),
+          waves(of.schedule.cells, of.damping.rho(), shapes)
+    {
+        waves.setPhases(of.schedule.phases);
+    }
+
+    [[nodiscard]] bool isPlane() const { return shapes.size() > 1; }
+    [[nodiscard]] double waveLimit() const { return 0.5 * set.limits.strain; }
+    [[nodiscard]] ForcedCase motions() const { return {set.schedule, set.damping, shapes, waves}; }
+    [[nodiscard]] ForcedMotion at(const std::array<double, 2>& place) const
+    {
+        const ForcedCorner corner = meanAt(set.corners, place);
+        return forcedMotion(motions(), {corner.place[0], corner.place[1]}, corner.free);
+    }
+    [[nodiscard]] ForcedQuestion question() const
+    {
+        return {set.schedule, set.damping.rho(), shapes, waveLimit()};
+    }
+    /// What the set says of its line.
+    [[nodiscard]] ForcedLine line() const
+    {
+        ForcedLine line;
+        line.foot = {set.foot[0], set.foot[1]};
+        line.direction = {set.direction[0], set.direction[1]};
+        line.low = set.low;
+        line.high = set.high;
+        return line;
+    }
+};
+
+/// What leaves nothing of the line; the waves that are always held are at the least there can be.
+std::vector<ForcedCondition> conflictOf(const ForcedLine& line, const ForcedWaves& waves)
 {
-    std::vector<ForcedRow> rows;
-    const bool isShape = line.low == 0.0 && line.high == 0.0;
-    const auto steps = isShape ? std::array{line.blocking, std::int64_t{-1}}
-                               : std::array{line.lowRow, line.highRow};
-    for (const std::int64_t step : steps) {
-        if (step >= 0) {
-            rows.push_back({step < contact, step});
+    std::vector<ForcedCondition> conflict;
+    if (line.blocking && !(line.low > line.high)) {
+        conflict.push_back(*line.blocking);
+    } else {
+        for (const auto& row : {line.lowRow, line.highRow}) {
+            if (row) {
+                conflict.push_back(*row);
+            }
         }
     }
-    return rows;
+    for (const std::int64_t j : waves.freeClasses()) {
+        conflict.push_back({ForcedRule::held, j});
+    }
+    return conflict;
 }
 
-void explainAbsence(ForcedSet& set, const ForcedLine& line, std::span<const Excitation> shapes)
+Reason reasonOf(const std::vector<ForcedCondition>& conflict)
 {
-    const Phase& phase = set.schedule.phases.front();
-    std::vector<ForcedRow> rows = rowsOf(line, phase.contact);
-    const auto proves = [&](std::span<const ForcedRow> some) {
-        return forbidsContact(set.schedule.cells, phase.contact, set.damping.rho(), shapes, some);
+    const auto has = [&conflict](ForcedRule rule) {
+        return std::any_of(conflict.begin(), conflict.end(),
+                           [rule](const ForcedCondition& c) { return c.rule == rule; });
     };
-    if (!line.hasLine) {
-        set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
-        return;
-    }
-    if (!proves(rows)) {
-        set.detail = "two conditions exclude each other by no more than rounding can do";
+    return has(ForcedRule::strain)                              ? Reason::constraints
+           : has(ForcedRule::penetration)                       ? Reason::penetration
+           : has(ForcedRule::pressure) || has(ForcedRule::held) ? Reason::contactSign
+                                                                : Reason::gap;
+}
+
+void explainAbsence(ForcedSet& set, std::vector<ForcedCondition> conflict,
+                    const ForcedQuestion& question)
+{
+    if (!forbidsContact(question, conflict)) {
+        set.detail = "conditions exclude each other by no more than rounding can do";
         return;
     }
     set.status = Status::none;
-    for (const ForcedRow& row : rows) {
-        set.conflict.push_back({row.isContact, row.step});
-    }
-    set.reason =
-        std::all_of(rows.begin(), rows.end(), [](const ForcedRow& row) { return row.isContact; })
-            ? Reason::contactSign
-            : Reason::penetration;
+    set.reason = reasonOf(conflict);
+    set.conflict = std::move(conflict);
 }
 
 void describeLine(ForcedSet& set, const ForcedLine& line)
 {
-    set.foot[0] = line.foot.c;
-    set.foot[1] = line.foot.s;
+    set.foot = {line.foot.c, line.foot.s};
     if (set.forcing.shape.empty()) {
-        set.direction[0] = line.direction.c;
-        set.direction[1] = line.direction.s;
+        set.direction = {line.direction.c, line.direction.s};
     }
     set.low = line.low;
     set.high = line.high;
@@ -111,6 +151,83 @@ void describeLine(ForcedSet& set, const ForcedLine& line)
                                              : ForcedKind::point;
 }
 
+void describePolytope(ForcedSet& set, ForcedPolytope polytope)
+{
+    set.corners = std::move(polytope.corners);
+    const auto amplitude = [](const std::array<double, 2>& x) { return std::hypot(x[0], x[1]); };
+    set.leastAmplitude = amplitude(nearestPlace(set.corners));
+    set.mostAmplitude = polytope.isBounded ? amplitude(farthestPlace(set.corners))
+                                           : std::numeric_limits<double>::infinity();
+    set.kind = ForcedKind::polytope;
+}
+
+/// Of a line the motion of least amplitude, of a polygon all corners have to be motions, but for
+/// those that only stand for no end.
+double worstResidual(const ForcedSet& set, const Solved& solved)
+{
+    if (set.kind != ForcedKind::polytope) {
+        const ForcedLine line = solved.line();
+        return forcedMotion(solved.motions(), line.at(std::clamp(0.0, line.low, line.high)))
+            .residual;
+    }
+    double worst = solved.at(nearestPlace(set.corners)).residual;
+    for (const ForcedCorner& corner : set.corners) {
+        if (std::hypot(corner.place[0], corner.place[1]) <=
+            1e3 * std::max(1.0, set.leastAmplitude)) {
+            worst = std::max(worst, forcedMotion(solved.motions(),
+                                                 {corner.place[0], corner.place[1]}, corner.free)
+                                        .residual);
+        }
+    }
+    return worst;
+}
+
+void decide(ForcedSet& set, Solved& solved)
+{
+    ForcedWaves& waves = solved.waves;
+    set.freeWaves = waves.heldClasses() + waves.undampedClasses();
+    if (waves.undampedClasses() == 0) {
+        const ForcedLine line = waves.line(false, solved.waveLimit());
+        if (!line.hasLine && set.freeWaves == 0) {
+            set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
+            return;
+        }
+        if (line.isEmpty() && line.hasLine) {
+            explainAbsence(set, conflictOf(line, waves), solved.question());
+            if (set.status == Status::none || set.freeWaves == 0) {
+                return;
+            }
+        } else if (set.freeWaves == 0) {
+            describeLine(set, line);
+        }
+    }
+    if (set.freeWaves > 0) {
+        ForcedPolytope polytope = forcedPolytope(waves, solved.isPlane(), solved.waveLimit());
+        set.detail = polytope.detail;
+        if (polytope.conflict) {
+            explainAbsence(set, std::move(*polytope.conflict), solved.question());
+        }
+        if (polytope.corners.empty()) {
+            return;
+        }
+        describePolytope(set, std::move(polytope));
+    }
+    if (const double residual = worstResidual(set, solved); !(residual <= forcedTolerance)) {
+        set.kind = ForcedKind::empty;
+        set.corners.clear();
+        set.detail = fmt::format("the motion that was found leaves a residual of {:.3g}", residual);
+        return;
+    }
+    set.status = Status::found;
+}
+
+void requireMotions(const ForcedSet& set)
+{
+    if (set.status != Status::found) {
+        throw std::invalid_argument("set: holds no motion: allowed one with status found");
+    }
+}
+
 }  // namespace
 
 std::string_view name(ForcedKind kind)
@@ -118,132 +235,41 @@ std::string_view name(ForcedKind kind)
     return nameIn(forcedKindNames, kind);
 }
 
-std::vector<Excitation> shapesOf(const Forcing& forcing, std::int64_t cells, std::int64_t steps)
-{
-    if (forcing.shape.empty()) {
-        Harmonic harmonic{.place = forcing.place,
-                          .cycles = forcing.cycles,
-                          .steps = steps,
-                          .stepsPerCrossing = static_cast<double>(cells)};
-        Excitation cosine = excitationOf(harmonic);
-        harmonic.phase = 0.5 * std::numbers::pi;
-        return {std::move(cosine), excitationOf(harmonic)};
-    }
-    Excitation excitation{forcing.place, {}, static_cast<double>(cells)};
-    while (excitation.steps() < steps) {
-        excitation.values.insert(excitation.values.end(), forcing.shape.begin(),
-                                 forcing.shape.end());
-    }
-    return {std::move(excitation)};
-}
-
-ForcedMotion forcedMotion(const ForcedCase& all, Plane place)
-{
-    const std::int64_t cells = all.schedule.cells;
-    ForcedMotion motion;
-    motion.schedule = all.schedule;
-    motion.damping = all.damping;
-    motion.amplitude = std::hypot(place.c, place.s);
-    const auto value = [place](Plane x) { return x.dot(place); };
-    motion.excitation = {all.shapes.front().place, {}, static_cast<double>(cells)};
-    const bool isHarmonic = all.shapes.size() > 1;
-    for (std::size_t m = 0; m < all.shapes.front().values.size(); ++m) {
-        motion.excitation.values.push_back(
-            value({all.shapes.front().values[m], isHarmonic ? all.shapes.back().values[m] : 0.0}));
-    }
-    motion.phase = isHarmonic ? std::atan2(place.s, place.c) : 0.0;
-    const std::int64_t n = motion.excitation.steps();
-    motion.state =
-        stateOfWaves(cells, [&](std::int64_t m) { return value(all.waves.wave(m % n)); });
-    for (std::int64_t i = 0; i < cells; ++i) {
-        motion.state.b[i] += motion.excitation.baseVelocity(i);
-    }
-    const ForcedWalk walk = walkForced(motion.state, all.schedule.phases.front().contact,
-                                       all.damping, motion.excitation);
-    motion.impulse = walk.impulse;
-    motion.peakForce = walk.peakForce;
-    motion.lowest = walk.lowest;
-    motion.residual = walk.worst();
-    return motion;
-}
-
-ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping, const Forcing& forcing)
+ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping, const Forcing& forcing,
+                        const ForcedLimits& limits)
 {
     signorini::validate(schedule);
     signorini::validate(damping);
-    validate(schedule, forcing);
+    validate(schedule, forcing, limits);
     ForcedSet set;
     set.schedule = schedule;
     set.damping = damping;
     set.forcing = forcing;
-    const std::vector<Excitation> shapes = shapesOf(forcing, schedule.cells, steps(schedule));
-    ForcedWaves waves(schedule.cells, damping.rho(), shapes);
-    waves.setContact(schedule.phases.front().contact);
-    if (waves.undampedClasses() > 0) {
-        set.detail =
-            fmt::format("nothing damps the waves of {} classes of steps: their amplitudes are free",
-                        waves.undampedClasses());
-        return set;
-    }
-    const ForcedLine line = waves.line(false);
-    if (line.isEmpty()) {
-        explainAbsence(set, line, shapes);
-        return set;
-    }
-    if (waves.heldClasses() > 0) {
-        set.detail = fmt::format(
-            "{} classes of steps never fly: nothing damps their waves, their amplitudes are free",
-            waves.heldClasses());
-        return set;
-    }
-    describeLine(set, line);
-    const ForcedMotion least = forcedMotion({set.schedule, damping, shapes, waves},
-                                            line.at(std::clamp(0.0, line.low, line.high)));
-    if (least.residual <= forcedTolerance) {
-        set.status = Status::found;
-    } else {
-        set.kind = ForcedKind::empty;
-        set.detail =
-            fmt::format("the motion that was found leaves a residual of {:.3g}", least.residual);
-    }
+    set.limits = limits;
+    Solved solved(set);
+    decide(set, solved);
     return set;
 }
 
 ForcedMotion motionAt(const ForcedSet& set, double t)
 {
-    if (set.status != Status::found || !(t >= set.low && t <= set.high)) {
+    requireMotions(set);
+    if (set.kind == ForcedKind::polytope || !(t >= set.low && t <= set.high)) {
         Faults faults;
         faults.add("t", t,
-                   set.status == Status::found ? fmt::format("{}..{}", set.low, set.high)
-                                               : "nothing: the set holds no motion");
+                   set.kind == ForcedKind::polytope ? "nothing: a polytope has no line"
+                                                    : fmt::format("{}..{}", set.low, set.high));
         faults.throwIfAny();
     }
-    const std::vector<Excitation> shapes =
-        shapesOf(set.forcing, set.schedule.cells, steps(set.schedule));
-    ForcedWaves waves(set.schedule.cells, set.damping.rho(), shapes);
-    waves.setContact(set.schedule.phases.front().contact);
-    return forcedMotion({set.schedule, set.damping, shapes, waves},
-                        {set.foot[0] + t * set.direction[0], set.foot[1] + t * set.direction[1]});
+    const Solved solved(set);
+    return forcedMotion(solved.motions(), solved.line().at(t));
 }
 
 ForcedMotion leastAmplitudeMotion(const ForcedSet& set)
 {
-    return motionAt(set, set.status == Status::found ? std::clamp(0.0, set.low, set.high) : 0.0);
-}
-
-std::vector<double> placesOfAmplitude(double offset, double low, double high, double amplitude)
-{
-    const double squares = (amplitude - offset) * (amplitude + offset);
-    std::vector<double> places;
-    if (squares >= 0.0) {
-        const double t = std::sqrt(squares);
-        for (const double place : {-t, t}) {
-            if (place >= low && place <= high && (places.empty() || places.front() != place)) {
-                places.push_back(place);
-            }
-        }
-    }
-    return places;
+    requireMotions(set);
+    return set.kind == ForcedKind::polytope ? Solved(set).at(nearestPlace(set.corners))
+                                            : motionAt(set, std::clamp(0.0, set.low, set.high));
 }
 
 std::vector<ForcedMotion> motionsOfAmplitude(const ForcedSet& set, double amplitude)
@@ -251,28 +277,62 @@ std::vector<ForcedMotion> motionsOfAmplitude(const ForcedSet& set, double amplit
     Faults faults;
     faults.requirePositive("amplitude", amplitude, "EA g/L or g");
     faults.throwIfAny();
-    std::vector<ForcedMotion> motions;
-    if (set.status == Status::found) {
-        for (const double t : placesOfAmplitude(std::hypot(set.foot[0], set.foot[1]), set.low,
-                                                set.high, amplitude)) {
-            motions.push_back(motionAt(set, t));
-        }
+    if (set.status != Status::found) {
+        return {};
     }
-    std::sort(motions.begin(), motions.end(),
-              [](const ForcedMotion& x, const ForcedMotion& y) { return x.impulse < y.impulse; });
-    return motions;
+    const Solved solved(set);
+    if (set.kind != ForcedKind::polytope) {
+        return motionsOnLine(solved.motions(), solved.line(), amplitude);
+    }
+    if (amplitude < set.leastAmplitude || amplitude > set.mostAmplitude) {
+        return {};
+    }
+    // On the way from the nearest place to the farthest amplitudes grow: |x + s way| = amplitude.
+    const auto [c, s] = nearestPlace(set.corners);
+    const auto [farC, farS] = farthestPlace(set.corners);
+    const Plane from{c, s};
+    const Plane way = Plane{farC, farS} - from;
+    const double squares = way.dot(way);
+    const double half = from.dot(way);
+    const double lack = (amplitude - set.leastAmplitude) * (amplitude + set.leastAmplitude);
+    const double along =
+        squares > 0.0 ? (std::sqrt(half * half + squares * lack) - half) / squares : 0.0;
+    const Plane place = from + std::clamp(along, 0.0, 1.0) * way;
+    return {solved.at({place.c, place.s})};
+}
+
+AmplitudeExclusion exclusionOf(const ForcedSet& set, double amplitude)
+{
+    requireMotions(set);
+    AmplitudeExclusion exclusion{amplitude, {}, false};
+    Solved solved(set);
+    if (set.kind == ForcedKind::polytope) {
+        // The two waves whose rows are least alike.
+        double most = 0.0;
+        const std::vector<ForcedRow> rows = solved.waves.rows(solved.waveLimit());
+        for (const ForcedRow& row : rows) {
+            for (const ForcedRow& other : rows) {
+                const double area =
+                    std::abs(row.plane.c * other.plane.s - row.plane.s * other.plane.c);
+                if (row.condition.rule == ForcedRule::work &&
+                    other.condition.rule == ForcedRule::work && area > most) {
+                    most = area;
+                    exclusion.conflict = {row.condition, other.condition};
+                }
+            }
+        }
+        exclusion.isCertain = !exclusion.conflict.empty() &&
+                              forbidsAmplitude(solved.question(), amplitude, exclusion.conflict);
+        return exclusion;
+    }
+    exclusion.conflict = conflictOf(solved.waves.line(false, solved.waveLimit()), solved.waves);
+    exclusion.isCertain = forbidsAmplitude(solved.question(), amplitude, exclusion.conflict);
+    return exclusion;
 }
 
 bool isCertain(const ForcedSet& set)
 {
-    std::vector<ForcedRow> rows;
-    for (const ForcedCondition& condition : set.conflict) {
-        rows.push_back({condition.isContact, condition.step});
-    }
-    return set.status == Status::none &&
-           forbidsContact(set.schedule.cells, set.schedule.phases.front().contact,
-                          set.damping.rho(),
-                          shapesOf(set.forcing, set.schedule.cells, steps(set.schedule)), rows);
+    return set.status == Status::none && forbidsContact(Solved(set).question(), set.conflict);
 }
 
 }  // namespace signorini

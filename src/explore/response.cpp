@@ -30,6 +30,20 @@ void validate(const ResponseRange& range)
     signorini::validate(range.damping);
 }
 
+/// On both sides of the foot amplitudes grow along the line.
+void addBranches(FrequencyResponse& response, std::int64_t contact, const ForcedLine& line)
+{
+    const double offset = std::hypot(line.foot.c, line.foot.s);
+    const auto add = [&](double from, double to) {
+        if (from <= to) {
+            response.branches.push_back(
+                {contact, std::hypot(offset, from), std::hypot(offset, to)});
+        }
+    };
+    add(std::max(-line.high, 0.0), -line.low);
+    add(std::max(line.low, 0.0), line.high);
+}
+
 }  // namespace
 
 std::vector<std::int64_t> stepsOf(const ResponseRange& range)
@@ -77,25 +91,28 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
         if (line.isEmpty()) {
             continue;
         }
-        if (waves.heldClasses() > 0) {
-            ++response.undecided;
-            continue;
-        }
         const Schedule schedule{range.cells, {{contact, steps - contact}}};
-        const auto already = static_cast<std::ptrdiff_t>(response.motions.size());
-        for (const double t : placesOfAmplitude(std::hypot(line.foot.c, line.foot.s), line.low,
-                                                line.high, range.amplitude)) {
-            ForcedMotion motion =
-                forcedMotion({schedule, range.damping, shapes, waves}, line.at(t));
+        std::vector<ForcedMotion> motions;
+        if (waves.heldClasses() > 0) {
+            const ForcedSet set =
+                forcedMotions(schedule, range.damping, {range.place, range.cycles, {}});
+            response.undecided += set.status == Status::undecided ? 1 : 0;
+            if (set.status == Status::found) {
+                response.branches.push_back({contact, set.leastAmplitude, set.mostAmplitude});
+            }
+            motions = motionsOfAmplitude(set, range.amplitude);
+        } else {
+            addBranches(response, contact, line);
+            motions =
+                motionsOnLine({schedule, range.damping, shapes, waves}, line, range.amplitude);
+        }
+        for (ForcedMotion& motion : motions) {
             if (motion.residual <= forcedTolerance) {
                 response.motions.push_back(std::move(motion));
             } else {
                 ++response.undecided;
             }
         }
-        std::sort(
-            response.motions.begin() + already, response.motions.end(),
-            [](const ForcedMotion& x, const ForcedMotion& y) { return x.impulse < y.impulse; });
     }
     return response;
 }

@@ -27,7 +27,8 @@ std::int64_t ownSteps(const Schedule& schedule, std::size_t length, const ClassT
     }
     Schedule once{
         schedule.cells,
-        {schedule.phases.begin(), schedule.phases.begin() + static_cast<std::ptrdiff_t>(length)}};
+        {schedule.phases.begin(), schedule.phases.begin() + static_cast<std::ptrdiff_t>(length)},
+        schedule.stops};
     return classTypes(once).kernelDimension == classes.kernelDimension ? steps(once) : n;
 }
 
@@ -73,7 +74,7 @@ AtlasRow decideSeveral(const Schedule& schedule, std::size_t length, std::int64_
     row.status = Status::found;
     row.kind = shape.kind;
     row.dimension = shape.dimension;
-    row.energy = {set.leastEnergy, shape.energy.most};
+    row.energy = shape.energy;
     row.steps = ownSteps(schedule, length, set.classes);
 
     // In the motion of least energy a type presses where it has contact steps and a positive sum.

@@ -41,10 +41,11 @@ std::int64_t countCoprime(std::int64_t number, std::int64_t most)
 
 const Verdict& Tent::at(std::int64_t contact)
 {
-    if (!family) {
+    if (!family || isHeld(*family)) {
         Phase folded{contact, steps - contact};
         fold(verdict.cells, folded);
         verdict.members = (folded.contact + folded.free) / verdict.classes;
+        verdict.contactMembers = family ? verdict.members : 0;
     }
     verdict.firstLive = std::max<std::int64_t>(0, contact - summit);
     verdict.kernelDimension = verdict.classes - std::abs(contact - summit);
@@ -54,7 +55,10 @@ const Verdict& Tent::at(std::int64_t contact)
 
 Phase Tent::top() const
 {
-    return family ? Phase{summit, steps - summit} : Phase{1, 2 * verdict.classes - 1};
+    if (!family) {
+        return {1, 2 * verdict.classes - 1};
+    }
+    return isHeld(*family) ? Phase{verdict.classes - 1, 1} : Phase{summit, steps - summit};
 }
 
 Tents::Tents(const AtlasRange& range) : range_(range)
@@ -66,6 +70,12 @@ Tents::Tents(const AtlasRange& range) : range_(range)
 
 std::int64_t Tents::candidate(std::int64_t n) const
 {
+    if (range_.gapSign == 0) {
+        return n < 4 * range_.cells ? n : std::numeric_limits<std::int64_t>::max();
+    }
+    if (range_.gapSign < 0) {
+        return n;
+    }
     return n < 4 * range_.cells ? n : (n + twos_ - 1) / twos_ * twos_;
 }
 
@@ -77,12 +87,21 @@ Tent Tents::pressing(std::int64_t n, std::int64_t classes, const Family& family)
     tent.summit = family.contactBlocks * classes;
     Verdict& v = tent.verdict;
     v.cells = range_.cells;
+    v.gapSign = range_.gapSign;
     v.classes = classes;
     v.members = family.blocks;
     v.window = family.order;
     v.contactMembers = family.contactBlocks;
     v.windowSum = family.windowSum;
     cutDown(tent);
+    return tent;
+}
+
+Tent Tents::held(std::int64_t n, std::int64_t classes) const
+{
+    const std::int64_t order = 2 * range_.cells / classes;
+    Tent tent = pressing(n, classes, {order, n / classes, n / classes, order});
+    tent.family = Family{order, 1, 1, order};  // every n repeats that of n = G
     return tent;
 }
 
@@ -143,8 +162,22 @@ AtlasFamily Tents::familyOf(Tent& tent) const
     all.kind = whole.set.kind;
     all.dimension = whole.set.dimension();
     all.energy = energyRange(whole);
-    all.schedules = tent.family ? tent.lastKept - tent.firstKept + 1 : countGrazing(tent);
+    all.schedules = !tent.family           ? countGrazing(tent)
+                    : isHeld(*tent.family) ? countHeld(tent)
+                                           : tent.lastKept - tent.firstKept + 1;
     return all;
+}
+
+/// The schedules of n = mu G, mu without a factor of w, that are as often free as those kept of
+/// n = G: the same motions.
+std::int64_t Tents::countHeld(const Tent& tent) const
+{
+    std::int64_t count = 0;
+    for (std::int64_t free = tent.steps - tent.lastKept; free <= tent.steps - tent.firstKept;
+         ++free) {
+        count += countCoprime(tent.verdict.window, (range_.maxContact + free) / tent.steps);
+    }
+    return count;
 }
 
 /// The schedules n_c <= last of n = 2 mu G, mu without a factor of w, that the range keeps: the

@@ -30,7 +30,12 @@ struct Tent {
     [[nodiscard]] std::int64_t count() const { return std::max<std::int64_t>(0, last - first + 1); }
     [[nodiscard]] bool keepsAny() const { return firstKept <= lastKept; }
     /// Is it the one tent, of those with its orbits, whose schedules have their period?
-    [[nodiscard]] bool isOwn() const { return family || steps == 2 * verdict.classes; }
+    [[nodiscard]] bool isOwn() const
+    {
+        return !family           ? steps == 2 * verdict.classes
+               : isHeld(*family) ? steps == verdict.classes
+                                 : true;
+    }
     /// The schedule whose set is the whole.
     [[nodiscard]] Phase top() const;
 };
@@ -50,31 +55,45 @@ public:
     [[nodiscard]] bool forEach(std::int64_t n, Visit visit) const
     {
         const std::int64_t classes = std::gcd(2 * range_.cells, n);
-        if (n % twos_ == 0) {
+        if (range_.gapSign < 0) {
+            Tent tent = held(n, classes);
+            if (!pressAll(n, classes, visit)) {
+                return false;
+            }
+            return visit(tent);
+        }
+        if (range_.gapSign > 0 && n % twos_ == 0) {
             Tent tent = grazing(n, classes);
             if (!visit(tent)) {
                 return false;
             }
         }
-        if (n >= 4 * range_.cells) {  // T < 4 where motions press
-            return true;
-        }
-        return forEachContact(2 * range_.cells / classes, n / classes, 1,
-                              [&](const Family& family) {
-                                  Tent tent = pressing(n, classes, family);
-                                  return visit(tent);
-                              });
+        return pressAll(n, classes, visit);
     }
 
     /// The set of orbits of a tent that is its own, with all its schedules of the range.
     [[nodiscard]] AtlasFamily familyOf(Tent& tent) const;
 
 private:
+    template <typename Visit>
+    [[nodiscard]] bool pressAll(std::int64_t n, std::int64_t classes, Visit visit) const
+    {
+        if (n >= 4 * range_.cells) {  // T < 4 where motions press and leave
+            return true;
+        }
+        return forEachContact(2 * range_.cells / classes, n / classes, 1, range_.gapSign,
+                              [&](const Family& family) {
+                                  Tent tent = pressing(n, classes, family);
+                                  return visit(tent);
+                              });
+    }
+    [[nodiscard]] Tent held(std::int64_t n, std::int64_t classes) const;
     [[nodiscard]] Tent pressing(std::int64_t n, std::int64_t classes, const Family& family) const;
     [[nodiscard]] Tent grazing(std::int64_t n, std::int64_t classes) const;
     void cutDown(Tent& tent) const;
     [[nodiscard]] bool isLowEnough(const Verdict& verdict) const;
     [[nodiscard]] std::int64_t countGrazing(const Tent& tent) const;
+    [[nodiscard]] std::int64_t countHeld(const Tent& tent) const;
 
     AtlasRange range_;
     std::int64_t twos_ = 2;  ///< the power of 2 that n has when epsilon alternates: nu is even

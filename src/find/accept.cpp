@@ -8,23 +8,24 @@
 
 #include "energy_bound.hpp"
 #include "energy_section.hpp"
+#include "stepped_route.hpp"
 #include "tolerated.hpp"
 
 namespace signorini {
 
 namespace {
 
-bool holds(const FarkasCertificate& proof, const Schedule& schedule)
+bool holds(const FarkasCertificate& proof, const Schedule& schedule, const Scene&)
 {
     return isProof(proof, schedule);
 }
 
-bool holds(const ProgramProof& proof, const Schedule& schedule)
+bool holds(const ProgramProof& proof, const Schedule& schedule, const Scene&)
 {
     return isUnmet(proof.multipliers, schedule, proof.demands, proof.rows, proof.tolerance);
 }
 
-bool holds(const EnergyExclusion& proof, const Schedule& schedule)
+bool holds(const EnergyExclusion& proof, const Schedule& schedule, const Scene&)
 {
     const double wanted = proof.energyRatio;
     return std::isfinite(wanted) && proof.tolerance >= 0.0 &&
@@ -38,6 +39,9 @@ bool holds(const EnergyExclusion& proof, const Schedule& schedule)
 /// The motions of the energy to hold; one beyond an end, within the tolerance, is met by the end.
 HeldEnergy heldEnergyOf(const Request& request)
 {
+    if (request.isOfAnySize()) {
+        return {request.known.set.dimension - 1, true, 1};
+    }
     const EnergyRange& range = *request.known.set.energy;
     const auto section = sectionOfOnePhase(
         request.schedule, std::clamp(*request.demands.energyRatio, range.least, range.most));
@@ -67,7 +71,7 @@ public:
                 result_.how.route, seen.residuals.worst(), tolerance);
             return;
         }
-        const Scales unit = scales(request_.options.bar);
+        const Scales unit = scales(request_.options.scene.bar);
         const double energy = energyRatio(state);
         const Extremes extremes = extremesOf(state, request_.schedule, seen.repetitions);
         result_.status = Status::found;
@@ -80,16 +84,20 @@ public:
                         .canonical = std::move(seen.canonical),
                         .repetitions = seen.repetitions,
                         .pressing = std::move(seen.pressing),
+                        .isSymmetric = seen.isSymmetric,
                         .energy = energy * unit.energy,
                         .energyRatio = energy,
-                        .physical = physicalOf(extremes, request_.options.bar),
+                        .physical = physicalOf(extremes, request_.options.scene.bar),
                         .residuals = seen.residuals};
     }
 
     void operator()(Absence& absence) const
     {
         const bool isVerified = std::visit(
-            [this](const auto& proof) { return holds(proof, request_.schedule); }, absence.proof);
+            [this](const auto& proof) {
+                return holds(proof, request_.schedule, request_.options.scene);
+            },
+            absence.proof);
         if (auto* energies = std::get_if<EnergyExclusion>(&absence.proof)) {
             energies->isVerified = isVerified;
         } else if (!isVerified) {
@@ -114,8 +122,8 @@ PeriodicResult accept(const Request& request, Claim claim)
     PeriodicResult result;
     result.detail.clear();
     result.schedule = request.schedule;
-    result.bar = request.options.bar;
-    result.period = period(request.schedule) * scales(result.bar).time;
+    result.scene = request.options.scene;
+    result.period = period(request.schedule) * scales(result.scene.bar).time;
     result.frequencyRatio = frequencyRatio(request.schedule);
     result.set = request.known.set;
     result.how = std::move(claim.how);
@@ -129,8 +137,9 @@ bool isProof(const PeriodicResult& result)
         return false;
     }
     try {
-        return std::visit([&](const auto& proof) { return holds(proof, result.schedule); },
-                          result.absence->proof);
+        return std::visit(
+            [&](const auto& proof) { return holds(proof, result.schedule, result.scene); },
+            result.absence->proof);
     } catch (const std::invalid_argument&) {
         return false;  // no rows can be made of what it says
     }

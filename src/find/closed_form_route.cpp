@@ -20,7 +20,9 @@ Provenance provenanceOf(const Request& request)
                                "inside"},
                    .solver = {.name = std::string(closedForm)}};
     how.objective = request.demands.objective;
-    if (how.objective == Objective::automatic) {
+    if (request.isOfAnySize()) {
+        how.objective = Objective::maxImpulse;
+    } else if (how.objective == Objective::automatic) {
         how.objective =
             request.demands.energyRatio ? Objective::minPeakStrain : Objective::minEnergy;
     }
@@ -94,7 +96,10 @@ std::optional<Claim> closedFormRoute(const Request& request)
     if (auto absence = absenceByEnergy(request)) {
         return claim(std::move(*absence));
     }
-    if (auto state = candidate(*request.known.onePhase, request.demands)) {
+    auto state = request.isOfAnySize()
+                     ? std::optional(request.sized(leastEnergyMotion(*request.known.onePhase)))
+                     : candidate(*request.known.onePhase, request.demands);
+    if (state) {
         if (request.isMetBy(*state)) {
             return claim(std::move(*state));
         }

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <vector>
 
+#include "echo.hpp"
 #include "formulation.hpp"
 #include "program_rows.hpp"
 #include "rational.hpp"
 #include "signorini/lumped_set.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -44,17 +46,20 @@ Rational dualBound(const std::vector<const ClassType*>& live, const RationalVect
     return bound;
 }
 
-/// The best multiple of the gap row alone, sum windowSum S = -N.
-Rational boundByGap(const std::vector<const ClassType*>& live, std::int64_t cells)
+/// The best multiple of the gap row alone, sum windowSum S = -N with a gap > 0.
+Rational boundByGap(const std::vector<const ClassType*>& live, const Schedule& schedule)
 {
+    const WaveSum gap = gapSum(schedule);
     Rational square = 0;
     for (const ClassType* type : live) {
         // Only those that can help to reach the wall count.
-        if (type->windowSum < 0 || type->kind == TypeKind::grazing) {
+        const bool helps = gap.rhs < 0 ? type->windowSum < 0 : type->windowSum > 0;
+        if (helps || type->kind == TypeKind::grazing) {
             square += Rational(type->windowSum) * type->windowSum * type->count;
         }
     }
-    return square.is_zero() ? Rational(0) : Rational(cells) * cells / square;
+    const Rational wanted = Rational(gap.rhs, gap.factor);
+    return square.is_zero() ? Rational(0) : Rational(wanted * wanted / square);
 }
 
 /// The combination that the exact projection leaves, evaluated on the rows of the program.
@@ -116,7 +121,7 @@ bool exceedEnergy(const Schedule& schedule, double energyRatio)
     const ClassTypes classes = classTypes(schedule);
     const auto live = liveTypesOf(classes);
     const Rational wanted = squaresOf(energyRatio, classes);
-    if (boundByGap(live, classes.schedule.cells) > wanted) {
+    if (boundByGap(live, classes.schedule) > wanted) {
         return true;
     }
     constexpr std::int64_t mostSteps = 10'000'000;  // of the delay sequence in memory
@@ -128,11 +133,13 @@ bool stayBelowEnergy(const Schedule& schedule, double energyRatio, double strain
 {
     const ClassTypes classes = classTypes(schedule);
     const auto live = liveTypesOf(classes);
-    if (schedule.phases.size() != 1 || live.size() != 1 || live.front()->windowSum == 0) {
+    if (schedule.phases.size() != 1 || schedule.stops.left || live.size() != 1 ||
+        live.front()->windowSum == 0) {
         return false;
     }
     const ClassType& type = *live.front();
-    const Rational sum = Rational(-classes.schedule.cells) / type.windowSum;
+    const Rational sum =
+        Rational(gapSum(classes.schedule.cells, schedule.stops.right)) / type.windowSum;
     // On a grazing box Z runs from -N to 0, which is as far as from 0 to S.
     if (type.kind == TypeKind::grazing && type.windowSum != 1) {
         return false;

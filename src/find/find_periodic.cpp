@@ -4,15 +4,31 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include "accept.hpp"
+#include "faults.hpp"
 #include "routes.hpp"
+#include "stepped_bar.hpp"
+#include "stepped_route.hpp"
 
 namespace signorini {
 
 PeriodicResult findPeriodic(const Schedule& schedule, const FindOptions& options)
 {
+    if (isStepped(options)) {
+        return findStepped(schedule, options);
+    }
+    if (!options.scene.segments.empty()) {
+        requireCells(steppedBar(options.scene.segments), schedule.cells);
+        FindOptions alike = options;
+        alike.scene.segments.clear();
+        PeriodicResult result = findPeriodic(schedule, alike);
+        result.scene = options.scene;
+        result.how.leftOut.emplace_back("joints: between equal segments no wave comes back");
+        return result;
+    }
     constexpr std::array<Route, 5> routes{refuseRoute, closedFormRoute, sumsRoute, programRoute,
                                           heldEnergyRoute};
     Request request = checked(schedule, options);
@@ -28,6 +44,28 @@ PeriodicResult findPeriodic(std::int64_t contactSteps, std::int64_t freeSteps, s
                             const FindOptions& options)
 {
     return findPeriodic(Schedule{cells, {{contactSteps, freeSteps}}}, options);
+}
+
+std::vector<Schedule> schedulesOfPeriod(std::int64_t cells, std::int64_t steps, int gapSign)
+{
+    Faults faults;
+    faults.requireWhole("cells", cells, maxCells);
+    faults.requireWhole("steps", steps, maxSteps);
+    faults.throwIfAny();
+    const std::int64_t classes = std::gcd(2 * cells, steps);
+    const std::int64_t order = 2 * cells / classes;
+    const std::int64_t blocks = steps / classes;
+    std::vector<Schedule> sets;
+    for (const Family& family : familiesAt(order, blocks, gapSign)) {
+        if (family.contactBlocks < family.blocks || classes > 1) {
+            sets.push_back(scheduleOf(family, cells));
+        }
+    }
+    // p is antiperiodic after G steps: the period is 2G.
+    if (gapSign > 0 && blocks == 2 && classes > 1) {
+        sets.push_back({cells, {{1, steps - 1}}});
+    }
+    return sets;
 }
 
 std::string describe(const EnergyExclusion& exclusion)

@@ -19,6 +19,13 @@ namespace {
 Demands posedDemands(const Request& request)
 {
     Demands posed = request.demands;
+    if (request.isOfAnySize()) {
+        // Looked for at one impulse, and brought to the energy afterwards: least for its impulse is
+        // most impulse for its energy.
+        posed.energyRatio.reset();
+        posed.objective =
+            posed.objective == Objective::maxImpulse ? Objective::minEnergy : posed.objective;
+    }
     if (posed.objective == Objective::automatic && request.options.solver == automaticChoice &&
         !posed.energyRatio && preferred({.quadraticObjective = true}) != nullptr) {
         posed.objective = Objective::minEnergy;
@@ -31,6 +38,7 @@ std::string reasonFor(const Program& program, const Request& request)
 {
     const FindOptions& options = request.options;
     const char* cause = options.solver != automaticChoice           ? "as asked for"
+                        : request.schedule.stops.left               ? "two stops"
                         : !request.known.onePhase                   ? "several contact phases"
                         : options.formulation == Formulation::state ? "state asked for"
                                                                     : "demands beyond the closed "
@@ -145,15 +153,16 @@ Claim claimOfMotion(const Request& request, Solved& s)
     if (!doubt.empty()) {
         return {std::move(s.how), std::move(doubt)};
     }
-    return {std::move(s.how), std::move(state)};
+    return {std::move(s.how), request.sized(std::move(state))};
 }
 
 /// No motion came of it: claims absence if that is proved.
 Claim claimWithoutMotion(const Request& request, Solved& s)
 {
     const std::vector<State> known = knownMotions(request);
-    const bool isKnown = std::any_of(known.begin(), known.end(),
-                                     [&](const State& state) { return request.isMetBy(state); });
+    const bool isKnown = std::any_of(known.begin(), known.end(), [&](const State& state) {
+        return request.isMetBy(request.sized(state));
+    });
     if (isWithout(s.answer)) {
         auto absence = absenceOfAll(request);
         if (!absence) {

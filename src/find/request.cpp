@@ -1,32 +1,15 @@
 #include "request.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "backend_choice.hpp"
 #include "faults.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
 namespace {
-
-void validate(const FindOptions& options)
-{
-    signorini::validate(options.bar);
-    Faults faults;
-    if (!(options.tolerance >= 1e-12 && options.tolerance <= 1e-2)) {
-        faults.add("tolerance", options.tolerance, "1e-12..1e-2");
-    }
-    if (!(options.timeLimit > 0.0)) {
-        faults.add("timeLimit", options.timeLimit, "> 0 [s]");
-    }
-    if (options.iterationLimit < 0) {
-        faults.add("iterationLimit", options.iterationLimit, ">= 0 (0: no limit)");
-    }
-    requireBackend(options.solver);
-    if (options.solver == closedForm && options.formulation == Formulation::state) {
-        faults.add("formulation", name(options.formulation),
-                   "auto|reduced|lumped with solver closed-form");
-    }
-    faults.throwIfAny();
-}
 
 Demands demandsOf(const FindOptions& options)
 {
@@ -36,6 +19,43 @@ Demands demandsOf(const FindOptions& options)
             .tipFloor = options.tipFloor,
             .fixed = options.fixed,
             .energyRatio = options.energyRatio};
+}
+
+/// Without a gap motions have any size, and 0 is one: only an energy, or a second stop that is
+/// touched, says which is meant.
+void requireSize(const Request& request)
+{
+    const Schedule& schedule = request.schedule;
+    if (schedule.stops.right != 0) {
+        return;
+    }
+    const FindOptions& options = request.options;
+    Faults faults;
+    if (!isCone(schedule.stops)) {
+        const bool touchesBoth =
+            std::any_of(schedule.phases.begin(), schedule.phases.end(),
+                        [](const Phase& phase) { return phase.stop == Stop::left; });
+        if (!touchesBoth) {
+            faults.add("schedule", describe(schedule),
+                       "those with a contact on the second stop where the gap is 0");
+        }
+        faults.throwIfAny();
+        return;
+    }
+    if (!options.energyRatio) {
+        faults.add("energyRatio", "not given",
+                   "finite and > 0 where the gap is 0: motions have any size");
+    }
+    if (options.objective != Objective::automatic && options.objective != Objective::any &&
+        options.objective != Objective::maxImpulse) {
+        faults.add("objective", name(options.objective), "auto|any|max-impulse where the gap is 0");
+    }
+    if (std::isfinite(options.strainLimit) || std::isfinite(options.tipFloor) ||
+        !options.fixed.empty()) {
+        faults.add("limits", "strainLimit, tipFloor or fixed values",
+                   "none where the gap is 0: the energy sets the size");
+    }
+    faults.throwIfAny();
 }
 
 /// Held energies meet other objectives in the closed form of one contact phase only.
@@ -71,8 +91,9 @@ Known knownOfOnePhase(const Schedule& schedule)
     return known;
 }
 
-/// The sums that decide several phases and, if their number is within reach, what they decide.
-Known knownOfSeveralPhases(const Schedule& schedule)
+/// The sums that decide several phases, or two stops, and, if their number is within reach, what
+/// they decide.
+Known knownByItsSums(const Schedule& schedule)
 {
     Known known;
     const std::int64_t blocks = blockCount(schedule);
@@ -110,6 +131,33 @@ Known knownOfSeveralPhases(const Schedule& schedule)
 
 }  // namespace
 
+void checkOptions(const FindOptions& options)
+{
+    signorini::validate(options.scene);
+    Faults faults;
+    if (!(options.tolerance >= 1e-12 && options.tolerance <= 1e-2)) {
+        faults.add("tolerance", options.tolerance, "1e-12..1e-2");
+    }
+    if (!(options.timeLimit > 0.0)) {
+        faults.add("timeLimit", options.timeLimit, "> 0 [s]");
+    }
+    if (options.iterationLimit < 0) {
+        faults.add("iterationLimit", options.iterationLimit, ">= 0 (0: no limit)");
+    }
+    const bool isOfSegments =
+        options.formulation == Formulation::joints || options.formulation == Formulation::kernel;
+    if (isOfSegments && options.scene.segments.empty()) {
+        faults.add("formulation", name(options.formulation),
+                   "auto|state|reduced|lumped without segments");
+    }
+    requireBackend(options.solver);
+    if (options.solver == closedForm && options.formulation == Formulation::state) {
+        faults.add("formulation", name(options.formulation),
+                   "auto|reduced|lumped with solver closed-form");
+    }
+    faults.throwIfAny();
+}
+
 bool Request::allowsExact() const
 {
     const Formulation asked = options.formulation;
@@ -117,9 +165,23 @@ bool Request::allowsExact() const
         return true;
     }
     return options.solver == automaticChoice &&
-           (schedule.phases.size() == 1
-                ? asked != Formulation::state
-                : asked == Formulation::automatic || asked == Formulation::lumped);
+           (known.onePhase ? asked != Formulation::state
+                           : asked == Formulation::automatic || asked == Formulation::lumped);
+}
+
+bool Request::isOfAnySize() const
+{
+    return isCone(schedule.stops);
+}
+
+State Request::sized(State state) const
+{
+    if (isOfAnySize()) {
+        const double factor = std::sqrt(*demands.energyRatio / energyRatio(state));
+        state.a *= factor;
+        state.b *= factor;
+    }
+    return state;
 }
 
 bool Request::isMetBy(const State& state) const
@@ -129,13 +191,19 @@ bool Request::isMetBy(const State& state) const
 
 Request checked(const Schedule& schedule, const FindOptions& options)
 {
-    signorini::validate(schedule);
-    validate(options);
-    Request request{schedule, options, demandsOf(options), {}};
-    validate(request.demands, schedule);
+    checkOptions(options);
+    Schedule placed = schedule;
+    placed.stops = stopsOf(options.scene);
+    signorini::validate(placed);
+    Request request{std::move(placed), options, demandsOf(options), {}};
+    requireSize(request);
+    if (!request.isOfAnySize() || options.objective != Objective::maxImpulse) {
+        validate(request.demands, request.schedule);
+    }
     const Stopwatch watch;
-    request.known =
-        schedule.phases.size() == 1 ? knownOfOnePhase(schedule) : knownOfSeveralPhases(schedule);
+    request.known = schedule.phases.size() == 1 && !request.schedule.stops.left
+                        ? knownOfOnePhase(request.schedule)
+                        : knownByItsSums(request.schedule);
     request.known.seconds = watch.seconds();
     requireExactRoute(request);
     return request;

@@ -44,9 +44,16 @@ struct Request {
 
     /// May the answer come from the exact sets, without a program?
     [[nodiscard]] bool allowsExact() const;
+    /// Has every multiple of a motion to be a motion, too? Then the energy sets its size.
+    [[nodiscard]] bool isOfAnySize() const;
+    /// A motion at the energy asked for, where motions are of any size; otherwise the same.
+    [[nodiscard]] State sized(State state) const;
     /// Does a motion meet the demands within the tolerance?
     [[nodiscard]] bool isMetBy(const State& state) const;
 };
+
+/// What can be said of options without a schedule. \throws as `findPeriodic`.
+void checkOptions(const FindOptions& options);
 
 /// Validates, and asks exact arithmetic once. O(n/G), for several phases O(n/G K) and what
 /// `lumpedSetOf` takes. \throws as `findPeriodic`.

@@ -21,14 +21,18 @@ Provenance provenanceOf(const Request& request)
                                "rows of (32) inside sign blocks: prefix sums are monotone there",
                                "closure of the last flight: periodicity implies it"},
                    .solver = {.name = std::string(closedForm)}};
-    if (request.demands.objective != Objective::automatic) {
+    if (request.isOfAnySize()) {
+        how.objective = Objective::maxImpulse;
+    } else if (request.demands.objective != Objective::automatic) {
         how.objective = request.demands.objective;
     } else if (!request.demands.energyRatio) {
         how.objective = Objective::minEnergy;
     }
     if (const auto& sums = request.known.sums) {
-        how.reason = fmt::format("several contact phases: exact, {} sums of amplitudes decide",
-                                 sums->live.size());
+        how.reason =
+            fmt::format("{}: exact, {} sums of amplitudes decide",
+                        request.schedule.stops.left ? "two stops" : "several contact phases",
+                        sums->live.size());
         if (sums->classes.schedule != request.schedule) {
             how.leftOut.emplace_back("steps beyond 2N in contact and 4N in flight: they repeat");
         }
@@ -101,7 +105,9 @@ std::optional<Claim> sumsRoute(const Request& request)
     }
     if (known.sums) {
         auto state =
-            candidate(*known.sums, known.shape, request.demands, request.options.tolerance);
+            request.isOfAnySize()
+                ? std::optional(request.sized(equalMotion(*known.sums, known.sums->leastSums)))
+                : candidate(*known.sums, known.shape, request.demands, request.options.tolerance);
         if (state && request.isMetBy(*state)) {
             return claim(std::move(*state));
         }

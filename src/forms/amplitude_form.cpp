@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <set>
 #include <utility>
 
 #include "builders.hpp"
-#include "echo.hpp"
 #include "row_list.hpp"
 #include "signorini/lumped_set.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -16,7 +16,10 @@ namespace {
 class AmplitudeForm {
 public:
     AmplitudeForm(const Schedule& schedule, double depth, bool lumped)
-        : classes_(classTypes(schedule)), depth_(depth), lumped_(lumped)
+        : classes_(classTypes(schedule)),
+          limits_(flightLimits(classes_.schedule)),
+          floors_(floorsOf(classes_.schedule, depth)),
+          lumped_(lumped)
     {
     }
 
@@ -29,6 +32,7 @@ public:
         setBounds(result.program);
         addSums();
         addPrefixes();
+        addSize();
         equal_.moveTo(result.program.equalities, result.program.equalityRhs, columns_);
         below_.moveTo(result.program.inequalities, result.program.inequalityRhs, columns_);
         result.delay = delay();
@@ -90,6 +94,7 @@ private:
     /// Defines S and Z, and the gap row.
     void addSums()
     {
+        const WaveSum start = gapSum(classes_.schedule);
         Row gap;
         for (std::size_t t = 0; t < at_.size(); ++t) {
             const ClassType& type = classes_.types[t];
@@ -97,7 +102,7 @@ private:
             if (at.sum < 0) {
                 continue;
             }
-            gap.emplace_back(at.sum, static_cast<double>(type.windowSum));
+            gap.emplace_back(at.sum, static_cast<double>(start.factor * type.windowSum));
             if (at.partials >= 0) {
                 for (std::int64_t j = 0; j < type.count; ++j) {
                     Row row{{at.partials + j, -1.0}, {at.amplitudes + j, 1.0}};
@@ -119,7 +124,22 @@ private:
             }
         }
         std::erase_if(gap, [](const RowList::Entry& entry) { return entry.second == 0.0; });
-        equal_.add(gap, static_cast<double>(gapSum(classes_.schedule.cells)));
+        equal_.add(gap, static_cast<double>(start.rhs));
+    }
+
+    /// Without a gap: the size that a motion is looked for in.
+    void addSize()
+    {
+        if (!isCone(classes_.schedule.stops)) {
+            return;
+        }
+        Row row;
+        for (std::size_t t = 0; t < at_.size(); ++t) {
+            if (at_[t].sum >= 0 && classes_.types[t].contactMembers > 0) {
+                row.emplace_back(at_[t].sum, static_cast<double>(classes_.types[t].contactMembers));
+            }
+        }
+        equal_.add(row, static_cast<double>(classes_.schedule.cells));
     }
 
     /// One row per distinct prefix sum: many blocks repeat the same combination.
@@ -134,83 +154,85 @@ private:
                 const std::int64_t sign =
                     classes_.types[block.type].signs[static_cast<std::size_t>(block.alpha)];
                 if (at.partials >= 0) {
-                    boundInside(prefix, at, sign);
+                    boundInside(prefix, at, sign, block.phase);
                 }
                 prefix[block.type] += sign;
-                limit(prefix, {});
+                limitAbove(prefix, {}, block.phase);
+                limitBelow(prefix, {}, block.phase);
             }
             if (block.endsPhase) {
                 if (block.phase + 1 < phases) {
-                    equal_.add(combination(prefix), 0.0);
+                    const WaveSum& end = limits_[block.phase].end;
+                    equal_.add(combination(prefix, end.factor), static_cast<double>(end.rhs));
                 }
                 std::fill(prefix.begin(), prefix.end(), 0);
             }
         }
     }
 
-    /// -depth <= P + sign Z_j <= 0 for the inner j of a grazing block.
-    void boundInside(const std::vector<std::int64_t>& prefix, const Columns& at, std::int64_t sign)
+    /// The limits on P + sign Z_j for the inner j of a grazing block.
+    void boundInside(const std::vector<std::int64_t>& prefix, const Columns& at, std::int64_t sign,
+                     std::size_t phase)
     {
         const auto upper = sign > 0 ? at.above : at.below;
         const auto lower = sign > 0 ? at.below : at.above;
         const auto factor = static_cast<double>(sign);
-        limitAbove(prefix, {upper, factor});
-        limitBelow(prefix, {lower, factor});
+        limitAbove(prefix, {upper, factor}, phase);
+        limitBelow(prefix, {lower, factor}, phase);
     }
 
-    void limit(const std::vector<std::int64_t>& prefix, RowList::Entry extra)
+    void limitAbove(const std::vector<std::int64_t>& prefix, RowList::Entry extra,
+                    std::size_t phase)
     {
-        limitAbove(prefix, extra);
-        limitBelow(prefix, extra);
+        const WaveSum& most = limits_[phase].most;
+        addOnce(prefix, extra, most.factor, static_cast<double>(most.rhs));
     }
 
-    void limitAbove(const std::vector<std::int64_t>& prefix, RowList::Entry extra)
+    void limitBelow(const std::vector<std::int64_t>& prefix, RowList::Entry extra,
+                    std::size_t phase)
     {
-        if (seen_.insert({key(prefix, extra), 1}).second) {
-            addBelow(prefix, extra, 1.0, 0.0);
+        if (const auto& least = limits_[phase].least) {
+            addOnce(prefix, extra, -least->factor, -static_cast<double>(least->rhs));
+        }
+        if (std::isfinite(floors_[phase])) {
+            addOnce(prefix, extra, -1, -floors_[phase]);
         }
     }
 
-    void limitBelow(const std::vector<std::int64_t>& prefix, RowList::Entry extra)
+    /// factor (P + extra) <= rhs, if that row is not there yet.
+    void addOnce(const std::vector<std::int64_t>& prefix, RowList::Entry extra, std::int64_t factor,
+                 double rhs)
     {
-        std::vector<std::int64_t> tag = key(prefix, extra);
-        tag.push_back(-1);
-        if (std::isfinite(depth_) && seen_.insert({std::move(tag), 1}).second) {
-            addBelow(prefix, extra, -1.0, depth_);
-        }
-    }
-
-    void addBelow(const std::vector<std::int64_t>& prefix, RowList::Entry extra, double factor,
-                  double rhs)
-    {
-        Row row = combination(prefix);
+        Row row = combination(prefix, factor);
         if (extra.second != 0.0) {
-            row.push_back(extra);
+            row.emplace_back(extra.first, static_cast<double>(factor) * extra.second);
         }
-        for (auto& [column, value] : row) {
-            value *= factor;
-        }
-        if (!row.empty()) {
+        if (!row.empty() && seen_.emplace(row, rhs).second) {
             below_.add(row, rhs);
         }
     }
 
-    [[nodiscard]] Row combination(const std::vector<std::int64_t>& prefix) const
+    [[nodiscard]] Row combination(const std::vector<std::int64_t>& prefix,
+                                  std::int64_t factor) const
     {
         Row row;
         for (std::size_t t = 0; t < prefix.size(); ++t) {
             if (prefix[t] != 0) {
-                row.emplace_back(at_[t].sum, static_cast<double>(prefix[t]));
+                row.emplace_back(at_[t].sum, static_cast<double>(factor * prefix[t]));
             }
         }
         return row;
     }
 
-    static std::vector<std::int64_t> key(std::vector<std::int64_t> prefix, RowList::Entry extra)
+    /// Lower limits on prefix sums by a floor under the tip, `depth` below the wall.
+    static std::vector<double> floorsOf(const Schedule& schedule, double depth)
     {
-        prefix.push_back(extra.second == 0.0 ? -1 : extra.first);
-        prefix.push_back(static_cast<std::int64_t>(extra.second));
-        return prefix;
+        const auto crossing = crossingSum(schedule);
+        std::vector<double> floors;
+        for (const Phase& phase : schedule.phases) {
+            floors.push_back((phase.stop == Stop::right ? 0.0 : crossing.value().value()) - depth);
+        }
+        return floors;
     }
 
     [[nodiscard]] std::vector<DelayTerm> delay() const
@@ -241,13 +263,14 @@ private:
     }
 
     ClassTypes classes_;
-    double depth_;
+    std::vector<FlightLimits> limits_;
+    std::vector<double> floors_;
     bool lumped_;
     Eigen::Index columns_ = 0;
     std::vector<Columns> at_;
     RowList equal_;
     RowList below_;
-    std::map<std::vector<std::int64_t>, int> seen_;
+    std::set<std::pair<Row, double>> seen_;
 };
 
 }  // namespace

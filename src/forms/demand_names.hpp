@@ -12,6 +12,8 @@ inline constexpr auto formulationNames = std::to_array<Named<Formulation>>({
     {Formulation::state, "state"},
     {Formulation::reduced, "reduced"},
     {Formulation::lumped, "lumped"},
+    {Formulation::joints, "joints"},
+    {Formulation::kernel, "kernel"},
 });
 
 inline constexpr auto objectiveNames = std::to_array<Named<Objective>>({

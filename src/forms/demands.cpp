@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "demand_names.hpp"
-#include "echo.hpp"
 #include "faults.hpp"
 
 namespace signorini {
@@ -40,8 +39,9 @@ void validate(const Demands& demands, const Schedule& schedule)
     if (!(demands.strainLimit > 0.0)) {
         faults.add("strainLimit", demands.strainLimit, "> 0");
     }
-    if (!(demands.tipFloor < gapOffset)) {
-        faults.add("tipFloor", demands.tipFloor, "below the wall: < 1 [g]");
+    if (!(demands.tipFloor < schedule.stops.right)) {
+        faults.add("tipFloor", demands.tipFloor,
+                   fmt::format("below the wall: < {} [g]", schedule.stops.right));
     }
     if (demands.energyRatio &&
         !(std::isfinite(*demands.energyRatio) && *demands.energyRatio > 0.0)) {

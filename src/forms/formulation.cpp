@@ -19,7 +19,11 @@ Formulated formulate(const Schedule& schedule, Formulation formulation, double d
     Formulated result;
     switch (formulation) {
         case Formulation::automatic:
-            throw std::invalid_argument("formulation = auto: allowed state|reduced|lumped");
+        case Formulation::joints:
+        case Formulation::kernel:
+            throw std::invalid_argument(std::string("formulation = ") +
+                                        std::string(name(formulation)) +
+                                        ": allowed state|reduced|lumped for a uniform bar");
         case Formulation::state:
             result = stateForm(schedule, depth);
             break;

@@ -11,6 +11,9 @@
 ///     (W - 1)(a, b) = 0,   sum(b - a) = N,   -p_m <= 0 in contact,
 ///     y_k = y_{k-1} + p_k,   -depth <= y_k <= 0 in flight,   y = 0 at the end of a flight
 ///
+/// With other stops the right sides are those of stops.hpp, and p changes its sign where the second
+/// one is touched. Without a gap the size is held by one more equality, sum p over contact = N.
+///
 /// **reduced**: class amplitudes z (lumped_set.hpp) satisfy (30) by themselves, and inside a block
 /// of a pressing type the prefix sums are monotone, so that only block ends count. With S the sum
 /// of z over a type, Z_j the partial sums of a grazing type, and P a prefix sum at the end of a

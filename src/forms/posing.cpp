@@ -8,6 +8,7 @@
 #include "echo.hpp"
 #include "formulation.hpp"
 #include "row_list.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -116,7 +117,7 @@ void maximiseImpulse(Formulated& f)
         for (std::int64_t k = 0; k < phase.contact; ++k) {
             const DelayTerm& term = termAt(f, step + k);
             f.program.linear[term.column] -=
-                2.0 * term.factor / static_cast<double>(f.schedule.cells);
+                pushSign(phase.stop) * 2.0 * term.factor / static_cast<double>(f.schedule.cells);
         }
         step += phase.contact + phase.free;
     }
@@ -152,7 +153,8 @@ Formulated pose(const Schedule& schedule, const Demands& demands, Formulation fo
         throw std::invalid_argument(
             "formulation = lumped: allowed state|reduced when single amplitudes matter");
     }
-    const double depth = 0.5 * static_cast<double>(schedule.cells) * (gapOffset - demands.tipFloor);
+    const double depth =
+        0.5 * static_cast<double>(schedule.cells) * (schedule.stops.right - demands.tipFloor);
     Formulated f = formulate(schedule, formulation, depth);
     if (std::isfinite(demands.strainLimit)) {
         boundWaves(f, 0.5 * demands.strainLimit);

@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <limits>
+
 #include "builders.hpp"
-#include "echo.hpp"
 #include "equations.hpp"
 #include "row_list.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -15,6 +18,16 @@ Row rowOf(const SparseMatrix& matrix, Eigen::Index k)
     }
     return row;
 }
+
+Row scaled(Row row, double factor)
+{
+    for (auto& [column, value] : row) {
+        value *= factor;
+    }
+    return row;
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -30,8 +43,13 @@ Formulated stateForm(const Schedule& schedule, double depth)
     const Eigen::Index flights = tip.velocity.rows();
     Program& program = result.program;
     program = emptyProgram(waves + flights);
-    program.upper.tail(flights).setZero();
-    program.lower.tail(flights).setConstant(-depth);
+    const std::vector<FlightLimits> limits = flightLimits(used);
+    const auto crossing = crossingSum(used);
+    // y counts in units that make the way between two stops a whole number.
+    const std::int64_t unit = crossing ? crossing->factor : 1;
+    const auto inUnits = [unit](const WaveSum& sum) {
+        return static_cast<double>(unit / sum.factor * sum.rhs);
+    };
 
     RowList equal;
     for (Eigen::Index i = 0; i < waves; ++i) {
@@ -40,20 +58,31 @@ Formulated stateForm(const Schedule& schedule, double depth)
         equal.add(row, 0.0);
     }
     // The row of (31) is minus the sum of the waves.
-    equal.add(rowOf(gapRow(used.cells), 0), -static_cast<double>(gapSum(used.cells)));
+    const WaveSum start = gapSum(used);
+    equal.add(scaled(rowOf(gapRow(used.cells), 0), static_cast<double>(start.factor)),
+              -static_cast<double>(start.rhs));
     RowList below;
+    Row size;
     Eigen::Index held = 0;
     Eigen::Index flown = 0;
-    for (const Phase& phase : used.phases) {
+    for (std::size_t k = 0; k < used.phases.size(); ++k) {
+        const Phase& phase = used.phases[k];
+        const FlightLimits& limit = limits[k];
         for (std::int64_t step = 0; step < phase.contact; ++step, ++held) {
             const Row row = rowOf(tip.pressure, held);
-            below.add(row, 0.0);
+            below.add(scaled(row, pushSign(phase.stop)), 0.0);
             result.delay.push_back({row.front().first, -row.front().second});
+            size.emplace_back(row.front().first, -row.front().second);
         }
+        const double bottom = limit.least ? inUnits(*limit.least) : -infinity;
+        const double floor = static_cast<double>(unit) *
+                             ((phase.stop == Stop::right ? 0.0 : crossing.value().value()) - depth);
+        program.upper.segment(waves + flown, phase.free).setConstant(inUnits(limit.most));
+        program.lower.segment(waves + flown, phase.free).setConstant(std::max(bottom, floor));
         for (std::int64_t step = 0; step < phase.free; ++step, ++flown) {
             Row row = rowOf(tip.velocity, flown);
             result.delay.push_back({row.front().first, row.front().second});
-            row.front().second *= -1.0;
+            row.front().second *= -static_cast<double>(unit);
             row.emplace_back(waves + flown, 1.0);
             if (step > 0) {
                 row.emplace_back(waves + flown - 1, -1.0);
@@ -61,8 +90,12 @@ Formulated stateForm(const Schedule& schedule, double depth)
             equal.add(row, 0.0);
         }
         if (flown < flights) {
-            program.lower[waves + flown - 1] = 0.0;
+            program.lower[waves + flown - 1] = program.upper[waves + flown - 1] =
+                inUnits(limit.end);
         }
+    }
+    if (isCone(used.stops)) {
+        equal.add(size, static_cast<double>(used.cells));
     }
     equal.moveTo(program.equalities, program.equalityRhs, program.variables());
     below.moveTo(program.inequalities, program.inequalityRhs, program.variables());

@@ -31,7 +31,7 @@ double distanceOutside(const AmplitudeSet& set, std::span<const double> z)
         if (isBox && j + 1 < z.size()) {
             worst = std::max({worst, set.lower - partial, partial - set.upper});
         }
-        if (set.kind == SetKind::simplex) {
+        if (set.kind == SetKind::simplex || set.kind == SetKind::cone) {
             worst = std::max(worst, -z[j]);
         }
     }

@@ -13,6 +13,7 @@ inline constexpr auto setKindNames = std::to_array<Named<SetKind>>({
     {SetKind::simplex, "simplex"},
     {SetKind::box, "box"},
     {SetKind::polytope, "polytope"},
+    {SetKind::cone, "cone"},
 });
 
 }  // namespace signorini

@@ -88,7 +88,7 @@ void Echo::advance(std::int64_t count, bool isContact)
     head_ = (head_ + count) % (2 * cells_);
 }
 
-double Echo::distance() const
+double Echo::distance(bool toMirrored) const
 {
     double largest = 0.0;
     std::int64_t at = head_;
@@ -100,7 +100,8 @@ double Echo::distance() const
             was = slotsAt(m, is.count);
             const Values before(was.first, was.count);
             const Values now(is.first, is.count);
-            const double sign = (is.isNegated != run.isNegated) == was.isNegated ? 1.0 : -1.0;
+            const bool isSame = ((is.isNegated != run.isNegated) == was.isNegated) != toMirrored;
+            const double sign = isSame ? 1.0 : -1.0;
             const double apart = is.isReversed == was.isReversed
                                      ? (before - sign * now).abs().maxCoeff()
                                      : (before - sign * now.reverse()).abs().maxCoeff();

@@ -56,8 +56,8 @@ public:
     /// flight negated. O(1).
     void advance(std::int64_t count, bool isContact);
 
-    /// max |x - start| over all 2N values, x the present state. O(N).
-    [[nodiscard]] double distance() const;
+    /// max |x - start| over all 2N values, x the present state; or |x + start|. O(N).
+    [[nodiscard]] double distance(bool toMirrored = false) const;
 
 private:
     struct Run {

@@ -5,8 +5,17 @@
 #include <string>
 
 #include "faults.hpp"
+#include "signorini/schedule.hpp"
 
 namespace signorini {
+
+namespace {
+
+/// Of h/|g|: a fraction for it then fits in 64 bits with room for sums over the cells.
+constexpr double leastReach = 1e-4;
+constexpr double mostReach = 1e4;
+
+}  // namespace
 
 Bar barOfMaterial(double length, double young, double density, double area, double gap)
 {
@@ -30,7 +39,9 @@ void validate(const Bar& bar)
     faults.requirePositive("length", bar.length, "m");
     faults.requirePositive("waveSpeed", bar.waveSpeed, "m/s");
     faults.requirePositive("axialStiffness", bar.axialStiffness, "N");
-    faults.requirePositive("gap", bar.gap, "m");
+    if (!std::isfinite(bar.gap)) {
+        faults.add("gap", bar.gap, "finite numbers [m]");
+    }
     if (bar.young) {
         faults.requirePositive("young", *bar.young, "Pa");
     }
@@ -56,13 +67,49 @@ void validate(const Bar& bar)
 
 Scales scales(const Bar& bar)
 {
-    const double strain = bar.gap / bar.length;
-    return {.displacement = bar.gap,
+    const double displacement = bar.gap == 0.0 ? bar.length : std::abs(bar.gap);
+    const double strain = displacement / bar.length;
+    return {.displacement = displacement,
             .strain = strain,
             .velocity = bar.waveSpeed * strain,
             .time = bar.length / bar.waveSpeed,
-            .energy = 0.5 * bar.axialStiffness * bar.gap * strain,
+            .energy = 0.5 * bar.axialStiffness * displacement * strain,
             .frequency = std::numbers::pi * bar.waveSpeed / (2.0 * bar.length)};
+}
+
+void validate(const Scene& scene)
+{
+    validate(scene.bar);
+    Faults faults;
+    if (scene.secondStop) {
+        const double reach = *scene.secondStop / scales(scene.bar).displacement;
+        faults.requirePositive("secondStop", *scene.secondStop, "m");
+        if (!(*scene.secondStop > -scene.bar.gap)) {
+            faults.add("secondStop", *scene.secondStop,
+                       fmt::format("> -g = {} [m]", -scene.bar.gap));
+        } else if (!(reach >= leastReach && reach <= mostReach)) {
+            faults.add("secondStop", *scene.secondStop,
+                       fmt::format("{}..{} times {}", leastReach, mostReach,
+                                   scene.bar.gap == 0.0 ? "the length of the bar" : "the gap"));
+        }
+    }
+    std::size_t number = 0;
+    for (const Segment& segment : scene.segments) {
+        const std::string which = fmt::format(" of segment {}", ++number);
+        faults.requireWhole("cells" + which, segment.cells, maxCells);
+        faults.requirePositive("impedance" + which, segment.impedance, "-");
+        faults.requirePositive("speed" + which, segment.speed, "-");
+        if (!(std::isfinite(segment.dashpot) && segment.dashpot >= 0.0)) {
+            faults.add("dashpot" + which, segment.dashpot, "finite and >= 0 [-]");
+        }
+    }
+    faults.throwIfAny();
+}
+
+double staticForce(const Scene& scene)
+{
+    const Bar& bar = scene.bar;
+    return bar.gap < 0.0 ? -bar.axialStiffness * bar.gap / bar.length : 0.0;
 }
 
 }  // namespace signorini

@@ -25,9 +25,6 @@ namespace signorini {
 inline constexpr int contactFactor = 1;
 inline constexpr int flightFactor = -1;
 
-/// u(L, 0)/g where the tip is at the wall, the right side of (31).
-inline constexpr int gapOffset = 1;
-
 /// The factor of one step.
 [[nodiscard]] constexpr int echoFactor(bool isContact)
 {
@@ -40,10 +37,11 @@ inline constexpr int gapOffset = 1;
     return count % 2 == 0 ? 1 : flightFactor;
 }
 
-/// p_0 + ... + p_{2N-1} where the tip is at the wall: the gap row (31).
-[[nodiscard]] constexpr std::int64_t gapSum(std::int64_t cells)
+/// p_0 + ... + p_{2N-1} where the tip is at the wall, `right` the sign of the gap: the gap row
+/// (31).
+[[nodiscard]] constexpr std::int64_t gapSum(std::int64_t cells, int right)
 {
-    return -gapOffset * cells;
+    return -right * cells;
 }
 
 /// Number among a_1..a_N, b_1..b_N, and sign there, of the wave that arrives in step m < 2N.

@@ -31,8 +31,8 @@ std::vector<Arrival> ringOf(const State& state, const Schedule& folded)
     ring.reserve(static_cast<std::size_t>(steps(folded)));
     // A period ends in flight, so there is no force before its first step.
     bool wasPressed = false;
-    forEachStep(state, folded, [&](double p, bool isContact) {
-        const bool isPressed = isContact && p > 0.0;
+    forEachStep(state, folded, [&](double p, int push) {
+        const bool isPressed = push * p > 0.0;
         ring.push_back({isPressed && !wasPressed, p + 0.0});  // -0 + 0 is +0
         wasPressed = isPressed;
     });
@@ -96,7 +96,7 @@ std::vector<double> arrivals(const State& state, const Schedule& schedule)
     const Schedule folded = foldedFor(state, schedule);
     std::vector<double> result;
     result.reserve(static_cast<std::size_t>(steps(folded)));
-    forEachStep(state, folded, [&result](double p, bool) { result.push_back(p); });
+    forEachStep(state, folded, [&result](double p, int) { result.push_back(p); });
     return result;
 }
 

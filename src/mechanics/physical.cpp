@@ -2,10 +2,10 @@
 #include <limits>
 
 #include "arrivals.hpp"
-#include "echo.hpp"
 #include "faults.hpp"
 #include "propagation.hpp"
 #include "signorini/motion.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -16,27 +16,42 @@ constexpr double tolerance = 1e-9;
 /// Collects what a period reaches, in units of p and of steps.
 class Tally {
 public:
-    explicit Tally(const State& state)
+    Tally(const State& state, const Schedule& schedule)
         : pressing_(tolerance * amplitude(state)),
-          atWall_(tolerance * 0.5 * static_cast<double>(state.cells()))
+          halfCells_(0.5 * static_cast<double>(state.cells())),
+          atWall_(tolerance * halfCells_),
+          crossing_(crossingSum(schedule).value_or(WaveSum{}).value()),
+          hasTwo_(schedule.stops.left.has_value()),
+          wall_(schedule.stops.right * halfCells_),
+          deepest_(wall_)
     {
+    }
+
+    void beginContact(Stop stop, const Stops& stops)
+    {
+        isRight_ = stop == Stop::right;
+        start_ = halfCells_ * stops.right - (isRight_ ? 0.0 : crossing_);
+        deepest_ = std::min(deepest_, start_);
     }
 
     void contact(const Arrivals& arrivals)
     {
         see(arrivals);
-        push_ = std::max(push_, arrivals.high());
-        impulse_.add(arrivals.sum(), 1.0);
-        if (arrivals.low() > pressing_) {
+        const double sign = isRight_ ? 1.0 : -1.0;
+        const double weakest = isRight_ ? arrivals.low() : -arrivals.high();
+        const double strongest = isRight_ ? arrivals.high() : -arrivals.low();
+        push_ = std::max(push_, strongest);
+        impulse_.add(arrivals.sum(), sign);
+        if (weakest > pressing_) {
             pressed_ += arrivals.count();
-        } else if (arrivals.high() > pressing_) {
+        } else if (strongest > pressing_) {
             for (std::int64_t k = 0; k < arrivals.count(); ++k) {
-                pressed_ += arrivals.at(k) > pressing_ ? 1 : 0;
+                pressed_ += sign * arrivals.at(k) > pressing_ ? 1 : 0;
             }
         }
     }
 
-    void beginFlight() { prefix_ = CompensatedSum(); }
+    void beginFlight() { prefix_ = CompensatedSum(start_); }
 
     void flight(const Arrivals& arrivals)
     {
@@ -44,7 +59,8 @@ public:
         CompensatedSum after = prefix_;
         after.add(arrivals.sum(), 1.0);
         // A tip that only retreats, or comes nearer and does not arrive, is lowest at an end.
-        if (arrivals.high() <= 0.0 || (arrivals.low() >= 0.0 && after.value() < -atWall_)) {
+        const bool isAway = !reaches(after.value());
+        if ((arrivals.high() <= 0.0 && (isAway || !hasTwo_)) || (arrivals.low() >= 0.0 && isAway)) {
             prefix_ = after;
             deepest_ = std::min(deepest_, prefix_.value());
             return;
@@ -53,8 +69,9 @@ public:
             const double p = arrivals.at(k);
             prefix_.add(p);
             deepest_ = std::min(deepest_, prefix_.value());
-            if (p > landing_ && prefix_.value() >= -atWall_) {
-                landing_ = p;
+            const double speed = p > 0.0 ? p : hasTwo_ ? -p : 0.0;
+            if (speed > landing_ && meets(prefix_.value(), p > 0.0)) {
+                landing_ = speed;
             }
         }
     }
@@ -71,7 +88,7 @@ public:
                 .approachSpeed = 2.0 * landing_,
                 .peakCompression = 2.0 * highest_,
                 .peakTension = -2.0 * lowest_,
-                .lowestTip = gapOffset + 2.0 * deepest_ * dx};
+                .lowestTip = 2.0 * deepest_ * dx};
     }
 
 private:
@@ -81,13 +98,30 @@ private:
         lowest_ = std::min(lowest_, arrivals.low());
     }
 
+    /// Is the tip at the stop on this side?
+    [[nodiscard]] bool meets(double place, bool onTheRight) const
+    {
+        return onTheRight ? place >= wall_ - atWall_ : place <= wall_ - crossing_ + atWall_;
+    }
+
+    [[nodiscard]] bool reaches(double place) const
+    {
+        return meets(place, true) || (hasTwo_ && meets(place, false));
+    }
+
     double pressing_;
+    double halfCells_;
     double atWall_;
+    double crossing_;  ///< from stop to stop
+    bool hasTwo_;
+    double wall_;          ///< N/2 u(L) there, as all places here
+    bool isRight_ = true;  ///< the stop touched last
+    double start_ = 0.0;   ///< its place
     double highest_ = -std::numeric_limits<double>::infinity();
     double lowest_ = std::numeric_limits<double>::infinity();
     double push_ = 0.0;
     double landing_ = 0.0;
-    double deepest_ = 0.0;
+    double deepest_;
     CompensatedSum prefix_;
     CompensatedSum impulse_;
     std::int64_t pressed_ = 0;
@@ -101,9 +135,10 @@ Extremes extremesOf(const State& state, const Schedule& schedule, std::int64_t r
     faults.requireWhole("repetitions", repetitions, maxSteps);
     faults.throwIfAny();
     const Schedule walked = foldedFor(state, schedule);
-    Tally tally(state);
+    Tally tally(state, walked);
     Echo echo(state);
     for (const Phase& phase : walked.phases) {
+        tally.beginContact(phase.stop, walked.stops);
         forEachPiece(echo, phase.contact, true, [&](const Arrivals& p) { tally.contact(p); });
         tally.beginFlight();
         forEachPiece(echo, phase.free, false, [&](const Arrivals& p) { tally.flight(p); });

@@ -13,6 +13,7 @@
 #include "echo.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -74,17 +75,18 @@ private:
 /// schedule or a state with other cells.
 [[nodiscard]] Schedule foldedFor(const State& state, Schedule schedule);
 
-/// Calls visit(p_m, is it a contact step?) for every step of one period. O(n).
+/// Calls visit(p_m, sign of a push) for every step of one period: 1 at the wall, -1 at the second
+/// stop, 0 in flight. O(n).
 template <typename Visit>
 void forEachStep(const State& state, const Schedule& schedule, Visit visit)
 {
     DelayLine line(state);
     for (const Phase& phase : schedule.phases) {
         for (std::int64_t step = 0; step < phase.contact; ++step, line.contactStep()) {
-            visit(line.incoming(), true);
+            visit(line.incoming(), pushSign(phase.stop));
         }
         for (std::int64_t step = 0; step < phase.free; ++step, line.freeStep()) {
-            visit(line.incoming(), false);
+            visit(line.incoming(), 0);
         }
     }
 }

@@ -4,10 +4,64 @@
 
 #include <cstddef>
 #include <numeric>
+#include <utility>
 
 #include "faults.hpp"
+#include "rational.hpp"
+#include "verdict_names.hpp"
 
 namespace signorini {
+
+std::string_view name(Stop stop)
+{
+    return nameIn(stopNames, stop);
+}
+
+Fraction simplestFraction(double value)
+{
+    // Convergents p/q of the continued fraction, and between the last two the semiconvergents: the
+    // first that rounds to the value is the simplest.
+    const auto rounds = [value](std::int64_t p, std::int64_t q) {
+        return static_cast<double>(p) / static_cast<double>(q) == value;
+    };
+    const Rational exact(value);
+    Integer above = numerator(exact);
+    Integer below = denominator(exact);
+    Fraction before{0, 1};
+    Fraction last{1, 0};
+    while (true) {
+        const auto at = [&](std::int64_t k) {
+            return Fraction{before.numerator + k * last.numerator,
+                            before.denominator + k * last.denominator};
+        };
+        const auto whole = static_cast<std::int64_t>(above / below);
+        if (const Fraction next = at(whole);
+            next.denominator > 0 && rounds(next.numerator, next.denominator)) {
+            std::int64_t low = 0;  // does not round to the value
+            std::int64_t high = whole;
+            while (low + 1 < high) {
+                const std::int64_t middle = low + (high - low) / 2;
+                const Fraction tried = at(middle);
+                (rounds(tried.numerator, tried.denominator) ? high : low) = middle;
+            }
+            return at(high);
+        }
+        before = std::exchange(last, at(whole));
+        above = std::exchange(below, Integer(above % below));
+    }
+}
+
+Stops stopsOf(const Scene& scene)
+{
+    validate(scene);
+    const double gap = scene.bar.gap;
+    Stops stops;
+    stops.right = (gap > 0.0 ? 1 : 0) - (gap < 0.0 ? 1 : 0);
+    if (scene.secondStop) {
+        stops.left = simplestFraction(*scene.secondStop / scales(scene.bar).displacement);
+    }
+    return stops;
+}
 
 ExactPeriod exactPeriod(std::int64_t numerator, std::int64_t denominator)
 {
@@ -40,9 +94,21 @@ void validate(const Schedule& schedule)
         };
         check("contact", phase.contact);
         check("free", phase.free);
+        if (phase.stop == Stop::left && !schedule.stops.left) {
+            faults.add(fmt::format("the stop of phase {}", number), "left",
+                       "right where there is no second stop");
+        }
     }
     if (tooLong) {
         faults.add("the sum of all steps", "more than 2^62", fmt::format("1..{}", maxSteps));
+    }
+    const auto& [right, left] = schedule.stops;
+    if (right < -1 || right > 1) {
+        faults.add("right stop", right, "-1..1, the sign of the gap");
+    }
+    if (left && !(left->denominator > 0 && left->numerator > -right * left->denominator)) {
+        faults.add("left stop", fmt::format("{}/{}", left->numerator, left->denominator),
+                   fmt::format("fractions above {}", -right));
     }
     faults.throwIfAny();
 }
@@ -87,7 +153,9 @@ std::string describe(const Schedule& schedule)
     constexpr std::size_t shown = 8;
     std::string text = fmt::format("N = {},", schedule.cells);
     for (std::size_t k = 0; k < schedule.phases.size() && k < shown; ++k) {
-        text += fmt::format(" ({}, {})", schedule.phases[k].contact, schedule.phases[k].free);
+        const Phase& phase = schedule.phases[k];
+        text += fmt::format(" {}({}, {})", phase.stop == Stop::left ? "L:" : "", phase.contact,
+                            phase.free);
     }
     if (schedule.phases.size() > shown) {
         text += fmt::format(" … {} phases in all", schedule.phases.size());

@@ -71,6 +71,8 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
       admittance_(1.0 / (1.0 + damping.eta())),
       mergeBelow_(options.mergeBelow.value_or(damping.ratio > 0.0 ? 1e-12 : 0.0)),
       recordsTip_(options.recordsTip),
+      stops_(options.stops),
+      way_(never),
       excitation_(std::move(excitation))
 {
     requireWaves(start);
@@ -96,7 +98,12 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
         }
     }
     ring_.resize(64);
-    opening_.add(crossing_ * (1.0 - excitation_.baseDisplacement(0)));
+    if (stops_.left) {
+        const Fraction& left = *stops_.left;
+        way_ = crossing_ * (stops_.right + static_cast<double>(left.numerator) /
+                                               static_cast<double>(left.denominator));
+    }
+    opening_.add(crossing_ * (stops_.right - excitation_.baseDisplacement(0)));
     for (const Piece& piece : start.a) {
         opening_.add(piece.duration * piece.value);
         append(piece.duration, -piece.value);
@@ -106,15 +113,20 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
         append(piece.duration, piece.value);
     }
     merged_ = 0.0;
-    const double opening = opening_.total() / crossing_;
-    if (opening < -atWall) {
+    const double room = opening_.total() / crossing_;
+    const double roomBehind = way_ / crossing_ - room;
+    if (room < -atWall || roomBehind < -atWall) {
         Faults faults;
-        faults.add("start: u(L)/g", 1.0 - opening, "at most 1, the wall");
+        faults.add("start: u(L)/g", stops_.right - room,
+                   room < 0.0 ? fmt::format("at most {}, the wall", stops_.right)
+                              : fmt::format("at least {}, the second stop",
+                                            stops_.right - way_ / crossing_));
         faults.throwIfAny();
     }
-    if (opening <= atWall) {
-        isHeld_ = true;
-        opening_ = {};
+    if (room <= atWall) {
+        hold(Stop::right);
+    } else if (roomBehind <= atWall) {
+        hold(Stop::left);
     }
     start_ = storedSquares();
     recordTip();
@@ -158,9 +170,18 @@ void BarSimulation::closeContact()
 {
     if (contact_.impulse > 0.0) {
         contact_.end = time();
+        contact_.stop = stop_;
         contacts_.push_back(contact_);
     }
     contact_ = {};
+}
+
+void BarSimulation::hold(Stop stop)
+{
+    isHeld_ = true;
+    stop_ = stop;
+    opening_ = {};
+    opening_.add(stop == Stop::right ? 0.0 : way_);
 }
 
 void BarSimulation::recordTip()
@@ -175,25 +196,27 @@ void BarSimulation::step(double most)
 {
     const double stored = ring_[head_].value;
     const double p = base_.value - stored;
-    const double push = force_.value + 2.0 * p;
+    const double pull = force_.value + 2.0 * p;
+    const double push = stop_ == Stop::right ? pull : -pull;  // of a tip that is held
     if (isHeld_ && push < 0.0) {
         closeContact();
         isHeld_ = false;
     }
-    const double v = isHeld_ ? 0.0 : admittance_ * push;
+    const double v = isHeld_ ? 0.0 : admittance_ * pull;
     double lasts = std::min({most, force_.left, base_.left});
     Piece& head = ring_[head_];
     if (head.duration <= lasts + same_) {
         lasts = head.duration;
     }
     bool arrives = false;
-    if (v > 0.0) {
-        const double hit = opening_.total() / v;
+    const Stop ahead = v > 0.0 ? Stop::right : Stop::left;
+    if (v > 0.0 || (v < 0.0 && way_ < never)) {
+        const double room = v > 0.0 ? opening_.total() : way_ - opening_.total();
+        const double hit = room / std::abs(v);
         arrives = hit <= lasts + same_;
         lasts = hit < lasts - same_ ? std::max(hit, 0.0) : lasts;
         if (hit <= same_) {
-            isHeld_ = true;
-            opening_ = {};
+            hold(ahead);
             return;
         }
     }
@@ -229,8 +252,7 @@ void BarSimulation::step(double most)
     base_.left < never ? base_.pass(lasts, same_) : void();
     time_.add(lasts);
     if (arrives) {
-        isHeld_ = true;
-        opening_ = {};
+        hold(ahead);
     }
     recordTip();
 }
@@ -258,7 +280,7 @@ double BarSimulation::time() const
 
 double BarSimulation::tip() const
 {
-    return 1.0 - opening_.total() / crossing_;
+    return stops_.right - opening_.total() / crossing_;
 }
 
 double BarSimulation::base() const

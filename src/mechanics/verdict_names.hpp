@@ -21,6 +21,11 @@ inline constexpr auto reasonNames = std::to_array<Named<Reason>>({
     {Reason::constraints, "constraints"},
 });
 
+inline constexpr auto stopNames = std::to_array<Named<Stop>>({
+    {Stop::right, "right"},
+    {Stop::left, "left"},
+});
+
 inline constexpr auto contactNames = std::to_array<Named<Contact>>({
     {Contact::pressing, "pressing"},
     {Contact::grazing, "grazing"},

@@ -47,12 +47,13 @@ Waves wavesOf(const State& state)
     return waves;
 }
 
-Waves wavesAtRest(double stepsPerCrossing)
+Waves wavesAtRest(double stepsPerCrossing, const Stops& stops)
 {
     Faults faults;
     faults.requirePositive("stepsPerCrossing", stepsPerCrossing, "-");
     faults.throwIfAny();
-    return {stepsPerCrossing, {{stepsPerCrossing, 0.0}}, {{stepsPerCrossing, 0.0}}};
+    const double wave = stops.right < 0 ? 0.5 : 0.0;  // u = -x where the tip is at -1
+    return {stepsPerCrossing, {{stepsPerCrossing, wave}}, {{stepsPerCrossing, -wave}}};
 }
 
 Eigen::VectorXd stretching(const Waves& waves, std::int64_t cells)

@@ -136,33 +136,55 @@ bool excludes(const Program& program, const SparseRows& rows, Eigen::Index row, 
     return least > sign * rhs;
 }
 
-bool addRows(const std::vector<Multiplier>& multipliers, const SparseRows& rows,
+/// A row and what it is multiplied by.
+struct Weighted {
+    std::int64_t row;
+    Rational value;
+};
+
+std::vector<Weighted> weighted(const std::vector<Multiplier>& multipliers)
+{
+    std::vector<Weighted> rows;
+    for (const Multiplier& m : multipliers) {
+        rows.push_back({m.row, Rational(m.value)});
+    }
+    return rows;
+}
+
+std::vector<Weighted> weighted(const std::vector<RationalMultiplier>& multipliers)
+{
+    std::vector<Weighted> rows;
+    for (const RationalMultiplier& m : multipliers) {
+        rows.push_back({m.row, Rational(m.value)});
+    }
+    return rows;
+}
+
+bool addRows(const std::vector<Weighted>& multipliers, const SparseRows& rows,
              const Eigen::VectorXd& rhs, bool isInequality, std::vector<Rational>& combination,
              Rational& right)
 {
-    for (const Multiplier& m : multipliers) {
+    for (const Weighted& m : multipliers) {
         if (m.row < 0 || m.row >= rows.rows() || (isInequality && m.value < 0)) {
             return false;
         }
         for (SparseRows::InnerIterator entry(rows, static_cast<Eigen::Index>(m.row)); entry;
              ++entry) {
-            combination[static_cast<std::size_t>(entry.col())] +=
-                Rational(entry.value()) * Rational(m.value);
+            combination[static_cast<std::size_t>(entry.col())] += Rational(entry.value()) * m.value;
         }
-        right += Rational(rhs[static_cast<Eigen::Index>(m.row)]) * Rational(m.value);
+        right += Rational(rhs[static_cast<Eigen::Index>(m.row)]) * m.value;
     }
     return true;
 }
 
-}  // namespace
-
-bool isProof(const InfeasibilityProof& proof, const Program& program)
+/// Do the rows so combined contradict the bounds?
+bool contradicts(const std::vector<Weighted>& equalities, const std::vector<Weighted>& inequalities,
+                 const Program& program)
 {
     std::vector<Rational> combination(static_cast<std::size_t>(program.variables()));
     Rational right = 0;
-    if (!addRows(proof.equalities, program.equalities, program.equalityRhs, false, combination,
-                 right) ||
-        !addRows(proof.inequalities, program.inequalities, program.inequalityRhs, true, combination,
+    if (!addRows(equalities, program.equalities, program.equalityRhs, false, combination, right) ||
+        !addRows(inequalities, program.inequalities, program.inequalityRhs, true, combination,
                  right)) {
         return false;
     }
@@ -179,6 +201,24 @@ bool isProof(const InfeasibilityProof& proof, const Program& program)
         least += c * Rational(bound);
     }
     return least > right;
+}
+
+}  // namespace
+
+bool isProof(const InfeasibilityProof& proof, const Program& program)
+{
+    return contradicts(weighted(proof.equalities), weighted(proof.inequalities), program);
+}
+
+bool isProof(const RationalProof& proof, const Program& program)
+{
+    try {
+        return contradicts(weighted(proof.equalities), weighted(proof.inequalities), program);
+    } catch (const std::runtime_error&) {
+        return false;  // what Boost says of a number it cannot read
+    } catch (const std::logic_error&) {
+        return false;  // and of one over 0
+    }
 }
 
 std::optional<InfeasibilityProof> proveByOneRow(const Program& program)

@@ -21,6 +21,9 @@ namespace signorini {
 /// Checks a proof in exact rational arithmetic. O(entries of the rows used + n).
 [[nodiscard]] bool isProof(const InfeasibilityProof& proof, const Program& program);
 
+/// The same for multipliers that are rationals; false also where one cannot be read.
+[[nodiscard]] bool isProof(const RationalProof& proof, const Program& program);
+
 /// The proof by a single row with multiplier 1 or -1, if the bounds alone contradict one: what a
 /// limit too tight for the gap row needs. O(entries).
 [[nodiscard]] std::optional<InfeasibilityProof> proveByOneRow(const Program& program);

@@ -1,6 +1,7 @@
 #include "signorini/one_phase_set.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <stdexcept>
 
@@ -14,42 +15,78 @@ namespace {
 /// A linear function of p_0 .. p_{2N-1} with integer coefficients.
 using Functional = std::vector<std::int64_t>;
 
-/// Multipliers of the gap row and of (32) whose combination vanishes on ker(W - 1).
+/// Multipliers of the gap row, of (32) and of the row of size whose combination vanishes on
+/// ker(W - 1).
 struct Combination {
     std::int64_t gap;
+    std::int64_t size;
     std::vector<Multiplier> pressure;
     std::vector<Multiplier> penetration;
 };
 
 /// On the kernel the gap row is -windowSum * sum z, a pressure row of block alpha is
-/// -epsilon_alpha z_j, and the prefix row at the end of block alpha is prefix_alpha * sum z.
-Combination combine(const OnePhaseSet& r)
-{
-    if (*r.reason == Reason::noLiveClass) {
-        return {.gap = -1, .pressure = {}, .penetration = {}};
-    }
-    const auto pressAll = [&r](std::int64_t alpha, std::int64_t multiplier) {
-        std::vector<Multiplier> rows;
-        for (std::int64_t j = 0; multiplier != 0 && j < r.kernelDimension; ++j) {
-            rows.push_back({alpha * r.classes + r.firstLive + j, multiplier});
+/// -epsilon_alpha z_j, the prefix row at the end of block alpha is prefix_alpha * sum z, and the
+/// row of size is contactSum * sum z, contactSum adding up epsilon over contact. The row with a
+/// right side, of the gap or of size, gets the sign that makes it negative.
+class Combiner {
+public:
+    explicit Combiner(const OnePhaseSet& r) : r_(r) {}
+
+    [[nodiscard]] Combination combine() const
+    {
+        const int gapSign = r_.gapSign;
+        const std::int64_t lead = gapSign == 0 ? contactSum() : -gapSign * r_.windowSum;
+        if (*r_.reason == Reason::noLiveClass || (gapSign == 0 && r_.contactMembers == 0)) {
+            return withLead(1);
         }
-        return rows;
-    };
-    if (r.windowSum >= 0) {  // positive amplitudes pull the tip away from the wall
-        return {.gap = -1, .pressure = pressAll(0, r.windowSum), .penetration = {}};
+        if (gapSign == 0 && *r_.reason == Reason::gap) {  // lead > 0: contacts agree
+            Combination both = withLead(std::abs(r_.windowSum));
+            both.gap = r_.windowSum > 0 ? -lead : lead;
+            return both;
+        }
+        // `lead` times sum z has to vanish. If it is not positive, pressures of block 0 do it: with
+        // a gap, such amplitudes move the tip away from the wall.
+        if (lead <= 0) {
+            return pressed(0, -lead);
+        }
+        if (*r_.reason == Reason::contactSign) {
+            const auto negative = std::find(r_.signs.begin(), r_.signs.end(), std::int8_t{-1});
+            return pressed(negative - r_.signs.begin(), lead);
+        }
+        const std::int64_t lastStep =
+            r_.worstBlock * r_.classes + r_.firstLive + r_.kernelDimension - 1;
+        const std::int64_t common = std::gcd(r_.worstPrefix, lead);
+        Combination both = withLead(r_.worstPrefix / common);
+        both.penetration = {{lastStep - r_.schedule.phases.front().contact, lead / common}};
+        return both;
     }
-    if (*r.reason == Reason::contactSign) {
-        const auto negative = std::find(r.signs.begin(), r.signs.end(), std::int8_t{-1});
-        return {.gap = -1,
-                .pressure = pressAll(negative - r.signs.begin(), -r.windowSum),
-                .penetration = {}};
+
+private:
+    /// The row with a right side alone.
+    [[nodiscard]] Combination withLead(std::int64_t multiplier) const
+    {
+        return r_.gapSign == 0 ? Combination{0, -multiplier, {}, {}}
+                               : Combination{-r_.gapSign * multiplier, 0, {}, {}};
     }
-    const std::int64_t lastStep = r.worstBlock * r.classes + r.firstLive + r.kernelDimension - 1;
-    const std::int64_t common = std::gcd(r.worstPrefix, r.windowSum);
-    return {.gap = -r.worstPrefix / common,
-            .pressure = {},
-            .penetration = {{lastStep - r.schedule.phases.front().contact, -r.windowSum / common}}};
-}
+
+    [[nodiscard]] Combination pressed(std::int64_t alpha, std::int64_t multiplier) const
+    {
+        Combination both = withLead(1);
+        for (std::int64_t j = 0; multiplier != 0 && j < r_.kernelDimension; ++j) {
+            both.pressure.push_back({alpha * r_.classes + r_.firstLive + j, multiplier});
+        }
+        return both;
+    }
+
+    [[nodiscard]] std::int64_t contactSum() const
+    {
+        return std::accumulate(r_.signs.begin(),
+                               r_.signs.begin() + static_cast<std::ptrdiff_t>(r_.contactMembers),
+                               std::int64_t{0});
+    }
+
+    const OnePhaseSet& r_;
+};
 
 /// Writes out the combination as a functional of p_0 .. p_{2N-1}, before periodicity is used.
 Functional expand(const Combination& combination, const Schedule& schedule)
@@ -57,6 +94,9 @@ Functional expand(const Combination& combination, const Schedule& schedule)
     const std::int64_t size = 2 * schedule.cells;
     const Phase& phase = schedule.phases.front();
     Functional f(static_cast<std::size_t>(size), -combination.gap);
+    for (std::int64_t m = 0; combination.size != 0 && m < phase.contact; ++m) {
+        f[static_cast<std::size_t>(m % size)] += combination.size;
+    }
     for (const Multiplier& m : combination.pressure) {
         f[static_cast<std::size_t>(m.row % size)] -= m.value;
     }
@@ -131,9 +171,10 @@ FarkasCertificate proveAbsence(const OnePhaseSet& whole)
         throw std::invalid_argument(
             "one phase: the schedule has motions, their absence has no proof");
     }
-    Combination combination = combine(whole);
+    Combination combination = Combiner(whole).combine();
     const Functional y = eliminate(expand(combination, whole.schedule), whole);
     FarkasCertificate certificate{.gap = 2 * combination.gap,
+                                  .size = 2 * combination.size,
                                   .periodicity = inUnknowns(y),
                                   .pressure = std::move(combination.pressure),
                                   .penetration = std::move(combination.penetration)};

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "echo.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -21,21 +22,23 @@ std::vector<std::int64_t> cuts(const std::vector<std::int64_t>& boundaries, std:
     return result;
 }
 
-/// Is step m a contact step? Stretches alternate, contact first.
-bool isContactStep(const std::vector<std::int64_t>& boundaries, std::int64_t step)
+/// The sign that p has where it pushes in step m; 0 in flight. Stretches alternate, contact first.
+int pushSignAt(const ClassTypes& all, const std::vector<std::int64_t>& boundaries,
+               std::int64_t step)
 {
     const auto after = std::upper_bound(boundaries.begin(), boundaries.end(), step);
-    return (after - boundaries.begin()) % 2 == 1;
+    const auto stretch = static_cast<std::size_t>(after - boundaries.begin()) - 1;
+    return stretch % 2 == 0 ? pushSign(all.schedule.phases[stretch / 2].stop) : 0;
 }
 
 void findKind(ClassType& type, const ClassTypes& all, const std::vector<std::int64_t>& boundaries)
 {
-    std::vector<bool> held(static_cast<std::size_t>(all.members));
+    std::vector<int> push(static_cast<std::size_t>(all.members));
     for (std::int64_t alpha = 0; alpha < all.members; ++alpha) {
-        held[static_cast<std::size_t>(alpha)] =
-            isContactStep(boundaries, alpha * all.classes + type.first);
+        push[static_cast<std::size_t>(alpha)] =
+            pushSignAt(all, boundaries, alpha * all.classes + type.first);
     }
-    type.contactMembers = std::count(held.begin(), held.end(), true);
+    type.contactMembers = all.members - std::count(push.begin(), push.end(), 0);
     if (flightsFactor(all.members - type.contactMembers) != 1) {
         type.kind = TypeKind::dead;
         return;
@@ -46,14 +49,14 @@ void findKind(ClassType& type, const ClassTypes& all, const std::vector<std::int
     std::int8_t sign = 1;
     for (std::int64_t visited = 0; visited < all.members; ++visited) {
         type.signs[alpha] = sign;
-        sign = static_cast<std::int8_t>(echoFactor(held[alpha]) * sign);
+        sign = static_cast<std::int8_t>(echoFactor(push[alpha] != 0) * sign);
         alpha = static_cast<std::size_t>((static_cast<std::int64_t>(alpha) + stride) % all.members);
     }
     int pushing = 0;
     int pulling = 0;
-    for (std::size_t k = 0; k < held.size(); ++k) {
-        pushing += held[k] && type.signs[k] > 0 ? 1 : 0;
-        pulling += held[k] && type.signs[k] < 0 ? 1 : 0;
+    for (std::size_t k = 0; k < push.size(); ++k) {
+        pushing += push[k] * type.signs[k] > 0 ? 1 : 0;
+        pulling += push[k] * type.signs[k] < 0 ? 1 : 0;
     }
     if (pushing > 0 && pulling > 0) {
         type.kind = TypeKind::blocked;

@@ -43,17 +43,26 @@ std::int64_t mostBlocks(std::int64_t order, double maxPeriod)
     return std::min(blocks, 2 * order - 1);
 }
 
+/// All blocks in contact: the tip presses for ever.
+Family held(std::int64_t order)
+{
+    return {order, 1, 1, order};
+}
+
 /// The families of one order.
 bool forEachOfOrder(std::int64_t order, const FamilyBounds& bounds, const FamilyVisitor& visitor)
 {
     const std::int64_t leastWindow = leastWindowSum(order, bounds.maxEnergyRatio);
     const std::int64_t last = mostBlocks(order, bounds.maxPeriod);
+    if (bounds.gapSign < 0 && last >= 1 && bounds.maxEnergyRatio >= 1.0 && !visitor(held(order))) {
+        return false;
+    }
     for (std::int64_t blocks = 1; blocks <= last; ++blocks) {
         if (isRequested(bounds.cancel)) {
             return false;
         }
         if (std::gcd(order, blocks) == 1 &&
-            !forEachContact(order, blocks, leastWindow, std::cref(visitor))) {
+            !forEachContact(order, blocks, leastWindow, bounds.gapSign, std::cref(visitor))) {
             return false;
         }
     }
@@ -61,12 +70,16 @@ bool forEachOfOrder(std::int64_t order, const FamilyBounds& bounds, const Family
 }
 
 /// The family, if gcd(w, nu) = 1 and k belongs to one of the chains.
-std::optional<Family> familyAt(std::int64_t order, std::int64_t blocks, std::int64_t contactBlocks)
+std::optional<Family> familyAt(std::int64_t order, std::int64_t blocks, std::int64_t contactBlocks,
+                               int gapSign)
 {
+    if (gapSign < 0 && blocks == contactBlocks) {
+        return held(order);
+    }
     if (std::gcd(order, blocks) != 1 || blocks >= 2 * order) {
         return std::nullopt;
     }
-    const FamilyChains all(order, blocks, 1);
+    const FamilyChains all(order, blocks, 1, gapSign);
     for (const FamilyChain& chain : all.chains()) {
         const std::int64_t above = contactBlocks - chain.least;
         if (above >= 0 && above % chain.step() == 0 && above / chain.step() < chain.count) {
@@ -90,6 +103,9 @@ ExactPeriod longestContact(const Family& family)
 
 ExactEnergy leastEnergy(const Family& family)
 {
+    if (family.windowSum == 0) {
+        return {0, 1};
+    }
     const std::int64_t common = std::gcd(family.order, family.windowSum);
     const std::int64_t root = family.order / common;
     const std::int64_t sum = family.windowSum / common;
@@ -97,14 +113,17 @@ ExactEnergy leastEnergy(const Family& family)
 }
 
 std::optional<Family> findFamily(std::int64_t order, std::int64_t blocks,
-                                 std::int64_t contactBlocks)
+                                 std::int64_t contactBlocks, int gapSign)
 {
     Faults faults;
     faults.requireWhole("order", order, maxFamilyOrder);
     faults.requireWhole("blocks", blocks, maxSteps);
     faults.requireWhole("contactBlocks", contactBlocks, maxSteps);
     faults.throwIfAny();
-    return familyAt(order, blocks, contactBlocks);
+    if (blocks == contactBlocks && blocks > 1) {
+        return std::nullopt;  // it repeats (w, 1, 1)
+    }
+    return familyAt(order, blocks, contactBlocks, gapSign);
 }
 
 bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const FamilyVisitor& visitor)
@@ -131,7 +150,7 @@ std::vector<Family> findFamilies(std::int64_t maxOrder, const FamilyBounds& boun
     return families;
 }
 
-std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks)
+std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks, int gapSign)
 {
     Faults faults;
     faults.requireWhole("order", order, maxFamilyOrder);
@@ -141,8 +160,11 @@ std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks)
     }
     faults.throwIfAny();
     std::vector<Family> families;
+    if (blocks == 1 && gapSign < 0) {
+        families.push_back(held(order));
+    }
     if (blocks < 2 * order) {
-        forEachContact(order, blocks, 1, [&families](const Family& family) {
+        forEachContact(order, blocks, 1, gapSign, [&families](const Family& family) {
             families.push_back(family);
             return true;
         });
@@ -174,8 +196,14 @@ Schedule scheduleOf(const Family& family, std::int64_t cells)
     }
     faults.throwIfAny();
     const std::int64_t classes = 2 * cells / family.order;
+    const std::int64_t free = isHeld(family) ? 1 : (family.blocks - family.contactBlocks) * classes;
+    if (isHeld(family) && classes == 1) {
+        faults.add("cells", cells, fmt::format("those above {}/2", family.order));
+        faults.throwIfAny();
+    }
     return {cells,
-            {{family.contactBlocks * classes, (family.blocks - family.contactBlocks) * classes}}};
+            {{family.blocks * classes - free, free}},
+            {.right = (family.windowSum < 0 ? 1 : 0) - (family.windowSum > 0 ? 1 : 0)}};
 }
 
 std::optional<TentPlace> familyOf(const Schedule& schedule)
@@ -198,7 +226,8 @@ std::optional<TentPlace> familyOf(const Schedule& schedule)
     place.offset = contact - contactBlocks * place.classes;
     place.amplitudes = place.classes - std::abs(place.offset);
     const auto family = contactBlocks > 0 && place.amplitudes > 0
-                            ? familyAt(2 * schedule.cells / place.classes, blocks, contactBlocks)
+                            ? familyAt(2 * schedule.cells / place.classes, blocks, contactBlocks,
+                                       schedule.stops.right)
                             : std::nullopt;
     if (!family) {
         return std::nullopt;
@@ -209,8 +238,9 @@ std::optional<TentPlace> familyOf(const Schedule& schedule)
 
 Mode modeThrough(const Family& family)
 {
-    const auto found = findFamily(family.order, family.blocks, family.contactBlocks);
-    if (found != family) {
+    const int gapSign = family.windowSum < 0 ? 1 : -1;
+    const auto found = findFamily(family.order, family.blocks, family.contactBlocks, gapSign);
+    if (found != family || isHeld(family)) {
         throw std::invalid_argument(
             fmt::format("family: w = {}, nu = {}, k = {}, win = {} is none: allowed what "
                         "findFamily returns",
@@ -220,7 +250,7 @@ Mode modeThrough(const Family& family)
     const std::int64_t count =
         family.contactBlocks * inverseOf(family.order, family.blocks) % family.blocks;
     const std::int64_t b = (family.contactBlocks - count * family.order) / family.blocks;
-    return findMode(count / 2, b).value();
+    return findMode(count / 2, b, gapSign).value();
 }
 
 std::vector<Family> familiesOf(const Mode& mode, std::int64_t maxOrder)
@@ -228,7 +258,7 @@ std::vector<Family> familiesOf(const Mode& mode, std::int64_t maxOrder)
     Faults faults;
     faults.requireWhole("maxOrder", maxOrder, maxFamilyOrder);
     faults.throwIfAny();
-    if (findMode(mode.a, mode.b) != mode) {
+    if (findMode(mode.a, mode.b, mode.gapSign) != mode) {
         throw std::invalid_argument(fmt::format(
             "mode: t_c = {} {:+} T is none: allowed what findMode returns", 4 * mode.a, mode.b));
     }

@@ -10,8 +10,30 @@ namespace signorini {
 
 namespace {
 
+/// Cuts a chain down to win = c k - A >= leastWindow.
+FamilyChain restrictedAbove(FamilyChain chain, std::int64_t leastWindow)
+{
+    if (chain.turns <= 0) {
+        chain.count = 0;
+        return chain;
+    }
+    const std::int64_t contact = (chain.narrow + leastWindow - 1) / chain.turns + 1;  // k at least
+    const std::int64_t missing = std::max<std::int64_t>(0, contact - chain.least);
+    const std::int64_t skipped = std::min(chain.count, (missing + chain.step() - 1) / chain.step());
+    chain.least += skipped * chain.step();
+    chain.count -= skipped;
+    return chain;
+}
+
+/// Cuts a chain down to win = c k - A = 0: k <= A, so it is the first or none.
+FamilyChain restrictedToZero(FamilyChain chain)
+{
+    chain.count = chain.turns * chain.least == chain.narrow ? 1 : 0;
+    return chain;
+}
+
 /// Cuts a chain down to win = c k - A <= -leastWindow.
-FamilyChain restricted(FamilyChain chain, std::int64_t leastWindow)
+FamilyChain restrictedBelow(FamilyChain chain, std::int64_t leastWindow)
 {
     const std::int64_t room = chain.narrow - leastWindow;  // c k <= room
     if (chain.turns > 0) {
@@ -32,8 +54,14 @@ FamilyChain restricted(FamilyChain chain, std::int64_t leastWindow)
 
 }  // namespace
 
-FamilyChains::FamilyChains(std::int64_t order, std::int64_t blocks, std::int64_t leastWindow)
+FamilyChains::FamilyChains(std::int64_t order, std::int64_t blocks, std::int64_t leastWindow,
+                           int gapSign)
 {
+    const auto restricted = [&](const FamilyChain& chain) {
+        return gapSign > 0    ? restrictedBelow(chain, leastWindow)
+               : gapSign == 0 ? restrictedToZero(chain)
+                              : restrictedAbove(chain, leastWindow);
+    };
     std::int64_t turns = (order - 1) / blocks + 1;  // M, the least integer >= w/nu
     std::int64_t before = blocks;
     std::int64_t narrow = turns * blocks - order;
@@ -42,8 +70,7 @@ FamilyChains::FamilyChains(std::int64_t order, std::int64_t blocks, std::int64_t
         const std::int64_t rest = before % narrow;
         // The last d, even, that leaves k > 0.
         const std::int64_t last = (rest > 0 ? quotient : quotient - 1) / 2 * 2;
-        const FamilyChain chain =
-            restricted({before - last * narrow, last / 2, narrow, turns}, leastWindow);
+        const FamilyChain chain = restricted({before - last * narrow, last / 2, narrow, turns});
         if (chain.count > 0) {
             chains_.at(--begin_) = chain;
         }

@@ -33,9 +33,9 @@ struct FamilyChain {
 /// d_0, d_2, ....
 class FamilyChains {
 public:
-    /// Keeps the families with -win >= leastWindow. O(log nu), no heap.
-    /// \pre gcd(w, nu) = 1, leastWindow >= 1.
-    FamilyChains(std::int64_t order, std::int64_t blocks, std::int64_t leastWindow);
+    /// Keeps the families with -win >= leastWindow; with a negative gap win >= leastWindow, without
+    /// one win = 0. O(log nu), no heap. \pre gcd(w, nu) = 1, leastWindow >= 1.
+    FamilyChains(std::int64_t order, std::int64_t blocks, std::int64_t leastWindow, int gapSign);
 
     [[nodiscard]] std::span<const FamilyChain> chains() const
     {
@@ -51,11 +51,18 @@ private:
 /// The smallest s >= 1 with (w/s)^2 <= maxEnergyRatio, exactly; at most w, which no -win reaches.
 [[nodiscard]] std::int64_t leastWindowSum(std::int64_t order, double maxEnergyRatio);
 
-/// Visits the families of (w, nu) by ascending k. \returns false if `visit` did.
-template <typename Visit>
-bool forEachContact(std::int64_t order, std::int64_t blocks, std::int64_t leastWindow, Visit visit)
+/// Is it one whose tip never leaves the wall, (w, 1, 1), pressed at rest?
+[[nodiscard]] inline bool isHeld(const Family& family)
 {
-    const FamilyChains all(order, blocks, leastWindow);
+    return family.contactBlocks == family.blocks;
+}
+
+/// Visits the families of (w, nu) by ascending k, without (w, 1, 1). \returns false if `visit` did.
+template <typename Visit>
+bool forEachContact(std::int64_t order, std::int64_t blocks, std::int64_t leastWindow, int gapSign,
+                    Visit visit)
+{
+    const FamilyChains all(order, blocks, leastWindow, gapSign);
     for (const FamilyChain& chain : all.chains()) {
         for (std::int64_t place = 0; place < chain.count; ++place) {
             if (!visit(chain.family(order, blocks, place))) {

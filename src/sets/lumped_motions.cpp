@@ -87,8 +87,8 @@ AmplitudeSet amplitudesAt(const LumpedSet& set, std::span<const double> sums, st
     result.kind = SetKind::simplex;
     if (type.kind == TypeKind::grazing) {
         result.kind = SetKind::box;
-        const auto [lower, upper] =
-            boundsOf(set.classes, std::vector<double>(sums.begin(), sums.end()), index);
+        const auto [lower, upper] = boundsOf<double>(
+            set.classes, std::vector<double>(sums.begin(), sums.end()), index, 1.0);
         result.lower = lower;
         result.upper = std::max(lower, upper);
     }

@@ -10,6 +10,7 @@
 
 #include "exact_projection.hpp"
 #include "signorini/lumped_set.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -17,6 +18,7 @@ namespace signorini {
 inline constexpr std::int64_t gapTag = -1;
 inline constexpr std::int64_t signTag = -2;
 inline constexpr std::int64_t prefixTag = -3;
+inline constexpr std::int64_t sizeTag = -4;
 
 /// For each type its place among the live ones, or -1.
 [[nodiscard]] std::vector<std::ptrdiff_t> placesOf(const ClassTypes& classes);
@@ -53,7 +55,11 @@ void walkFlights(const ClassTypes& classes, Action action, AtEnd atEnd)
 class LumpedRows : public RowSource {
 public:
     LumpedRows(const ClassTypes& classes, const std::vector<std::size_t>& live)
-        : classes_(classes), live_(live)
+        : classes_(classes),
+          live_(live),
+          gap_(gapSum(classes.schedule)),
+          limits_(flightLimits(classes.schedule)),
+          isCone_(signorini::isCone(classes.schedule.stops))
     {
     }
 
@@ -65,31 +71,53 @@ private:
     template <typename Number>
     [[nodiscard]] std::optional<ExactRow> violatedRow(const std::vector<Number>& sums,
                                                       const Number& denominator) const;
+    /// How far prefix sums can break the limits of a flight.
+    template <typename Number>
+    struct Broken;
     [[nodiscard]] ExactRow gapRow() const;
+    [[nodiscard]] ExactRow sizeRow() const;
     [[nodiscard]] ExactRow signRow(std::size_t place) const;
     [[nodiscard]] ExactRow closure(std::size_t wanted) const;
-    [[nodiscard]] ExactRow prefixRow(std::int64_t wanted) const;
+    [[nodiscard]] ExactRow prefixRow(std::int64_t wanted, bool isFloor) const;
 
     const ClassTypes& classes_;
     const std::vector<std::size_t>& live_;
+    WaveSum gap_;
+    std::vector<FlightLimits> limits_;
+    bool isCone_;
 };
 
 /// Bounds on the partial sums Z of one grazing type: P + epsilon Z <= 0 for each of its blocks, P
-/// being the prefix sum before it. Both signs occur among its blocks.
+/// being the prefix sum before it; between other limits where there are two stops. Both signs occur
+/// among its blocks. The limits are those of one unit of `unit`: sums may be numerators over it.
 template <typename Number>
 std::pair<Number, Number> boundsOf(const ClassTypes& classes, const std::vector<Number>& sums,
-                                   std::size_t wanted)
+                                   std::size_t wanted, const Number& unit)
 {
+    const std::vector<FlightLimits> limits = flightLimits(classes.schedule);
     Number prefix = 0;
     std::optional<Number> lower;
     std::optional<Number> upper;
+    const auto keepBelow = [&upper](const Number& bound) {
+        upper = upper ? std::min<Number>(*upper, bound) : bound;
+    };
+    const auto keepAbove = [&lower](const Number& bound) {
+        lower = lower ? std::max<Number>(*lower, bound) : bound;
+    };
     walkFlights(
         classes,
-        [&](const Block&, std::size_t place, std::int64_t sign) {
-            if (place == wanted && sign > 0) {
-                upper = upper ? std::min<Number>(*upper, -prefix) : Number(-prefix);
-            } else if (place == wanted) {
-                lower = lower ? std::max<Number>(*lower, prefix) : prefix;
+        [&](const Block& block, std::size_t place, std::int64_t sign) {
+            if (place == wanted) {
+                const FlightLimits& flight = limits[block.phase];
+                const auto roomTo = [&](const WaveSum& limit) {
+                    return Number(unit * Number(limit.rhs) / Number(limit.factor) - prefix);
+                };
+                const Number above = roomTo(flight.most);
+                sign > 0 ? keepBelow(above) : keepAbove(Number(-above));
+                if (flight.least) {
+                    const Number below = roomTo(*flight.least);
+                    sign > 0 ? keepAbove(below) : keepBelow(Number(-below));
+                }
             }
             if (sign > 0) {
                 prefix += sums[place];

@@ -8,6 +8,7 @@
 #include "echo.hpp"
 #include "faults.hpp"
 #include "lumped_rows.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -39,8 +40,10 @@ LumpedAbsence absenceOf(const std::vector<WeightedRow>& rows)
         }
         if (row.tag == gapTag) {
             absence.gap = -value;
+        } else if (row.tag == sizeTag) {
+            absence.size = -value;
         } else if (row.tag == prefixTag) {
-            PrefixMultiplier prefix{row.coefficients, value};
+            PrefixMultiplier prefix{row.coefficients, value, -row.rhs};
             for (std::int64_t& c : prefix.coefficients) {
                 c = -c;
             }
@@ -117,8 +120,11 @@ Reason absenceReason(const ClassTypes& classes)
     if (!any([](const ClassType& type) { return type.isLive(); })) {
         return Reason::contactSign;
     }
-    if (!any([](const ClassType& type) {
-            return (type.kind == TypeKind::pressing && type.windowSum < 0) ||
+    // u(L) = g > 0 needs a negative window sum, g < 0 a positive one, the second stop, too.
+    const std::int64_t side = gapSum(classes.schedule).rhs;
+    if (side != 0 && !any([side](const ClassType& type) {
+            return (type.kind == TypeKind::pressing &&
+                    (side < 0 ? type.windowSum < 0 : type.windowSum > 0)) ||
                    (type.kind == TypeKind::grazing && type.windowSum != 0);
         })) {
         return Reason::gap;

@@ -8,6 +8,7 @@
 #include "lumped_rows.hpp"
 #include "signorini/amplitude_set.hpp"
 #include "signorini/lumped_set.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -108,6 +109,11 @@ public:
         findVertices();
         result_.energy = {set_.leastEnergy, mostEnergy()};
         result_.kind = kind();
+        if (isCone(set_.classes.schedule.stops)) {  // what was looked at is a section of it
+            result_.kind = SetKind::cone;
+            ++result_.dimension;
+            result_.energy = {0.0, infinity};
+        }
         return std::move(result_);
     }
 
@@ -124,8 +130,7 @@ private:
         if (typeOf(i).kind == TypeKind::pressing) {
             return !centre[i].is_zero();
         }
-        const auto [lower, upper] =
-            boundsOf(set_.classes, overCommonDenominator(centre).numerators, i);
+        const auto [lower, upper] = boundsOf<Rational>(set_.classes, centre, i, 1);
         return lower < upper;
     }
 

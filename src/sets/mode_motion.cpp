@@ -56,10 +56,11 @@ std::vector<ModeJump> jumps(const Mode& mode)
     return result;
 }
 
-ModeMotion::ModeMotion(const Mode& mode, double period) : period_(period)
+ModeMotion::ModeMotion(const Mode& mode, double period) : period_(period), gapSign_(mode.gapSign)
 {
-    const double contact = signorini::contactTime(mode, period);
-    amplitude_ = 0.5 / linear(mode.kappa, period, -mode.mu);
+    contactTime_ = signorini::contactTime(mode, period);
+    contacts_.emplace_back(0.0, contactTime_);
+    amplitude_ = 0.5 * gapSign_ / linear(mode.kappa, period, -mode.mu);
     Gaps gaps(mode.a, -mode.b);
     const std::int64_t p = (1 - gaps.numerator * mode.b) / gaps.count;
     const double alpha = linear(p, period, -2 * gaps.numerator);
@@ -68,7 +69,8 @@ ModeMotion::ModeMotion(const Mode& mode, double period) : period_(period)
         const bool isBeforeNegative = times_.size() % 2 == 0;
         times_.push_back(linear(-jump.turns, period, 2 * jump.k));
         const auto turns = static_cast<double>(1 - surplus);
-        integrals_.push_back(isBeforeNegative ? turns * contact : turns * contact - alpha);
+        integrals_.push_back(isBeforeNegative ? turns * contactTime_
+                                              : turns * contactTime_ - alpha);
         surplus += isBeforeNegative ? gaps.next() : -gaps.next();
     }
 }
@@ -126,14 +128,27 @@ double ModeMotion::strain(double x, double t) const
 
 double ModeMotion::wallForce(double t) const
 {
-    return locate(t).time < contactTime() ? 2.0 * amplitude_ : 0.0;
+    const double time = locate(t).time;
+    const auto after =
+        std::upper_bound(contacts_.begin(), contacts_.end(), time,
+                         [](double at, const auto& contact) { return at < contact.first; });
+    return time < std::prev(after)->second ? 2.0 * amplitude_ : 0.0;
 }
 
 Extremes ModeMotion::extremes() const
 {
     // The tip turns where p jumps.
     const double most = 2.0 * amplitude_;
-    const double least = *std::min_element(integrals_.begin(), integrals_.end());
+    double least = 0.0;
+    double atWall = 0.0;
+    auto contact = contacts_.begin();
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+        if (contact != contacts_.end() && times_[k] == contact->second) {
+            atWall = integrals_[k];
+            ++contact;
+        }
+        least = std::min(least, integrals_[k] - atWall);
+    }
     return {.period = period_,
             .contactTime = contactTime(),
             .peakForce = most,
@@ -141,7 +156,7 @@ Extremes ModeMotion::extremes() const
             .approachSpeed = most,
             .peakCompression = most,
             .peakTension = most,
-            .lowestTip = 1.0 + most * (least - integrals_.front())};
+            .lowestTip = gapSign_ + most * least};
 }
 
 State cellMeans(const ModeMotion& motion, std::int64_t cells)

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "faults.hpp"
 #include "mode_line.hpp"
@@ -53,21 +53,17 @@ std::optional<ModePattern> modePattern(std::int64_t count, std::int64_t order)
     return pattern;
 }
 
-/// Has the mode a motion with T <= maxPeriod and (kappa T - mu)^2 maxEnergyRatio >= 1? kappa T - mu
-/// is monotone (kappa != 0), so the end where it is largest decides; exact.
-bool isWithin(const Mode& mode, const ModeBounds& bounds)
+ModeLine lineOf(const Mode& mode)
 {
-    const Rational lowest(mode.lowest.numerator, mode.lowest.denominator);
-    const Rational highest(mode.highest.numerator, mode.highest.denominator);
-    const Rational longest(bounds.maxPeriod);
-    if (longest <= lowest) {
-        return false;
+    return {mode.lowest, mode.highest, mode.kappa, mode.mu, 1, mode.gapSign};
+}
+
+/// Without a gap the energy of a mode is infinite but at one period.
+void check(Faults& faults, int gapSign)
+{
+    if (gapSign != 1 && gapSign != -1) {
+        faults.add("gapSign", gapSign, "1 or -1: without a gap there are no modes");
     }
-    const bool isReached = mode.kappa > 0 && longest < highest;  // the ends are no members
-    const Rational best = mode.kappa < 0 ? lowest : std::min(longest, highest);
-    const Rational root = mode.kappa * best - mode.mu;
-    const Rational ratio = root * root * Rational(bounds.maxEnergyRatio);
-    return isReached ? ratio >= 1 : ratio > 1;
 }
 
 void validate(const ModeBounds& bounds)
@@ -76,6 +72,7 @@ void validate(const ModeBounds& bounds)
     faults.requireWhole("maxOrder", bounds.maxOrder, maxModeOrder);
     faults.requirePositive("maxPeriod", bounds.maxPeriod, "L/c");
     faults.requirePositive("maxEnergyRatio", bounds.maxEnergyRatio, "E_1");
+    check(faults, bounds.gapSign);
     faults.throwIfAny();
 }
 
@@ -115,8 +112,8 @@ std::vector<Mode> findModes(const ModeBounds& bounds)
             bounds.progress(std::pow(order, 2), std::pow(bounds.maxOrder, 2));
         }
         for (std::int64_t a = 1; a <= order; ++a) {
-            const std::optional<Mode> mode = findMode(a, -order);
-            if (mode && isWithin(*mode, bounds)) {
+            const std::optional<Mode> mode = findMode(a, -order, bounds.gapSign);
+            if (mode && isWithin(lineOf(*mode), bounds)) {
                 modes.push_back(*mode);
             }
         }
@@ -124,9 +121,10 @@ std::vector<Mode> findModes(const ModeBounds& bounds)
     return modes;
 }
 
-std::optional<Mode> findMode(std::int64_t a, std::int64_t b)
+std::optional<Mode> findMode(std::int64_t a, std::int64_t b, int gapSign)
 {
     Faults faults;
+    check(faults, gapSign);
     faults.requireWhole("a", a, maxFamilyOrder);
     if (b > -1 || b < -maxFamilyOrder) {
         faults.add("b", b, fmt::format("whole numbers -{}..-1", maxFamilyOrder));
@@ -149,12 +147,24 @@ std::optional<Mode> findMode(std::int64_t a, std::int64_t b)
     mode.lowest = c > 0 ? exactPeriod(mode.mu, mode.kappa) : exactPeriod(2 * q, p);
     mode.lowestEnd = c < 0 ? ModeEnd::jumpsMeet : ModeEnd::energyInfinite;
     mode.highest = {2 * count, order};
+    if (gapSign < 0) {
+        if (c <= 0) {
+            return std::nullopt;  // kappa T > mu wherever the pattern is one
+        }
+        mode.gapSign = gapSign;
+        mode.highest = std::exchange(mode.lowest, exactPeriod(2 * q, p));
+        mode.lowestEnd = ModeEnd::jumpsMeet;
+        mode.highestEnd = ModeEnd::energyInfinite;
+    }
     return mode;
 }
 
 std::string familyName(const Mode& mode)
 {
     const std::int64_t order = -mode.b;
+    if (mode.gapSign < 0) {
+        return "";
+    }
     if (mode.a == 1) {
         return order == 1 ? "main" : fmt::format("higher {}", (order - 1) / 2);
     }
@@ -182,16 +192,7 @@ double energyRatio(const Mode& mode, double period)
 
 EnergyRange energyRange(const Mode& mode)
 {
-    const auto square = [](std::int64_t value) {
-        return static_cast<double>(value) * static_cast<double>(value);
-    };
-    const auto limit = [&](const ExactPeriod& end) {
-        const std::int64_t root = mode.kappa * end.numerator - mode.mu * end.denominator;
-        return root == 0 ? std::numeric_limits<double>::infinity()
-                         : square(end.denominator) / square(root);
-    };
-    const auto [least, most] = std::minmax({limit(mode.lowest), limit(mode.highest)});
-    return {least, most};
+    return energyLimits(lineOf(mode));
 }
 
 Schedule scheduleOf(const Mode& mode, std::int64_t cells, std::int64_t steps)
@@ -213,7 +214,7 @@ Schedule scheduleOf(const Mode& mode, std::int64_t cells, std::int64_t steps)
         faults.throwIfAny();
     }
     const std::int64_t contact = 4 * mode.a * cells + mode.b * steps;
-    return {cells, {{contact, steps - contact}}};
+    return {cells, {{contact, steps - contact}}, {.right = mode.gapSign}};
 }
 
 }  // namespace signorini

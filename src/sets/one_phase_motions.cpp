@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "echo.hpp"
@@ -47,6 +48,9 @@ State writeState(const OnePhaseSet& r, Fill fill)
 EnergyRange energyRange(const Verdict& verdict)
 {
     requireMotion(verdict);
+    if (verdict.set.kind == SetKind::cone) {
+        return {0.0, std::numeric_limits<double>::infinity()};
+    }
     // With S = -N/win both ends are rational; integers below 2^53 make their quotient the double
     // nearest to it.
     const auto sum = static_cast<double>(verdict.windowSum);

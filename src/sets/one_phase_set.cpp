@@ -11,10 +11,11 @@ namespace signorini {
 namespace {
 
 /// Splits the steps into classes and finds the live ones.
-void findLiveClasses(std::int64_t cells, const Phase& phase, Verdict& v)
+void findLiveClasses(std::int64_t cells, const Phase& phase, int gapSign, Verdict& v)
 {
     const std::int64_t n = phase.contact + phase.free;
     v.cells = cells;
+    v.gapSign = gapSign;
     v.classes = std::gcd(2 * cells, n);
     v.members = n / v.classes;
     v.window = 2 * cells / v.classes;
@@ -112,7 +113,8 @@ std::optional<Reason> firstReason(const Verdict& v, Agreement contactsAgree, Pre
         return Reason::noLiveClass;
     }
     if (v.contact == Contact::grazing) {
-        return std::nullopt;
+        // u(L) goes to and fro around 0: beyond the wall unless that has a gap.
+        return v.gapSign > 0 ? std::nullopt : std::optional(Reason::penetration);
     }
     if (!contactsAgree()) {
         return Reason::contactSign;
@@ -120,7 +122,9 @@ std::optional<Reason> firstReason(const Verdict& v, Agreement contactsAgree, Pre
     if (worstPrefix() > 0) {
         return Reason::penetration;
     }
-    return windowSum() >= 0 ? std::optional(Reason::gap) : std::nullopt;
+    const std::int64_t window = windowSum();
+    const bool fits = v.gapSign == 0 ? window == 0 : window * v.gapSign < 0;
+    return fits ? std::nullopt : std::optional(Reason::gap);
 }
 
 }  // namespace
@@ -133,9 +137,12 @@ void onePhaseSet(const Schedule& schedule, OnePhaseSet& result)
             fmt::format("phases: {} given: allowed 1 (the closed form knows one contact phase)",
                         schedule.phases.size()));
     }
+    if (schedule.stops.left) {
+        throw std::invalid_argument("stops: two given: allowed 1 (the closed form knows one)");
+    }
     result.schedule = schedule;
     fold(result.schedule);
-    findLiveClasses(schedule.cells, result.schedule.phases.front(), result);
+    findLiveClasses(schedule.cells, result.schedule.phases.front(), schedule.stops.right, result);
     result.signs.clear();
     result.windowSum = result.worstPrefix = 0;
     result.worstBlock = -1;
@@ -167,7 +174,13 @@ AmplitudeSet solutionSet(const Verdict& v)
     }
     AmplitudeSet set;
     set.count = v.kernelDimension;
-    set.sum = static_cast<double>(gapSum(v.cells)) / static_cast<double>(v.windowSum);
+    if (v.gapSign == 0) {
+        // Any size: that of the row of size (certificate.hpp), an impulse of sum p = N.
+        set.kind = SetKind::cone;
+        set.sum = static_cast<double>(v.cells) / static_cast<double>(v.contactMembers);
+        return set;
+    }
+    set.sum = static_cast<double>(gapSum(v.cells, v.gapSign)) / static_cast<double>(v.windowSum);
     set.kind = v.contact == Contact::pressing ? SetKind::simplex : SetKind::box;
     if (set.kind == SetKind::box) {
         set.lower = set.sum;
@@ -187,11 +200,11 @@ bool Verdict::isCanonical() const
     return !reason && contact == Contact::pressing && (allLive || !deadTouch);
 }
 
-Verdict decide(std::int64_t cells, Phase phase, std::vector<std::int8_t>& signs)
+Verdict decide(std::int64_t cells, Phase phase, std::vector<std::int8_t>& signs, int gapSign)
 {
     fold(cells, phase);
     Verdict v;
-    findLiveClasses(cells, phase, v);
+    findLiveClasses(cells, phase, gapSign, v);
     v.reason = firstReason(
         v, [&] { return findSigns(v, true, signs); },
         [&] { return findWorstPrefix(v, true, signs).sum; },

@@ -17,6 +17,11 @@ AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const Atla
     const std::vector<AtlasRun> runs = database.runs();
     const auto before = std::find_if(runs.begin(), runs.end(),
                                      [&range](const AtlasRun& run) { return run.range == range; });
+    if (std::any_of(runs.begin(), runs.end(),
+                    [&range](const AtlasRun& run) { return run.range.gapSign != range.gapSign; })) {
+        throw std::invalid_argument(
+            "gap: the database holds ranges of a gap of another sign: allowed another file");
+    }
     if (before == runs.end()) {
         const bool othersWait = std::any_of(runs.begin(), runs.end(),
                                             [](const AtlasRun& run) { return !run.isFinished(); });

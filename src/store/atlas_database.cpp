@@ -20,14 +20,14 @@ namespace {
 
 /// Marks the file as an atlas: "sgnr".
 constexpr std::int64_t applicationId = 0x73676e72;
-constexpr std::int64_t schemaVersion = 2;
+constexpr std::int64_t schemaVersion = 3;
 
 constexpr const char* schema = R"(
 CREATE TABLE families(
   id INTEGER PRIMARY KEY, cells INTEGER NOT NULL, family_order INTEGER, nu INTEGER,
   contact_blocks INTEGER, phases TEXT NOT NULL, steps INTEGER NOT NULL, period REAL NOT NULL,
   frequency_ratio REAL NOT NULL, contact TEXT NOT NULL, kind TEXT NOT NULL,
-  dimension INTEGER NOT NULL, energy_ratio_min REAL NOT NULL, energy_ratio_max REAL NOT NULL,
+  dimension INTEGER NOT NULL, energy_ratio_min REAL NOT NULL, energy_ratio_max REAL,
   schedules INTEGER NOT NULL, UNIQUE(cells, phases));
 CREATE TABLE schedules(
   cells INTEGER NOT NULL, phases TEXT NOT NULL, steps INTEGER NOT NULL, period REAL NOT NULL,
@@ -40,6 +40,7 @@ CREATE TABLE runs(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, options TEXT NOT NULL, cells INTEGER NOT NULL,
   max_contact INTEGER NOT NULL, max_free INTEGER NOT NULL, phases INTEGER NOT NULL,
   max_energy_ratio REAL, keeps_refuted INTEGER NOT NULL, families_only INTEGER NOT NULL,
+  gap_sign INTEGER NOT NULL,
   batches INTEGER NOT NULL, next_batch INTEGER NOT NULL, decided INTEGER NOT NULL,
   pressing INTEGER NOT NULL, grazing INTEGER NOT NULL, refuted INTEGER NOT NULL,
   undecided INTEGER NOT NULL, families INTEGER NOT NULL,
@@ -48,9 +49,9 @@ CREATE UNIQUE INDEX one_run_per_range ON runs(
   cells, max_contact, max_free, phases, ifnull(max_energy_ratio, -1), keeps_refuted,
   families_only);
 PRAGMA application_id = 1936158322;
-PRAGMA user_version = 2;
+PRAGMA user_version = 3;
 )";
-static_assert(applicationId == 1936158322 && schemaVersion == 2, "as written in the schema");
+static_assert(applicationId == 1936158322 && schemaVersion == 3, "as written in the schema");
 
 constexpr const char* insertRow =
     "INSERT OR IGNORE INTO schedules(cells, phases, steps, period, frequency_ratio, status, "
@@ -264,12 +265,12 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
         SQLite::Statement insert(
             database,
             "INSERT INTO runs(version, options, cells, max_contact, max_free, phases, "
-            "max_energy_ratio, keeps_refuted, families_only, batches, next_batch, decided, "
-            "pressing, grazing, refuted, undecided, families, started, seconds, workers) "
-            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
+            "max_energy_ratio, keeps_refuted, families_only, gap_sign, batches, next_batch, "
+            "decided, pressing, grazing, refuted, undecided, families, started, seconds, workers) "
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
         run(insert, SIGNORINI_VERSION, options, range.cells, range.maxContact, range.maxFree,
             range.maxPhases, range.maxEnergyRatio, range.keepsRefuted, range.familiesOnly,
-            entered.batches, now());
+            range.gapSign, entered.batches, now());
         entered.id = database.getLastInsertRowid();
         return entered;
     });

@@ -137,7 +137,8 @@ Schedule readSchedule(const SQLite::Statement& s)
 EnergyRange readEnergy(const SQLite::Statement& s)
 {
     const EnergyRange energy{real(s, 10), s.isColumnNull(11) ? infinity : real(s, 11)};
-    if (!(energy.least > 0.0)) {
+    const bool isOfAnySize = energy.least == 0.0 && std::isinf(energy.most);  // no gap
+    if (!(energy.least > 0.0) && !isOfAnySize) {
         refuse(s, 10, "> 0");
     }
     if (!(energy.most >= energy.least)) {
@@ -161,12 +162,14 @@ std::optional<Family> readTriple(const SQLite::Statement& s, std::int64_t cells)
     if (2 * cells % order != 0) {
         refuse(s, 3, fmt::format("divisors of {}", 2 * cells));
     }
-    const auto family =
-        findFamily(order, readWhole(s, 4, 1, maxSteps), readWhole(s, 5, 1, maxSteps));
-    if (!family) {
-        refuse(s, 5, "contact blocks of a family");
+    // A triple is a family for one sign of the gap only.
+    for (const int gapSign : {1, -1, 0}) {
+        if (const auto family = findFamily(order, readWhole(s, 4, 1, maxSteps),
+                                           readWhole(s, 5, 1, maxSteps), gapSign)) {
+            return family;
+        }
     }
-    return family;
+    refuse(s, 5, "contact blocks of a family");
 }
 
 /// The steps after which the motions of a schedule can repeat.
@@ -174,8 +177,12 @@ void checkSteps(const SQLite::Statement& s, const Schedule& schedule, const Atla
 {
     const std::int64_t n = steps(schedule);
     if (schedule.phases.size() > 1 ? n % row.steps != 0 : row.steps != n) {
-        const bool grazes = row.status == Status::found && row.contact == Contact::grazing;
-        if (!grazes || row.steps != 2 * std::gcd(2 * schedule.cells, n)) {
+        // Motions that graze, and those whose tip never leaves the wall, repeat sooner.
+        const std::int64_t classes = std::gcd(2 * schedule.cells, n);
+        const bool grazes = row.contact == Contact::grazing;
+        const bool isHeld = !grazes && schedule.phases.front().free < classes;
+        if (row.status != Status::found || (!grazes && !isHeld) ||
+            row.steps != (grazes ? 2 * classes : classes)) {
             refuse(s, 12, fmt::format("what belongs to {}", phasesText(schedule.phases)));
         }
     }
@@ -252,7 +259,8 @@ AtlasRun readRun(const SQLite::Statement& s)
                  .maxPhases = whole(s, 4),
                  .maxEnergyRatio = s.isColumnNull(5) ? infinity : real(s, 5),
                  .keepsRefuted = readWhole(s, 6, 0, 1) != 0,
-                 .familiesOnly = readWhole(s, 15, 0, 1) != 0};
+                 .familiesOnly = readWhole(s, 15, 0, 1) != 0,
+                 .gapSign = static_cast<int>(readWhole(s, 17, -1, 1))};
     try {
         validate(run.range);
     } catch (const std::invalid_argument& error) {

@@ -155,9 +155,10 @@ std::string inXml(const std::string& text)
 
 }  // namespace
 
-MotionSamples::MotionSamples(const Motion& motion, const Bar& bar, std::int64_t mostInstants)
-    : bar_(bar)
+MotionSamples::MotionSamples(const Motion& motion, const Scene& scene, std::int64_t mostInstants)
+    : scene_(scene)
 {
+    const Bar& bar = scene.bar;
     const auto cells = static_cast<double>(motion.cells());
     const std::vector<std::int64_t> nodes = thinned(motion.cells(), maxMotionNodes);
     const std::vector<std::int64_t> instants = thinned(motion.steps(), mostInstants);
@@ -176,7 +177,7 @@ MotionSamples::MotionSamples(const Motion& motion, const Bar& bar, std::int64_t 
 
 MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int64_t cells,
                              std::int64_t mostInstants)
-    : bar_(bar)
+    : scene_(bar)
 {
     const std::vector<std::int64_t> counts = thinned(cells, maxMotionNodes);
     const std::vector<double> nodes = inUnits(counts, 1.0 / static_cast<double>(cells));
@@ -207,17 +208,17 @@ MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int6
 
 double MotionSamples::displacement(std::size_t node, std::size_t instant) const
 {
-    return inUnit(displacement_(node, instant), scales(bar_).displacement);
+    return inUnit(displacement_(node, instant), scales(bar()).displacement);
 }
 
 double MotionSamples::velocity(std::size_t node, std::size_t instant) const
 {
-    return inUnit(velocity_(node, instant), scales(bar_).velocity);
+    return inUnit(velocity_(node, instant), scales(bar()).velocity);
 }
 
 double MotionSamples::strain(std::size_t node, std::size_t instant) const
 {
-    return inUnit(strain_(node, instant), scales(bar_).strain);
+    return inUnit(strain_(node, instant), scales(bar()).strain);
 }
 
 void writeMotionCsv(const std::string& path, const MotionSamples& samples)

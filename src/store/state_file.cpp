@@ -91,13 +91,14 @@ StateReading readMeasurements(Table& table, const Bar& bar, std::int64_t cells)
 
 }  // namespace
 
-StateReading readState(const std::string& path, const Bar& bar, std::int64_t cells)
+StateReading readState(const std::string& path, const Bar& bar, std::int64_t cells,
+                       std::optional<std::int64_t> mostCells)
 {
     Table table(path);
     const bool isMeasured = !table.has("a") && !table.has("b") && table.has("x") &&
                             (table.has("velocity") || table.has("v"));
     return isMeasured ? readMeasurements(table, bar, cells)
-                      : readWaves(table, scales(bar).strain, cells);
+                      : readWaves(table, scales(bar).strain, mostCells.value_or(cells));
 }
 
 }  // namespace signorini

@@ -14,7 +14,6 @@
 #include "runner.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "solver.hpp"
-#include "statistics.hpp"
 
 using namespace signorini;
 using namespace signorini::bench;
@@ -22,6 +21,14 @@ using namespace signorini::bench;
 namespace fs = std::filesystem;
 
 namespace {
+
+using Table = std::vector<Record>;
+
+/// Does the row measure the library, and not a back end?
+bool isOurs(const Record& record)
+{
+    return record.backEnd == "signorini" || record.backEnd == "closed-form";
+}
 
 /// A folder of its own, and calls of the program that write into it.
 class Bench {
@@ -66,8 +73,9 @@ TEST_CASE("bench: a quick run fills the table, every row of ours is right, and a
         INFO(keyOf(record) << ": " << record.outcome << " " << record.detail);
         CHECK(!record.outcome.empty());
         CHECK(record.provenance.size() == 8);
-        if (isOurs(record)) {
-            CHECK((record.outcome == "right" || record.outcome == "reference"));
+        if (isOurs(record)) {  // a forced bar on finer and finer grids: an error each, no verdict
+            const bool isMeasured = record.outcome == "approximate" && record.suite == "rivals";
+            CHECK((record.outcome == "right" || record.outcome == "reference" || isMeasured));
         }
         // The library's own back ends may fail, but none claims absence where there is a motion.
         if (record.claim == "none" && !record.backEnd.starts_with("clp")) {
@@ -75,15 +83,15 @@ TEST_CASE("bench: a quick run fills the table, every row of ours is right, and a
         }
     }
     CHECK(keys.size() == table.size());
-    CHECK(suites ==
-          std::set<std::string>{"accuracy", "extremes", "leaving-out", "rivals", "scaling"});
+    CHECK(suites == std::set<std::string>{"accuracy", "extremes", "leaving-out", "rivals",
+                                          "scaling", "stepped"});
     const std::string report = bench.content("report.md");
     for (const char* heading :
          {"# signorini-bench", "commit: ", "## Our own failures\n\nNone", "## Extremes",
           "## What leaving out gains", "## Scaling", "## Rivals", "## Error against run time"}) {
         CHECK_THAT(report, containsText(heading));
     }
-    if (report.find("No figures: figures need the program gnuplot") == std::string::npos) {
+    if (report.find("No figures: ") == std::string::npos) {
         for (const char* figure : {"work_precision.png", "performance_profile.png", "scaling.png",
                                    "leaving_out.png", "rivals.png"}) {
             if (report.find(figure) != std::string::npos) {
@@ -185,37 +193,4 @@ TEST_CASE("bench: the judge takes neither x = 0 nor a wrong verdict")
     CHECK(record.outcome == "wrong");
     judgeNone(familyC(30), record);
     CHECK(record.outcome == "right");
-}
-
-TEST_CASE("bench: exponents and profiles")
-{
-    std::vector<std::pair<double, double>> points;
-    for (const double n : {1.0, 10.0, 100.0}) {
-        points.emplace_back(n, 3.0 * n * n);
-    }
-    const PowerLaw law = fitPowerLaw(points);
-    CHECK(law.exponent == Approx(2.0));
-    CHECK(law.factor == Approx(3.0));
-    CHECK(std::isnan(fitPowerLaw({{1.0, 1.0}}).exponent));
-
-    Table table;
-    const auto add = [&table](const char* problem, const char* who, const char* outcome, double t) {
-        Record record = identified("s", problem, who, "f", "x");
-        record.outcome = outcome;
-        record.figures["seconds_median"] = t;
-        table.push_back(record);
-    };
-    add("p", "quick", "right", 1.0);
-    add("p", "slow", "right", 4.0);
-    add("q", "quick", "wrong", 0.1);
-    add("q", "slow", "right", 2.0);
-    const auto profiles =
-        performanceProfiles(table, [](const Record& record) { return record.backEnd; });
-    REQUIRE(profiles.size() == 2);
-    REQUIRE(profiles[0].second.size() == 1);
-    CHECK(profiles[0].second[0].share == 0.5);
-    REQUIRE(profiles[1].second.size() == 2);
-    CHECK(profiles[1].second[0].factor == 1.0);
-    CHECK(profiles[1].second[1].factor == 4.0);
-    CHECK(profiles[1].second[1].share == 1.0);
 }

@@ -128,8 +128,7 @@ TEST_CASE("cli: wrong use is exit status 2, one line naming argument, value and 
         {"3 9 --cells 3.5", "--cells = 3.5"},
         {"3 9 --gap nan", "--gap = nan"},
         {"3 9 --gap inf", "--gap = inf"},
-        {"3 9 --gap -1", "--gap = -1"},
-        {"3 9 --gap 0", "--gap = 0"},
+        {"3 9 --gap 0", "energyRatio = not given"},
         {"3 9 --gap 1e-200", "gap"},
         {"3 9 --length 0", "--length = 0"},
         {"3 9 --wave-speed -2", "--wave-speed = -2"},
@@ -164,7 +163,7 @@ TEST_CASE("cli: wrong use is exit status 2, one line naming argument, value and 
         {"3 9 --motion a.txt", "a.txt"},
         {"3 9 --state a.csv --motion a.csv", "a.csv"},
         {"3 9 --state a.csv --motion ./a.csv", "a.csv"},
-        {"150 900 --state a.csv --gap -1", "--gap"},
+        {"150 900 --state a.csv --gap nan", "--gap"},
     }));
     const Program program;
     const auto outcome = program.run(std::string("find ") + wrong.arguments);

@@ -23,6 +23,9 @@ TEST_CASE("documents: every picture that a page shows is there")
             at = text.find(')', begin);
             REQUIRE(at != std::string::npos);
             const std::string picture = text.substr(begin, at - begin);
+            if (picture.rfind("octave/", 0) == 0) {
+                continue;  // drawn when the site is built
+            }
             INFO(page << " shows " << picture);
             CHECK(fs::exists(page.parent_path() / picture));
             ++pictures;

@@ -136,14 +136,42 @@ TEST_CASE("cli find: the forced motions of a schedule, by amplitude or of the le
     const json beyond = parsed(program, "find 12 96 --amplitude 1e-5" + free, 1);
     CHECK(beyond["reason"] == "constraints");
     CHECK(beyond["certificate"]["kind"] == "amplitude-range");
-    CHECK(parsed(program, "find 12 96 --cells 30 --damping 0 --force base", 3)["status"] ==
-          "undecided");
+    CHECK(beyond["certificate"]["verified"] == true);
+    // Without damping nothing holds the waves of (15, 90): they need no force, and bear none.
+    const json undamped = parsed(program, "find 15 90 --cells 30 --damping 0 --force base");
+    CHECK(undamped["solution_set"]["kind"] == "polytope");
+    CHECK(undamped["solution_set"]["free_waves"] == 15);
+    CHECK(undamped["amplitude"].get<double>() < 1e-12);
+    CHECK(parsed(program, "find 15 90 --cells 30 --damping 0 --force base --amplitude 1e-4",
+                 1)["certificate"]["verified"] == true);
+    // Two contacts in two cycles: one motion twice, and as a rule none.
+    const json twice = parsed(program, "find 12 96 12 96 --cycles 2 --amplitude 2.5e-4" + free);
+    CHECK(twice["schedule"] == json::parse("[[12,96],[12,96]]"));
+    CHECK(twice["motions"].back()["impulse"].get<double>() == Approx(2.1420e-3).margin(2e-7));
+    const json unlike = parsed(program, "find 12 96 13 95 --cycles 2" + free);
+    CHECK(unlike["solution_set"]["kind"] == "point");
+    CHECK(unlike["amplitude_range"][0] == unlike["amplitude_range"][1]);
+    const json none = parsed(program, "find 12 96 14 94 --cycles 2" + free, 1);
+    CHECK(none["certificate"]["verified"] == true);
+    // A limit on strain takes the upper part of the range.
+    const json all = parsed(program, "find 12 96" + free);
+    const json limited = parsed(program, "find 12 96 --strain-limit 2.5e-3" + free);
+    CHECK(limited["amplitude_range"][1] < all["amplitude_range"][1]);
+    const json& physical = limited["motions"][0]["physical"];
+    CHECK(physical["peak_compression"].get<double>() <= 2.5e-3 * (1.0 + 1e-12));
+    CHECK(physical["frequency"].get<double>() == Approx(30.0 / 108.0));
+    CHECK(physical["impulse"] == limited["motions"][0]["impulse"]);
+    CHECK(limited["motions"][0]["admissible"] == true);
+    // Strains beyond 1 are told.
+    const auto huge = program.run("find 12 96 --cells 30 --damping 0.03 --force tip --gap 0.9");
+    CHECK(huge.status == 0);
+    CHECK_THAT(huge.err, containsText("not admissible"));
     for (const char* wrong :
          {"find 12 96 --force tip", "find 12 96 --damping 0.1", "find 12 96 --cycles 2",
           "find 12 96 --damping 0.1 --force tip --energy-ratio 3",
           "find 12 96 --damping 0.1 --force tip --figure f.svg",
           "find 12 96 --damping 0.1 --force tip --cycles 54",
-          "find 12 96 12 96 --damping 0.1 --force tip",
+          "find 12 96 --damping 0.1 --force base --strain-limit 1e-3",
           "find --period 7/2 --damping 0.1 --force tip"}) {
         const auto outcome = program.run(wrong);
         INFO(wrong << "\n" << outcome.err);
@@ -196,6 +224,8 @@ TEST_CASE("cli simulate: a state of find goes on as find says, in seconds of the
     const Program program;
     const std::string steel =
         " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6 --quiet";
+    REQUIRE(program.run("find 500 3000 --cells 1000 --state s.csv" + steel).status == 0);
+    CHECK(parsed(program, "simulate --from s.csv --time 1.4e-2" + steel)["contacts"] == 10);
     REQUIRE(program.run("find 15 90 --cells 30 --state s.csv" + steel).status == 0);
     // Ten periods of 3.5 L/c = 1.4e-3 s; E = 4 E_1 = 4 EA g^2/(2L).
     const json answer = parsed(program, "simulate --from s.csv --time 1.4e-2" + steel);
@@ -265,4 +295,40 @@ TEST_CASE("cli response, simulate: figures with their labels")
         CHECK_THAT(contentOf(program.file("s.svg")), containsText(label));
     }
     CHECK_THAT(contentOf(program.file("rest.svg")), containsText("no contact"));
+}
+
+TEST_CASE("cli find --stability: what becomes of a free motion, with what was tried")
+{
+    const Program program;
+    const json answer = parsed(program, "find 15 90 --cells 30 --stability --quiet");
+    REQUIRE(answer["stability"].size() == 2);
+    const json& undamped = answer["stability"][0];
+    CHECK(undamped["damping"]["ratio"] == 0.0);
+    CHECK(undamped["periods"] == 300);
+    CHECK(undamped["trials"].size() == 4);
+    CHECK(undamped["drift"] == 0.0);
+    CHECK(undamped["verdict"] != "attracts");
+    CHECK(answer["stability"][1]["damping"]["ratio"] == 0.001);
+    CHECK(answer["stability"][1]["drift"].get<double>() > 1e-4);
+    CHECK_THAT(program.run("find 15 90 --cells 30 --stability").out,
+               containsText("disturbances") && containsText("periods"));
+    for (const char* wrong :
+         {"find --period 7/2 --stability", "find 12 96 --damping 0.1 --force tip --stability"}) {
+        CHECK(program.run(wrong).status == 2);
+    }
+}
+
+TEST_CASE("cli response --map: amplitude against frequency")
+{
+    const Program program;
+    const auto outcome =
+        program.run("response --from 0.9 --to 1.3 --map m.svg --figure r.svg" + section15);
+    if (outcome.status == 4) {
+        return;  // no gnuplot here
+    }
+    CHECK(outcome.status == 0);
+    for (const char* label : {"amplitude of the force", "meets the wall", "the least", "two"}) {
+        CHECK_THAT(contentOf(program.file("m.svg")), containsText(label));
+    }
+    CHECK_THAT(contentOf(program.file("r.svg")), containsText("modes"));
 }

@@ -164,3 +164,59 @@ TEST_CASE("cli modes: the table holds the curves of the figure")
     }
     CHECK(program.run("modes --csv a.png --figure a.png").status == 2);
 }
+
+TEST_CASE("cli modes: two contacts, exact polygons in text, JSON and a table")
+{
+    const Program program;
+    const auto outcome =
+        program.run("modes --phases 2 --max-order 5 --max-energy-ratio 1e9 --format json --csv " +
+                    program.file("p.csv").string());
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const json r = json::parse(outcome.out);
+    CHECK(r["phases"] == 2);
+    CHECK(r["complete"] == true);
+    CHECK(r["max_period_ratio"] == 8.0);
+    REQUIRE(r["polytopes"].size() == 6);
+    const json& first = r["polytopes"][0];
+    CHECK(
+        first["chains"] ==
+        json::parse(R"([{"k": 2, "turns": 1, "release": 2}, {"k": 2, "turns": 2, "release": 1}])"));
+    CHECK(first["contact"] == json({8, -3}));
+    CHECK(first["free_times"] == 1);
+    CHECK(first["inverse_sqrt_energy"] == json({2, 5, 1}));
+    CHECK(first["vertices"] ==
+          json::parse("[[[5, 2], [1, 1]], [[5, 2], [3, 2]], [[8, 3], [4, 3]]]"));
+    CHECK(first["energy_ratio_range"] == json({9.0, nullptr}));
+    CHECK(r["polytopes"][1]["free_times"] == 0);
+    CHECK(r["polytopes"][1]["inverse_sqrt_energy"] == json({1, 6, 2}));
+    // The table: contact and flight add up to T, contact to 8 - 3T, which either may have alone.
+    std::ifstream lines(program.file("p.csv"));
+    std::string line;
+    std::getline(lines, line);
+    CHECK(line ==
+          "type,free_times,period_ratio,frequency_ratio,energy_ratio,contact_1_ratio,"
+          "flight_1_ratio,contact_2_ratio,flight_2_ratio");
+    int corners = 0;
+    while (std::getline(lines, line) && line.rfind("2/1→2 2/2→1,1,", 0) == 0) {
+        std::vector<double> numbers;
+        std::istringstream cells(line);
+        for (std::string cell; std::getline(cells, cell, ',');) {
+            numbers.push_back(std::atof(cell.c_str()));
+        }
+        REQUIRE(numbers.size() == 9);
+        CHECK(numbers[5] + numbers[6] + numbers[7] + numbers[8] == Approx(numbers[2]));
+        CHECK(numbers[5] + numbers[7] == Approx(8.0 - 3.0 * numbers[2]));
+        CHECK(numbers[5] * numbers[7] == Approx(0.0).margin(1e-12));
+        ++corners;
+    }
+    CHECK(corners == 40);
+    CHECK_THAT(program.run("modes --phases 2 --max-order 3").out,
+               containsText("2/1→2 2/2→1") && containsText("8 - 3T") && containsText("2T - 5"));
+    const auto wrong = program.run("modes --phases 6");
+    CHECK(wrong.status == 2);
+    CHECK_THAT(wrong.err, containsText("--phases") && containsText("1..5"));
+    const auto large = program.run("modes --phases 2 --max-order 103");
+    CHECK(large.status == 2);
+    CHECK_THAT(large.err, containsText("103"));
+}

@@ -72,7 +72,7 @@ TEST_CASE("figure: axes are in the units of the bar, contact is where the wall p
         return content;
     };
     FindOptions steel;
-    steel.bar = barOfMaterial(2.0, 210e9, 7800.0, 1e-4, 1e-5);
+    steel.scene = barOfMaterial(2.0, 210e9, 7800.0, 1e-4, 1e-5);
     CHECK_THAT(drawn(findPeriodic(150, 900, 300, steel)),
                containsText("[ms]") && containsText("[m]") && containsText("[µm]") &&
                    containsText("741.2 Hz") && containsText("c = 5.189 km/s"));

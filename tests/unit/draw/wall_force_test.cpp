@@ -48,7 +48,7 @@ TEST_CASE("wall force: twice the arriving wave, as stepping through the bar show
         const PeriodicResult result = findPeriodic(schedule);
         INFO(describe(schedule));
         REQUIRE(result.motion);
-        CHECK(wallForce(result.motion->state, schedule) ==
+        CHECK(wallForces(Motion(result.motion->state, schedule)) ==
               steppedForce(result.motion->state, schedule));
     }
 }
@@ -58,7 +58,8 @@ TEST_CASE("wall force: contact is where the wall presses, not where a schedule a
     // The tent of family (4, 7, 1) on 12 cells: of 8 contact steps the first two are without force.
     const PeriodicResult result = findPeriodic(8, 34, 12);
     REQUIRE(result.motion);
-    const std::vector<Pressed> all = pressed(wallForce(result.motion->state, result.schedule));
+    const std::vector<Pressed> all =
+        pressed(wallForces(Motion(result.motion->state, result.schedule)));
     REQUIRE(all.size() == 1);
     CHECK(all.front().from == 2);
     CHECK(all.front().to == 6);
@@ -69,7 +70,7 @@ TEST_CASE("wall force: none where the wall is only touched")
     const PeriodicResult grazing = findPeriodic(2, 6, 2);
     REQUIRE(grazing.motion);
     REQUIRE(grazing.motion->contact == Contact::grazing);
-    const std::vector<double> force = wallForce(grazing.motion->state, grazing.schedule);
+    const std::vector<double> force = wallForces(Motion(grazing.motion->state, grazing.schedule));
     CHECK(pressed(force).empty());
     CHECK(pressed({}).empty());
 }

@@ -1,9 +1,11 @@
 #include "signorini/response.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "catch.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -40,7 +42,7 @@ TEST_CASE("response: the motions of section 15, and no others")
         for (std::size_t k = 0; k < known.size(); ++k) {
             const ForcedMotion& motion = response->motions[k];
             CHECK(motion.schedule == onePhase(30, known[k].contact, n - known[k].contact));
-            CHECK(motion.impulse == Approx(known[k].impulse).margin(5e-5));
+            CHECK(motion.extremes.impulse == Approx(known[k].impulse).margin(5e-5));
             CHECK(motion.amplitude == Approx(0.25).epsilon(1e-12));
             CHECK(motion.residual < 1e-12);
         }
@@ -95,7 +97,8 @@ TEST_CASE("response: it lists what the schedules have one by one, for a force an
                         REQUIRE(next < response->motions.size());
                         const ForcedMotion& listed = response->motions[next++];
                         CHECK(listed.schedule == motion.schedule);
-                        CHECK(listed.impulse == Approx(motion.impulse).epsilon(1e-9));
+                        CHECK(listed.extremes.impulse ==
+                              Approx(motion.extremes.impulse).epsilon(1e-9));
                     }
                 }
                 CHECK(next == response->motions.size());
@@ -232,4 +235,50 @@ TEST_CASE("stability: slow ways away, too little time, and no disturbance at all
     CHECK_THROWS_WITH(stabilityOf(motion, {.sizes = {0.0}}), containsText("sizes"));
     CHECK_THROWS_WITH(stabilityOf(motion, {.sizes = {}}), containsText("sizes"));
     CHECK_THROWS_WITH(stabilityOf(motion, {.draws = 0}), containsText("draws"));
+}
+
+TEST_CASE("stability: a free motion stays near its neighbours; with damping all fade alike")
+{
+    const Schedule schedule = onePhase(30, 15, 90);
+    const OnePhaseSet set = onePhaseSet(schedule);
+    REQUIRE_FALSE(set.reason);
+    const State state = leastEnergyMotion(set);
+    const StabilityResult free = stabilityOf(state, schedule);
+    CHECK(free.stability != Stability::attracts);  // nothing is lost
+    CHECK(free.drift == 0.0);
+    CHECK(free.contacts == 300);
+    REQUIRE(free.trials.size() == 4);
+    for (const StabilityTrial& trial : free.trials) {
+        CHECK(trial.start > 0.0);
+        CHECK(trial.end > 0.01 * trial.start);
+    }
+    // With 0.1 % of damping the motion leaves itself.
+    const StabilityResult damped = stabilityOf(state, schedule, {0.001});
+    CHECK(damped.drift > 0.1);
+    CHECK(damped.contacts > 0);
+    CHECK_THROWS_WITH(stabilityOf(state, onePhase(20, 10, 60)), containsText("cells"));
+    CHECK_THROWS_WITH(stabilityOf(state, schedule, {-1.0}), containsText("damping"));
+}
+
+TEST_CASE("response: branches count the motions of every amplitude")
+{
+    ResponseRange range = section15();
+    for (const std::int64_t n : {100, 104, 108, 113, 122}) {
+        range.amplitude = 0.25;
+        const auto response = responseAt(range, n);
+        REQUIRE(response);
+        for (const double amplitude : {0.05, 0.13, 0.2, 0.3, 0.5, 0.9}) {
+            range.amplitude = amplitude;
+            const auto other = responseAt(range, n);
+            REQUIRE(other);
+            CHECK(other->branches == response->branches);
+            const auto count =
+                std::count_if(response->branches.begin(), response->branches.end(),
+                              [amplitude](const AmplitudeBranch& branch) {
+                                  return branch.least <= amplitude && amplitude <= branch.most;
+                              });
+            INFO("n = " << n << ", amplitude " << amplitude);
+            CHECK(static_cast<std::size_t>(count) == other->motions.size());
+        }
+    }
 }

@@ -76,7 +76,7 @@ TEST_CASE("findPeriodic: the objective chooses the end of the energy range")
 TEST_CASE("findPeriodic: physical units scale the answer and leave E/E_1 alone")
 {
     FindOptions steel;
-    steel.bar = barOfMaterial(1.0, 210e9, 7800.0, 1e-4, 1e-6);
+    steel.scene = barOfMaterial(1.0, 210e9, 7800.0, 1e-4, 1e-6);
     for (const Schedule& schedule :
          {onePhase(300, 150, 900), onePhase(5, 3, 14), onePhase(9, 3, 20)}) {
         const PeriodicResult unit = findPeriodic(schedule);
@@ -84,14 +84,14 @@ TEST_CASE("findPeriodic: physical units scale the answer and leave E/E_1 alone")
         CHECK(scaled.motion->energyRatio == Approx(unit.motion->energyRatio).epsilon(1e-12));
         CHECK(scaled.motion->state == unit.motion->state);
         CHECK(scaled.motion->energy ==
-              Approx(unit.motion->energyRatio * 0.5 * steel.bar.axialStiffness * 1e-12)
+              Approx(unit.motion->energyRatio * 0.5 * steel.scene.bar.axialStiffness * 1e-12)
                   .epsilon(1e-12));
-        CHECK(scaled.period == Approx(unit.period / steel.bar.waveSpeed).epsilon(1e-12));
+        CHECK(scaled.period == Approx(unit.period / steel.scene.bar.waveSpeed).epsilon(1e-12));
     }
     for (const double speed : {1e-6, 1.0, 1e9}) {
         for (const double gap : {1e-12, 1.0, 1e3}) {
             const PeriodicResult r =
-                findPeriodic(150, 900, 300, {.bar = {.waveSpeed = speed, .gap = gap}});
+                findPeriodic(150, 900, 300, {.scene = Bar{.waveSpeed = speed, .gap = gap}});
             CHECK(r.status == Status::found);
             CHECK(r.motion->energyRatio == 4.0);
         }
@@ -173,7 +173,8 @@ TEST_CASE("findPeriodic: wrong use throws with field, value and range")
     CHECK_THROWS_WITH(findPeriodic(0, 9), containsText("contact steps of phase 1 = 0"));
     CHECK_THROWS_WITH(findPeriodic(1, -9), containsText("free steps of phase 1 = -9"));
     CHECK_THROWS_WITH(findPeriodic(1, 9, 0), containsText("cells = 0"));
-    CHECK_THROWS_WITH(findPeriodic(1, 9, 3, {.bar = {.gap = -1.0}}), containsText("gap = -1"));
+    CHECK_THROWS_WITH(findPeriodic(1, 9, 3, {.scene = Bar{.length = -1.0}}),
+                      containsText("length = -1"));
     CHECK_THROWS_WITH(findPeriodic(1, 9, 3, {.solver = "magic"}), containsText("solver = magic"));
     CHECK_THROWS_WITH(findPeriodic(1, 9, 3, {.tolerance = 1.0}), containsText("tolerance = 1"));
     CHECK_THROWS_WITH(findPeriodic(1, 9, 3, {.timeLimit = 0.0}), containsText("timeLimit = 0"));

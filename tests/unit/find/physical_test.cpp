@@ -165,7 +165,7 @@ TEST_CASE("physical: extremes of a mode are those of its sampled field at any pe
 TEST_CASE("physical: SI units, for a bar of steel")
 {
     const Bar steel = barOfMaterial(2.0, 210e9, 7800.0, 1e-4, 1e-5);
-    const PeriodicResult found = findPeriodic(150, 900, 300, {.bar = steel});
+    const PeriodicResult found = findPeriodic(150, 900, 300, {.scene = steel});
     REQUIRE(found.motion);
     const Physical& p = found.motion->physical;
     // 4 E_1: p = +-1, so strains are 2 g/L, the force 2 EA g/L, speeds 2 c g/L; the tip goes back
@@ -182,10 +182,10 @@ TEST_CASE("physical: SI units, for a bar of steel")
     REQUIRE(p.peakStress);
     CHECK(*p.peakStress == Approx(210e9 * strain));
     CHECK(p.isAdmissible());
-    CHECK_FALSE(findPeriodic(150, 900, 300, {.bar = {}}).motion->physical.peakStress);
+    CHECK_FALSE(findPeriodic(150, 900, 300, {.scene = Bar{}}).motion->physical.peakStress);
     CHECK_FALSE(
-        findPeriodic(150, 900, 300, {.bar = {.gap = 0.51}}).motion->physical.isAdmissible());
-    CHECK(findPeriodic(150, 900, 300, {.bar = {.gap = 0.49}}).motion->physical.isAdmissible());
+        findPeriodic(150, 900, 300, {.scene = Bar{.gap = 0.51}}).motion->physical.isAdmissible());
+    CHECK(findPeriodic(150, 900, 300, {.scene = Bar{.gap = 0.49}}).motion->physical.isAdmissible());
 }
 
 TEST_CASE("physical: a motion that repeats within the schedule has its own frequency")

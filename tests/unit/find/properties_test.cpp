@@ -115,7 +115,7 @@ TEST_CASE("property: scaling L, c, EA, g scales the answer")
         const PeriodicResult unit = findPeriodic(schedule);
         const PeriodicResult scaled = findPeriodic(
             schedule,
-            {.bar = {.length = l, .waveSpeed = c, .axialStiffness = ea, .gap = 1e-3 * g}});
+            {.scene = Bar{.length = l, .waveSpeed = c, .axialStiffness = ea, .gap = 1e-3 * g}});
         RC_ASSERT(scaled.status == unit.status);
         RC_ASSERT(scaled.motion.has_value() == unit.motion.has_value());
         if (!unit.motion) {
@@ -124,7 +124,7 @@ TEST_CASE("property: scaling L, c, EA, g scales the answer")
         RC_ASSERT(scaled.motion->state == unit.motion->state);
         RC_ASSERT(scaled.motion->energyRatio == unit.motion->energyRatio);
         RC_ASSERT(close(scaled.period / unit.period, l / c, 1e-12));
-        RC_ASSERT(close(scaled.motion->energy * l / (ea * g * g * unit.bar.axialStiffness),
+        RC_ASSERT(close(scaled.motion->energy * l / (ea * g * g * unit.scene.bar.axialStiffness),
                         unit.motion->energy, 1e-12));
     }));
 }

@@ -37,12 +37,12 @@ TEST_CASE("infeasibility: a proof is checked exactly, and wrong ones are not acc
     const Program program = impossible();
     const InfeasibilityProof proof{{{0, 1}}, {{0, 1}}};  // 2x = 2 at most, but x >= 2
     CHECK(isProof(proof, program));
-    CHECK_FALSE(isProof({{{0, -1}}, {{0, 1}}}, program));
-    CHECK_FALSE(isProof({{{0, 1}}, {}}, program));
-    CHECK_FALSE(isProof({{{0, 1}}, {{0, -1}}}, program));
-    CHECK_FALSE(isProof({{{1, 1}}, {{0, 1}}}, program));
-    CHECK_FALSE(isProof({{{0, 1}}, {{-1, 1}}}, program));
-    CHECK_FALSE(isProof({}, program));
+    CHECK_FALSE(isProof(InfeasibilityProof{{{0, -1}}, {{0, 1}}}, program));
+    CHECK_FALSE(isProof(InfeasibilityProof{{{0, 1}}, {}}, program));
+    CHECK_FALSE(isProof(InfeasibilityProof{{{0, 1}}, {{0, -1}}}, program));
+    CHECK_FALSE(isProof(InfeasibilityProof{{{1, 1}}, {{0, 1}}}, program));
+    CHECK_FALSE(isProof(InfeasibilityProof{{{0, 1}}, {{-1, 1}}}, program));
+    CHECK_FALSE(isProof(InfeasibilityProof{}, program));
     Program touching = program;
     touching.lower[0] = 1.0;  // now x = 1, y = 2 is feasible: equality is no contradiction
     CHECK_FALSE(isProof(proof, touching));
@@ -54,7 +54,7 @@ TEST_CASE("infeasibility: an infinite bound that the combination needs is no pro
 {
     Program program = impossible();
     program.lower[0] = -infinity;
-    CHECK_FALSE(isProof({{{0, 1}}, {{0, 1}}}, program));
+    CHECK_FALSE(isProof(InfeasibilityProof{{{0, 1}}, {{0, 1}}}, program));
 }
 
 TEST_CASE("infeasibility: proofs are found from the duals of an elastic program")

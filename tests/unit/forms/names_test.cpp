@@ -44,5 +44,5 @@ TEST_CASE("names: each enumerator in turn has a name of its own, which leads bac
 TEST_CASE("names: a message lists all of a table, or of a part of it")
 {
     CHECK(namesIn(statusNames) == "found|none|undecided");
-    CHECK(namesIn(std::span(setKindNames).subspan(1)) == "point|simplex|box|polytope");
+    CHECK(namesIn(std::span(setKindNames).subspan(1)) == "point|simplex|box|polytope|cone");
 }

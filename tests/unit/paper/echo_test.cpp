@@ -64,8 +64,10 @@ TEST_CASE("echo: gap and energy of a state, written in its waves")
     const State state = test::randomState(cells);
     const Eigen::VectorXd p = windowOf(state);
     CHECK(displacement(state)[cells - 1] == Approx(-p.sum() / cells));
-    CHECK(displacement(state)[cells - 1] * static_cast<double>(gapSum(cells)) ==
-          Approx(gapOffset * p.sum()));
+    CHECK(displacement(state)[cells - 1] * static_cast<double>(gapSum(cells, 1)) ==
+          Approx(p.sum()));
+    CHECK(gapSum(cells, -1) == -gapSum(cells, 1));
+    CHECK(gapSum(cells, 0) == 0);
     CHECK(energyRatio(state) == Approx(energyOf(p.squaredNorm(), cells)));
     CHECK(energyOf(2.0, 12, 3) == 1.0);
     CHECK(squaresOf(1.0, 12, 3) == 2.0);

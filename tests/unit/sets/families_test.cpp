@@ -420,7 +420,8 @@ TEST_CASE("families: a visitor that says no ends the search")
     CHECK(visits == 3);
 
     // Where nothing is visited a stop request ends it.
-    CHECK_FALSE(forEachFamilyOnGrid(maxCells, {4.0, 1.5, [] { return true; }}, third));
+    CHECK_FALSE(forEachFamilyOnGrid(maxCells,
+                                    {.maxEnergyRatio = 1.5, .cancel = [] { return true; }}, third));
     CHECK(visits == 3);
 }
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "modes_support.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "support.hpp"
@@ -33,32 +34,6 @@ State onCells(const Waves& waves, std::int64_t cells)
         state.b[i] = values[1][static_cast<std::size_t>(i)];
     }
     return state;
-}
-
-/// The waves of a mode at t = 0, which leave the clamp and the tip where p jumps.
-Waves wavesOf(const ModeMotion& motion)
-{
-    Waves waves;
-    std::vector<double> ends;
-    for (double turn = 0.0; turn < 2.0; turn += motion.period()) {
-        for (const double jump : motion.jumpTimes()) {
-            ends.push_back(turn + jump);
-        }
-        ends.push_back(turn + motion.period());
-    }
-    ends.push_back(1.0);
-    ends.push_back(2.0);
-    std::sort(ends.begin(), ends.end());
-    double before = 0.0;
-    for (const double end : ends) {
-        if (end > before && end <= 2.0) {
-            // a arrives as p, b as -p a crossing later.
-            const double p = motion.incoming(0.5 * (before + end));
-            (end <= 1.0 ? waves.a : waves.b).push_back({end - before, end <= 1.0 ? p : -p});
-            before = end;
-        }
-    }
-    return waves;
 }
 
 }  // namespace
@@ -149,7 +124,7 @@ TEST_CASE("simulation: modes at irrational periods, off every grid")
             mode.lowest.value() + (mode.highest.value() - mode.lowest.value()) / std::numbers::e;
         const ModeMotion motion(mode, period);
         INFO(mode.a << " " << mode.b);
-        BarSimulation simulation(wavesOf(motion), {});
+        BarSimulation simulation(test::wavesOf(motion), {});
         for (int k = 1; k <= 40; ++k) {
             simulation.advance(0.5 * period);
             REQUIRE(simulation.tip() ==

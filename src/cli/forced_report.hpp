@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The forced motions of a schedule, in words and as JSON.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signorini/bar.hpp"
+#include "signorini/response.hpp"
+
+namespace signorini::cli {
+
+/// What is said of a schedule.
+struct ForcedAnswer {
+    ForcedSet set;
+    Bar bar;
+    double amplitudeUnit = 1.0;         ///< [N] or [m]
+    std::optional<double> asked;        ///< [N] or [m]
+    std::vector<ForcedMotion> motions;  ///< by ascending impulse
+    /// Where the set has motions, but none of the amplitude.
+    std::optional<AmplitudeExclusion> exclusion = {};
+
+    [[nodiscard]] Status status() const
+    {
+        return !exclusion ? set.status : exclusion->isCertain ? Status::none : Status::undecided;
+    }
+};
+
+/// The motions of an amplitude [N] or [m], or if none is asked for the one of the least.
+[[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Bar& bar, std::optional<double> asked);
+
+/// Several lines for people, with a final newline.
+[[nodiscard]] std::string asText(const ForcedAnswer& answer);
+
+/// The JSON of the contract, with a final newline.
+[[nodiscard]] std::string asJson(const ForcedAnswer& answer);
+
+}  // namespace signorini::cli

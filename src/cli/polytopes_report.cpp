@@ -1,0 +1,161 @@
+#include "polytopes_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "files.hpp"
+#include "mode_report.hpp"
+#include "report.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+std::string asText(double low, double high)
+{
+    return fmt::format("]{:.6g}, {:.6g}[", low, high);
+}
+
+std::int64_t contactSum(const ModePolytope& polytope)
+{
+    std::int64_t sum = 0;
+    for (const ModeChain& chain : polytope.chains) {
+        sum += 2 * chain.k;
+    }
+    return sum;
+}
+
+std::string rootAsText(const ModePolytope& polytope)
+{
+    const std::string form = linearAsText(polytope.kappa, polytope.mu);
+    if (polytope.divisor == 1) {
+        return form;
+    }
+    return polytope.kappa == 0 ? fmt::format("{}/{}", form, polytope.divisor)
+                               : fmt::format("({})/{}", form, polytope.divisor);
+}
+
+Json asJson(const ModePolytope& polytope, const Scales& unit)
+{
+    const EnergyRange energy = energyRange(polytope);
+    const auto hertz = [&unit](const ExactPeriod& end) { return 1.0 / (end.value() * unit.time); };
+    Json json = identityAsJson(polytope);
+    json["energy_ratio_range"] = {energy.least, energy.most};  // infinite ends print as null
+    json["frequency_range"] = {hertz(polytope.highest), hertz(polytope.lowest)};
+    json["energy_range"] = {energy.least * unit.energy, energy.most * unit.energy};
+    return json;
+}
+
+}  // namespace
+
+std::string chainsAsText(const std::vector<ModeChain>& chains)
+{
+    std::string text;
+    for (const ModeChain& chain : chains) {
+        text += fmt::format("{}{}/{}→{}", text.empty() ? "" : " ", chain.k, chain.turns,
+                            chain.release + 1);
+    }
+    return text;
+}
+
+Json identityAsJson(const ModePolytope& polytope)
+{
+    Json chains = Json::array();
+    for (const ModeChain& chain : polytope.chains) {
+        chains.push_back({{"k", chain.k}, {"turns", chain.turns}, {"release", chain.release + 1}});
+    }
+    Json vertices = Json::array();
+    for (const auto& vertex : polytope.vertices) {
+        vertices.push_back(Json::array());
+        for (const ExactPeriod& coordinate : vertex) {
+            vertices.back().push_back(fractionAsJson(coordinate));
+        }
+    }
+    return {{"chains", chains},
+            {"order", polytope.order},
+            {"free_times", polytope.dimension},
+            {"contact", {contactSum(polytope), -polytope.order}},
+            {"period_range", {fractionAsJson(polytope.lowest), fractionAsJson(polytope.highest)}},
+            {"inverse_sqrt_energy", {polytope.kappa, polytope.mu, polytope.divisor}},
+            {"ends", {name(polytope.lowestEnd), name(polytope.highestEnd)}},
+            {"vertices", vertices}};
+}
+
+std::string asText(const PolytopeListing& listing)
+{
+    std::string text =
+        fmt::format("{} types of motions with {} contacts of order ≤ {}, T ≤ {} L/c, E ≤ {} E₁{}\n",
+                    listing.polytopes.size(), listing.phases, listing.bounds.maxOrder,
+                    listing.bounds.maxPeriod, listing.bounds.maxEnergyRatio,
+                    listing.isComplete ? "" : ": interrupted, the list is not complete");
+    if (listing.polytopes.empty()) {
+        return text;
+    }
+    const Scales unit = scales(listing.bar);
+    const auto width = static_cast<int>(8 * listing.phases + 3);
+    text += fmt::format("\n{:<{}}{:<6}{:<18}{:<22}{:<24}{:<14}{:<15}{:<22}{}\n", "k/turns→release",
+                        width, "free", "T in [L/c]", "ω/ω₁ in", "frequency in [Hz]",
+                        "contact [L/c]", "1/√(E/E₁)", "E/E₁ in", "lowest T");
+    for (const ModePolytope& polytope : listing.polytopes) {
+        const EnergyRange energy = energyRange(polytope);
+        const double low = polytope.lowest.value();
+        const double high = polytope.highest.value();
+        text +=
+            fmt::format("{:<{}}{:<6}{:<18}{:<22}{:<24}{:<14}{:<15}{:<22}{}\n",
+                        chainsAsText(polytope.chains), width, polytope.dimension,
+                        fmt::format("]{}, {}[", fractionAsText(polytope.lowest),
+                                    fractionAsText(polytope.highest)),
+                        asText(4.0 / high, 4.0 / low),
+                        asText(1.0 / (high * unit.time), 1.0 / (low * unit.time)),
+                        linearAsText(-polytope.order, -contactSum(polytope)), rootAsText(polytope),
+                        asText(energy.least, energy.most), name(polytope.lowestEnd));
+    }
+    return text;
+}
+
+std::string asJson(const PolytopeListing& listing)
+{
+    const Scales unit = scales(listing.bar);
+    Json json = newAnswer();
+    json.update(Json{{"bar", barAsJson(listing.bar)},
+                     {"complete", listing.isComplete},
+                     {"phases", listing.phases},
+                     {"max_order", listing.bounds.maxOrder},
+                     {"max_period_ratio", listing.bounds.maxPeriod},
+                     {"max_energy_ratio", listing.bounds.maxEnergyRatio},
+                     {"polytopes", Json::array()}});
+    for (const ModePolytope& polytope : listing.polytopes) {
+        json["polytopes"].push_back(asJson(polytope, unit));
+    }
+    return asLine(json);
+}
+
+void writePolytopes(const std::string& path, const PolytopeListing& listing)
+{
+    constexpr int periods = 20;
+    TextFile file(path);
+    std::string head = "type,free_times,period_ratio,frequency_ratio,energy_ratio";
+    for (std::int64_t l = 1; l <= listing.phases; ++l) {
+        head += fmt::format(",contact_{}_ratio,flight_{}_ratio", l, l);
+    }
+    file.write(head + "\n");
+    for (const ModePolytope& polytope : listing.polytopes) {
+        for (int k = 0; k < periods; ++k) {
+            const double period =
+                std::lerp(polytope.lowest.value(), polytope.highest.value(), (k + 0.5) / periods);
+            for (const ModePoint& corner : slice(polytope, period)) {
+                std::string row =
+                    fmt::format("{},{},{},{},{}", chainsAsText(polytope.chains), polytope.dimension,
+                                period, 4.0 / period, energyRatio(polytope, period));
+                for (const double time : stretches(polytope, corner)) {
+                    row += fmt::format(",{}", std::max(time, 0.0));  // 0 but for rounding
+                }
+                file.write(row + "\n");
+            }
+        }
+    }
+    file.close();
+}
+
+}  // namespace signorini::cli

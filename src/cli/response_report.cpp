@@ -1,0 +1,129 @@
+#include "response_report.hpp"
+
+#include "force_report.hpp"
+#include "report.hpp"
+#include "signorini/output.hpp"
+#include "text.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+std::string_view word(const ForcedMotion& motion)
+{
+    return motion.stability ? name(*motion.stability) : std::string_view();
+}
+
+Json asJson(const FrequencyResponse& response, const Bar& bar)
+{
+    const Scales unit = scales(bar);
+    Json json{{"steps", response.steps},
+              {"frequency_ratio", response.frequencyRatio},
+              {"frequency", response.frequencyRatio / 4.0 / unit.time},
+              {"touches", response.touches},
+              {"linear_peak", response.linearPeak * unit.displacement},
+              {"undecided", response.undecided},
+              {"motions", Json::array()}};
+    for (const ForcedMotion& motion : response.motions) {
+        const Physical physical = physicalOf(motion.extremes, bar);
+        Json one{{"schedule", phasesAsJson(motion.schedule.phases)},
+                 {"phase", motion.phase},
+                 {"impulse", physical.impulse},
+                 {"peak_force", physical.peakForce},
+                 {"tip_lowest", physical.tipLowest},
+                 {"physical", physicalAsJson(physical)},
+                 {"admissible", physical.isAdmissible()},
+                 {"residual", motion.residual},
+                 {"stable", nullptr}};
+        if (motion.stability.value_or(Stability::unclear) != Stability::unclear) {
+            one["stable"] = *motion.stability == Stability::attracts;
+        }
+        json["motions"].push_back(std::move(one));
+    }
+    return json;
+}
+
+}  // namespace
+
+std::string asText(const ResponseAnswer& answer)
+{
+    const ResponseRange& range = answer.range;
+    Text text;
+    print(text,
+          "{} motions with one contact phase at {} frequencies: N = {}, ζ = {}, {} of amplitude {} "
+          "{}{}{}\n",
+          answer.motions(), answer.frequencies.size(), range.cells, range.damping.ratio,
+          range.place == Excited::tip ? "force on the tip" : "base", answer.amplitude,
+          range.place == Excited::tip ? "N" : "m",
+          range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
+          answer.isComplete ? "" : ": interrupted, the list is not complete");
+    if (answer.undecided() > 0) {
+        print(text, "undecided   {} schedules\n", answer.undecided());
+    }
+    print(text, "\n{:<8}{:<12}{:<14}{:<14}{:<12}{:<14}{:<14}{}\n", "n", "ω/ω₁", "linear u/g",
+          "(n_c, n_f)", "phase", "impulse N s", "peak N", "stability");
+    for (const FrequencyResponse& response : answer.frequencies) {
+        const std::string begin = fmt::format("{:<8}{:<12.6g}{:<14.6g}", response.steps,
+                                              response.frequencyRatio, response.linearPeak);
+        if (response.motions.empty()) {
+            print(text, "{}{}\n", begin, response.touches ? "none" : "none: stays clear");
+        }
+        for (const ForcedMotion& motion : response.motions) {
+            const Phase& phase = motion.schedule.phases.front();
+            print(text, "{}{:<14}{:<12.5f}{:<14.6g}{:<14.6g}{}\n", begin,
+                  fmt::format("({}, {})", phase.contact, phase.free), motion.phase,
+                  motion.extremes.impulse * impulseUnit(answer.bar),
+                  motion.extremes.peakForce * forceUnit(answer.bar), word(motion));
+        }
+    }
+    return fmt::to_string(text);
+}
+
+std::string asJson(const ResponseAnswer& answer)
+{
+    const ResponseRange& range = answer.range;
+    Json json = newAnswer();
+    json.update(
+        Json{{"status", name(answer.status())},
+             {"cells", range.cells},
+             {"bar", barAsJson(answer.bar)},
+             {"damping", dampingAsJson(range.damping, answer.bar)},
+             {"force", name(range.place)},
+             {"amplitude", answer.amplitude},
+             {"cycles", range.cycles},
+             {"frequency_ratio_range", {range.leastFrequencyRatio, range.mostFrequencyRatio}},
+             {"complete", answer.isComplete},
+             {"frequencies", Json::array()}});
+    for (const FrequencyResponse& response : answer.frequencies) {
+        json["frequencies"].push_back(asJson(response, answer.bar));
+    }
+    return asLine(json);
+}
+
+void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
+{
+    const Scales unit = scales(answer.bar);
+    TextFile file(path);
+    file.write(
+        "steps,frequency_ratio,frequency,touches,linear_peak,contact,free,phase,impulse,"
+        "peak_force,tip_lowest,stability\n");
+    for (const FrequencyResponse& response : answer.frequencies) {
+        const std::string begin =
+            fmt::format("{},{},{},{},{}", response.steps, response.frequencyRatio,
+                        response.frequencyRatio / 4.0 / unit.time, response.touches ? 1 : 0,
+                        response.linearPeak * unit.displacement);
+        if (response.motions.empty()) {
+            file.write(begin + ",,,,,,,\n");
+        }
+        for (const ForcedMotion& motion : response.motions) {
+            const Phase& phase = motion.schedule.phases.front();
+            file.write(fmt::format("{},{},{},{},{},{},{},{}\n", begin, phase.contact, phase.free,
+                                   motion.phase, motion.extremes.impulse * impulseUnit(answer.bar),
+                                   motion.extremes.peakForce * forceUnit(answer.bar),
+                                   motion.extremes.lowestTip * unit.displacement, word(motion)));
+        }
+    }
+    file.close();
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,51 @@
+#include "engine_names.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "faults.hpp"
+#include "solver.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Words for solvers that have another name in the table of back ends.
+constexpr std::array engines{
+    std::pair<std::string_view, std::string_view>{"geometric", "closed-form"},
+    std::pair<std::string_view, std::string_view>{"nlopt", "nlopt-auglag"},
+};
+
+}  // namespace
+
+std::string solverOfEngine(std::string_view engine, std::string_view argument)
+{
+    for (const auto& [word, solver] : engines) {
+        if (engine == word) {
+            return std::string(solver);
+        }
+    }
+    const auto table = backends();
+    if (engine != "auto" && std::none_of(table.begin(), table.end(), [&](const Backend& backend) {
+            return backend.name == engine;
+        })) {
+        Faults faults;
+        faults.add(argument, engine.empty() ? "''" : engine,
+                   "auto|geometric|ipopt|nlopt, or a back end");
+        faults.throwIfAny();
+    }
+    return std::string(engine);
+}
+
+std::string engineOf(const Continuum& curve)
+{
+    for (const auto& [word, solver] : engines) {
+        if (curve.solver == solver) {
+            return std::string(word);
+        }
+    }
+    return curve.solver;
+}
+
+}  // namespace signorini

@@ -1,0 +1,85 @@
+#include "forced_case.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "echo.hpp"
+
+namespace signorini {
+
+std::vector<Excitation> shapesOf(const Forcing& forcing, std::int64_t cells, std::int64_t steps)
+{
+    if (forcing.shape.empty()) {
+        Harmonic harmonic{.place = forcing.place,
+                          .cycles = forcing.cycles,
+                          .steps = steps,
+                          .stepsPerCrossing = static_cast<double>(cells)};
+        Excitation cosine = excitationOf(harmonic);
+        harmonic.phase = 0.5 * std::numbers::pi;
+        return {std::move(cosine), excitationOf(harmonic)};
+    }
+    Excitation excitation{forcing.place, {}, static_cast<double>(cells)};
+    while (excitation.steps() < steps) {
+        excitation.values.insert(excitation.values.end(), forcing.shape.begin(),
+                                 forcing.shape.end());
+    }
+    return {std::move(excitation)};
+}
+
+ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const double> free)
+{
+    const std::int64_t cells = all.schedule.cells;
+    ForcedMotion motion;
+    motion.schedule = all.schedule;
+    motion.damping = all.damping;
+    motion.amplitude = std::hypot(place.c, place.s);
+    const auto value = [place](Plane x) { return x.dot(place); };
+    motion.excitation = {all.shapes.front().place, {}, static_cast<double>(cells)};
+    const bool isHarmonic = all.shapes.size() > 1;
+    for (std::size_t m = 0; m < all.shapes.front().values.size(); ++m) {
+        motion.excitation.values.push_back(
+            value({all.shapes.front().values[m], isHarmonic ? all.shapes.back().values[m] : 0.0}));
+    }
+    motion.phase = isHarmonic ? std::atan2(place.s, place.c) : 0.0;
+    const std::int64_t n = motion.excitation.steps();
+    std::vector<double> amplitudes(static_cast<std::size_t>(all.waves.classes()), 0.0);
+    const std::vector<std::int64_t> undamped = all.waves.freeClasses();
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        amplitudes[static_cast<std::size_t>(undamped[k])] = free[k];
+    }
+    motion.state = stateOfWaves(cells, [&](std::int64_t m) {
+        const std::int64_t at = m % n;
+        const double own = amplitudes[static_cast<std::size_t>(at % all.waves.classes())];
+        return value(all.waves.wave(at)) + (own != 0.0 ? own * all.waves.sign(at) : 0.0);
+    });
+    for (std::int64_t i = 0; i < cells; ++i) {
+        motion.state.b[i] += motion.excitation.baseVelocity(i);
+    }
+    const ForcedWalk walk = walkForced(motion.state, all.schedule, all.damping, motion.excitation);
+    motion.extremes = walk.extremes;
+    motion.residual = walk.worst();
+    return motion;
+}
+
+std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine& line,
+                                        double amplitude)
+{
+    const double offset = std::hypot(line.foot.c, line.foot.s);
+    const double squares = (amplitude - offset) * (amplitude + offset);
+    std::vector<ForcedMotion> motions;
+    if (squares >= 0.0) {
+        const double away = std::sqrt(squares);
+        for (const double t : {-away, away}) {
+            if (t >= line.low && t <= line.high && (motions.empty() || away > 0.0)) {
+                motions.push_back(forcedMotion(all, line.at(t)));
+            }
+        }
+    }
+    std::sort(motions.begin(), motions.end(), [](const ForcedMotion& x, const ForcedMotion& y) {
+        return x.extremes.impulse < y.extremes.impulse;
+    });
+    return motions;
+}
+
+}  // namespace signorini

@@ -1,0 +1,274 @@
+#include "forced_polytope.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "backend_choice.hpp"
+#include "forced_form.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double farAway = 1e6;        // amplitudes beyond count as infinite
+constexpr double roundOff = 1e-14;     // an amplitude that is 0
+constexpr double alike = 1e-9;         // places that differ by less are one
+constexpr std::size_t most = 200;      // corners
+constexpr double missedByMore = 1e-9;  // rows that no rounding misses by as much
+
+Plane planeOf(const std::array<double, 2>& place)
+{
+    return {place[0], place[1]};
+}
+
+double sizeOf(Plane x)
+{
+    return std::hypot(x.c, x.s);
+}
+
+double cross(Plane x, Plane y)
+{
+    return x.c * y.s - x.s * y.c;
+}
+
+class Search {
+public:
+    Search(const ForcedWaves& waves, bool isPlane, double waveLimit, const Solver& solver)
+        : rows_(waves.rows(waveLimit)),
+          unknowns_{isPlane, static_cast<std::int64_t>(waves.freeClasses().size())},
+          solver_(solver),
+          program_(forcedProgram(rows_, unknowns_, farAway))
+    {
+    }
+
+    ForcedPolytope run()
+    {
+        const std::vector<Plane> ways = unknowns_.isPlane
+                                            ? std::vector<Plane>{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}
+                                            : std::vector<Plane>{{1, 0}, {-1, 0}};
+        for (const Plane way : ways) {
+            const auto corner = farthest(way);
+            if (!corner) {
+                return withoutCorner();
+            }
+            if (corners_.empty() ||
+                (!isAlike(*corner, corners_.back()) && !isAlike(*corner, corners_.front()))) {
+                corners_.push_back(*corner);
+            }
+        }
+        // Beyond each edge a corner is looked for, until there is none.
+        for (std::size_t k = 0; corners_.size() > 1 && k < corners_.size();) {
+            const Plane from = planeOf(corners_[k].place);
+            const Plane to = planeOf(corners_[(k + 1) % corners_.size()].place);
+            const Plane edge = to - from;
+            const Plane out = (1.0 / sizeOf(edge)) * Plane{edge.s, -edge.c};
+            const auto corner = unknowns_.isPlane ? farthest(out) : std::nullopt;
+            if (corner && corners_.size() < most &&
+                out.dot(planeOf(corner->place) - from) > alike * std::max(1.0, sizeOf(from))) {
+                corners_.insert(corners_.begin() + static_cast<std::ptrdiff_t>(k) + 1, *corner);
+            } else {
+                ++k;
+            }
+        }
+        const bool isBounded =
+            std::all_of(corners_.begin(), corners_.end(), [](const ForcedCorner& corner) {
+                return std::max(std::abs(corner.place[0]), std::abs(corner.place[1])) <
+                       0.99 * farAway;
+            });
+        return {.detail = {}, .conflict = {}, .corners = corners_, .isBounded = isBounded};
+    }
+
+private:
+    static bool isAlike(const ForcedCorner& x, const ForcedCorner& y)
+    {
+        return sizeOf(planeOf(x.place) - planeOf(y.place)) <=
+               alike * std::max(1.0, sizeOf(planeOf(x.place)));
+    }
+
+    /// Nothing was found: which rows keep the others from being met?
+    [[nodiscard]] ForcedPolytope withoutCorner() const
+    {
+        const MissedProgram missed = leastMissed(rows_, unknowns_);
+        const SolverResult answer = solver_.solve(missed.program);
+        if (answer.status == SolverStatus::optimal && answer.objective > missedByMore) {
+            return {.detail = {}, .conflict = conflictOf(missed, answer), .corners = {}};
+        }
+        return {.detail = "the linear program: " + trouble_, .conflict = {}, .corners = {}};
+    }
+
+    /// The rows that do.
+    [[nodiscard]] std::vector<ForcedCondition> conflictOf(const MissedProgram& missed,
+                                                          const SolverResult& answer) const
+    {
+        const Eigen::VectorXd& duals = answer.inequalityDuals;
+        const double least = alike * duals.cwiseAbs().maxCoeff();
+        std::vector<ForcedCondition> conflict;
+        for (std::size_t k = 0; k < rows_.size(); ++k) {
+            double weight = std::abs(duals[missed.first[k]]);
+            weight += rows_[k].isEquality ? std::abs(duals[missed.first[k] + 1]) : 0.0;
+            if (weight > least && rows_[k].condition.rule != ForcedRule::gap) {
+                conflict.push_back(rows_[k].condition);
+            }
+        }
+        return conflict;
+    }
+
+    /// Sets may be no more than a point: rows give way a little, and are polished afterwards.
+    std::optional<ForcedCorner> farthest(Plane way)
+    {
+        Program roomy = program_;
+        roomy.inequalityRhs.array() += missedByMore;
+        roomy.linear[0] = -way.c;
+        if (unknowns_.isPlane) {
+            roomy.linear[1] = -way.s;
+        }
+        // Loosely: what is off by more than rounding is polished away, or seen by the march.
+        const SolverResult answer = solver_.solve(roomy, {.tolerance = 1e-5});
+        if (answer.status != SolverStatus::optimal) {
+            trouble_ = answer.detail;
+            return std::nullopt;
+        }
+        const Eigen::VectorXd x = polished(answer.x);
+        const auto free = x.tail(unknowns_.free);
+        const auto place = [&x](Eigen::Index k) { return std::abs(x[k]) < roundOff ? 0.0 : x[k]; };
+        return ForcedCorner{{place(0), unknowns_.isPlane ? place(1) : 0.0},
+                            {free.begin(), free.end()}};
+    }
+
+    /// A solver leaves rows off by its tolerance: those that are met with equality are met to
+    /// rounding by the least change.
+    [[nodiscard]] Eigen::VectorXd polished(Eigen::VectorXd x) const
+    {
+        constexpr double met = 1e-5;
+        const Eigen::VectorXd below = program_.inequalities * x - program_.inequalityRhs;
+        const double size = std::max(1.0, x.cwiseAbs().maxCoeff());
+        std::vector<Eigen::Index> active;
+        for (Eigen::Index row = 0; row < below.size(); ++row) {
+            if (below[row] > -met * size) {
+                active.push_back(row);
+            }
+        }
+        const Eigen::Index equal = program_.equalities.rows();
+        const auto count = static_cast<Eigen::Index>(active.size());
+        Eigen::MatrixXd rows(equal + count, x.size());
+        Eigen::VectorXd right(equal + count);
+        rows.topRows(equal) = program_.equalities;
+        right.head(equal) = program_.equalityRhs;
+        for (Eigen::Index k = 0; k < count; ++k) {
+            rows.row(equal + k) = program_.inequalities.row(active[static_cast<std::size_t>(k)]);
+            right[equal + k] = program_.inequalityRhs[active[static_cast<std::size_t>(k)]];
+        }
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
+        solver.setThreshold(1e-10);
+        solver.compute(rows);
+        for (int pass = 0; pass < 2; ++pass) {
+            x += solver.solve(right - rows * x);
+        }
+        return x;
+    }
+
+    std::vector<ForcedRow> rows_;
+    ForcedUnknowns unknowns_;
+    const Solver& solver_;
+    Program program_;
+    std::vector<ForcedCorner> corners_;
+    std::string trouble_;
+};
+
+/// sum of weights times corners.
+ForcedCorner mean(std::span<const ForcedCorner* const> corners, std::span<const double> weights)
+{
+    ForcedCorner result{{}, std::vector<double>(corners.front()->free.size())};
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            result.place[i] += weights[k] * corners[k]->place[i];
+        }
+        for (std::size_t i = 0; i < result.free.size(); ++i) {
+            result.free[i] += weights[k] * corners[k]->free[i];
+        }
+    }
+    return result;
+}
+
+/// Where on the way from one place to the other the origin is nearest, 0 to 1.
+double nearestOn(Plane from, Plane to)
+{
+    const Plane way = to - from;
+    const double squares = way.dot(way);
+    return squares > 0.0 ? std::clamp(-from.dot(way) / squares, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
+ForcedPolytope forcedPolytope(const ForcedWaves& waves, bool isPlane, double waveLimit)
+{
+    const auto solver = simplexWithDuals();
+    if (!solver) {
+        return {.detail = "this build has no solver of linear programs that returns multipliers",
+                .conflict = {},
+                .corners = {}};
+    }
+    return Search(waves, isPlane, waveLimit, *solver).run();
+}
+
+ForcedCorner meanAt(const std::vector<ForcedCorner>& corners, std::array<double, 2> place)
+{
+    // Of the triangles with the first corner the one that holds the place, or misses it by least.
+    const ForcedCorner& first = corners.front();
+    const Plane target = planeOf(place) - planeOf(first.place);
+    ForcedCorner best = first;
+    double miss = sizeOf(target);
+    const auto tryMean = [&](std::span<const ForcedCorner* const> some,
+                             std::span<const double> weights) {
+        ForcedCorner one = mean(some, weights);
+        const double missed = sizeOf(planeOf(one.place) - planeOf(place));
+        if (missed < miss) {
+            miss = missed;
+            best = std::move(one);
+        }
+    };
+    for (std::size_t k = 1; k < corners.size(); ++k) {
+        const Plane x = planeOf(corners[k].place) - planeOf(first.place);
+        const double along = std::clamp(target.dot(x) / std::max(x.dot(x), 1e-300), 0.0, 1.0);
+        tryMean(std::array{&first, &corners[k]}, std::array{1.0 - along, along});
+        if (k + 1 == corners.size()) {
+            break;
+        }
+        const Plane y = planeOf(corners[k + 1].place) - planeOf(first.place);
+        const double area = cross(x, y);
+        const double toX = std::max(cross(target, y) / area, 0.0);
+        const double toY = std::max(cross(x, target) / area, 0.0);
+        if (std::isfinite(toX) && std::isfinite(toY) && toX + toY <= 1.0) {
+            tryMean(std::array{&first, &corners[k], &corners[k + 1]},
+                    std::array{1.0 - toX - toY, toX, toY});
+        }
+    }
+    return best;
+}
+
+std::array<double, 2> nearestPlace(const std::vector<ForcedCorner>& corners)
+{
+    Plane best = planeOf(corners.front().place);
+    bool isInside = corners.size() > 2;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Plane from = planeOf(corners[k].place);
+        const Plane to = planeOf(corners[(k + 1) % corners.size()].place);
+        isInside = isInside && cross(from, to) >= 0.0;
+        const Plane near = from + nearestOn(from, to) * (to - from);
+        best = sizeOf(near) < sizeOf(best) ? near : best;
+    }
+    return isInside ? std::array{0.0, 0.0} : std::array{best.c, best.s};
+}
+
+std::array<double, 2> farthestPlace(const std::vector<ForcedCorner>& corners)
+{
+    return std::max_element(corners.begin(), corners.end(),
+                            [](const ForcedCorner& x, const ForcedCorner& y) {
+                                return sizeOf(planeOf(x.place)) < sizeOf(planeOf(y.place));
+                            })
+        ->place;
+}
+
+}  // namespace signorini

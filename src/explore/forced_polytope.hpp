@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// Forced motions whose excitation does not fix all waves: linear programs in (C, S) and the
+/// amplitudes of those that nothing damps.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "forced_line.hpp"
+#include "signorini/response.hpp"
+
+namespace signorini {
+
+/// What the programs say.
+struct ForcedPolytope {
+    std::string detail;  ///< why they say nothing
+    /// There is no motion, for these conditions.
+    std::optional<std::vector<ForcedCondition>> conflict;
+    std::vector<ForcedCorner> corners;  ///< as in ForcedSet
+    bool isBounded = true;
+};
+
+/// Finds the polygon of all (C, S), corner by corner, each the farthest in some direction.
+/// `isPlane` false: one shape, S = 0. A few programs for each corner.
+[[nodiscard]] ForcedPolytope forcedPolytope(const ForcedWaves& waves, bool isPlane,
+                                            double waveLimit);
+
+/// The mean of corners that lies at a place of their polygon. O(corners).
+[[nodiscard]] ForcedCorner meanAt(const std::vector<ForcedCorner>& corners,
+                                  std::array<double, 2> place);
+
+/// The places of least and of largest amplitude. \pre there is a corner. O(corners).
+[[nodiscard]] std::array<double, 2> nearestPlace(const std::vector<ForcedCorner>& corners);
+[[nodiscard]] std::array<double, 2> farthestPlace(const std::vector<ForcedCorner>& corners);
+
+}  // namespace signorini

@@ -1,0 +1,20 @@
+#pragma once
+/// \file
+/// `findPeriodic` for bars of several segments: there is no closed form, programs decide.
+
+#include "signorini/find_periodic.hpp"
+
+namespace signorini {
+
+/// Do the options ask about joints? Equal segments are one bar, unless a formulation with joints is
+/// asked for.
+[[nodiscard]] bool isStepped(const FindOptions& options);
+
+/// Decides a schedule of a stepped bar. \throws as `findPeriodic`; also where a demand is not known
+/// for such bars.
+[[nodiscard]] PeriodicResult findStepped(const Schedule& schedule, const FindOptions& options);
+
+/// Checks a proof of absence against rows made anew.
+[[nodiscard]] bool holds(const SteppedProof& proof, const Schedule& schedule, const Scene& scene);
+
+}  // namespace signorini

@@ -1,0 +1,217 @@
+#include "stepped_bar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "faults.hpp"
+#include "signorini/schedule.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::int64_t mostWeight = std::int64_t{1} << 50;
+
+/// 0 or the simplest fraction that rounds to the value.
+Fraction fractionOf(double value)
+{
+    return value > 0.0 ? simplestFraction(value) : Fraction{0, 1};
+}
+
+/// Over one denominator, if all numbers stay small.
+std::optional<JointWeights> exactWeights(double left, double right, double dashpot)
+{
+    std::int64_t common = 1;
+    for (const double value : {left, right, dashpot}) {
+        const std::int64_t denominator = fractionOf(value).denominator;
+        const std::int64_t factor = denominator / std::gcd(common, denominator);
+        if (factor > mostWeight / common) {
+            return std::nullopt;
+        }
+        common *= factor;
+    }
+    if (!((left + right + dashpot) * static_cast<double>(common) <
+          static_cast<double>(mostWeight))) {
+        return std::nullopt;
+    }
+    const auto times = [common](double value) {
+        const Fraction fraction = fractionOf(value);
+        return fraction.numerator * (common / fraction.denominator);
+    };
+    return JointWeights{times(left), times(right), times(left) + times(right) + times(dashpot)};
+}
+
+}  // namespace
+
+JointWeights jointWeights(double left, double right, double dashpot)
+{
+    JointWeights weights;
+    if (const auto exact = exactWeights(left, right, dashpot)) {
+        weights = *exact;
+    } else {
+        const double unit = static_cast<double>(mostWeight) / (left + right + dashpot);
+        const auto rounded = [unit](double value) { return std::llround(value * unit); };
+        weights = {rounded(left), rounded(right),
+                   rounded(left) + rounded(right) + rounded(dashpot)};
+    }
+    const std::int64_t common = std::gcd(std::gcd(weights.left, weights.right), weights.all);
+    return {weights.left / common, weights.right / common, weights.all / common};
+}
+
+SteppedBar steppedBar(std::span<const Segment> segments)
+{
+    Faults faults;
+    faults.requireWhole("number of segments", static_cast<std::int64_t>(segments.size()), maxCells);
+    faults.throwIfAny();
+    const std::string positive = fmt::format("{}..{} [-]", 1.0 / mostImpedance, mostImpedance);
+    const auto isWithin = [](double value) {
+        return value >= 1.0 / mostImpedance && value <= mostImpedance;
+    };
+    SteppedBar bar;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        Segment segment = segments[i];
+        const std::string which = fmt::format(" of segment {}", i + 1);
+        faults.requireWhole("cells" + which, segment.cells, maxCells);
+        segment.impedance /= segments.front().impedance;
+        segment.speed /= segments.front().speed;
+        segment.dashpot /= segments.front().impedance;
+        if (!isWithin(segment.impedance)) {
+            faults.add("impedance" + which, segments[i].impedance, positive + " times the first");
+        }
+        if (!isWithin(segment.speed)) {
+            faults.add("speed" + which, segments[i].speed, positive + " times the first");
+        }
+        const bool isLast = i + 1 == segments.size();
+        if (!(segment.dashpot >= 0.0 && segment.dashpot <= (isLast ? 0.0 : mostImpedance))) {
+            faults.add("dashpot" + which, segments[i].dashpot,
+                       isLast ? "0: no joint follows" : fmt::format("0..{} [-]", mostImpedance));
+        }
+        faults.throwIfAny();
+        bar.cells += segment.cells;
+        faults.requireWhole("cells of all segments", bar.cells, maxCells);
+        faults.throwIfAny();
+        bar.segments.push_back(segment);
+    }
+    for (std::size_t i = 0; i + 1 < bar.segments.size(); ++i) {
+        bar.joints.push_back(jointWeights(bar.segments[i].impedance, bar.segments[i + 1].impedance,
+                                          bar.segments[i].dashpot));
+    }
+    return bar;
+}
+
+void requireCells(const SteppedBar& bar, std::int64_t cells)
+{
+    if (bar.cells != cells) {
+        Faults faults;
+        faults.add("cells of all segments", bar.cells, fmt::format("{}, N", cells));
+        faults.throwIfAny();
+    }
+}
+
+Bar firstMaterial(const Scene& scene)
+{
+    double length = 0.0;
+    double cells = 0.0;
+    for (const Segment& segment : scene.segments) {
+        const auto count = static_cast<double>(segment.cells);
+        length += count * segment.speed / scene.segments.front().speed;
+        cells += count;
+    }
+    Bar bar = scene.bar;
+    bar.length *= cells > 0.0 ? cells / length : 1.0;
+    return bar;
+}
+
+bool isUniform(std::span<const Segment> segments)
+{
+    return std::all_of(segments.begin(), segments.end(), [&](const Segment& segment) {
+        return segment.impedance == segments.front().impedance &&
+               segment.speed == segments.front().speed && segment.dashpot == 0.0;
+    });
+}
+
+bool haveOneSpeed(std::span<const Segment> segments)
+{
+    return std::all_of(segments.begin(), segments.end(), [&](const Segment& segment) {
+        return segment.speed == segments.front().speed;
+    });
+}
+
+double energyRatio(const State& state, const SteppedBar& bar)
+{
+    double sum = 0.0;
+    Eigen::Index first = 0;
+    for (const Segment& segment : bar.segments) {
+        sum += segment.impedance * (state.a.segment(first, segment.cells).squaredNorm() +
+                                    state.b.segment(first, segment.cells).squaredNorm());
+        first += segment.cells;
+    }
+    return 2.0 * sum / static_cast<double>(bar.cells);
+}
+
+SteppedWaves::SteppedWaves(const SteppedBar& bar, const State& state)
+    : joints_(bar.joints), cells_(bar.cells)
+{
+    if (state.a.size() != cells_ || state.b.size() != cells_) {
+        Faults faults;
+        faults.add("cells of the state", state.a.size(), fmt::format("{}, as in the bar", cells_));
+        faults.throwIfAny();
+    }
+    Eigen::Index first = 0;
+    for (const Segment& segment : bar.segments) {
+        Line line;
+        line.a.assign(state.a.data() + first, state.a.data() + first + segment.cells);
+        line.b.assign(state.b.data() + first, state.b.data() + first + segment.cells);
+        lines_.push_back(std::move(line));
+        dashpots_.push_back(segment.dashpot);
+        first += segment.cells;
+    }
+}
+
+void SteppedWaves::Line::push(double fromLeft, double fromRight)
+{
+    firstA = (firstA == 0 ? a.size() : firstA) - 1;
+    a[firstA] = fromLeft;
+    b[firstB] = fromRight;
+    firstB = firstB + 1 == b.size() ? 0 : firstB + 1;
+}
+
+double SteppedWaves::step(const Ends& ends)
+{
+    double taken = 0.0;
+    double entering = ends.baseVelocity - lines_.front().leftEnd();
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const JointWeights& joint = joints_[i];
+        const double a = lines_[i].rightEnd();
+        const double b = lines_[i + 1].leftEnd();
+        const double v =
+            2.0 * (static_cast<double>(joint.left) * a + static_cast<double>(joint.right) * b) /
+            static_cast<double>(joint.all);
+        taken += dashpots_[i] * v * v;
+        lines_[i].push(entering, v - a);
+        entering = v - b;
+    }
+    const double p = arriving();
+    lines_.back().push(entering, ends.reflected * p + ends.pulled);
+    return taken;
+}
+
+State SteppedWaves::state() const
+{
+    State state{Eigen::VectorXd(cells_), Eigen::VectorXd(cells_)};
+    Eigen::Index next = 0;
+    for (const Line& line : lines_) {
+        const std::size_t cells = line.a.size();
+        for (std::size_t k = 0; k < cells; ++k, ++next) {
+            state.a[next] = line.a[(line.firstA + k) % cells];
+            state.b[next] = line.b[(line.firstB + k) % cells];
+        }
+    }
+    return state;
+}
+
+}  // namespace signorini

@@ -1,0 +1,113 @@
+#pragma once
+/// \file
+/// A bar of several segments, and the one law by which its waves go on for a step.
+///
+/// A wave crosses every cell in one step. Where two segments meet, both have one velocity v and the
+/// forces on the joint balance, with Z the impedances and d a dashpot that holds the joint:
+///
+///     Z_1 (2a - v) + Z_2 (2b - v) = d v,   b' = v - a,   a' = v - b
+///
+/// with a and b arriving from the left and from the right, b' and a' leaving. The energy
+/// Z (a^2 + b^2) of all cells changes by -d v^2 alone. At the clamp a' = V - b, V the velocity of
+/// the base; at the tip q = -p in contact, and q = reflected p + pulled in flight. docs/theory.md,
+/// section 19.
+///
+/// Units: velocities a, b in c g/L with c that of the first segment and L = N c dt the length of a
+/// bar of its material with the same travel time; impedances relative to the first segment.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "signorini/bar.hpp"
+#include "signorini/motion.hpp"
+#include "signorini/schedule.hpp"
+
+namespace signorini {
+
+/// Do waves have one speed in all segments, so that cells are equally long?
+[[nodiscard]] bool haveOneSpeed(std::span<const Segment> segments);
+
+/// v = 2 (left a + right b)/all, in whole numbers: left : right : all = Z_1 : Z_2 : Z_1 + Z_2 + d.
+struct JointWeights {
+    std::int64_t left = 1;
+    std::int64_t right = 1;
+    std::int64_t all = 2;  ///< <= 2^51
+
+    friend bool operator==(const JointWeights&, const JointWeights&) = default;
+};
+
+/// The weights of a joint. Every number is read as the simplest fraction that rounds to it, so 1.3
+/// is 13/10; where no common denominator below 2^50 exists they are rounded to 15 digits.
+/// \pre impedances > 0, dashpot >= 0, all finite.
+[[nodiscard]] JointWeights jointWeights(double left, double right, double dashpot);
+
+/// The segments of a bar, clamp first, and the joints between them.
+struct SteppedBar {
+    std::vector<Segment> segments;     ///< impedances relative to the first
+    std::vector<JointWeights> joints;  ///< one fewer
+    std::int64_t cells = 0;            ///< N
+};
+
+/// Widest range of impedances and dashpots, relative to the first segment.
+inline constexpr double mostImpedance = 1e9;
+
+/// \throws std::invalid_argument unless there are segments of at least one cell each, with
+/// impedances and speeds in 1/mostImpedance..mostImpedance, dashpots in 0..mostImpedance and none
+/// after the last segment, and no more than maxCells cells.
+[[nodiscard]] SteppedBar steppedBar(std::span<const Segment> segments);
+
+/// \throws std::invalid_argument unless the bar has so many cells.
+void requireCells(const SteppedBar& bar, std::int64_t cells);
+
+/// A uniform bar of the first material with the same travel time: its scales are those of the
+/// scene. \pre a valid scene.
+[[nodiscard]] Bar firstMaterial(const Scene& scene);
+
+/// Is a bar of these segments the uniform one: are all alike, without dashpots?
+[[nodiscard]] bool isUniform(std::span<const Segment> segments);
+
+/// E/E_1 = (2/N) sum Z (a^2 + b^2). O(N). \pre the state has the bar's cells.
+[[nodiscard]] double energyRatio(const State& state, const SteppedBar& bar);
+
+/// What the ends do to the waves in one step.
+struct Ends {
+    double reflected = -1.0;    ///< -1 in contact; (Z - eta)/(Z + eta) in flight
+    double pulled = 0.0;        ///< F/(Z + eta), the wave that a force on the tip sends out
+    double baseVelocity = 0.0;  ///< V [c g/L]
+};
+
+/// The waves under way. A step costs O(segments).
+class SteppedWaves {
+public:
+    /// O(N). \throws std::invalid_argument if the state has other cells than the bar.
+    SteppedWaves(const SteppedBar& bar, const State& state);
+
+    /// p, the wave about to reach the tip.
+    [[nodiscard]] double arriving() const { return lines_.back().rightEnd(); }
+    /// Takes one step. Returns what the dashpots of the joints took in it, sum of d v^2, in units
+    /// of the first impedance.
+    double step(const Ends& ends);
+    /// O(N).
+    [[nodiscard]] State state() const;
+
+private:
+    /// Two delay lines of one segment, in rings.
+    struct Line {
+        std::vector<double> a;  ///< entry (first + k) mod cells is cell k + 1
+        std::vector<double> b;
+        std::size_t firstA = 0;
+        std::size_t firstB = 0;
+
+        [[nodiscard]] double rightEnd() const { return a[(firstA + a.size() - 1) % a.size()]; }
+        [[nodiscard]] double leftEnd() const { return b[firstB]; }
+        void push(double fromLeft, double fromRight);
+    };
+
+    std::vector<Line> lines_;
+    std::vector<JointWeights> joints_;
+    std::vector<double> dashpots_;
+    std::int64_t cells_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,62 @@
+#include "stops.hpp"
+
+#include <numeric>
+
+#include "echo.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// factor x = rhs in lowest terms.
+WaveSum reduced(std::int64_t factor, std::int64_t rhs)
+{
+    const std::int64_t common = std::gcd(factor, rhs);
+    return {factor / common, rhs / common};
+}
+
+}  // namespace
+
+Fraction placeOf(const Stops& stops, Stop stop)
+{
+    return stop == Stop::right
+               ? Fraction{stops.right, 1}
+               : Fraction{-stops.left.value().numerator, stops.left.value().denominator};
+}
+
+WaveSum gapSum(const Schedule& schedule)
+{
+    const Fraction place = placeOf(schedule.stops, schedule.phases.front().stop);
+    return reduced(place.denominator, -place.numerator * schedule.cells);
+}
+
+std::optional<WaveSum> crossingSum(const Schedule& schedule)
+{
+    const auto& [right, left] = schedule.stops;
+    if (!left) {
+        return std::nullopt;
+    }
+    const std::int64_t way = right * left->denominator + left->numerator;
+    return reduced(2 * left->denominator, way * schedule.cells);
+}
+
+std::vector<FlightLimits> flightLimits(const Schedule& schedule)
+{
+    const auto crossing = crossingSum(schedule);
+    std::vector<FlightLimits> limits;
+    for (std::size_t k = 0; k < schedule.phases.size(); ++k) {
+        const Stop from = schedule.phases[k].stop;
+        const Stop to = schedule.phases[(k + 1) % schedule.phases.size()].stop;
+        FlightLimits all;
+        if (crossing) {
+            const WaveSum back{crossing->factor, -crossing->rhs};
+            all.most = from == Stop::right ? WaveSum{} : *crossing;
+            all.least = from == Stop::right ? back : WaveSum{};
+            all.end = from == to ? WaveSum{} : from == Stop::right ? back : *crossing;
+        }
+        limits.push_back(all);
+    }
+    return limits;
+}
+
+}  // namespace signorini

@@ -1,0 +1,119 @@
+// Scenes on the command line: gaps of any sign, a second stop.
+
+#include "program.hpp"
+
+using namespace signorini;
+using namespace signorini::test;
+
+TEST_CASE("cli scenes: a bar pressed at rest, in newtons and joules")
+{
+    const Program program;
+    const json r = program.find("6 4 --cells 4 --gap -2e-3 --length 2 --axial-stiffness 1e6", 0);
+    CHECK(r["stops"] == json::parse(R"([{"side": "right", "place": -0.002}])"));
+    CHECK(r["static_force"].get<double>() == Approx(1e6 * 1e-3));
+    CHECK(r["energy_ratio"].get<double>() == Approx(4.0));  // (w/win)^2, w = 4, win = 2
+    CHECK(r["energy"].get<double>() == Approx(4.0 * 0.5 * 1e6 * 4e-6 / 2.0));
+    CHECK(r["solution_set"]["kind"] == "simplex");
+    CHECK(r["family"]["contact_blocks"] == 3);
+    CHECK(r["physical"]["tip_lowest"].get<double>() < -2e-3);
+    const auto text = program.run("find 6 4 --cells 4 --gap -2e-3 --figure f.svg");
+    CHECK_THAT(text.out, containsText("at rest     the bar presses on the wall with 0.002 N"));
+    CHECK(std::filesystem::exists(program.file("f.svg")));
+    const json none = program.find("1 4 --cells 4 --gap -1e-3", 1);
+    CHECK(none["certificate"]["gap"].get<std::int64_t>() > 0);
+}
+
+TEST_CASE("cli scenes: without a gap the energy is given in joules and answers say no E_1")
+{
+    const Program program;
+    const json r = program.find("3 7 --cells 4 --gap 0 --energy 2e-6 --quiet", 0);
+    CHECK(r["energy"].get<double>() == Approx(2e-6));
+    CHECK(r["energy_ratio"].is_null());
+    CHECK(r["energy_ratio_range"] == json({nullptr, nullptr}));
+    CHECK(r["solution_set"]["kind"] == "cone");
+    const json none = program.find("3 8 --cells 4 --gap 0 --energy 2e-6", 1);
+    CHECK(none["certificate"]["size"].get<std::int64_t>() < 0);
+    const auto missing = program.run("find 3 7 --cells 4 --gap 0");
+    CHECK(missing.status == 2);
+    CHECK_THAT(missing.err, containsText("energyRatio = not given"));
+    CHECK(lines(missing.err) == 1);
+}
+
+TEST_CASE("cli scenes: two stops, phases that name theirs, mirrored motions recognised")
+{
+    const Program program;
+    const json r =
+        program.find("1 5 L:1 5 --cells 4 --second-stop 1e-3 --figure f.svg --motion m.csv", 0);
+    CHECK(r["schedule"] == json::parse(R"([[1, 5], [1, 5, "left"]])"));
+    CHECK(r["canonical_schedule"] == r["schedule"]);
+    CHECK(r["symmetric"] == true);
+    CHECK(r["energy_ratio"].get<double>() == Approx(8.0));
+    CHECK(r["stops"][1]["place"] == -1e-3);
+    CHECK(std::filesystem::exists(program.file("f.svg")));
+    CHECK(program.find("1 4 L:1 4 --cells 4 --second-stop 1e-3", 1)["certificate"]["verified"] ==
+          true);
+    CHECK(program.find("1 5 L:1 5 --cells 4 --second-stop 1e-3 --solver glpk-simplex "
+                       "--formulation state",
+                       0)["route"] == "glpk-simplex on the state formulation");
+    const auto refused = program.run("find 1 5 L:1 5 --cells 4");
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, containsText("the stop of phase 2 = left"));
+}
+
+TEST_CASE("cli scenes: commands say which scenes they do not know")
+{
+    const Program program;
+    for (const char* call :
+         {"families --second-stop 1e-3", "modes --gap 0", "modes --segments 4:1,4:1.3",
+          "response --damping 0.02 --force tip --amplitude 1e-4 --gap -1e-3",
+          "continuum 150 900 --energy-ratio 20 --gap 0", "simulate --rest --time 1 --segments 4:1",
+          "atlas --database a.sqlite --second-stop 1e-3", "find 1 5 --gap 1e-3 --second-stop 0",
+          "find 1 5 --segments 4", "find 1 5 --gap -2e-3 --second-stop 1e-3"}) {
+        const auto outcome = program.run(call);
+        INFO(call << ": " << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+    }
+    CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli scenes: modes, families and atlas of a bar pressed at rest")
+{
+    const Program program;
+    const json modes =
+        json::parse(program.run("modes --gap -1e-3 --max-order 9 --format json").out);
+    CHECK(modes["modes"].size() > 3);
+    const json families = json::parse(program.run("families --gap -1e-3 --format json").out);
+    CHECK(families["families"][0]["least_energy_ratio"] == 1.0);
+    const auto built = program.run(
+        "atlas --database a.sqlite --cells 4 --gap -1e-3 --max-contact 16 --max-free 24");
+    INFO(built.err);
+    REQUIRE(built.status == 0);
+    const auto other = program.run("atlas --database a.sqlite --cells 4");
+    CHECK(other.status == 2);
+    CHECK_THAT(other.err, containsText("a gap of another sign"));
+    const json near = json::parse(
+        program.run("atlas --database a.sqlite --cells 4 --period 5/2 --schedules --format json")
+            .out);
+    INFO(near.dump(1));
+    CHECK(near["schedules"].size() > 0);
+    const auto cone = program.run(
+        "atlas --database b.sqlite --cells 4 --gap 0 --max-contact 16 "
+        "--max-free 24 --format json");
+    INFO(cone.err);
+    REQUIRE(cone.status == 0);
+    CHECK(json::parse(cone.out)["pressing"] == 12);
+}
+
+TEST_CASE("cli scenes: a simulation between two stops names the stop of each contact")
+{
+    const Program program;
+    const auto outcome = program.run(
+        "simulate --rest --second-stop 1e-3 --damping 0.02 --force tip --amplitude 2e-3 "
+        "--frequency 1 --periods 30 --cells 20 --events e.csv --figure f.svg");
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const std::string events = contentOf(program.file("e.csv"));
+    CHECK(events.starts_with("start,end,impulse,peak_force,stop\n"));
+    CHECK_THAT(events, containsText(",left\n") && containsText(",right\n"));
+}

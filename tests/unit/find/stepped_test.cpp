@@ -1,0 +1,420 @@
+#include <cmath>
+#include <random>
+
+#include "catch.hpp"
+#include "infeasibility.hpp"
+#include "signorini/find_periodic.hpp"
+#include "solver.hpp"
+#include "stepped_cells.hpp"
+#include "stepped_check.hpp"
+#include "stepped_oracle.hpp"
+#include "stepped_proof.hpp"
+#include "support.hpp"
+
+using namespace signorini;
+using namespace signorini::test;
+
+namespace {
+
+FindOptions optionsFor(const std::vector<Segment>& segments,
+                       Formulation formulation = Formulation::automatic)
+{
+    FindOptions options;
+    options.scene.segments = segments;
+    options.formulation = formulation;
+    return options;
+}
+
+/// Is what decides and what minimises in this build?
+bool canDecide()
+{
+    return findBackend("glpk-simplex").available() && findBackend("ipopt").available();
+}
+
+std::int64_t cellsOf(const std::vector<ExactSegment>& parts)
+{
+    std::int64_t cells = 0;
+    for (const ExactSegment& part : parts) {
+        cells += part.cells;
+    }
+    return cells;
+}
+
+/// 2..4 segments of 1..3 cells with impedances from 1/1000 to 1000, sometimes a dashpot.
+std::vector<ExactSegment> randomParts(std::mt19937_64& generator)
+{
+    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
+        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+    };
+    std::vector<ExactSegment> parts;
+    const std::int64_t count = draw(0, 3) == 0 ? draw(3, 4) : 2;
+    for (std::int64_t k = 0; k < count; ++k) {
+        ExactSegment part{draw(1, 3), 1, 1, 0};
+        (draw(0, 1) == 0 ? part.numerator : part.denominator) =
+            draw(0, 2) == 0 ? draw(1, 1000) : draw(1, 12);
+        part.dashpot = k + 1 < count && draw(0, 9) == 0 ? draw(1, 20) : 0;
+        parts.push_back(part);
+    }
+    return parts;
+}
+
+/// One schedule of the oracle's campaign: gaps of any sign, two stops, up to two phases.
+struct Case {
+    std::vector<ExactSegment> parts;
+    Schedule schedule;
+    Scene scene;
+};
+
+Case randomCase(std::mt19937_64& generator)
+{
+    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
+        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+    };
+    Case drawn{randomParts(generator), {}, {}};
+    const std::int64_t cells = cellsOf(drawn.parts);
+    drawn.schedule.cells = cells;
+    drawn.scene.bar.gap = draw(0, 2) == 0 ? -1e-3 : 1e-3;
+    if (draw(0, 3) == 0) {
+        drawn.scene.secondStop = 1e-3 * static_cast<double>(draw(5, 8)) / 4.0;
+    }
+    const std::int64_t phases = draw(0, 3) == 0 ? 2 : 1;
+    for (std::int64_t k = 0; k < phases; ++k) {
+        const bool isLeft = drawn.scene.secondStop && k == 1;
+        drawn.schedule.phases.push_back({draw(1, 2 * cells), draw(1, (phases == 1 ? 5 : 2) * cells),
+                                         isLeft ? Stop::left : Stop::right});
+    }
+    drawn.scene.segments = segmentsOf(drawn.parts);
+    drawn.schedule.stops = stopsOf(drawn.scene);
+    return drawn;
+}
+
+/// Every verdict is right, and comes with what proves it.
+void compareWithOracle(int count, unsigned seed)
+{
+    std::mt19937_64 generator(seed);
+    int found = 0;
+    int undecided = 0;
+    for (int k = 0; k < count; ++k) {
+        const Case drawn = randomCase(generator);
+        FindOptions options;
+        options.scene = drawn.scene;
+        options.objective = Objective::any;
+        options.formulation = k % 4 == 0 ? Formulation::joints : Formulation::kernel;
+        const PeriodicResult result = findPeriodic(drawn.schedule, options);
+        INFO("case " << k << ": " << describe(drawn.schedule) << ", " << result.detail);
+        if (result.status == Status::undecided) {
+            ++undecided;
+            continue;
+        }
+        const bool isThere = exists(drawn.parts, drawn.schedule);
+        REQUIRE((result.status == Status::found) == isThere);
+        CHECK((result.status == Status::found || isProof(result)));
+        found += isThere ? 1 : 0;
+    }
+    CHECK(found > count / 100);
+    CHECK(found < count / 2);
+    CHECK(undecided <= 1 + count / 50);
+    WARN(count << " schedules: " << found << " found, " << undecided << " undecided");
+}
+
+}  // namespace
+
+TEST_CASE("stepped: of two halves with impedances 1 and 1.3, forty schedules exist")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
+    int found = 0;
+    for (std::int64_t contact = 1; contact < 16; ++contact) {
+        for (std::int64_t free = 1; free < 40; ++free) {
+            const PeriodicResult result = findPeriodic(contact, free, 8, optionsFor(halves));
+            INFO(contact << ", " << free << ": " << result.detail);
+            REQUIRE(result.status != Status::undecided);
+            if (result.status == Status::none) {
+                CHECK(isProof(result));
+                continue;
+            }
+            ++found;
+            CHECK(result.motion->residuals.worst() < 1e-9);
+            // det W = (-1)^n_c: one of the eigenvalues of an odd number of contact steps is 1.
+            CHECK((contact % 2 == 0 || result.set.kernelDimension.value() % 2 == 1));
+        }
+    }
+    CHECK(found == 40);
+    const PeriodicResult wide = findPeriodic(3, 25, 8, optionsFor(halves));
+    CHECK(wide.set.kernelDimension == 3);
+    CHECK(wide.motion->energyRatio == Approx(15.807707).epsilon(1e-6));
+    const PeriodicResult isolated = findPeriodic(1, 30, 8, optionsFor(halves));
+    CHECK(isolated.set.kernelDimension == 1);
+    CHECK(isolated.set.kind == SetKind::point);
+    CHECK(isolated.motion->energyRatio == Approx(9.15).margin(0.005));
+}
+
+TEST_CASE("stepped: equal impedances give the verdicts, kernels and energies of the closed form")
+{
+    if (!canDecide()) {
+        return;
+    }
+    for (const auto& [left, right] : {std::pair<std::int64_t, std::int64_t>{1, 1},
+                                      {1, 2},
+                                      {2, 2},
+                                      {1, 4},
+                                      {3, 3},
+                                      {5, 2},
+                                      {4, 4},
+                                      {3, 5}}) {
+        const std::vector<Segment> parts{{.cells = left}, {.cells = right}};
+        const std::int64_t cells = left + right;
+        for (std::int64_t contact = 1; contact <= cells + 1; ++contact) {
+            for (std::int64_t free = 1; free <= 4 * cells + 1; ++free) {
+                const PeriodicResult exact = findPeriodic(contact, free, cells);
+                for (const Formulation form : {Formulation::kernel, Formulation::joints}) {
+                    const PeriodicResult result =
+                        findPeriodic(contact, free, cells, optionsFor(parts, form));
+                    INFO(left << " + " << right << ": " << contact << ", " << free << ": "
+                              << result.detail);
+                    REQUIRE(result.status == exact.status);
+                    if (form == Formulation::kernel) {
+                        CHECK(result.set.kernelDimension == exact.set.kernelDimension);
+                    }
+                    if (exact.motion) {
+                        CHECK(result.motion->energyRatio ==
+                              Approx(exact.motion->energyRatio).epsilon(1e-6));
+                        CHECK(result.motion->physical.impulse ==
+                              Approx(exact.motion->physical.impulse).epsilon(1e-6).margin(1e-9));
+                        CHECK(result.motion->contact == exact.motion->contact);
+                        CHECK(result.motion->repetitions == exact.motion->repetitions);
+                    } else {
+                        CHECK(isProof(result));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("stepped: equal segments without a formulation of their own are one bar")
+{
+    const std::vector<Segment> parts{{.cells = 100}, {.cells = 200}};
+    const PeriodicResult result = findPeriodic(150, 900, 300, optionsFor(parts));
+    CHECK(result.how.route == "closed-form");
+    CHECK(result.scene.segments == parts);
+    CHECK(result.motion->energyRatio == 4.0);
+    CHECK_THROWS_WITH(findPeriodic(150, 900, 301, optionsFor(parts)),
+                      containsText("cells of all segments = 300"));
+}
+
+TEST_CASE("stepped: random schedules of random bars are decided as exact linear programming does")
+{
+    if (!canDecide()) {
+        return;
+    }
+    compareWithOracle(120, 20);
+}
+
+TEST_CASE("stepped: ten thousand of them", "[.slow]")
+{
+    if (!canDecide()) {
+        return;
+    }
+    compareWithOracle(10'000, 21);
+}
+
+TEST_CASE("stepped: kernels have the dimension that rational elimination finds")
+{
+    std::mt19937_64 generator(22);
+    int open = 0;  // whose dimension rounding hides
+    for (int k = 0; k < 60; ++k) {
+        const Case drawn = randomCase(generator);
+        const auto kernel =
+            kernelOf(blocksOf(steppedBar(drawn.scene.segments), drawn.schedule, -INFINITY, true));
+        INFO("case " << k << ": " << describe(drawn.schedule));
+        if (!kernel) {
+            ++open;
+            continue;
+        }
+        CHECK(kernel->dimension == kernelDimension(drawn.parts, drawn.schedule));
+    }
+    CHECK(open <= 2);
+}
+
+TEST_CASE("stepped: an odd number of contact steps always leaves a kernel where nothing damps")
+{
+    std::mt19937_64 generator(23);
+    for (int k = 0; k < 100; ++k) {
+        Case drawn = randomCase(generator);
+        std::int64_t contact = 0;
+        for (ExactSegment& part : drawn.parts) {
+            part.dashpot = 0;
+        }
+        for (const Phase& phase : drawn.schedule.phases) {
+            contact += phase.contact;
+        }
+        const auto kernel = kernelOf(
+            blocksOf(steppedBar(segmentsOf(drawn.parts)), drawn.schedule, -INFINITY, true));
+        CHECK((!kernel || contact % 2 == 0 || kernel->dimension % 2 == 1));
+    }
+}
+
+TEST_CASE("stepped: the march and the step that finds motions move the same waves")
+{
+    std::mt19937_64 generator(24);
+    for (int k = 0; k < 50; ++k) {
+        const std::vector<Segment> parts = segmentsOf(randomParts(generator));
+        const SteppedBar bar = steppedBar(parts);
+        const State start = randomState(bar.cells, static_cast<unsigned>(k));
+        SteppedWaves waves(bar, start);
+        SteppedCells cells(parts, start);
+        for (int step = 0; step < 60; ++step) {
+            const bool isHeld = generator() % 2 == 0;
+            CHECK(cells.arriving() == Approx(waves.arriving()).margin(1e-12));
+            waves.step({.reflected = isHeld ? -1.0 : 1.0});
+            cells.step(isHeld);
+        }
+        CHECK(cells.distance(waves.state()) < 1e-11);
+    }
+}
+
+TEST_CASE("stepped: two back ends and two forms agree on the least energy")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const std::vector<Segment> parts{
+        {.cells = 3}, {.cells = 1, .impedance = 0.2}, {.cells = 4, .impedance = 1.7}};
+    int found = 0;
+    for (std::int64_t contact = 1; contact < 9; contact += 2) {
+        for (std::int64_t free = 20; free < 34; ++free) {
+            FindOptions options = optionsFor(parts, Formulation::kernel);
+            const PeriodicResult one = findPeriodic(contact, free, 8, options);
+            if (one.status != Status::found) {
+                continue;
+            }
+            ++found;
+            options.formulation = Formulation::joints;
+            const PeriodicResult other = findPeriodic(contact, free, 8, options);
+            INFO(contact << ", " << free << ": " << other.detail);
+            REQUIRE(other.motion);
+            CHECK(other.motion->energyRatio == Approx(one.motion->energyRatio).epsilon(1e-6));
+            if (findBackend("nlopt-slsqp").available()) {
+                options.formulation = Formulation::kernel;
+                options.solver = "nlopt-slsqp";
+                const PeriodicResult third = findPeriodic(contact, free, 8, options);
+                REQUIRE(third.motion);
+                CHECK(third.motion->energyRatio == Approx(one.motion->energyRatio).epsilon(1e-6));
+            }
+        }
+    }
+    CHECK(found >= 3);
+}
+
+TEST_CASE(
+    "stepped: an energy is held, a tip floor kept, and the most impulse is at least the least")
+{
+    const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
+    FindOptions options = optionsFor(halves);
+    const PeriodicResult least = findPeriodic(8, 24, 8, options);
+    REQUIRE(least.motion);
+    options.energyRatio = 2.0 * least.motion->energyRatio;
+    const PeriodicResult held = findPeriodic(8, 24, 8, options);
+    INFO(held.detail);
+    REQUIRE(held.motion);
+    CHECK(held.motion->energyRatio == Approx(*options.energyRatio).epsilon(1e-7));
+    options.energyRatio = 0.5 * least.motion->energyRatio;
+    CHECK(findPeriodic(8, 24, 8, options).status == Status::undecided);
+
+    options = optionsFor(halves);
+    options.objective = Objective::maxImpulse;
+    const PeriodicResult most = findPeriodic(8, 24, 8, options);
+    REQUIRE(most.motion);
+    CHECK(most.motion->physical.impulse >= least.motion->physical.impulse * (1.0 - 1e-7));
+
+    options = optionsFor(halves);
+    const double lowest = least.motion->physical.tipLowest / options.scene.bar.gap;
+    options.tipFloor = lowest - 0.5;
+    CHECK(findPeriodic(8, 24, 8, options).status == Status::found);
+    options.tipFloor = 0.5;
+    const PeriodicResult none = findPeriodic(8, 24, 8, options);
+    INFO(none.detail);
+    CHECK(none.status == Status::none);
+    CHECK(isProof(none));
+}
+
+TEST_CASE("stepped: a tampered proof is none, and neither is one for another bar")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
+    PeriodicResult none = findPeriodic(3, 12, 8, optionsFor(halves));
+    REQUIRE(none.status == Status::none);
+    REQUIRE(isProof(none));
+    PeriodicResult other = none;
+    other.scene.segments.back().impedance = 1.4;
+    CHECK_FALSE(isProof(other));
+    other = none;
+    other.schedule.phases.front().free = 30;
+    CHECK_FALSE(isProof(other));
+    other = none;
+    auto& rows = std::get<SteppedProof>(other.absence->proof).multipliers.equalities;
+    rows.front().value += "1";
+    CHECK_FALSE(isProof(other));
+    rows.front().value = "no number";
+    CHECK_FALSE(isProof(other));
+    rows.front().value = "1/0";
+    CHECK_FALSE(isProof(other));
+}
+
+TEST_CASE("stepped: fine grids cost what their steps have in common")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const std::vector<Segment> parts{{.cells = 150}, {.cells = 150, .impedance = 1.3}};
+    const std::vector<Segment> coarse{{.cells = 1}, {.cells = 1, .impedance = 1.3}};
+    const PeriodicResult fine = findPeriodic(150, 900, 300, optionsFor(parts));
+    const PeriodicResult same = findPeriodic(1, 6, 2, optionsFor(coarse));
+    CHECK(fine.status == same.status);
+    const PeriodicResult shifted = findPeriodic(151, 899, 300, optionsFor(parts));
+    CHECK(shifted.status != Status::undecided);
+    for (std::int64_t contact = 100; contact <= 200; contact += 5) {
+        const PeriodicResult result = findPeriodic(contact, 1050 - contact, 300, optionsFor(parts));
+        INFO(contact << ": " << result.detail);
+        CHECK(result.status != Status::undecided);
+    }
+}
+
+TEST_CASE("stepped: what is not known of such bars is refused in a sentence")
+{
+    const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
+    const auto find = [&](auto change) {
+        FindOptions options = optionsFor(halves);
+        change(options);
+        return findPeriodic(8, 24, 8, options);
+    };
+    CHECK_THROWS_WITH(find([](auto& o) { o.solver = "closed-form"; }),
+                      containsText("for a bar of several segments"));
+    CHECK_THROWS_WITH(find([](auto& o) { o.formulation = Formulation::state; }),
+                      containsText("formulation = state"));
+    CHECK_THROWS_WITH(find([](auto& o) { o.objective = Objective::minPeakStrain; }),
+                      containsText("objective = min-peak-strain"));
+    CHECK_THROWS_WITH(find([](auto& o) { o.strainLimit = 1.0; }), containsText("strainLimit"));
+    CHECK_THROWS_WITH(find([](auto& o) { o.scene.bar.gap = 0.0; }), containsText("gap = 0"));
+    CHECK_THROWS_WITH(findPeriodic(8, 24, 9, optionsFor(halves)),
+                      containsText("cells of all segments = 8"));
+    FindOptions uniform;
+    uniform.formulation = Formulation::joints;
+    CHECK_THROWS_WITH(findPeriodic(8, 24, 8, uniform), containsText("without segments"));
+}
+
+TEST_CASE("stepped: without a simplex method the answer is which back ends are missing")
+{
+    const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
+    if (preferred({.duals = true}) == nullptr) {
+        CHECK_THROWS_AS(findPeriodic(8, 24, 8, optionsFor(halves)), BackendUnavailable);
+        CHECK_THROWS_WITH(findPeriodic(8, 24, 8, optionsFor(halves)), containsText("glpk-simplex"));
+    } else {
+        CHECK_NOTHROW(findPeriodic(8, 24, 8, optionsFor(halves)));
+    }
+}
