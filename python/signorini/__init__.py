@@ -1,0 +1,59 @@
+"""Periodic motions of an elastic bar in unilateral contact with a wall.
+
+>>> import signorini as sg
+>>> r = sg.find(150, 900)
+>>> r.status, r.energy_ratio
+('found', 4.0)
+
+Attributes have the names of the program's JSON, arguments those of its
+options. SI units throughout; what ends in ``_ratio`` has none: energies in
+E_1, periods in L/c, frequencies in omega_1, waves and strains in g/L.
+`signorini.plot` draws, and is loaded when it is first used.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ._atlas import Atlas
+from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable,
+                    Bar, Continuum, ContinuumPoint, Damping, Drive,
+                    EnergyBalance, EnergyExclusion, EnergySection, Family,
+                    FamilyPlace, FarkasCertificate, ForcedFrequency,
+                    ForcedMotion, ForcedResult, Mode, ModeMotion, Motion,
+                    Physical, ProgramProof, Residuals, Result, Scene,
+                    Schedule, Segment, Settled, Simulation, SolutionSet,
+                    SolverReport, State, Waves, __version__, backends,
+                    SteppedProof)
+from ._find import continuum, find
+from ._forced import Response, response, simulate
+from ._lists import families, mode, modes
+from ._question import Question
+from ._tables import Table
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+__all__ = [
+    "Atlas", "AtlasFamily", "AtlasRun", "AtlasSchedule", "BackendUnavailable",
+    "Bar", "Continuum", "ContinuumPoint", "Damping", "Drive", "EnergyBalance",
+    "EnergyExclusion", "EnergySection", "Family", "FamilyPlace",
+    "FarkasCertificate", "ForcedFrequency", "ForcedMotion", "ForcedResult",
+    "Mode", "ModeMotion", "Motion", "Physical", "ProgramProof", "Question",
+    "Residuals", "Response", "Result", "Scene", "Schedule", "Segment",
+    "Settled", "Simulation", "SolutionSet", "SolverReport", "State",
+    "SteppedProof", "Table", "Waves", "__version__", "backends", "continuum",
+    "families", "find", "mode", "modes", "plot", "response", "simulate",
+]
+
+
+def __getattr__(name: str) -> ModuleType:
+    """Load `signorini.plot`, and with it matplotlib, when it is needed."""
+    if name == "plot":
+        import importlib
+        return importlib.import_module(".plot", __name__)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return __all__

@@ -1,0 +1,418 @@
+"""Types of the answers of the compiled part; stubs alone, no module."""
+
+from collections.abc import Iterator
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Fields,
+                    _Record)
+
+Array = NDArray[np.float64]
+Bounds = tuple[float, Optional[float]]
+
+class Physical(_Record):
+    frequency: float
+    contact_time: float
+    peak_force: float
+    impulse: float
+    approach_speed: float
+    peak_compression: float
+    peak_tension: float
+    peak_stress: Optional[float]
+    tip_lowest: float
+
+class Residuals(_Record):
+    periodicity: float
+    gap: float
+    pressure: float
+    penetration: float
+    march: float
+    demands: float
+    def worst(self) -> float: ...
+
+class FarkasCertificate(_Record):
+    kind: str
+    verified: bool
+    rows: str
+    gap: int
+    size: int
+    periodicity: list[tuple[int, int]]
+    pressure: list[tuple[int, int]]
+    penetration: list[tuple[int, int]]
+
+class ProgramProof(_Record):
+    kind: str
+    verified: bool
+    rows: str
+    equalities: list[tuple[int, int]]
+    inequalities: list[tuple[int, int]]
+
+class SteppedProof(_Record):
+    kind: str
+    verified: bool
+    rows: str
+    equalities: list[tuple[int, str]]
+    inequalities: list[tuple[int, str]]
+
+class EnergyExclusion(_Record):
+    kind: str
+    verified: bool
+    note: Optional[str]
+
+class SolutionSet(_Record):
+    kind: str
+    dimension: Optional[int]
+
+class EnergySection(_Record):
+    dimension: int
+    connected: bool
+    components: Optional[int]
+
+class SolverReport(_Record):
+    name: str
+    iterations: int
+    seconds: float
+
+class FamilyPlace(_Record):
+    order: int
+    nu: int
+    contact_blocks: int
+    period_ratio: tuple[int, int]
+    contact: tuple[int, int]
+    least_energy_ratio: float
+    amplitudes: int
+    offset: int
+
+class Result(_Record):
+    bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
+    scene: Scene
+    status: str
+    cells: int
+    schedule: Schedule
+    period: float
+    period_ratio: float
+    frequency_ratio: float
+    kernel_dimension: Optional[int]
+    solution_set: Optional[SolutionSet]
+    family: Optional[FamilyPlace]
+    objective: str
+    contact: Optional[str]
+    canonical_schedule: Optional[list[tuple[int, int]]]
+    energy: Any  # float; None where there is no motion
+    energy_ratio: Any  # float; None where there is no motion
+    energy_ratio_range: Any  # (least, most); None where there is no motion
+    energy_section: Optional[EnergySection]
+    physical: Any  # Physical; None where there is no motion
+    admissible: Optional[bool]
+    residuals: Any  # Residuals; None where there is no motion
+    reason: Optional[str]
+    certificate: Any  # one of the certificates, or None
+    route: str
+    route_reason: str
+    left_out: list[str]
+    solver: SolverReport
+    repetitions: Optional[int]
+    pressing_phases: Optional[list[bool]]
+    symmetric: Optional[bool]
+    peak_strain: Any  # float; None where there is no motion
+    target: Optional[str]
+    distance: Optional[float]
+    detail: Optional[str]
+    state: Any  # State; None where there is no motion
+    motion: Any  # Motion; None where there is no motion
+    def is_proof(self) -> bool: ...
+
+class ContinuumPoint(_Record):
+    lambda_: float
+    energy_ratio: float
+    residual: float
+    peak_strain: float
+    physical: Physical
+    admissible: bool
+    exact: Optional[bool]
+    state: State
+    motion: Motion
+
+class Continuum(_Record):
+    status: str
+    cells: int
+    schedule: Schedule
+    bar: Bar
+    period: float
+    period_ratio: float
+    frequency_ratio: float
+    energy_ratio: float
+    connected: Optional[bool]
+    components: Optional[int]
+    dimension: Optional[int]
+    energy_ratio_range: Optional[Bounds]
+    resolution: Optional[float]
+    engine: str
+    family: str
+    parameter: str
+    reason: Optional[str]
+    orbits: int
+    points: list[ContinuumPoint]
+    detail: Optional[str]
+    lambda_: Array
+    peak_strain: Array
+    residual: Array
+    def member(self, lambda_: float) -> ContinuumPoint: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, at: int) -> ContinuumPoint: ...
+    def __iter__(self) -> Iterator[ContinuumPoint]: ...
+
+class Family(_Record):
+    order: int
+    nu: int
+    contact_blocks: int
+    period_ratio: tuple[int, int]
+    contact: tuple[int, int]
+    least_energy_ratio: float
+    least_energy_exact: tuple[int, int]
+    least_energy: float
+    frequency_ratio: float
+    frequency: float
+    period: float
+    mode: Optional[tuple[int, int]]
+    bar: Bar
+    def schedule(self, cells: int) -> Schedule: ...
+
+class Mode(_Record):
+    contact: tuple[int, int]
+    period_range: tuple[tuple[int, int], tuple[int, int]]
+    inverse_sqrt_energy: tuple[int, int]
+    family: Optional[str]
+    ends: tuple[str, str]
+    energy_ratio_range: Bounds
+    frequency_range: tuple[float, float]
+    energy_range: Bounds
+    bar: Bar
+    kappa: int
+    mu: int
+    def energy_ratio(self, period_ratio: ArrayLike) -> Any: ...
+    def contact_time_ratio(self, period_ratio: ArrayLike) -> Any: ...
+    def schedule(self, cells: int, steps: int) -> Schedule: ...
+    def families(self, max_order: int) -> list[Family]: ...
+    def motion(self, period_ratio: float) -> ModeMotion: ...
+
+class ModeMotion(_Fields):
+    status: str
+    bar: Bar
+    mode: Mode
+    period: float
+    period_ratio: float
+    frequency: float
+    frequency_ratio: float
+    contact_time: float
+    contact_time_ratio: float
+    energy: float
+    energy_ratio: float
+    jumps: list[tuple[int, int]]
+    physical: Physical
+    admissible: bool
+    amplitude_ratio: float
+    jump_times_ratio: Array
+    def to_dict(self) -> dict[str, Any]: ...
+    def p(self, t_ratio: ArrayLike) -> Any: ...
+    def state(self, cells: int) -> State: ...
+
+class AtlasFamily(_Record):
+    id: int
+    cells: int
+    order: Optional[int]
+    nu: Optional[int]
+    contact_blocks: Optional[int]
+    schedule: Schedule
+    period: float
+    period_ratio: float
+    frequency: float
+    frequency_ratio: float
+    contact: str
+    kind: str
+    dimension: int
+    energy_range: Bounds
+    energy_ratio_range: Bounds
+    schedules: int
+
+class AtlasSchedule(_Record):
+    cells: int
+    schedule: Schedule
+    family: Optional[int]
+    period: float
+    period_ratio: float
+    frequency: float
+    frequency_ratio: float
+    status: str
+    reason: Optional[str]
+    kernel_dimension: Optional[int]
+    kind: Optional[str]
+    dimension: Optional[int]
+    contact: Optional[str]
+    canonical: Optional[bool]
+    energy_range: Optional[Bounds]
+    energy_ratio_range: Optional[Bounds]
+
+class AtlasRun(_Record):
+    cells: int
+    max_contact: int
+    max_free: int
+    phases: int
+    max_energy_ratio: float
+    families_only: bool
+    finished: bool
+    decided: int
+    found: int
+    pressing: int
+    grazing: int
+    family_count: int
+    refuted: int
+    undecided: int
+    batches: tuple[int, int]
+    seconds: float
+
+class AtlasFile:
+    def __init__(self, path: str, bar: Bar) -> None: ...
+    def runs(self) -> list[AtlasRun]: ...
+    def families(self, cells: Optional[int]) -> list[AtlasFamily]: ...
+    def schedules(self, cells: Optional[int]) -> list[AtlasSchedule]: ...
+    def families_near(self, frequency_ratio: float, energy_ratio: float,
+                      within: float, cells: Optional[int]
+                      ) -> list[AtlasFamily]: ...
+    def schedules_near(self, frequency_ratio: float, energy_ratio: float,
+                       within: float, cells: Optional[int]
+                       ) -> list[AtlasSchedule]: ...
+    def families_of_period(self, numerator: int, denominator: int,
+                           cells: Optional[int]) -> list[AtlasFamily]: ...
+    def schedules_of_period(self, numerator: int, denominator: int,
+                            cells: Optional[int]) -> list[AtlasSchedule]: ...
+    def twins(self, cells: Optional[int]
+              ) -> list[tuple[list[AtlasFamily], list[AtlasSchedule]]]: ...
+
+class Damping(_Record):
+    ratio: float
+    dashpot: float
+
+class ForcedMotion(_Record):
+    schedule: Schedule
+    amplitude: Optional[float]
+    phase: float
+    impulse: float
+    peak_force: float
+    tip_lowest: float
+    physical: Physical
+    admissible: bool
+    residual: float
+    stable: Optional[bool]
+    impulse_ratio: float
+    peak_force_ratio: float
+    tip_lowest_ratio: float
+    state: State
+
+class ForcedResult(_Record):
+    status: str
+    cells: int
+    schedule: Schedule
+    bar: Bar
+    damping: Damping
+    force: str
+    cycles: int
+    period: float
+    period_ratio: float
+    frequency_ratio: float
+    solution_set: dict[str, Any]
+    amplitude: Optional[float]
+    amplitude_range: Optional[Bounds]
+    phase: Optional[float]
+    motions: list[ForcedMotion]
+    reason: Optional[str]
+    certificate: Optional[dict[str, Any]]
+    detail: Optional[str]
+
+class ForcedFrequency(_Record):
+    steps: int
+    frequency_ratio: float
+    frequency: float
+    touches: bool
+    linear_peak: float
+    undecided: int
+    motions: list[ForcedMotion]
+
+class ResponseData(_Record):
+    cells: int
+    bar: Bar
+    damping: Damping
+    force: str
+    amplitude: float
+    cycles: int
+    frequency_ratio_range: tuple[float, float]
+    frequencies: list[ForcedFrequency]
+
+class Drive(_Record):
+    force: str
+    amplitude: float
+    frequency_ratio: float
+    frequency: float
+    phase: float
+    steps: int
+
+class Settled(_Record):
+    periods: int
+    contacts: int
+    impulse: float
+
+class EnergyBalance(_Record):
+    work: float
+    dissipated: float
+    error: float
+
+class Waves:
+    def to_dict(self) -> dict[str, Any]: ...
+    a: Array
+    b: Array
+    a_duration: Array
+    b_duration: Array
+    energy_ratio: float
+    def stretching(self, cells: int) -> Array: ...
+
+class Simulation(_Record):
+    status: str
+    cells: int
+    bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
+    damping: Damping
+    excitation: Optional[Drive]
+    time: float
+    time_ratio: float
+    contacts: int
+    impulse: float
+    settled: Optional[Settled]
+    tip: float
+    held: bool
+    energy: float
+    energy_ratio: Any  # float; None without a gap
+    balance: EnergyBalance
+    events: int
+    pieces: int
+    merged: float
+    contact_stop: list[str]
+    contact_start: Array
+    contact_end: Array
+    contact_impulse: Array
+    contact_peak_force: Array
+    contact_start_ratio: Array
+    contact_end_ratio: Array
+    contact_impulse_ratio: Array
+    contact_peak_force_ratio: Array
+    tip_time: Array
+    tip_displacement: Array
+    tip_time_ratio: Array
+    tip_displacement_ratio: Array
+    waves: Waves

@@ -1,0 +1,184 @@
+"""Atlases: every schedule of a range, decided into an SQLite file."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+from . import _core
+from ._core import AtlasFamily, AtlasRun, AtlasSchedule, Bar
+from ._progress import Progress, listener
+from ._tables import Table
+from ._words import Number, bar_of, fraction_of
+
+
+class Atlas:
+    """An atlas in a file, asked.
+
+    The file is SQLite: any other tool can ask it, too. Tables `families`,
+    `schedules`, `runs`.
+
+    Parameters
+    ----------
+    database : str or path
+        A file that `Atlas.build` or ``signorini atlas`` made.
+    bar : Bar, optional
+        What units mean in SI; or its parameters as keywords, `length=`, ...
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read, or is no atlas.
+    """
+
+    def __init__(self, database: str | os.PathLike[str], *,
+                 bar: Bar | None = None, **bar_options: float) -> None:
+        self.database = os.fspath(database)
+        self.bar = bar_of(bar, bar_options)
+        self._file = _core.AtlasFile(self.database, self.bar)
+
+    @classmethod
+    def build(cls, database: str | os.PathLike[str], *, cells: int = 300,
+              max_contact: int | None = None, max_free: int | None = None,
+              phases: int = 1, max_energy_ratio: float | None = None,
+              all: bool = False, families_only: bool = False,
+              resume: bool = False, threads: int = 1,
+              bar: Bar | None = None, progress: Progress = None,
+              **bar_options: float) -> Atlas:
+        """Decide every schedule of a range into a file, and open it.
+
+        An interrupted run loses the batches in flight and nothing else; the
+        same call with `resume` goes on.
+
+        Parameters
+        ----------
+        database : str or path
+            Made where it does not exist.
+        cells : int
+            N, cells of the bar.
+        max_contact, max_free : int, optional
+            Steps of each contact (2N) and each flight (4N).
+        phases : int
+            Contact phases up to so many.
+        max_energy_ratio : float, optional
+            Keep only schedules with motions of E/E_1 up to it.
+        all : bool
+            Keep the refuted schedules, too.
+        families_only : bool
+            Keep no schedules.
+        resume : bool
+            Go on with an interrupted run.
+        threads : int
+            To share the work.
+        bar : Bar, optional
+            What units mean in SI; or its parameters as keywords. The sign of
+            its gap decides what exists.
+        progress : callable, bool or tqdm bar, optional
+            Called with (done, total).
+
+        Returns
+        -------
+        Atlas
+
+        Raises
+        ------
+        ValueError
+            If an argument is out of its range, or the file holds an
+            unfinished run and `resume` is not set.
+        OSError
+            If the file cannot be used.
+        """
+        path = os.fspath(database)
+        units = bar_of(bar, bar_options)
+        _core.build_atlas(path, cells, max_contact, max_free, phases,
+                          max_energy_ratio, all, families_only, resume,
+                          threads, units, listener(progress))
+        return cls(path, bar=units)
+
+    @property
+    def runs(self) -> Table[AtlasRun]:
+        """What was decided, or begun."""
+        return Table("runs", self._file.runs())
+
+    def families(self, cells: int | None = None) -> Table[AtlasFamily]:
+        """Return the sets of orbits of all grids, or of one."""
+        return Table("families", self._file.families(cells), bar=self.bar)
+
+    def schedules(self, cells: int | None = None) -> Table[AtlasSchedule]:
+        """Return the schedules with motions, of all grids, or of one."""
+        return Table("schedules", self._file.schedules(cells), bar=self.bar)
+
+    def near(self, frequency_ratio: Number, energy_ratio: float, *,
+             within: float = 0.001,
+             cells: int | None = None) -> Table[AtlasFamily]:
+        """Return the families near a point of the plot, nearest first.
+
+        Parameters
+        ----------
+        frequency_ratio : float, str or Fraction
+            omega/omega_1.
+        energy_ratio : float
+            E/E_1.
+        within : float
+            How near, relative.
+        cells : int, optional
+            Of one grid.
+        """
+        w = float(fraction_of(frequency_ratio, "frequency_ratio"))
+        rows = self._file.families_near(w, energy_ratio, within, cells)
+        return Table("families", rows, bar=self.bar)
+
+    def schedules_near(self, frequency_ratio: Number, energy_ratio: float, *,
+                       within: float = 0.001,
+                       cells: int | None = None) -> Table[AtlasSchedule]:
+        """Return the schedules near a point of the plot, as `near` does."""
+        w = float(fraction_of(frequency_ratio, "frequency_ratio"))
+        rows = self._file.schedules_near(w, energy_ratio, within, cells)
+        return Table("schedules", rows, bar=self.bar)
+
+    def of_period(self, period: Number, *,
+                  cells: int | None = None) -> Table[AtlasFamily]:
+        """Return the families of one period, as 3.5 or "7/2" [L/c]."""
+        exact = fraction_of(period, "period")
+        rows = self._file.families_of_period(exact.numerator,
+                                             exact.denominator, cells)
+        return Table("families", rows, bar=self.bar)
+
+    def schedules_of_period(self, period: Number, *,
+                            cells: int | None = None) -> Table[AtlasSchedule]:
+        """Return the schedules of one period, the refuted ones, too."""
+        exact = fraction_of(period, "period")
+        rows = self._file.schedules_of_period(exact.numerator,
+                                              exact.denominator, cells)
+        return Table("schedules", rows, bar=self.bar)
+
+    def twins(self, cells: int | None = None
+              ) -> list[tuple[list[AtlasFamily], list[AtlasSchedule]]]:
+        """Return groups of different orbits of equal period and energy."""
+        return self._file.twins(cells)
+
+    def query(self, sql: str, parameters: tuple[Any, ...] = ()) -> Any:
+        """Ask in SQL; a pandas frame where pandas is there, else rows.
+
+        The file is opened for reading alone.
+        """
+        import sqlite3
+        from urllib.parse import quote
+        place = f"file:{quote(os.path.abspath(self.database))}?mode=ro"
+        with sqlite3.connect(place, uri=True) as connection:
+            try:
+                import pandas
+            except ImportError:
+                return connection.execute(sql, parameters).fetchall()
+            return pandas.read_sql_query(sql, connection, params=parameters)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _open, (self.database, self.bar)
+
+    def __repr__(self) -> str:
+        runs = ", ".join(f"N = {run.cells}" for run in self.runs)
+        return f"Atlas({self.database!r}, {runs})"
+
+
+def _open(database: str, bar: Bar) -> Atlas:
+    return Atlas(database, bar=bar)

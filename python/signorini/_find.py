@@ -1,0 +1,212 @@
+"""Motions of a schedule: one, or a curve of them."""
+
+from __future__ import annotations
+
+from typing import Any, overload
+
+from . import _core
+from ._core import Bar, Continuum, ForcedResult, Result, Scene, State
+from ._progress import Progress, listener
+from ._question import Question, ask
+from ._words import Number, Segments, Steps, bar_of, scene_of, state_of
+
+
+@overload
+def find(first: Steps, /, *schedule: Steps, cells: int | None = None,
+         bar: Bar | None = None,
+         scene: Scene | None = None, second_stop: float | None = None,
+         segments: Segments | None = None,
+         solver: str = "auto", formulation: str = "auto",
+         objective: str = "auto", target: State | str | None = None,
+         energy: float | None = None, energy_ratio: float | None = None,
+         strain_limit: float | None = None, tip_floor: float | None = None,
+         tolerance: float = 1e-7, time_limit: float | None = None,
+         **bar_options: float) -> Result: ...
+
+
+@overload
+def find(*, period: Number | None = None, frequency: Number | None = None,
+         hertz: float | None = None, cells: int | None = None,
+         bar: Bar | None = None, scene: Scene | None = None,
+         second_stop: float | None = None, segments: Segments | None = None,
+         solver: str = "auto", formulation: str = "auto",
+         objective: str = "auto", target: State | str | None = None,
+         energy: float | None = None, energy_ratio: float | None = None,
+         strain_limit: float | None = None, tip_floor: float | None = None,
+         tolerance: float = 1e-7, time_limit: float | None = None,
+         **bar_options: float) -> Question: ...
+
+
+@overload
+def find(first: Steps, /, *schedule: Steps, cells: int | None = None,
+         bar: Bar | None = None,
+         damping: float, force: str, amplitude: float | None = None,
+         cycles: int = 1, strain_limit: float | None = None,
+         **bar_options: float) -> ForcedResult: ...
+
+
+# The names of a bar's options, all floats, are no other arguments' names.
+def find(  # type: ignore[misc]
+         *schedule: Steps, cells: int | None = None, bar: Bar | None = None,
+         scene: Scene | None = None, second_stop: float | None = None,
+         segments: Segments | None = None,
+         solver: str = "auto", formulation: str = "auto",
+         objective: str = "auto", target: Any = None,
+         energy: float | None = None, energy_ratio: float | None = None,
+         strain_limit: float | None = None, tip_floor: float | None = None,
+         tolerance: float = 1e-7, time_limit: float | None = None,
+         period: Number | None = None, frequency: Number | None = None,
+         hertz: float | None = None,
+         damping: float | None = None, force: str | None = None,
+         amplitude: float | None = None, cycles: int = 1,
+         **bar_options: float
+         ) -> Result | Question | ForcedResult:
+    """Decide a schedule: a verified motion, or the proof that there is none.
+
+    Parameters
+    ----------
+    *schedule : int, pairs of int, or Schedule
+        n_c, n_f of each contact phase in turn.
+    cells : int, optional
+        N, cells of the bar (300).
+    bar : Bar, optional
+        What units mean in SI; or its parameters as keywords: `length`,
+        `wave_speed`, `axial_stiffness`, `gap`, `young`, `density`, `area`.
+        A gap may be 0, or negative: the bar at rest is pressed.
+    scene : Scene, optional
+        In place of `bar`, `second_stop` and `segments`.
+    second_stop : float, optional
+        h [m]: a stop at u(L) = -h. Phases on it are (n_c, n_f, "left").
+    segments : list of Segment, or of their parameters, optional
+        A stepped bar, clamp first: (cells, impedance, speed, dashpot).
+    solver : str
+        A back end (`signorini.backends`), or "auto".
+    formulation : str
+        Unknowns of the problem: "auto", "state", "reduced", "lumped"; of a
+        stepped bar "joints", "kernel".
+    objective : str
+        Which motion: "auto" (least energy; with an energy to hold, least
+        peak compression), "any", "min-energy", "max-energy",
+        "min-peak-strain", "max-impulse", "nearest".
+    target : State or file name, optional
+        For "nearest".
+    energy, energy_ratio : float, optional
+        To hold, in J or in E_1.
+    strain_limit : float, optional
+        S: strain >= -S everywhere and always [-].
+    tip_floor : float, optional
+        Lowest displacement of the tip [m].
+    tolerance : float
+        Largest relative residual.
+    time_limit : float, optional
+        For a solver [s].
+    period, frequency, hertz : float, str or Fraction, optional
+        In place of a schedule: all motions of the period T [L/c], of the
+        frequency omega/omega_1, or of that of the grid nearest to f [Hz].
+    damping : float, optional
+        zeta; with `force` it asks for forced, damped motions.
+    force : str, optional
+        "tip" or "base".
+    amplitude : float, optional
+        Of the force [N] or the base [m]; without, the least is looked for.
+    cycles : int
+        Of the excitation in a period of the motion.
+
+    Returns
+    -------
+    Result, Question or ForcedResult
+        A Question, a sequence of Result, for a period or frequency; a
+        ForcedResult where `damping` and `force` are given.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range, in the library's words.
+    BackendUnavailable
+        If no solver of this build can do what is asked.
+    """
+    whole = scene_of(scene, bar, second_stop, segments, bar_options)
+    units = whole.bar
+    if damping is not None or force is not None:
+        if damping is None or force is None:
+            raise ValueError("damping, force: allowed only together")
+        return _core.find_forced(schedule, cells, units, damping, force,
+                                 amplitude, cycles, strain_limit)
+    if amplitude is not None or cycles != 1:
+        raise ValueError("amplitude, cycles: allowed only together with "
+                         "damping and force")
+    if target is not None:
+        target = state_of(target, units, cells)
+    if period is not None or frequency is not None or hertz is not None:
+        if schedule:
+            raise ValueError("a schedule clashes with period, frequency and "
+                             "hertz: allowed one of them")
+        return ask({"period": period, "frequency": frequency, "hertz": hertz},
+                   cells, whole,
+                   (solver, formulation, objective, target, energy,
+                    energy_ratio, strain_limit, tip_floor, tolerance,
+                    time_limit))
+    return _core.find(schedule, cells, whole, solver, formulation, objective,
+                      target, energy, energy_ratio, strain_limit, tip_floor,
+                      tolerance, time_limit)
+
+
+def continuum(*schedule: Steps, energy_ratio: float, cells: int | None = None,
+              bar: Bar | None = None, points: int = 201,
+              start: State | str | None = None, to: State | str | None = None,
+              direction: State | str | None = None, seed: int | None = None,
+              sample: bool = False, engine: str = "auto",
+              strain_limit: float | None = None, resolution: float = 0.05,
+              tolerance: float = 1e-7, progress: Progress = None,
+              **bar_options: float) -> Continuum:
+    """Trace a curve k(lambda) of motions of one schedule and one energy.
+
+    Parameters
+    ----------
+    *schedule : int, pairs of int, or Schedule
+        n_c, n_f of each contact phase in turn.
+    energy_ratio : float
+        E/E_1 of every motion.
+    cells : int, optional
+        N, cells of the bar (300).
+    bar : Bar, optional
+        What units mean in SI; or its parameters as keywords, `length=`, ...
+    points : int
+        Motions along the curve.
+    start, to, direction : State or file name, optional
+        Both ends of a path, or one and the way to go from there. Without,
+        the curve is the split pulse.
+    seed : int, optional
+        Join two members drawn at random; with `sample`, which ones.
+    sample : bool
+        Motions spread over the whole set in place of a curve.
+    engine : str
+        "auto", "geometric", "ipopt", "nlopt", or a back end.
+    strain_limit : float, optional
+        S: strain >= -S everywhere and always [-].
+    resolution : float
+        How far neighbours may be apart on a curve by programs [sqrt(E/E_1)].
+    tolerance : float
+        Largest relative residual.
+    progress : callable, bool or tqdm bar, optional
+        Called with (done, total).
+
+    Returns
+    -------
+    Continuum
+        A sequence of ContinuumPoint.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range, in the library's words.
+    BackendUnavailable
+        If no solver of this build can do what is asked.
+    """
+    units = bar_of(bar, bar_options)
+    return _core.continuum(schedule, cells, units, energy_ratio, points,
+                           state_of(start, units, cells),
+                           state_of(to, units, cells),
+                           state_of(direction, units, cells), seed,
+                           sample, engine, strain_limit, resolution,
+                           tolerance, listener(progress))

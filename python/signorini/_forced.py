@@ -1,0 +1,156 @@
+"""Forced and damped motions: the response, and what a bar settles on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from . import _core
+from ._core import (Bar, ForcedFrequency, ForcedMotion, Scene, Simulation,
+                    State, Waves)
+from ._progress import Progress, listener
+from ._tables import Table
+from ._words import bar_of, scene_of, state_of
+
+
+class Response(Table[ForcedFrequency]):
+    """All motions with one contact in a period, frequency by frequency.
+
+    A sequence of ForcedFrequency. `motions` are all of them in one list.
+    """
+
+    @property
+    def motions(self) -> list[tuple[ForcedFrequency, ForcedMotion]]:
+        """[(frequency, motion), ...]."""
+        return [(at, motion) for at in self for motion in at.motions]
+
+    def _rows_of_frame(self) -> Iterator[dict[str, Any]]:
+        for at in self:
+            head = at.to_dict()
+            del head["motions"]
+            for motion in at.motions:
+                row = motion.to_dict()
+                contact, free = row.pop("schedule")[0]
+                yield {**head, "contact": contact, "free": free, **row,
+                       "stable": motion.stable}
+            if not at.motions:
+                yield head
+
+    def frame(self) -> Any:
+        """Return a pandas DataFrame: a row for each motion.
+
+        Frequencies without a motion have one row.
+        """
+        from ._tables import frame_of
+        return frame_of(list(self._rows_of_frame()))
+
+
+def response(*, damping: float, force: str, amplitude: float,
+             start: float = 0.5, to: float = 2.0, cycles: int = 1,
+             cells: int = 300, stability: bool = False,
+             bar: Bar | None = None, progress: Progress = None,
+             **bar_options: float) -> Response:
+    """List every forced motion with one contact, for all periods of a range.
+
+    Parameters
+    ----------
+    damping : float
+        zeta of the first linear mode, > 0.
+    force : str
+        "tip", a force on the tip, or "base", a base that moves.
+    amplitude : float
+        Of the force [N] or the base [m].
+    start, to : float
+        Lowest and highest omega/omega_1 of the excitation (the program's
+        ``--from`` and ``--to``).
+    cycles : int
+        Of the excitation in a period of the motion.
+    cells : int
+        N, cells of the bar.
+    stability : bool
+        Start beside each motion and see whether the bar comes back.
+    bar : Bar, optional
+        What units mean in SI; or its parameters as keywords, `length=`, ...
+    progress : callable, bool or tqdm bar, optional
+        Called with (done, total).
+
+    Returns
+    -------
+    Response
+        A Table of ForcedFrequency.
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range, in the library's words.
+    """
+    units = bar_of(bar, bar_options)
+    data = _core.response(damping, force, amplitude, start, to, cycles, cells,
+                          stability, units, listener(progress))
+    head = {key: getattr(data, key) for key in (
+        "cells", "bar", "damping", "force", "amplitude", "cycles",
+        "frequency_ratio_range")}
+    rows = data.frequencies
+    missed = any(at.undecided for at in rows)
+    status = "found" if any(at.motions for at in rows) or not missed \
+        else "undecided"
+    return Response("frequencies", rows, status=status, complete=True, **head)
+
+
+def simulate(start: State | Waves | str | None = None, *,
+             damping: float = 0.0, force: str | None = None,
+             amplitude: float | None = None, frequency: float | None = None,
+             phase: float = 0.0, time: float | None = None,
+             periods: int | None = None, cells: int | None = None,
+             tip: bool = True, bar: Bar | None = None,
+             scene: Scene | None = None, second_stop: float | None = None,
+             progress: Progress = None, **bar_options: float) -> Simulation:
+    """Simulate the bar exactly, event by event.
+
+    Parameters
+    ----------
+    start : State, Waves or file name, optional
+        To start from; at rest without.
+    damping : float
+        zeta of the first linear mode.
+    force : str, optional
+        "tip" or "base".
+    amplitude : float, optional
+        Of the force [N] or the base [m].
+    frequency : float, optional
+        omega/omega_1 of the excitation.
+    phase : float
+        Of the excitation at the start, cos(omega t - phase) [rad].
+    time : float, optional
+        How long [s].
+    periods : int, optional
+        Or how many periods of the excitation.
+    cells : int, optional
+        Steps of the excitation in L/c (those of the state, 300 at rest).
+    tip : bool
+        Record the path of the tip.
+    bar : Bar, optional
+        What units mean in SI; or its parameters as keywords, `length=`, ...
+    scene : Scene, optional
+        In place of `bar` and `second_stop`.
+    second_stop : float, optional
+        h [m]: a stop at u(L) = -h.
+    progress : callable, bool or tqdm bar, optional
+        Called with (done, total).
+
+    Returns
+    -------
+    Simulation
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range, in the library's words.
+    """
+    if scene is None and bar is None and not bar_options \
+            and isinstance(start, State):
+        bar = start.bar
+    whole = scene_of(scene, bar, second_stop, None, bar_options)
+    return _core.simulate(state_of(start, whole.bar, cells), cells, whole,
+                          damping, force, amplitude, frequency, phase, time,
+                          periods, tip, listener(progress))

@@ -1,0 +1,100 @@
+"""A question in physics: all motions of one period."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from . import _core
+from ._core import Result, Scene
+from ._tables import Table
+from ._words import Number, fraction_of
+
+#: A float is a period of the grid if it is so to the last digit.
+LAST_DIGIT = 4e-16
+
+
+def _on_grid(name: str, word: Number, cells: int) -> int:
+    """Return the steps of a period or frequency; ValueError off the grid."""
+    asked = fraction_of(word, name)
+    period = asked if name == "period" else 4 / asked
+    steps = max(2, round(period * cells))
+    grid = Fraction(steps, cells)
+    off = abs(grid - period)
+    if off > (LAST_DIGIT * grid if isinstance(word, float) else 0):
+        nearest = grid if name == "period" else 4 / grid
+        needs = "" if isinstance(word, float) else \
+            f"; {word} needs cells={period.denominator} or a multiple"
+        raise ValueError(
+            f"{name} = {word} is out of range: allowed periods of whole steps "
+            f"L/({cells} c) (nearest {nearest}{needs})")
+    return steps
+
+
+class Question(Table[Result]):
+    """All motions of one period: a sequence of Result, one for each set.
+
+    Attributes
+    ----------
+    status : str
+        "found", "none" or "undecided".
+    question : dict
+        What was asked, as a period, a frequency and an energy.
+    sets : list of dict
+        Every set of motions of this period, also without a motion that
+        meets the demands.
+    motions : list of Result
+    reason, detail : str or None
+        Why there is no motion.
+    """
+
+
+def ask(asked: dict[str, Any], cells: int | None, scene: Scene,
+        demands: tuple[Any, ...]) -> Question:
+    """Answer a question by `find` for each set of motions of a period."""
+    given = {name: word for name, word in asked.items() if word is not None}
+    if len(given) != 1:
+        raise ValueError("period, frequency, hertz: allowed one of them")
+    (name, word), = given.items()
+    cells = 300 if cells is None else cells
+    unit = scene.bar.time_unit
+    if name == "hertz":
+        if not word > 0:
+            raise ValueError(f"hertz = {word} is out of range: allowed finite "
+                             "numbers > 0 [Hz]")
+        steps = max(2, round(cells / unit / word))
+    else:
+        steps = _on_grid(name, word, cells)
+    results = [_core.find((schedule,), None, scene, *demands)
+               for schedule in _core.schedules_of_period(cells, steps,
+                                                         scene)]
+    found = [r for r in results if r.status == "found"]
+    undecided = any(r.status == "undecided" for r in results)
+    period = Fraction(steps, cells)
+    seconds = float(period) * unit
+    energy, energy_ratio = demands[4], demands[5]
+    if energy is not None:
+        energy_ratio = energy / scene.bar.energy_unit
+    if energy_ratio is not None:
+        energy = energy_ratio * scene.bar.energy_unit
+    question = {
+        "asked": {name: str(word)}, "steps": steps, "period": seconds,
+        "period_ratio": float(period), "frequency": 1.0 / seconds,
+        "frequency_ratio": float(4 / period), "energy": energy,
+        "energy_ratio": energy_ratio}
+    if name == "hertz":
+        question["nearest"] = 1.0 / seconds
+    sets = [{key: r.to_dict()[key] for key in
+             ("schedule", "family", "energy_ratio_range", "status", "reason")}
+            for r in results]
+    status = "found" if found else "undecided" if undecided else "none"
+    head = {"bar": scene.bar, "status": status, "cells": cells,
+            "question": question, "sets": sets, "reason": None}
+    if status == "none":
+        head["reason"] = "constraints" if results else "period"
+        head["detail"] = (
+            "motions with one contact in a period have this period, but none "
+            "on this grid meets the demands" if results else
+            "no motion with one contact in a period has this period, on any "
+            "grid")
+    return Question("motions", found, **head)

@@ -1,0 +1,67 @@
+"""Arguments as people give them, on their way to the library."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, Union
+
+from ._core import Bar, Scene, Schedule, Segment, State
+
+#: Steps n_c and n_f, pairs of them, or a whole Schedule.
+Steps = Union[int, "tuple[int, int]", "tuple[int, int, str]", Schedule]
+
+#: Segments, or (cells, impedance, speed, dashpot) of each.
+Segments = Sequence[Union[Segment, "tuple[float, ...]"]]
+
+#: A number that may be exact: 3.5, "7/2", Fraction(7, 2).
+Number = Union[int, float, str, Fraction]
+
+_usual = Bar()
+_usual_scene = Scene(_usual)
+
+
+def bar_of(bar: Bar | None, options: dict[str, float]) -> Bar:
+    """A bar, or the one that the options of a call name."""
+    if not options:
+        return _usual if bar is None else bar
+    if bar is not None:
+        names = ", ".join(options)
+        raise ValueError(f"bar clashes with {names}: allowed one of them")
+    return Bar(**options)
+
+
+def scene_of(scene: Scene | None, bar: Bar | None, second_stop: float | None,
+             segments: Segments | None, options: dict[str, float]) -> Scene:
+    """A scene, or the one that the arguments of a call make."""
+    if scene is not None:
+        if (bar, second_stop, segments, options) != (None, None, None, {}):
+            raise ValueError("scene clashes with bar, second_stop, segments: "
+                             "allowed one of them")
+        return scene
+    if bar is None and second_stop is None and not segments and not options:
+        return _usual_scene
+    parts = [part if isinstance(part, Segment) else
+             Segment(int(part[0]), *part[1:]) for part in segments or ()]
+    return Scene(bar_of(bar, options), second_stop, parts)
+
+
+def state_of(state: Any, bar: Bar, cells: int | None) -> Any:
+    """A state, or the one in a file."""
+    if isinstance(state, str) or hasattr(state, "__fspath__"):
+        if cells is None:
+            return State.read(str(state), bar)
+        return State.read(str(state), bar, cells)
+    return state
+
+
+def fraction_of(value: Number, name: str) -> Fraction:
+    """An exact number > 0. ValueError for anything else."""
+    try:
+        exact = Fraction(value)
+    except (ValueError, ZeroDivisionError, OverflowError):
+        exact = Fraction(0)
+    if exact <= 0:
+        raise ValueError(f"{name} = {value} is out of range: allowed numbers "
+                         "> 0 like 3.5, '7/2' or Fraction(7, 2)")
+    return exact

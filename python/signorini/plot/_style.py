@@ -1,0 +1,55 @@
+"""What all figures share: colours, units, the wall."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from .. import _core
+
+#: The library's own colours: ink, strain, velocity, contact, faint, grid and
+#: the maps sequence, diverging, fading. A colour means one thing everywhere.
+colours: dict[str, Any] = _core.palette()
+
+
+def new(*arguments: Any, **options: Any) -> Any:
+    """Return a figure that lays itself out."""
+    from matplotlib import pyplot
+    return pyplot.figure(*arguments, layout="constrained", **options)
+
+
+def axes_of(axes: Any, **options: Any) -> Any:
+    """Return the axes given, or those of a new figure."""
+    return new(**options).add_subplot() if axes is None else axes
+
+
+def colour_map(name: str = "sequence", stops: int | None = None) -> Any:
+    """Return one of the library's maps for matplotlib."""
+    from matplotlib.colors import LinearSegmentedColormap
+    return LinearSegmentedColormap.from_list(name, colours[name][:stops])
+
+
+def unit_for(size: float, unit: str) -> tuple[float, str]:
+    """Return the factor and name of the prefixed unit that suits a size.
+
+    >>> unit_for(0.002, "m")
+    (1000.0, 'mm')
+    """
+    prefixes = {-4: "p", -3: "n", -2: "µ", -1: "m", 0: "", 1: "k", 2: "M",
+                3: "G"}
+    power = 0
+    if size > 0 and math.isfinite(size):
+        power = math.floor(math.log10(size) / 3 + 1e-9)
+        power = min(max(power, min(prefixes)), max(prefixes))
+    return 10.0 ** (-3 * power), prefixes[power] + unit
+
+
+def quiet(axes: Any) -> None:
+    """Give axes a grid that stays behind."""
+    axes.grid(color=colours["grid"], linewidth=0.5)
+    axes.set_axisbelow(True)
+
+
+def words(number: float, digits: int = 5) -> str:
+    """Return a number as text, without needless noughts."""
+    return f"{number:.{digits}g}"

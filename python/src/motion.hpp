@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// The field of a motion as Python asks for it.
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+
+#include "scene.hpp"
+#include "signorini/modes.hpp"
+#include "signorini/motion.hpp"
+#include "stepped_bar.hpp"
+
+namespace signorini::python {
+
+/// A motion on a grid, with what it is made of: the field is prepared when it is first asked for.
+class GridMotion {
+public:
+    GridMotion(std::shared_ptr<const State> atStart, Schedule followed, Scene where)
+        : state(std::move(atStart)),
+          schedule(std::move(followed)),
+          scene(std::move(where)),
+          bar(scene.segments.empty() ? scene.bar : firstMaterial(scene))
+    {
+    }
+
+    std::shared_ptr<const State> state;
+    Schedule schedule;
+    Scene scene;
+    Bar bar;  ///< whose units are the scene's
+
+    /// O(n + N) the first time.
+    [[nodiscard]] const std::shared_ptr<const Motion>& field() const;
+
+private:
+    mutable std::shared_ptr<const Motion> field_ = nullptr;
+};
+
+/// The motion of a mode, on no grid.
+struct ModeAnswer {
+    Mode mode;
+    Bar bar;
+    ModeMotion motion;
+};
+
+void addMotion(py::module_& module);
+
+/// u, v, s and the force on the wall, on arrays of x and t.
+void addModeMotionFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown);
+
+}  // namespace signorini::python

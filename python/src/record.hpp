@@ -1,0 +1,178 @@
+#pragma once
+/// \file
+/// A struct of the library as a Python class whose attributes are the keys of the program's JSON.
+///
+/// Each key is said once: it becomes a read-only property with its docstring, a line of `to_dict`
+/// and a word of `repr`. Structs whose members are listed (members.hpp) can be compared, copied and
+/// pickled.
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "pickled.hpp"
+
+namespace signorini::python {
+
+/// A value as JSON has it: records become dictionaries, tuples lists, numbers that are not finite
+/// None.
+[[nodiscard]] py::object plain(const py::handle& value);
+
+/// The keys of a record, as `to_dict` gives them.
+[[nodiscard]] py::dict dictOf(const py::handle& record);
+
+/// "Name(key=value, ...)" with the first keys that have a value.
+[[nodiscard]] std::string represent(const py::handle& record);
+
+/// A class with keys.
+template <typename T>
+class Record {
+public:
+    using Class = py::class_<T, std::shared_ptr<T>>;
+
+    Record(py::handle scope, const char* name, const char* doc) : class_(scope, name, doc)
+    {
+        if constexpr (HasMembers<T>) {
+            class_.def(py::pickle(
+                [](const T& value) { return py::tuple(Travel<T>::put(value)); },
+                [](const py::tuple& tuple) { return std::make_shared<T>(Travel<T>::get(tuple)); }));
+            class_.def("__copy__", [](const T& value) { return std::make_shared<T>(value); });
+            class_.def("__deepcopy__",
+                       [](const T& value, const py::dict&) { return std::make_shared<T>(value); });
+        }
+    }
+    Record(const Record&) = delete;
+    Record& operator=(const Record&) = delete;
+
+    /// What the class does not have of its own by now.
+    ~Record()
+    {
+        class_.attr("_keys") = py::tuple(keys_);
+        if (lacks("to_dict")) {
+            class_.def(
+                "to_dict", [](const py::object& self) { return dictOf(self); },
+                "The same as a dictionary, key by key what the program prints as JSON.");
+        }
+        if (lacks("__repr__")) {
+            class_.def("__repr__", [](const py::object& self) { return represent(self); });
+        }
+        if constexpr (HasMembers<T>) {
+            if (lacks("__eq__")) {
+                class_.def("__eq__", [](const T& one, const py::object& other) -> py::object {
+                    if (!py::isinstance<T>(other)) {
+                        return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+                    }
+                    return py::bool_(Travel<T>::same(one, py::cast<const T&>(other)));
+                });
+            }
+        }
+    }
+
+    /// A key that is always there, None where there is no value.
+    template <typename Get>
+    Record& key(const char* name, Get get, const char* doc)
+    {
+        return add(name, get, doc, false);
+    }
+
+    /// A key that is left out of the dictionary where it is None.
+    template <typename Get>
+    Record& keyIfAny(const char* name, Get get, const char* doc)
+    {
+        return add(name, get, doc, true);
+    }
+
+    /// A key that some values do not have.
+    template <typename Get, typename Lacks>
+    Record& keyUnless(const char* name, Get get, Lacks lacksIt, const char* doc)
+    {
+        class_.def_property_readonly(name, get, doc);
+        keys_.append(py::make_tuple(name, name, py::cpp_function(lacksIt)));
+        return *this;
+    }
+
+    /// The class, for what is no key.
+    Class& more() { return class_; }
+
+private:
+    [[nodiscard]] bool lacks(const char* name) const
+    {
+        return !class_.attr("__dict__").contains(name);
+    }
+
+    template <typename Get>
+    Record& add(const char* name, Get get, const char* doc, bool isLeftOut)
+    {
+        // Words of Python's own get an underscore.
+        const bool isTaken = std::string_view(name) == "lambda";
+        const std::string attribute = std::string(name) + (isTaken ? "_" : "");
+        class_.def_property_readonly(attribute.c_str(), get, doc);
+        keys_.append(py::make_tuple(name, attribute, isLeftOut));
+        return *this;
+    }
+
+    Class class_;
+    py::list keys_;
+};
+
+/// A value that means something in SI units only together with a bar.
+template <typename T>
+struct Of {
+    T value;
+    Bar bar;
+};
+
+template <typename T>
+struct Members<Of<T>> {
+    static constexpr auto list = std::tuple{&Of<T>::value, &Of<T>::bar};
+};
+
+/// The name of an enumerator, as Python's text.
+template <typename Enum>
+[[nodiscard]] py::str nameOf(Enum value)
+{
+    const std::string_view text = name(value);
+    return {text.data(), text.size()};
+}
+
+/// A value as an object, also one that is an object already.
+template <typename T>
+[[nodiscard]] py::object asObject(T&& value)
+{
+    if constexpr (std::is_base_of_v<py::object, std::remove_cvref_t<T>>) {
+        return std::forward<T>(value);
+    } else {
+        return py::cast(std::forward<T>(value));
+    }
+}
+
+/// None, or what `put` makes of the value.
+template <typename T, typename Put>
+[[nodiscard]] py::object orNone(const std::optional<T>& value, Put put)
+{
+    return value ? asObject(put(*value)) : py::none();
+}
+
+template <typename T>
+[[nodiscard]] py::object orNone(const std::optional<T>& value)
+{
+    return value ? py::cast(*value) : py::none();
+}
+
+/// (numerator, denominator).
+template <typename Fraction>
+[[nodiscard]] py::tuple pairOf(const Fraction& fraction)
+{
+    return py::make_tuple(fraction.numerator, fraction.denominator);
+}
+
+/// (least, most); None where there is no bound or it is not known.
+[[nodiscard]] py::tuple boundsOf(const EnergyRange& range, double unit = 1.0);
+
+/// [(n_c, n_f), ...]; a phase on the second stop is (n_c, n_f, "left").
+[[nodiscard]] py::list pairsOf(const std::vector<Phase>& phases);
+
+}  // namespace signorini::python

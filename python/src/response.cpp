@@ -1,0 +1,159 @@
+
+#include <pybind11/stl.h>
+
+#include "excited_names.hpp"
+#include "faults.hpp"
+#include "force.hpp"
+#include "motion.hpp"
+#include "patience.hpp"
+#include "signorini/response.hpp"
+
+namespace signorini::python {
+
+/// All motions at one frequency.
+struct FrequencyOf {
+    FrequencyResponse value;
+    Bar bar;
+};
+template <>
+struct Members<FrequencyOf> {
+    static constexpr auto list = std::tuple{&FrequencyOf::value, &FrequencyOf::bar};
+};
+
+/// A response.
+struct ResponseAnswer {
+    ResponseRange range;
+    Bar bar;
+    std::vector<FrequencyResponse> frequencies;
+    bool wantsStability = false;
+};
+template <>
+struct Members<ResponseAnswer> {
+    static constexpr auto list =
+        std::tuple{&ResponseAnswer::range, &ResponseAnswer::bar, &ResponseAnswer::frequencies,
+                   &ResponseAnswer::wantsStability};
+};
+
+namespace {
+
+void addRecords(py::module_& module)
+{
+    Record<FrequencyOf>(module, "ForcedFrequency", "All motions at one frequency.")
+        .key(
+            "steps", [](const FrequencyOf& f) { return f.value.steps; }, "n, of a period.")
+        .key(
+            "frequency_ratio", [](const FrequencyOf& f) { return f.value.frequencyRatio; },
+            "omega/omega_1 of the excitation.")
+        .key(
+            "frequency",
+            [](const FrequencyOf& f) { return f.value.frequencyRatio / 4.0 / scales(f.bar).time; },
+            "[Hz]")
+        .key(
+            "touches", [](const FrequencyOf& f) { return f.value.touches; },
+            "Would the bar without a wall go beyond it?")
+        .key(
+            "linear_peak",
+            [](const FrequencyOf& f) { return f.value.linearPeak * scales(f.bar).displacement; },
+            "max u(L) without a wall [m].")
+        .key(
+            "undecided", [](const FrequencyOf& f) { return f.value.undecided; },
+            "Numbers of contact steps that were not decided.")
+        .key(
+            "motions",
+            [](const FrequencyOf& f) {
+                std::vector<MotionOf> list;
+                for (const ForcedMotion& motion : f.value.motions) {
+                    list.push_back({motion, f.bar, true});
+                }
+                return list;
+            },
+            "[ForcedMotion, ...] by ascending contact steps, then impulse.");
+    Record<ResponseAnswer>(module, "ResponseData", "Forced motions over a range of frequencies.")
+        .key(
+            "cells", [](const ResponseAnswer& a) { return a.range.cells; }, "N.")
+        .key(
+            "bar", [](const ResponseAnswer& a) { return a.bar; }, "Asked about.")
+        .key(
+            "damping",
+            [](const ResponseAnswer& a) {
+                return Of<Damping>{a.range.damping, a.bar};
+            },
+            "A dashpot.")
+        .key(
+            "force", [](const ResponseAnswer& a) { return nameOf(a.range.place); },
+            "\"tip\" or \"base\".")
+        .key(
+            "amplitude",
+            [](const ResponseAnswer& a) {
+                return a.range.amplitude * amplitudeUnit(a.range.place, a.bar);
+            },
+            "[N] or [m].")
+        .key(
+            "cycles", [](const ResponseAnswer& a) { return a.range.cycles; }, "K.")
+        .key(
+            "frequency_ratio_range",
+            [](const ResponseAnswer& a) {
+                return py::make_tuple(a.range.leastFrequencyRatio, a.range.mostFrequencyRatio);
+            },
+            "(least, most) omega/omega_1.")
+        .key(
+            "frequencies",
+            [](const ResponseAnswer& a) {
+                std::vector<FrequencyOf> list;
+                for (const FrequencyResponse& response : a.frequencies) {
+                    list.push_back({response, a.bar});
+                }
+                return list;
+            },
+            "[ForcedFrequency, ...].");
+}
+
+ResponseAnswer response(double damping, const std::string& force, double amplitude, double least,
+                        double most, std::int64_t cycles, std::int64_t cells, bool stability,
+                        const Bar& bar, const py::object& progress)
+{
+    const Excited place = placeOf(force);
+    ResponseAnswer answer{{.cells = cells,
+                           .damping = {damping},
+                           .place = place,
+                           .amplitude = amplitude / amplitudeUnit(place, bar),
+                           .cycles = cycles,
+                           .leastFrequencyRatio = least,
+                           .mostFrequencyRatio = most},
+                          bar,
+                          {},
+                          stability};
+    (void)stepsOf(answer.range);
+    return patiently(
+        [answer](const Wires& wires) mutable {
+            const std::vector<std::int64_t> steps = stepsOf(answer.range);
+            StabilityOptions options;
+            options.cancel = wires.cancel;
+            for (const std::int64_t n : steps) {
+                auto at = responseAt(answer.range, n, wires.cancel);
+                if (!at) {
+                    break;
+                }
+                for (ForcedMotion& motion : at->motions) {
+                    if (answer.wantsStability) {
+                        motion.stability = stabilityOf(motion, options).stability;
+                    }
+                }
+                answer.frequencies.push_back(std::move(*at));
+                wires.progress(static_cast<double>(answer.frequencies.size()),
+                               static_cast<double>(steps.size()));
+            }
+            return answer;
+        },
+        progress);
+}
+
+}  // namespace
+
+void addResponse(py::module_& module)
+{
+    addRecords(module);
+    module.def("response", &response);
+}
+
+}  // namespace signorini::python

@@ -1,0 +1,343 @@
+#include "scene.hpp"
+
+#include <pybind11/stl.h>
+
+#include "faults.hpp"
+
+namespace signorini::python {
+
+namespace {
+
+void addBar(py::module_& module)
+{
+    Record<Bar> record(module, "Bar", R"(A bar and its wall, in SI units.
+
+Parameters
+----------
+length : float
+    L [m].
+wave_speed : float
+    c [m/s], sqrt(E/rho).
+axial_stiffness : float
+    EA [N].
+gap : float
+    g [m], from the tip at rest to the wall.
+young : float, optional
+    E [Pa]; turns strain into stress. With `density` and `area` it stands in place of `wave_speed`
+    and `axial_stiffness`.
+density : float, optional
+    rho [kg/m^3].
+area : float, optional
+    Cross-section [m^2].
+
+Raises
+------
+ValueError
+    If a value is out of its range, or two of them clash.
+)");
+    record
+        .key(
+            "length", [](const Bar& bar) { return bar.length; }, "L [m].")
+        .key(
+            "wave_speed", [](const Bar& bar) { return bar.waveSpeed; }, "c [m/s].")
+        .key(
+            "axial_stiffness", [](const Bar& bar) { return bar.axialStiffness; }, "EA [N].")
+        .key(
+            "gap", [](const Bar& bar) { return bar.gap; }, "g [m].")
+        .key(
+            "young", [](const Bar& bar) { return orNone(bar.young); },
+            "Young's modulus [Pa], or None.");
+    using Number = std::optional<double>;
+    record.more()
+        .def(py::init([](double length, Number waveSpeed, Number axialStiffness, double gap,
+                         Number young, Number density, Number area) {
+                 Bar bar;
+                 if (density || area) {
+                     if (!young || !density || !area) {
+                         throw std::invalid_argument(
+                             "young, density, area: allowed only all three together");
+                     }
+                     if (waveSpeed || axialStiffness) {
+                         throw std::invalid_argument(
+                             "young, density, area clash with wave_speed, axial_stiffness: allowed "
+                             "one set");
+                     }
+                     return barOfMaterial(length, *young, *density, *area, gap);
+                 }
+                 bar = {length, waveSpeed.value_or(bar.waveSpeed),
+                        axialStiffness.value_or(bar.axialStiffness), gap, young};
+                 validate(bar);
+                 return bar;
+             }),
+             py::kw_only(), py::arg("length") = Bar{}.length, py::arg("wave_speed") = py::none(),
+             py::arg("axial_stiffness") = py::none(), py::arg("gap") = Bar{}.gap,
+             py::arg("young") = py::none(), py::arg("density") = py::none(),
+             py::arg("area") = py::none())
+        .def("__hash__", [](const Bar& bar) { return py::hash(py::tuple(Travel<Bar>::put(bar))); })
+        .def_property_readonly(
+            "energy_unit", [](const Bar& bar) { return scales(bar).energy; },
+            "E_1 = EA g^2/(2L) [J]: the unit of every `energy_ratio`.")
+        .def_property_readonly(
+            "time_unit", [](const Bar& bar) { return scales(bar).time; },
+            "L/c [s]: the unit of every `period_ratio` and other times.")
+        .def_property_readonly(
+            "strain_unit", [](const Bar& bar) { return scales(bar).strain; },
+            "g/L [-]: the unit of waves and strains.")
+        .def_property_readonly(
+            "velocity_unit", [](const Bar& bar) { return scales(bar).velocity; },
+            "c g/L [m/s]: the unit of velocities.")
+        .def_property_readonly(
+            "displacement_unit", [](const Bar& bar) { return scales(bar).displacement; },
+            "g [m]: the unit of displacements.")
+        .def_property_readonly("force_unit", &forceUnit, "EA g/L [N]: the unit of forces.")
+        .def_property_readonly("impulse_unit", &impulseUnit, "EA g/c [N s]: the unit of impulses.")
+        .def_property_readonly(
+            "frequency_unit", [](const Bar& bar) { return 0.25 / scales(bar).time; },
+            "omega_1/(2 pi) = c/(4L) [Hz]: the unit of `frequency_ratio`.");
+}
+
+void addWholeScene(py::module_& module)
+{
+    Record<Segment> segment(module, "Segment", R"(Equal cells of one material of a stepped bar.
+
+Parameters
+----------
+cells : int
+    A wave crosses each in the same time.
+impedance, speed : float
+    Relative to the first segment.
+dashpot : float
+    At the joint after it, relative to the first impedance.
+)");
+    segment
+        .key(
+            "cells", [](const Segment& s) { return s.cells; }, "Of equal crossing time.")
+        .key(
+            "impedance", [](const Segment& s) { return s.impedance; }, "Relative to the first.")
+        .key(
+            "speed", [](const Segment& s) { return s.speed; }, "Relative to the first.")
+        .key(
+            "dashpot", [](const Segment& s) { return s.dashpot; },
+            "At the joint after it, relative to the first impedance.");
+    segment.more().def(
+        py::init([](std::int64_t cells, double impedance, double speed, double dashpot) {
+            return Segment{cells, impedance, speed, dashpot};
+        }),
+        py::arg("cells"), py::arg("impedance") = 1.0, py::arg("speed") = 1.0,
+        py::arg("dashpot") = 0.0);
+    Record<Scene> scene(module, "Scene", R"(A bar, its stops, and what it is made of.
+
+Parameters
+----------
+bar : Bar, optional
+    The first segment's material; its gap may be 0, or negative: pressed at rest.
+second_stop : float, optional
+    h [m]: a stop at u(L) = -h.
+segments : list of Segment, optional
+    Clamp first; a uniform bar without.
+
+Raises
+------
+ValueError
+    If a value is out of its range.
+)");
+    scene
+        .key(
+            "bar", [](const Scene& s) { return s.bar; }, "The first segment's material.")
+        .key("stops", &stopsIn, "[{\"side\", \"place\" [m]}, ...].")
+        .key(
+            "segments", [](const Scene& s) { return s.segments; }, "[Segment, ...].")
+        .key("static_force", &staticForce, "What the bar at rest presses on the wall with [N].");
+    scene.more()
+        .def(py::init([](const Bar& bar, std::optional<double> secondStop,
+                         const std::vector<Segment>& segments) {
+                 Scene made(bar, secondStop, segments);
+                 validate(made);
+                 return made;
+             }),
+             py::arg("bar") = Bar{}, py::arg("second_stop") = py::none(),
+             py::arg("segments") = std::vector<Segment>{})
+        .def_property_readonly(
+            "second_stop", [](const Scene& s) { return orNone(s.secondStop); }, "h [m], or None.");
+}
+
+void addSchedule(py::module_& module)
+{
+    Record<Schedule> record(module, "Schedule", R"(Contacts and flights of one period, in steps.
+
+A sequence of pairs (n_c, n_f), equal to any other such sequence.
+
+Parameters
+----------
+*steps : int, or pairs of int
+    n_c, n_f of each phase in turn: ``Schedule(150, 900)``, ``Schedule((1, 12), (3, 12), cells=4)``.
+cells : int
+    N, cells of the bar.
+
+Raises
+------
+ValueError
+    If a number is out of its range.
+)");
+    record
+        .key(
+            "cells", [](const Schedule& s) { return s.cells; }, "N, cells of the bar.")
+        .key(
+            "phases", [](const Schedule& s) { return pairsOf(s.phases); },
+            "[(n_c, n_f), ...], contact and free steps.");
+    record.more()
+        .def(py::init([](const py::args& words, std::optional<std::int64_t> cells) {
+                 return scheduleOf(words, cells);
+             }),
+             py::arg("cells") = py::none())
+        .def_property_readonly(
+            "steps", [](const Schedule& s) { return steps(s); }, "n, all steps of a period.")
+        .def_property_readonly(
+            "period_ratio", [](const Schedule& s) { return period(s); }, "c T/L = n/N.")
+        .def_property_readonly(
+            "frequency_ratio", [](const Schedule& s) { return frequencyRatio(s); },
+            "omega/omega_1 = 4N/n.")
+        .def(
+            "to_dict", [](const Schedule& s) { return plain(pairsOf(s.phases)); },
+            "The pairs, as the program's JSON has them.")
+        .def("__len__", [](const Schedule& s) { return s.phases.size(); })
+        .def("__getitem__", [](const Schedule& s,
+                               const py::object& at) { return py::object(pairsOf(s.phases)[at]); })
+        .def("__iter__", [](const Schedule& s) { return py::iter(pairsOf(s.phases)); })
+        .def("__eq__",
+             [](const Schedule& s, const py::object& other) {
+                 if (py::isinstance<Schedule>(other)) {
+                     return s == py::cast<const Schedule&>(other);
+                 }
+                 return py::isinstance<py::sequence>(other) &&
+                        plain(py::list(other)).equal(plain(pairsOf(s.phases)));
+             })
+        .def("__hash__",
+             [](const Schedule& s) {
+                 return py::hash(py::make_tuple(s.cells, py::tuple(pairsOf(s.phases))));
+             })
+        .def("__repr__", [](const Schedule& s) {
+            std::string text;
+            for (const Phase& phase : s.phases) {
+                const std::string pair = fmt::format("{}, {}{}", phase.contact, phase.free,
+                                                     phase.stop == Stop::left ? ", 'left'" : "");
+                text += s.phases.size() == 1 && s.phases.front().stop == Stop::right
+                            ? pair + ", "
+                            : "(" + pair + "), ";
+            }
+            return fmt::format("Schedule({}cells={})", shortened(text, 120), s.cells);
+        });
+}
+
+}  // namespace
+
+double forceUnit(const Bar& bar)
+{
+    return bar.axialStiffness * scales(bar).strain;
+}
+
+double impulseUnit(const Bar& bar)
+{
+    return forceUnit(bar) * scales(bar).time;
+}
+
+/// "left" or "right".
+Stop stopOf(const py::handle& value)
+{
+    const auto word = py::cast<std::string>(py::str(value));
+    if (word != name(Stop::left) && word != name(Stop::right)) {
+        Faults faults;
+        faults.add("stop", word, "left|right");
+        faults.throwIfAny();
+    }
+    return word == name(Stop::left) ? Stop::left : Stop::right;
+}
+
+std::int64_t wholeOf(const py::handle& value, const char* name)
+{
+    const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+    if (!index) {
+        throw py::error_already_set();
+    }
+    int overflow = 0;
+    const long long whole = PyLong_AsLongLongAndOverflow(index.ptr(), &overflow);
+    if (overflow != 0) {
+        throw std::invalid_argument(
+            fmt::format("{} = {} is out of range: allowed whole numbers 1..{}", name,
+                        shortened(py::cast<std::string>(py::str(index))), maxSteps));
+    }
+    return whole;
+}
+
+Schedule scheduleOf(const py::tuple& words, std::optional<std::int64_t> cells)
+{
+    if (words.size() == 1 && py::isinstance<Schedule>(words[0])) {
+        const auto schedule = py::cast<Schedule>(words[0]);
+        if (cells && *cells != schedule.cells) {
+            throw std::invalid_argument(
+                fmt::format("cells = {} clashes with those of the schedule: allowed {}", *cells,
+                            schedule.cells));
+        }
+        return schedule;
+    }
+    Schedule schedule{cells.value_or(usualCells), {}};
+    std::vector<std::int64_t> steps;
+    std::vector<Stop> stops;
+    for (const py::handle& word : words) {
+        if (py::isinstance<py::sequence>(word) && !py::isinstance<py::str>(word)) {
+            const auto pair = py::reinterpret_borrow<py::sequence>(word);
+            if (pair.size() < 2 || pair.size() > 3 || steps.size() % 2 != 0) {
+                throw std::invalid_argument(
+                    "n_c, n_f, ...: allowed pairs of contact and free steps, with \"left\" those "
+                    "on "
+                    "the second stop");
+            }
+            steps.push_back(wholeOf(pair[0], "n_c"));
+            steps.push_back(wholeOf(pair[1], "n_f"));
+            stops.push_back(pair.size() == 3 ? stopOf(pair[2]) : Stop::right);
+        } else {
+            steps.push_back(wholeOf(word, steps.size() % 2 == 0 ? "n_c" : "n_f"));
+            stops.resize(steps.size() / 2, Stop::right);
+        }
+    }
+    if (steps.empty() || steps.size() % 2 != 0) {
+        throw std::invalid_argument(fmt::format(
+            "n_c, n_f, ... = {} step counts is out of range: allowed an even number of them, at "
+            "least 2",
+            steps.size()));
+    }
+    for (std::size_t k = 0; k < steps.size(); k += 2) {
+        schedule.phases.push_back({steps[k], steps[k + 1], stops[k / 2]});
+    }
+    // Where the stops are is the scene's to say.
+    Schedule anywhere = schedule;
+    anywhere.stops.left = Fraction{1, 1};
+    validate(anywhere);
+    return schedule;
+}
+
+py::list stopsIn(const Scene& scene)
+{
+    py::list stops;
+    const auto add = [&stops](Stop side, double place) {
+        py::dict stop;
+        stop["side"] = nameOf(side);
+        stop["place"] = place;
+        stops.append(stop);
+    };
+    add(Stop::right, scene.bar.gap);
+    if (scene.secondStop) {
+        add(Stop::left, -*scene.secondStop);
+    }
+    return stops;
+}
+
+void addScene(py::module_& module)
+{
+    addBar(module);
+    addWholeScene(module);
+    addSchedule(module);
+    addState(module);
+}
+
+}  // namespace signorini::python

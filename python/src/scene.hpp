@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// Bar, schedule and state as Python has them.
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <optional>
+
+#include "record.hpp"
+#include "signorini/bar.hpp"
+#include "signorini/motion.hpp"
+#include "signorini/schedule.hpp"
+
+namespace signorini::python {
+
+/// A state, shared with the answer it is part of, and the bar that gives it units.
+using StateOf = Of<std::shared_ptr<const State>>;
+
+/// A state that is part of what `owner` holds.
+template <typename Owner>
+[[nodiscard]] StateOf part(const std::shared_ptr<Owner>& owner, const State& state, const Bar& bar)
+{
+    return {std::shared_ptr<const State>(owner, &state), bar};
+}
+
+/// [{"side": ..., "place": [m]}, ...], as the program's JSON has them.
+[[nodiscard]] py::list stopsIn(const Scene& scene);
+
+/// One unit of force [N], EA g/L, and of impulse [N s], EA g/c.
+[[nodiscard]] double forceUnit(const Bar& bar);
+[[nodiscard]] double impulseUnit(const Bar& bar);
+
+/// A whole number; errors name it. \throws TypeError, ValueError.
+[[nodiscard]] std::int64_t wholeOf(const py::handle& value, const char* name);
+
+/// The schedule in the arguments of a call: n_c, n_f, n_c, n_f, ..., or pairs of them, or one
+/// Schedule; a phase on the second stop is (n_c, n_f, "left"). \throws ValueError, TypeError.
+[[nodiscard]] Schedule scheduleOf(const py::tuple& words, std::optional<std::int64_t> cells);
+
+/// Cells where nothing is said.
+inline constexpr std::int64_t usualCells = 300;
+
+/// Adds Bar, Segment, Scene, Schedule and State to the module.
+void addScene(py::module_& module);
+void addState(py::module_& module);
+
+}  // namespace signorini::python

@@ -1,0 +1,420 @@
+#include "simulate.hpp"
+
+#include <pybind11/stl.h>
+
+#include <cmath>
+
+#include "arrays.hpp"
+#include "excited_names.hpp"
+#include "faults.hpp"
+#include "force.hpp"
+#include "patience.hpp"
+#include "signorini/simulation.hpp"
+
+namespace signorini::python {
+
+namespace {
+
+/// Waves off any grid, and their units.
+using WavesOf = Of<Waves>;
+
+/// What moves the bar.
+struct Drive {
+    Excited place = Excited::tip;
+    double amplitude = 0.0;  ///< [N] or [m]
+    double frequencyRatio = 0.0;
+    double period = 0.0;  ///< [s]
+    double phase = 0.0;
+    std::int64_t steps = 0;
+};
+
+/// What a simulation came to.
+struct Simulated {
+    Scene scene;
+    Damping damping;
+    std::optional<Drive> drive;
+    std::int64_t cells = 0;
+    double time = 0.0;  ///< [L/c]
+    double impulse = 0.0;
+    double tip = 0.0;
+    bool isHeld = false;
+    Waves waves;
+    EnergyBalance balance;
+    std::int64_t events = 0;
+    std::int64_t pieces = 0;
+    double merged = 0.0;
+    std::optional<Settled> settled;
+    std::vector<ContactEvent> contacts;
+    std::vector<TipPoint> path;
+};
+
+}  // namespace
+
+template <>
+struct Members<Drive> {
+    static constexpr auto list =
+        std::tuple{&Drive::place,  &Drive::amplitude, &Drive::frequencyRatio,
+                   &Drive::period, &Drive::phase,     &Drive::steps};
+};
+
+template <>
+struct Members<Simulated> {
+    using T = Simulated;
+    static constexpr auto list =
+        std::tuple{&T::scene,  &T::damping, &T::drive,    &T::cells,   &T::time,   &T::impulse,
+                   &T::tip,    &T::isHeld,  &T::waves,    &T::balance, &T::events, &T::pieces,
+                   &T::merged, &T::settled, &T::contacts, &T::path};
+};
+
+namespace {
+
+using Shared = std::shared_ptr<Simulated>;
+
+/// A column of a list of structs, times a unit that the bar knows.
+template <typename T, typename Unit>
+auto column(std::vector<T> Simulated::*list, double T::*member, Unit unit)
+{
+    return [=](const Simulated& s) {
+        const double one = unit(s.scene.bar);
+        return filled(static_cast<std::int64_t>((s.*list).size()), [&](std::int64_t k) {
+            return one * ((s.*list)[static_cast<std::size_t>(k)].*member);
+        });
+    };
+}
+
+/// The same without units, on the simulation's own memory.
+template <typename T>
+auto ratios(std::vector<T> Simulated::*list, double T::*member)
+{
+    return [=](const Shared& s) { return view((*s).*list, member, s); };
+}
+
+double second(const Bar& bar)
+{
+    return scales(bar).time;
+}
+
+double metre(const Bar& bar)
+{
+    return scales(bar).displacement;
+}
+
+void addWaves(py::module_& module)
+{
+    Record<WavesOf> record(module, "Waves", "A state off any grid: two waves in pieces.");
+    const auto durations = [](std::vector<Piece> Waves::*wave) {
+        return [wave](const WavesOf& w) {
+            const std::vector<Piece>& pieces = w.value.*wave;
+            return filled(static_cast<std::int64_t>(pieces.size()), [&](std::int64_t k) {
+                return pieces[static_cast<std::size_t>(k)].duration / w.value.crossing;
+            });
+        };
+    };
+    const auto values = [](std::vector<Piece> Waves::*wave) {
+        return [wave](const std::shared_ptr<WavesOf>& w) {
+            return view(w->value.*wave, &Piece::value, w);
+        };
+    };
+    record.more()
+        .def_property_readonly("a", values(&Waves::a), "Right-going, tip first [g/L]; no copy.")
+        .def_property_readonly("b", values(&Waves::b), "Left-going, base first [g/L]; no copy.")
+        .def_property_readonly("a_duration", durations(&Waves::a), "Of each piece [L/c].")
+        .def_property_readonly("b_duration", durations(&Waves::b), "Of each piece [L/c].")
+        .def_property_readonly(
+            "energy_ratio", [](const WavesOf& w) { return energyRatio(w.value); }, "E/E_1.")
+        .def(
+            "stretching",
+            [](const WavesOf& w, std::int64_t cells) {
+                const Eigen::VectorXd u = stretching(w.value, cells);
+                const double unit = scales(w.bar).displacement;
+                return filled(u.size(), [&](std::int64_t k) { return unit * u[k]; });
+            },
+            py::arg("cells"), "u(x_i) - u(0) at x_0 ... x_N [m].")
+        .def("__repr__", [](const WavesOf& w) {
+            return fmt::format("Waves({} pieces, energy_ratio={:.10g})",
+                               w.value.a.size() + w.value.b.size(), energyRatio(w.value));
+        });
+}
+
+void addParts(py::module_& module)
+{
+    Record<Drive>(module, "Drive", "What moves the bar.")
+        .key(
+            "force", [](const Drive& d) { return nameOf(d.place); }, "\"tip\" or \"base\".")
+        .key(
+            "amplitude", [](const Drive& d) { return d.amplitude; }, "[N] or [m]")
+        .key(
+            "frequency_ratio", [](const Drive& d) { return d.frequencyRatio; }, "omega/omega_1.")
+        .key(
+            "frequency", [](const Drive& d) { return 1.0 / d.period; }, "[Hz]")
+        .key(
+            "phase", [](const Drive& d) { return d.phase; }, "At the start [rad].")
+        .key(
+            "steps", [](const Drive& d) { return d.steps; }, "Of a period.");
+    Record<Of<Settled>>(module, "Settled", "How a simulation repeats itself.")
+        .key(
+            "periods", [](const Of<Settled>& s) { return s.value.periods; },
+            "Of the excitation, after which all is as before.")
+        .key(
+            "contacts", [](const Of<Settled>& s) { return s.value.contacts; }, "In that time.")
+        .key(
+            "impulse", [](const Of<Settled>& s) { return s.value.impulse * impulseUnit(s.bar); },
+            "In that time [N s].");
+    const auto joules = [](double EnergyBalance::*member) {
+        return
+            [member](const Of<EnergyBalance>& b) { return b.value.*member * scales(b.bar).energy; };
+    };
+    Record<Of<EnergyBalance>>(module, "EnergyBalance", "Energy that came and went, in J.")
+        .key("work", joules(&EnergyBalance::work), "Done by the excitation.")
+        .key("dissipated", joules(&EnergyBalance::dissipated), "In the dashpot.")
+        .key("error", joules(&EnergyBalance::error), "What does not add up.");
+}
+
+void addSimulated(py::module_& module)
+{
+    Record<Simulated> record(module, "Simulation", R"(What a bar did, event by event.
+
+Arrays over contacts and the path of the tip come in SI units, and with ``_ratio`` in L/c, g,
+EA g/L and EA g/c on the simulation's own memory.
+)");
+    const auto energy = [](const Simulated& s) { return energyRatio(s.waves); };
+    record
+        .key(
+            "status", [](const Simulated&) { return "done"; }, "\"done\".")
+        .key(
+            "cells", [](const Simulated& s) { return s.cells; }, "Of the state at the start.")
+        .key(
+            "bar", [](const Simulated& s) { return s.scene.bar; }, "Its units.")
+        .key(
+            "stops", [](const Simulated& s) { return stopsIn(s.scene); },
+            "[{\"side\", \"place\" [m]}, ...].")
+        .key(
+            "segments", [](const Simulated& s) { return s.scene.segments; }, "[Segment, ...].")
+        .key(
+            "static_force", [](const Simulated& s) { return staticForce(s.scene); },
+            "What the bar at rest presses on the wall with [N].")
+        .key(
+            "damping",
+            [](const Simulated& s) {
+                return Of<Damping>{s.damping, s.scene.bar};
+            },
+            "A dashpot.")
+        .key(
+            "excitation", [](const Simulated& s) { return orNone(s.drive); }, "A Drive.")
+        .key(
+            "time", [](const Simulated& s) { return s.time * second(s.scene.bar); }, "[s]")
+        .key(
+            "time_ratio", [](const Simulated& s) { return s.time; }, "[L/c]")
+        .key(
+            "contacts", [](const Simulated& s) { return s.contacts.size(); },
+            "How many are over, and pressed.")
+        .key(
+            "impulse", [](const Simulated& s) { return s.impulse * impulseUnit(s.scene.bar); },
+            "Of all of them [N s].")
+        .key(
+            "settled",
+            [](const Simulated& s) {
+                return orNone(s.settled, [&s](const Settled& settled) {
+                    return py::cast(Of<Settled>{settled, s.scene.bar});
+                });
+            },
+            "How it repeats itself: a Settled, or None.")
+        .key(
+            "tip", [](const Simulated& s) { return s.tip * metre(s.scene.bar); },
+            "u(L) at the end [m].")
+        .key(
+            "held", [](const Simulated& s) { return s.isHeld; }, "Is the tip at the wall?")
+        .key(
+            "energy",
+            [energy](const Simulated& s) { return energy(s) * scales(s.scene.bar).energy; },
+            "At the end [J].")
+        .key(
+            "energy_ratio",
+            [energy](const Simulated& s) -> py::object {
+                return s.scene.bar.gap == 0.0 ? py::object(py::none()) : py::float_(energy(s));
+            },
+            "At the end, E/E_1; None without a gap.")
+        .key(
+            "balance",
+            [](const Simulated& s) {
+                return Of<EnergyBalance>{s.balance, s.scene.bar};
+            },
+            "An EnergyBalance.")
+        .key(
+            "events", [](const Simulated& s) { return s.events; }, "So many.")
+        .key(
+            "pieces", [](const Simulated& s) { return s.pieces; }, "Under way at the end.")
+        .key(
+            "merged", [](const Simulated& s) { return s.merged * metre(s.scene.bar); },
+            "Most that merging faded jumps can have moved [m].");
+    constexpr auto contacts = &Simulated::contacts;
+    constexpr auto path = &Simulated::path;
+    record.more()
+        .def_property_readonly("contact_start", column(contacts, &ContactEvent::start, second),
+                               "[s], shape (contacts,).")
+        .def_property_readonly("contact_end", column(contacts, &ContactEvent::end, second), "[s]")
+        .def_property_readonly("contact_impulse",
+                               column(contacts, &ContactEvent::impulse, impulseUnit), "[N s]")
+        .def_property_readonly("contact_peak_force",
+                               column(contacts, &ContactEvent::peakForce, forceUnit), "[N]")
+        .def_property_readonly(
+            "contact_stop",
+            [](const Simulated& s) {
+                py::list stops;
+                for (const ContactEvent& contact : s.contacts) {
+                    stops.append(nameOf(contact.stop));
+                }
+                return stops;
+            },
+            "[\"right\" or \"left\", ...], which stop was touched.")
+        .def_property_readonly("contact_start_ratio", ratios(contacts, &ContactEvent::start),
+                               "[L/c]; no copy.")
+        .def_property_readonly("contact_end_ratio", ratios(contacts, &ContactEvent::end),
+                               "[L/c]; no copy.")
+        .def_property_readonly("contact_impulse_ratio", ratios(contacts, &ContactEvent::impulse),
+                               "[EA g/c]; no copy.")
+        .def_property_readonly("contact_peak_force_ratio",
+                               ratios(contacts, &ContactEvent::peakForce), "[EA g/L]; no copy.")
+        .def_property_readonly("tip_time", column(path, &TipPoint::time, second),
+                               "Instants of the path of the tip [s]; straight between.")
+        .def_property_readonly("tip_displacement", column(path, &TipPoint::displacement, metre),
+                               "u(L) at these instants [m].")
+        .def_property_readonly("tip_time_ratio", ratios(path, &TipPoint::time), "[L/c]; no copy.")
+        .def_property_readonly("tip_displacement_ratio", ratios(path, &TipPoint::displacement),
+                               "[g]; no copy.")
+        .def_property_readonly(
+            "waves",
+            [](const Simulated& s) {
+                return WavesOf{s.waves, s.scene.bar};
+            },
+            "At the end: a Waves, from which another simulation can go on.");
+}
+
+/// A period of the excitation is as many whole steps as come nearest to `cells` in L/c.
+Excitation excitationOf(Drive& drive, double cells, const Bar& bar)
+{
+    const double exact = 4.0 * cells / drive.frequencyRatio;
+    const double steps = std::round(exact);
+    if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
+        Faults faults;
+        faults.add("frequency", drive.frequencyRatio,
+                   fmt::format("about {:.3g}..{:.3g} [omega_1] with {} steps in L/c",
+                               4.0 * cells / static_cast<double>(maxExcitationSteps),
+                               4.0 * cells / 3.0, cells));
+        faults.throwIfAny();
+    }
+    const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
+    drive.steps = static_cast<std::int64_t>(steps);
+    Excitation excitation = signorini::excitationOf(
+        {.place = drive.place,
+         .amplitude = drive.amplitude / amplitudeUnit(drive.place, bar),
+         .phase = drive.phase,
+         .cycles = 1,
+         .steps = drive.steps,
+         .stepsPerCrossing = isWhole ? cells : steps * drive.frequencyRatio / 4.0});
+    drive.period = steps / excitation.stepsPerCrossing * second(bar);
+    return excitation;
+}
+
+/// Goes on stretch by stretch, and sees whether it repeats itself.
+Simulated simulated(Simulated answer, const Excitation& excitation, double total, bool wantsTip,
+                    const Wires& wires)
+{
+    const double crossing = answer.waves.crossing;
+    BarSimulation simulation(
+        answer.waves, answer.damping, excitation,
+        {.mergeBelow = {}, .recordsTip = wantsTip, .stops = stopsOf(answer.scene)});
+    // In units of the simulation's; a period of the excitation is a whole number of its steps.
+    const double stretch = excitation.steps() > 0 ? static_cast<double>(excitation.steps()) *
+                                                        crossing / excitation.stepsPerCrossing
+                                                  : 16.0 * crossing;
+    const double stretches = answer.drive ? total : total * crossing / stretch;
+    SettlingWatch watch;
+    double done = 0.0;
+    for (; done + 1.0 <= stretches && !isRequested(wires.cancel); done += 1.0) {
+        simulation.advance(stretch);
+        watch.see(simulation);
+        wires.progress(done + 1.0, stretches);
+    }
+    if (stretches > done) {
+        simulation.advance((stretches - done) * stretch);
+    }
+    if (answer.drive) {
+        answer.settled = watch.settled();
+    }
+    answer.time = simulation.time();
+    answer.impulse = simulation.impulse();
+    answer.tip = simulation.tip();
+    answer.isHeld = simulation.isHeld();
+    answer.waves = simulation.waves();
+    answer.balance = simulation.balance();
+    answer.events = simulation.events();
+    answer.pieces = simulation.pieces();
+    answer.merged = simulation.merged();
+    answer.contacts = simulation.contacts();
+    answer.path = simulation.tipPath();
+    return answer;
+}
+
+Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, const Scene& scene,
+                   double damping, const std::optional<std::string>& force,
+                   std::optional<double> amplitude, std::optional<double> frequency, double phase,
+                   std::optional<double> time, std::optional<std::int64_t> periods, bool tip,
+                   const py::object& progress)
+{
+    Simulated answer;
+    if (!scene.segments.empty()) {
+        throw std::invalid_argument("segments: allowed only where stepped bars are known: find");
+    }
+    const Bar& bar = scene.bar;
+    answer.scene = scene;
+    answer.damping = {damping};
+    if (start.is_none()) {
+        answer.waves = wavesAtRest(static_cast<double>(cells.value_or(usualCells)), stopsOf(scene));
+    } else if (py::isinstance<WavesOf>(start)) {
+        answer.waves = py::cast<const WavesOf&>(start).value;
+    } else {
+        answer.waves = wavesOf(*py::cast<const StateOf&>(start).value);
+    }
+    answer.cells = static_cast<std::int64_t>(answer.waves.crossing);
+    const double grid = cells ? static_cast<double>(*cells) : answer.waves.crossing;
+    if (force.has_value() != amplitude.has_value() || force.has_value() != frequency.has_value()) {
+        throw std::invalid_argument("force, amplitude, frequency: allowed only all three together");
+    }
+    if (time.has_value() == periods.has_value() || (periods && !force)) {
+        throw std::invalid_argument(
+            "time, periods: allowed one of them, and periods only together with force");
+    }
+    Excitation excitation{.stepsPerCrossing = grid};
+    double total = 0.0;
+    if (force) {
+        const auto place = valueIn(excitedNames, *force);
+        if (!place) {
+            Faults faults;
+            faults.add("force", *force, namesIn(excitedNames));
+            faults.throwIfAny();
+        }
+        answer.drive = Drive{*place, *amplitude, *frequency, 0.0, phase, 0};
+        excitation = excitationOf(*answer.drive, grid, bar);
+        total = periods ? static_cast<double>(*periods) : *time / answer.drive->period;
+    } else {
+        total = *time / second(bar);
+    }
+    return patiently(
+        [answer = std::move(answer), excitation, total, tip](const Wires& wires) {
+            return simulated(answer, excitation, total, tip, wires);
+        },
+        progress);
+}
+
+}  // namespace
+
+void addSimulate(py::module_& module)
+{
+    addWaves(module);
+    addParts(module);
+    addSimulated(module);
+    module.def("simulate", &simulate);
+}
+
+}  // namespace signorini::python

@@ -1,0 +1,165 @@
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "faults.hpp"
+#include "scene.hpp"
+#include "signorini/output.hpp"
+
+namespace signorini::python {
+
+namespace {
+
+std::shared_ptr<const State> stateOf(const py::array_t<double, py::array::forcecast>& a,
+                                     const py::array_t<double, py::array::forcecast>& b)
+{
+    if (a.ndim() != 1 || b.ndim() != 1 || a.size() != b.size() || a.size() == 0) {
+        throw std::invalid_argument(
+            fmt::format("a, b = arrays of {} and {} values in {} and {} dimensions: allowed two of "
+                        "one length >= 1 in one dimension",
+                        a.size(), b.size(), a.ndim(), b.ndim()));
+    }
+    auto state = std::make_shared<State>();
+    const auto copy = [](const auto& from) {
+        Eigen::VectorXd values(from.size());
+        for (py::ssize_t k = 0; k < from.size(); ++k) {
+            values[k] = from.at(k);
+        }
+        return values;
+    };
+    state->a = copy(a);
+    state->b = copy(b);
+    return state;
+}
+
+/// One of the library's vectors, times a unit, as an array that is its own.
+py::array_t<double> array(const Eigen::VectorXd& values, double unit)
+{
+    return filled(values.size(), [&](std::int64_t k) { return values[k] * unit; });
+}
+
+}  // namespace
+
+void addState(py::module_& module)
+{
+    Record<StateOf> record(module, "State", R"(The state of the bar at one instant: two waves.
+
+Cell i of N is x_{i-1} < x < x_i = i L/N. Arrays have N values. `a` and `b` are views of the
+answer's own memory, in units of g/L; everything else is computed from them.
+
+Parameters
+----------
+a, b : array_like, shape (N,)
+    Right- and left-going wave [g/L].
+bar : Bar, optional
+    What the units mean in SI.
+
+Raises
+------
+ValueError
+    If the arrays do not have one length, or are empty.
+)");
+    record.more()
+        .def(py::init([](const py::array_t<double, py::array::forcecast>& a,
+                         const py::array_t<double, py::array::forcecast>& b,
+                         const std::optional<Bar>& bar) {
+                 return StateOf{stateOf(a, b), bar.value_or(Bar{})};
+             }),
+             py::arg("a"), py::arg("b"), py::arg("bar") = py::none())
+        .def_property_readonly(
+            "cells", [](const StateOf& s) { return s.value->cells(); }, "N.")
+        .def_property_readonly(
+            "bar", [](const StateOf& s) { return s.bar; }, "Its units.")
+        .def_property_readonly(
+            "a",
+            [](const StateOf& s) {
+                return view(s.value->a.data(), static_cast<std::size_t>(s.value->a.size()),
+                            s.value);
+            },
+            "Right-going wave r_1 on each cell [g/L]; read-only, no copy.")
+        .def_property_readonly(
+            "b",
+            [](const StateOf& s) {
+                return view(s.value->b.data(), static_cast<std::size_t>(s.value->b.size()),
+                            s.value);
+            },
+            "Left-going wave r_2 on each cell [g/L]; read-only, no copy.")
+        .def_property_readonly(
+            "x",
+            [](const StateOf& s) {
+                const double cell = s.bar.length / static_cast<double>(s.value->cells());
+                return filled(s.value->cells(),
+                              [cell](std::int64_t k) { return static_cast<double>(k + 1) * cell; });
+            },
+            "x_1 ... x_N [m], where each cell ends.")
+        .def_property_readonly(
+            "velocity",
+            [](const StateOf& s) { return array(velocity(*s.value), scales(s.bar).velocity); },
+            "v on each cell [m/s].")
+        .def_property_readonly(
+            "strain",
+            [](const StateOf& s) { return array(strain(*s.value), scales(s.bar).strain); },
+            "s on each cell [-], tension > 0.")
+        .def_property_readonly(
+            "displacement",
+            [](const StateOf& s) {
+                return array(displacement(*s.value), scales(s.bar).displacement);
+            },
+            "u at x_1 ... x_N [m].")
+        .def_property_readonly(
+            "velocity_ratio", [](const StateOf& s) { return array(velocity(*s.value), 1.0); },
+            "v on each cell [c g/L], a + b.")
+        .def_property_readonly(
+            "strain_ratio", [](const StateOf& s) { return array(strain(*s.value), 1.0); },
+            "s on each cell [g/L], b - a.")
+        .def_property_readonly(
+            "displacement_ratio",
+            [](const StateOf& s) { return array(displacement(*s.value), 1.0); },
+            "u at x_1 ... x_N [g].")
+        .def_property_readonly(
+            "energy_ratio", [](const StateOf& s) { return energyRatio(*s.value); }, "E/E_1.")
+        .def_property_readonly(
+            "energy", [](const StateOf& s) { return energyRatio(*s.value) * scales(s.bar).energy; },
+            "E [J].")
+        .def(
+            "refined",
+            [](const StateOf& s, std::int64_t factor) {
+                return StateOf{std::make_shared<const State>(refined(*s.value, factor)), s.bar};
+            },
+            py::arg("factor"), "The same state on `factor` times as many cells.")
+        .def(
+            "write",
+            [](const StateOf& s, const std::string& path) {
+                OutputFiles files;
+                writeStateCsv(files.stage(path), *s.value, s.bar);
+                files.commit();
+            },
+            py::arg("path"),
+            "Writes the file that ``signorini find --state`` writes. OSError if it cannot be "
+            "written.")
+        .def_static(
+            "read",
+            [](const std::string& path, const std::optional<Bar>& bar, std::int64_t cells) {
+                const Bar units = bar.value_or(Bar{});
+                return StateOf{std::make_shared<const State>(readState(path, units, cells).state),
+                               units};
+            },
+            py::arg("path"), py::arg("bar") = py::none(), py::arg("cells") = usualCells,
+            "A state from a file: one that `write` wrote, or measurements, put onto so many cells.")
+        .def(
+            "to_dict",
+            [](const py::object& self) {
+                py::dict dict;
+                for (const char* name : {"x", "a", "b", "velocity", "strain", "displacement"}) {
+                    dict[name] = self.attr(name).attr("tolist")();
+                }
+                return dict;
+            },
+            "Lists of numbers; `a` and `b` in g/L, the others in SI units.")
+        .def("__len__", [](const StateOf& s) { return s.value->cells(); })
+        .def("__repr__", [](const StateOf& s) {
+            return fmt::format("State(cells={}, energy_ratio={:.10g})", s.value->cells(),
+                               energyRatio(*s.value));
+        });
+}
+
+}  // namespace signorini::python

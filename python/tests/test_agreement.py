@@ -1,0 +1,206 @@
+"""Python says what the program says, bit for bit."""
+
+from __future__ import annotations
+
+import random
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import signorini as sg
+
+from support import Program
+
+#: How long something took, and who says so, is no part of an answer.
+UNLIKE = ("schema", "version")
+
+
+def alike(said: Any, ours: Any, where: str = "") -> None:
+    """Compare key by key; numbers to the last bit."""
+    if isinstance(said, dict):
+        for key, value in said.items():
+            if key in UNLIKE or where.endswith("solver") and key == "seconds":
+                continue
+            assert key in ours, f"{where}.{key} is missing"
+            alike(value, ours[key], f"{where}.{key}")
+        more = set(ours) - set(said)
+        assert not more, f"{where} has {more}, too"
+    elif isinstance(said, list):
+        assert len(said) == len(ours), where
+        for at, (one, other) in enumerate(zip(said, ours)):
+            alike(one, other, f"{where}[{at}]")
+    else:
+        assert said == ours, f"{where}: {said!r} and {ours!r}"
+
+
+FAMILIES = list(sg.families(9))
+
+
+def question(dice: random.Random) -> tuple[list[int], dict[str, Any]]:
+    """A schedule on a small grid and what is asked of it."""
+    cells = dice.choice([1, 2, 3, 4, 6, 8, 12, 20, 30])
+    steps = [dice.randint(1, 2 * cells), dice.randint(1, 5 * cells)]
+    if dice.random() < 0.6:  # near the middle of a tent there are motions
+        family = dice.choice(FAMILIES)
+        cells = family.order * dice.randint(1, 6)
+        (contact, free), = family.schedule(cells)
+        off = dice.randint(-2, 2)
+        if contact + off > 0:
+            steps = [contact + off, free - off]
+    options: dict[str, Any] = {"cells": cells}
+    if dice.random() < 0.15 and cells <= 6:
+        steps += [dice.randint(1, cells), dice.randint(1, 4 * cells)]
+    if dice.random() < 0.3:
+        options["energy_ratio"] = dice.choice([1, 2.5, 4, 9, 12.3, 20])
+    elif dice.random() < 0.3:
+        options["objective"] = dice.choice(["any", "max-energy",
+                                            "min-peak-strain"])
+    if dice.random() < 0.3:
+        options.update(length=dice.uniform(0.1, 9.0),
+                       gap=10 ** dice.uniform(-7, -2), young=210e9,
+                       density=7800.0, area=1e-4)
+    return steps, options
+
+
+def words_of(options: dict[str, Any]) -> list[str]:
+    """The same for the program."""
+    words = []
+    for key, value in options.items():
+        words += ["--" + key.replace("_", "-"), repr(value)
+                  if isinstance(value, float) else str(value)]
+    return words
+
+
+def test_a_thousand_random_requests_agree_bit_for_bit(
+        program: Program) -> None:
+    dice = random.Random(16)
+    seen = {"found": 0, "none": 0, "undecided": 0}
+    for _ in range(1000):
+        steps, options = question(dice)
+        said = program("find", *steps, *words_of(options))
+        answer = sg.find(*steps, **options)
+        alike(said, answer.to_dict(), f"{steps} {options}")
+        seen[answer.status] += 1
+    assert min(seen["found"], seen["none"]) > 100
+
+
+def test_questions_in_physics_agree(program: Program) -> None:
+    steel = {"young": 210e9, "density": 7800, "area": 1e-4, "length": 3,
+             "gap": 1e-5}
+    questions: list[tuple[list[object], dict[str, Any]]] = [
+        (["--frequency", "8/7", "--energy-ratio", 20],
+         {"frequency": "8/7", "energy_ratio": 20}),
+        (["--period", "7/2", "--cells", 8], {"period": "7/2", "cells": 8}),
+        (["--period", "4"], {"period": 4}),
+        (["--period", "5"], {"period": 5}),
+        (["--hertz", 494, "--energy", 7e-3, *words_of(steel)],
+         {"hertz": 494, "energy": 7e-3, **steel}),
+    ]
+    for words, options in questions:
+        said = program("find", *words)
+        ours = sg.find(**options).to_dict()
+        del said["question"]["asked"], ours["question"]["asked"]
+        alike(said, ours, str(options))
+    with pytest.raises(ValueError, match="nearest 27/8.*cells=7 or"):
+        sg.find(period=Fraction(24, 7), cells=8)
+
+
+def test_states_agree_bit_for_bit(program: Program, tmp_path: Path) -> None:
+    path = tmp_path / "state.csv"
+    program("find", 150, 900, "--energy-ratio", 20, "--gap", 2e-5,
+            "--state", path)
+    answer = sg.find(150, 900, energy_ratio=20, gap=2e-5)
+    ours = tmp_path / "ours.csv"
+    answer.state.write(str(ours))
+    assert ours.read_text() == path.read_text()
+
+
+def test_lists_agree(program: Program) -> None:
+    alike(program("families"), sg.families().to_dict())
+    alike(program("families", "--max-order", 40, "--max-energy-ratio", 9,
+                  "--length", 3),
+          sg.families(40, max_energy_ratio=9, length=3).to_dict())
+    alike(program("modes"), sg.modes().to_dict())
+    said = program("mode", 4, -1, "--period", "22/7")
+    ours = sg.mode(4, -1, "22/7").to_dict()
+    # The program names the mode, we have all of it.
+    for key in set(ours["mode"]) - set(said["mode"]):
+        del ours["mode"][key]
+    alike(said, ours)
+
+
+def test_continua_agree(program: Program) -> None:
+    alike(program("continuum", 150, 900, "--energy-ratio", 20, "--points", 9),
+          sg.continuum(150, 900, energy_ratio=20, points=9).to_dict())
+    alike(program("continuum", 6, 36, "--cells", 12, "--energy-ratio", 8,
+                  "--seed", 3, "--points", 5),
+          sg.continuum(6, 36, cells=12, energy_ratio=8, seed=3,
+                       points=5).to_dict())
+    member = program("continuum", 150, 900, "--energy-ratio", 20, "--member",
+                     0.25, "--state", "/dev/null")["member"]
+    curve = sg.continuum(150, 900, energy_ratio=20)
+    alike(member, curve.member(0.25).to_dict())
+
+
+def test_forced_motions_agree(program: Program) -> None:
+    words = ["--damping", 0.02, "--force", "tip", "--amplitude", 2e-4,
+             "--cells", 20]
+    options: dict[str, Any] = {"damping": 0.02, "force": "tip",
+                               "amplitude": 2e-4, "cells": 20}
+    said = program("response", *words, "--from", 0.9, "--to", 1.3)
+    alike(said, sg.response(start=0.9, to=1.3, **options).to_dict())
+    for steps in ((10, 60), (3, 2)):
+        alike(program("find", *steps, *words),
+              sg.find(*steps, **options).to_dict())
+
+
+def test_simulations_agree(program: Program) -> None:
+    said = program("simulate", "--rest", "--damping", 0.02, "--force", "tip",
+                   "--amplitude", 2e-4, "--frequency", 1.1, "--periods", 60,
+                   "--cells", 20)
+    run = sg.simulate(damping=0.02, force="tip", amplitude=2e-4,
+                      frequency=1.1, periods=60, cells=20)
+    alike(said, run.to_dict())
+
+
+def test_atlases_agree(program: Program, tmp_path: Path) -> None:
+    path = tmp_path / "atlas.sqlite"
+    atlas = sg.Atlas.build(path, cells=12)
+    said = program("atlas", "--database", path, "--near", "8/7", 20,
+                   "--within", 0.1)
+    ours = atlas.near("8/7", 20, within=0.1)
+    for row in said["families"]:
+        del row["dimension_at_energy"], row["connected_at_energy"]
+    alike(said["families"], [row.to_dict() for row in ours])
+    said = program("atlas", "--database", path, "--period", "7/2",
+                   "--schedules")
+    alike(said["schedules"],
+          [row.to_dict() for row in atlas.schedules_of_period("7/2")])
+
+
+def test_versions_and_backends_are_those_of_the_program() -> None:
+    assert sg.backends()["closed-form"] == sg.__version__
+
+
+@pytest.mark.parametrize("words, options", [
+    ((0, 900), {}), ((150, 900), {"cells": 0}), ((150,), {}), ((), {}),
+    ((150, 900), {"energy_ratio": -1}), ((150, 900), {"solver": "abacus"}),
+    ((150, 900), {"objective": "best"}), ((150, 900), {"gap": float("nan")}),
+    ((150, 900), {"density": 1.0}), ((10 ** 30, 5), {}),
+    ((150, 900), {"tolerance": -1.0}), ((150, 900), {"amplitude": 1.0}),
+    ((150, 900), {"force": "tip"}),
+    ((150, 900), {"force": "wind", "damping": 0.1}),
+])
+def test_wrong_use_is_a_value_error(words: tuple[int, ...],
+                                    options: dict[str, Any]) -> None:
+    with pytest.raises(ValueError, match="allowed"):
+        sg.find(*words, **options)
+
+
+def test_wrong_types_are_type_errors() -> None:
+    with pytest.raises(TypeError):
+        sg.find(150.5, 900)  # type: ignore[call-overload]
+    with pytest.raises(TypeError):
+        sg.find(150, 900, gapp=1.0)

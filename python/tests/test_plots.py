@@ -1,0 +1,103 @@
+"""Figures show what they are asked to show."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import signorini as sg
+from signorini import plot
+from support import ROOT
+
+
+def drawn(axes: Any, folder: Path) -> None:
+    """A figure that can be saved has no bad text in it."""
+    axes.figure.savefig(folder / "figure.png", dpi=50)
+
+
+def test_a_motion(tmp_path: Path) -> None:
+    answer = sg.find(150, 900)
+    axes = plot.motion(answer)
+    tip = axes["tip"].get_lines()[0].get_xdata()
+    np.testing.assert_allclose(tip, answer.motion.tip * 1e3)
+    assert axes["tip"].get_xlabel() == "tip u(L, t)  [mm]"
+    assert axes["force"].get_xlabel() == "wall force  [mN]"
+    drawn(axes["tip"], tmp_path)
+    with pytest.raises(ValueError, match="nothing to draw"):
+        plot.motion(sg.find(20, 109, cells=40))
+
+
+def test_a_continuum(tmp_path: Path) -> None:
+    curve = sg.continuum(150, 900, energy_ratio=20, points=21)
+    axes = plot.continuum(curve)
+    assert set(axes) == {"force", "strain", "velocity", "first", "middle",
+                         "last"}
+    drawn(axes["force"], tmp_path)
+
+
+def test_the_plane_with_data_over_it(tmp_path: Path) -> None:
+    data = [(8 / 7, 20.0), (1.1, 9.0)]
+    axes = plot.frequency_energy(data=data, data_label="measured")
+    over = [line for line in axes.get_lines()
+            if line.get_label() == "measured"]
+    np.testing.assert_allclose(over[0].get_xydata(), data)
+    drawn(axes, tmp_path)
+
+
+def test_atlas_figures(tmp_path: Path) -> None:
+    atlas = sg.Atlas.build(tmp_path / "a.sqlite", cells=12)
+    drawn(plot.frequency_energy(atlas), tmp_path)
+    axes = plot.existence_map(atlas)
+    assert axes.get_xlabel() == "contact  $t_c$  [L/c]"
+    drawn(axes, tmp_path)
+
+
+def test_families_have_a_cell_each(tmp_path: Path) -> None:
+    axes = plot.families()
+    assert len(axes.patches) == len(axes.texts) == 33
+    drawn(axes, tmp_path)
+
+
+def test_response_and_simulation(tmp_path: Path) -> None:
+    options: dict[str, Any] = {"damping": 0.02, "force": "tip",
+                               "amplitude": 2e-4, "cells": 10}
+    upper, lower = plot.response(sg.response(start=0.8, to=1.4, **options))
+    drawn(upper, tmp_path)
+    assert "m" in lower.get_ylabel()
+    run = sg.simulate(frequency=1.1, periods=30, **options)
+    drawn(plot.simulation(run)[0], tmp_path)
+    with pytest.raises(ValueError, match="tip=True"):
+        plot.simulation(sg.simulate(frequency=1.1, periods=3, tip=False,
+                                    **options))
+
+
+def test_axes_of_ones_own_are_used() -> None:
+    from matplotlib import pyplot
+    _, axes = pyplot.subplots()
+    assert plot.families(axes=axes) is axes
+
+
+def test_moving_pictures(tmp_path: Path) -> None:
+    moving = plot.animate(sg.find(15, 90, cells=30), tmp_path / "a.gif",
+                          frames=4)
+    assert (tmp_path / "a.gif").read_bytes()[:4] == b"GIF8"
+    assert "<" in moving._repr_html_()
+    with pytest.raises(ValueError, match="gif or .mp4"):
+        moving.save(tmp_path / "a.avi")
+
+
+def test_units_have_prefixes() -> None:
+    assert plot.unit_for(0.002, "m") == (1000.0, "mm")
+    assert plot.unit_for(0.0, "m") == (1.0, "m")
+    factor, unit = plot.unit_for(5e4, "Hz")
+    assert factor == pytest.approx(1e-3) and unit == "kHz"
+
+
+def test_colours_are_those_of_the_library() -> None:
+    header = ROOT / "src" / "draw" / "palette.hpp"
+    text = header.read_text()
+    for name in ("ink", "strain", "velocity", "contact", "faint", "grid"):
+        assert f'{name} = "{plot.colours[name]}"' in text
