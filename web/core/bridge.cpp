@@ -1,0 +1,42 @@
+#include "bridge.hpp"
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include "views.hpp"
+
+namespace signorini::web {
+
+namespace {
+
+const std::map<std::string, Reply (*)(const Request&)>& views()
+{
+    static const std::map<std::string, Reply (*)(const Request&)> table{
+        {"schedule", showSchedule},     {"mode", showMode}, {"forced", showForced},
+        {"simulation", showSimulation}, {"map", showMap},   {"family", showFamily},
+        {"response", showResponse},     {"file", download},
+    };
+    return table;
+}
+
+}  // namespace
+
+Reply answer(const std::string& question)
+{
+    try {
+        const Request request(Json::parse(question));
+        const auto view = views().find(request.word("show"));
+        if (view == views().end()) {
+            throw std::invalid_argument("show = " + request.word("show") +
+                                        ": there is no such view");
+        }
+        return view->second(request);
+    } catch (const std::exception& fault) {
+        Reply reply;
+        reply.json["error"] = fault.what();
+        return reply;
+    }
+}
+
+}  // namespace signorini::web

@@ -1,0 +1,170 @@
+// Free motions: of schedules, of continua, of modes.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "mode_report.hpp"
+#include "report.hpp"
+#include "signorini/modes.hpp"
+#include "signorini/motion.hpp"
+#include "views.hpp"
+
+namespace signorini::web {
+
+namespace {
+
+constexpr std::int64_t mostInstants = 2401;
+
+/// u at the nodes and s on the cells, instant by instant; tip and force of the wall.
+void addMotion(Reply& reply, const State& state, const Schedule& schedule)
+{
+    const Motion motion(state, schedule);
+    const std::vector<std::int64_t> instants = thinned(motion.steps(), mostInstants);
+    const auto perCrossing = static_cast<double>(motion.cells());
+    std::vector<double> times;
+    std::vector<double> u;
+    std::vector<double> s;
+    std::vector<double> force;
+    for (const std::int64_t m : instants) {
+        times.push_back(static_cast<double>(m) / perCrossing);
+        for (std::int64_t i = 0; i <= motion.cells(); ++i) {
+            u.push_back(motion.displacement(i, m));
+        }
+        for (std::int64_t i = 1; i <= motion.cells(); ++i) {
+            s.push_back(motion.strain(i, m));
+        }
+        force.push_back(motion.wallForce(std::min(m, motion.steps() - 1)));
+    }
+    reply.json["nodes"] = motion.cells() + 1;
+    reply.add("times", times);
+    reply.add("u", u);
+    reply.add("s", s);
+    reply.add("force", force);
+    addState(reply, state);
+}
+
+void addMode(Reply& reply, const ModeMotion& motion, std::int64_t cells)
+{
+    const auto steps = static_cast<std::int64_t>(
+        std::fmax(2.0, std::round(motion.period() * static_cast<double>(cells))));
+    std::vector<double> times;
+    std::vector<double> u;
+    std::vector<double> s;
+    std::vector<double> force;
+    for (std::int64_t m = 0; m <= steps; ++m) {
+        const double t = motion.period() * static_cast<double>(m) / static_cast<double>(steps);
+        times.push_back(t);
+        for (std::int64_t i = 0; i <= cells; ++i) {
+            u.push_back(
+                motion.displacement(static_cast<double>(i) / static_cast<double>(cells), t));
+        }
+        for (std::int64_t i = 0; i < cells; ++i) {
+            const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(cells);
+            s.push_back(motion.strain(middle, t));
+        }
+        force.push_back(motion.wallForce(m < steps ? t : times[times.size() - 2]));
+    }
+    reply.json["nodes"] = cells + 1;
+    reply.add("times", times);
+    reply.add("u", u);
+    reply.add("s", s);
+    reply.add("force", force);
+    addState(reply, cellMeans(motion, cells));
+}
+
+}  // namespace
+
+void addState(Reply& reply, const State& state)
+{
+    std::vector<double> x;
+    for (std::int64_t i = 0; i < state.cells(); ++i) {
+        x.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(state.cells()));
+    }
+    const Eigen::VectorXd v = velocity(state);
+    const Eigen::VectorXd s = strain(state);
+    reply.add("x", x);
+    reply.add("v0", {v.data(), static_cast<std::size_t>(v.size())});
+    reply.add("s0", {s.data(), static_cast<std::size_t>(s.size())});
+}
+
+PeriodicResult found(const Request& request)
+{
+    FindOptions options;
+    options.scene = bar;
+    options.energyRatio = request.positive("energy");
+    return findPeriodic(request.schedule(), options);
+}
+
+const Continuum& curveOf(const Schedule& schedule, double energyRatio)
+{
+    static Continuum kept;
+    if (kept.points.empty() || !(kept.schedule == schedule) || kept.energyRatio != energyRatio) {
+        kept = traceContinuum(schedule, energyRatio, {.bar = bar});
+    }
+    return kept;
+}
+
+Reply showSchedule(const Request& request)
+{
+    Reply reply;
+    const Schedule schedule = request.schedule();
+    const PeriodicResult result = found(request);
+    reply.json["answer"] = cli::answerOf(result);
+    // The page has no use for the stopwatch, and two runs are to give one answer.
+    reply.json["answer"]["solver"].erase("seconds");
+    reply.json["period"] = period(schedule);
+    reply.json["pauses"] = nullptr;
+    if (!result.motion) {
+        return reply;
+    }
+    State state = result.motion->state;
+    const std::optional<double> energy = request.positive("energy");
+    if (energy && schedule.phases.size() == 1 && result.set.held &&
+        result.set.held->dimension > 0) {
+        const Continuum& curve = curveOf(schedule, *energy);
+        if (curve.status == Status::found && curve.parameter == Parameter::pause) {
+            const double first = curve.points.front().lambda;
+            const double last = curve.points.back().lambda;
+            reply.json["pauses"] = {first, last};
+            reply.json["orbits"] = curve.orbits;
+            if (request.has("pause")) {
+                const Member member = memberAt(curve, request.number("pause", first, last));
+                state = member.point.state;
+                const Physical physical = cli::physicalOf(member.point, curve);
+                reply.json["answer"]["energy_ratio"] = member.point.energyRatio;
+                reply.json["answer"]["physical"] = cli::physicalAsJson(physical);
+                reply.json["residual"] = member.point.residual;
+            }
+        }
+    }
+    addMotion(reply, state, schedule);
+    return reply;
+}
+
+Mode modeOf(const Request& request)
+{
+    const std::int64_t contact = request.whole("contact", 4, 4 * maxModeOrder);
+    const std::int64_t turns = request.whole("turns", -maxModeOrder, -1);
+    const std::optional<Mode> mode = contact % 4 == 0 ? findMode(contact / 4, turns) : std::nullopt;
+    if (!mode) {
+        throw std::invalid_argument("contact, turns: there is no mode with the contact time " +
+                                    std::to_string(contact) + " - " + std::to_string(-turns) +
+                                    " T");
+    }
+    return *mode;
+}
+
+Reply showMode(const Request& request)
+{
+    Reply reply;
+    const Mode mode = modeOf(request);
+    const ModeMotion motion(mode, request.number("period", 0.0, 4.0));
+    reply.json["answer"] = Json::parse(cli::asJson(mode, motion, bar));
+    reply.json["period"] = motion.period();
+    reply.json["least_energy_ratio"] = energyRange(mode).least;
+    addMode(reply, motion, request.whole("cells", 2, mostCells));
+    return reply;
+}
+
+}  // namespace signorini::web

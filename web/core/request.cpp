@@ -1,0 +1,120 @@
+#include "request.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+namespace signorini::web {
+
+namespace {
+
+[[noreturn]] void refuse(const char* name, const Json& value, const std::string& allowed)
+{
+    throw std::invalid_argument(fmt::format("{} = {}: allowed {}", name, value.dump(), allowed));
+}
+
+}  // namespace
+
+const Json& Request::at(const char* name) const
+{
+    if (!has(name)) {
+        throw std::invalid_argument(fmt::format("{} is missing", name));
+    }
+    return values_[name];
+}
+
+std::int64_t Request::whole(const char* name, std::int64_t low, std::int64_t high) const
+{
+    const Json& value = at(name);
+    if (!value.is_number_integer() || value.get<std::int64_t>() < low ||
+        value.get<std::int64_t>() > high) {
+        refuse(name, value, fmt::format("whole numbers {}..{}", low, high));
+    }
+    return value.get<std::int64_t>();
+}
+
+double Request::number(const char* name, double low, double high) const
+{
+    const Json& value = at(name);
+    if (!value.is_number() || !(value.get<double>() >= low && value.get<double>() <= high)) {
+        refuse(name, value, fmt::format("numbers {}..{}", low, high));
+    }
+    return value.get<double>();
+}
+
+std::optional<double> Request::positive(const char* name) const
+{
+    return has(name) ? std::optional(number(name, std::numeric_limits<double>::min(),
+                                            std::numeric_limits<double>::max()))
+                     : std::nullopt;
+}
+
+std::string Request::word(const char* name) const
+{
+    const Json& value = at(name);
+    if (!value.is_string()) {
+        refuse(name, value, "a word");
+    }
+    return value.get<std::string>();
+}
+
+bool Request::isOn(const char* name) const
+{
+    return has(name) && at(name).is_boolean() && at(name).get<bool>();
+}
+
+Schedule Request::schedule() const
+{
+    Schedule schedule{whole("cells", 1, mostCells), {}};
+    const Json& phases = at("phases");
+    for (const Json& phase : phases) {
+        if (!phase.is_array() || phase.size() != 2 || !phase[0].is_number_integer() ||
+            !phase[1].is_number_integer()) {
+            refuse("phases", phases, "pairs of whole numbers, contact and free steps");
+        }
+        schedule.phases.push_back({phase[0].get<std::int64_t>(), phase[1].get<std::int64_t>()});
+    }
+    validate(schedule);
+    constexpr std::int64_t mostSteps = 20;  // periods in L/c
+    if (steps(schedule) > mostSteps * schedule.cells) {
+        refuse("phases", phases,
+               fmt::format("at most {} steps on this page", mostSteps * schedule.cells));
+    }
+    return schedule;
+}
+
+Request Request::part(const char* name) const
+{
+    const Json& value = at(name);
+    if (!value.is_object()) {
+        refuse(name, value, "a question of its own");
+    }
+    return Request(value);
+}
+
+void Reply::add(const char* name, std::span<const double> values)
+{
+    json["arrays"][name] = {numbers_.size(), values.size()};
+    numbers_.insert(numbers_.end(), values.begin(), values.end());
+}
+
+std::uint64_t Reply::digest() const
+{
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    const auto take = [&hash](std::uint64_t value) { hash = (hash ^ value) * 0x100000001b3U; };
+    for (const char letter : json.dump()) {
+        take(static_cast<unsigned char>(letter));
+    }
+    for (const double value : numbers_) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &value, sizeof bits);
+        take(bits & 0xffffffffU);
+        take(bits >> 32U);
+    }
+    return hash;
+}
+
+}  // namespace signorini::web

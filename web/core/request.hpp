@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// A question of the page, and the reply: JSON for what has names, and one array for all numbers
+/// that are drawn.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "json.hpp"
+#include "signorini/bar.hpp"
+#include "signorini/schedule.hpp"
+
+namespace signorini::web {
+
+using cli::Json;
+
+/// The bar of the page, that of the command line unless told otherwise: L = c = 1, g = 1 mm.
+inline constexpr Bar bar{};
+
+/// Values by name, with one line of text when they are wrong.
+/// \throws std::invalid_argument naming value and allowed range.
+class Request {
+public:
+    explicit Request(Json values) : values_(std::move(values)) {}
+
+    [[nodiscard]] bool has(const char* name) const
+    {
+        return values_.contains(name) && !values_[name].is_null();
+    }
+    [[nodiscard]] std::int64_t whole(const char* name, std::int64_t low, std::int64_t high) const;
+    [[nodiscard]] double number(const char* name, double low, double high) const;
+    [[nodiscard]] std::optional<double> positive(const char* name) const;
+    [[nodiscard]] std::string word(const char* name) const;
+    [[nodiscard]] bool isOn(const char* name) const;
+    /// cells and phases, [[n_c, n_f], ...].
+    [[nodiscard]] Schedule schedule() const;
+    [[nodiscard]] Request part(const char* name) const;
+    /// The values as text, to see whether two questions are the same.
+    [[nodiscard]] std::string key() const { return values_.dump(); }
+
+private:
+    [[nodiscard]] const Json& at(const char* name) const;
+
+    Json values_;
+};
+
+/// What is said and shown. "arrays" of the JSON tells where in `numbers` each array begins, and how
+/// long it is.
+class Reply {
+public:
+    Json json = Json::object();
+
+    void add(const char* name, std::span<const double> values);
+    [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
+    /// FNV-1a over the JSON and every bit of the numbers.
+    [[nodiscard]] std::uint64_t digest() const;
+
+private:
+    std::vector<double> numbers_;
+};
+
+/// Cells that the page works on at most; a finer bar is a matter for the command line.
+inline constexpr std::int64_t mostCells = 1200;
+
+}  // namespace signorini::web

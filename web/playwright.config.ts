@@ -1,0 +1,18 @@
+import { defineConfig } from '@playwright/test';
+
+export default defineConfig({
+  testDir: 'tests',
+  testMatch: '*.spec.ts',
+  timeout: 180_000,
+  expect: { timeout: 30_000 },
+  workers: 1,
+  reporter: 'line',
+  outputDir: '../build/web-tests',
+  use: {
+    viewport: { width: 1280, height: 900 },
+    launchOptions: {
+      executablePath: process.env.SIGNORINI_CHROMIUM ?? '/usr/bin/chromium',
+      chromiumSandbox: false,
+    },
+  },
+});

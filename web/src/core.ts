@@ -1,0 +1,104 @@
+// Questions to the library and its answers. Every number of mechanics on this page comes from here.
+
+import BridgeWorker from './worker?worker&inline';
+
+export type Phases = [number, number][];
+
+export interface ScheduleMotion {
+  show: 'schedule'; cells: number; phases: Phases; energy?: number; pause?: number;
+}
+export interface ModeMotion {
+  show: 'mode'; contact: number; turns: number; period: number; cells: number;
+}
+export type Place = 'tip' | 'base';
+export interface ForcedMotion {
+  show: 'forced'; cells: number; phases: Phases; damping: number; place: Place; amplitude: number;
+  which: number;
+}
+export type Start = { kind: 'rest' } | { kind: 'pluck'; place: number; displacement: number };
+export interface Simulation {
+  show: 'simulation'; cells: number; start: Start; damping: number; crossings?: number;
+  steps?: number; periods?: number; place?: Place; amplitude?: number;
+  from: number; span: number; frames: number;
+}
+export type Motion = ScheduleMotion | ModeMotion | ForcedMotion | Simulation;
+
+export type Question = { show: string } & Record<string, unknown>;
+
+/** JSON of the library; "arrays" says where in the numbers each array is. */
+export interface RawAnswer {
+  error?: string;
+  arrays?: Record<string, [number, number]>;
+  [key: string]: unknown;
+}
+
+export class Answer {
+  constructor(readonly json: RawAnswer, private readonly numbers: Float64Array) {}
+
+  has(name: string): boolean {
+    return this.json.arrays?.[name] !== undefined;
+  }
+  array(name: string): Float64Array {
+    const [at, count] = this.json.arrays?.[name] ?? [0, 0];
+    return this.numbers.subarray(at, at + count);
+  }
+}
+
+declare global {
+  /** Set by core.js, which stands beside the page: the library, packed by gzip, in base64. */
+  var signoriniCore: string;
+}
+
+async function unpacked(base64: string): Promise<ArrayBuffer> {
+  const text = atob(base64);
+  const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+}
+
+export class Library {
+  private readonly worker = new BridgeWorker();
+  private readonly waiting = new Map<number, (answer: Answer) => void>();
+  private readonly ready: Promise<void>;
+  private next = 1;
+
+  constructor() {
+    this.ready = unpacked(globalThis.signoriniCore).then((binary) => this.worker.postMessage({ id: 0, binary }, [binary]));
+    this.worker.onmessage = (event: MessageEvent<{ id: number; answer: RawAnswer; numbers: Float64Array }>) => {
+      const { id, answer, numbers } = event.data;
+      this.waiting.get(id)?.(new Answer(answer, numbers));
+      this.waiting.delete(id);
+    };
+  }
+
+  /** Throws the library's one line where it refuses. */
+  async ask(question: Question): Promise<Answer> {
+    const id = this.next++;
+    await this.ready;
+    const answer = await new Promise<Answer>((resolve) => {
+      this.waiting.set(id, resolve);
+      this.worker.postMessage({ id, question });
+    });
+    if (answer.json.error) throw new Error(answer.json.error);
+    return answer;
+  }
+}
+
+/** Of questions that come faster than answers only the last is asked. */
+export class Latest {
+  private isBusy = false;
+  private pending: (() => Promise<void>) | undefined;
+
+  async run(task: () => Promise<void>): Promise<void> {
+    if (this.isBusy) {
+      this.pending = task;
+      return;
+    }
+    this.isBusy = true;
+    for (let now: (() => Promise<void>) | undefined = task; now; ) {
+      await now();
+      now = this.pending;
+      this.pending = undefined;
+    }
+    this.isBusy = false;
+  }
+}

@@ -1,0 +1,26 @@
+// Short ways to elements and numbers.
+
+export function byId<Element extends HTMLElement = HTMLElement>(id: string): Element {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`no element ${id}`);
+  return found as Element;
+}
+
+export const input = (id: string): HTMLInputElement => byId<HTMLInputElement>(id);
+
+/** Six digits, as people read them. */
+export function shown(value: number, digits = 6): string {
+  if (!Number.isFinite(value)) return '∞';
+  return String(Number(value.toPrecision(digits))).replace('-', '−');
+}
+
+/** A value that stays readable in a link. */
+export const round = (value: number, digits = 6): number => Number(value.toPrecision(digits));
+
+export function fill(list: HTMLElement, texts: string[]): void {
+  list.replaceChildren(...texts.map((text) => Object.assign(document.createElement('li'), { textContent: text })));
+}
+
+export function select(value: string, list: HTMLSelectElement): void {
+  list.value = value;
+}

@@ -1,0 +1,292 @@
+// The map one points at: frequency and energy, contact and flight, or the response.
+
+import type uPlot from 'uplot';
+import { asText, palette, through, tones } from './colours';
+import type { Answer, Motion, Phases } from './core';
+import { at, Plot } from './plots';
+import type { Forcing, MapKind, View } from './view';
+
+export interface ModeLine {
+  contact: [number, number]; contact_text: string; root_text: string; family: string | null;
+  lowest: number; highest: number;
+}
+export interface FamilyPoint { order: number; nu: number; blocks: number; period: number; least: number }
+export interface ResponsePoint {
+  steps: number; frequency: number; contact: number; impulse: number; stays: number; which: number;
+}
+
+/** What was pointed at. */
+export type Pick =
+  | { kind: 'family'; family: FamilyPoint; energy: number }
+  | { kind: 'mode'; mode: ModeLine; period: number }
+  | { kind: 'schedule'; phases: Phases }
+  | { kind: 'response'; point: ResponsePoint };
+
+const mostEnergy = 60;
+const mapRange: [number, number] = [0.97, 2.12];
+
+export class Atlas {
+  readonly families: FamilyPoint[] = [];
+  readonly modes: ModeLine[];
+  readonly curves: Float64Array;
+  readonly samples: number;
+  readonly schedules: Float64Array;
+
+  constructor(answer: Answer, readonly cells: number) {
+    const rows = answer.array('families');
+    for (let i = 0; i < rows.length; i += 5) {
+      this.families.push({ order: rows[i], nu: rows[i + 1], blocks: rows[i + 2], period: rows[i + 3], least: rows[i + 4] });
+    }
+    this.modes = answer.json.modes as ModeLine[];
+    this.curves = answer.array('curves');
+    this.samples = Number(answer.json.samples);
+    this.schedules = answer.array('schedules');
+  }
+}
+
+const dot = (c: CanvasRenderingContext2D, x: number, y: number, r: number): void => {
+  c.beginPath();
+  c.arc(x, y, r, 0, 2 * Math.PI);
+};
+
+export class MapView {
+  readonly plot: Plot;
+  atlas: Atlas | undefined;
+  readonly lines: [number, number, number][] = [];      // omega/omega_1, highest tip without wall, touches
+  readonly response: ResponsePoint[] = [];
+  private kind: MapKind = 'energy';
+  private here: { x: number; y: number } | undefined;
+
+  constructor(host: HTMLElement, private readonly onPick: (pick: Pick) => void) {
+    this.plot = new Plot(host);
+    this.plot.onPlot = (plot) => this.listen(plot);
+  }
+
+  private listen(plot: uPlot): void {
+    let from: [number, number] | undefined;
+    plot.over.addEventListener('pointerdown', (event) => { from = [event.clientX, event.clientY]; });
+    plot.over.addEventListener('click', (event) => {
+      if (!from || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 5) return;
+      const frame = plot.over.getBoundingClientRect();
+      this.pickAt(plot, event.clientX - frame.left, event.clientY - frame.top);
+    });
+    plot.over.addEventListener('wheel', (event) => {
+      event.preventDefault();
+      const frame = plot.over.getBoundingClientRect();
+      this.scale(event.deltaY < 0 ? 0.8 : 1.25, (event.clientX - frame.left) / frame.width, 1 - (event.clientY - frame.top) / frame.height);
+    }, { passive: false });
+  }
+
+  /** Shows `factor` of what is shown now, around a place given as shares of width and height. */
+  scale(factor: number, shareX = 0.5, shareY = 0.5): void {
+    const plot = this.plot.inner;
+    if (!plot) return;
+    const part = (low: number, high: number, share: number): [number, number] => {
+      const centre = low + share * (high - low);
+      return [centre + (low - centre) * factor, centre + (high - centre) * factor];
+    };
+    const { x, y } = plot.scales;
+    const isLog = this.kind === 'energy';
+    const low = isLog ? Math.log(y.min!) : y.min!;
+    const high = isLog ? Math.log(y.max!) : y.max!;
+    const vertical = part(low, high, shareY);
+    this.plot.zoom(part(x.min!, x.max!, shareX), isLog ? [Math.exp(vertical[0]), Math.exp(vertical[1])] : vertical);
+  }
+
+  private pickAt(plot: uPlot, px: number, py: number): void {
+    const place = (x: number, y: number): [number, number] => [plot.valToPos(x, 'x'), plot.valToPos(y, 'y')];
+    let best: { distance: number; pick: Pick } | undefined;
+    const offer = (distance: number, pick: () => Pick): void => {
+      if (!best || distance < best.distance) best = { distance, pick: pick() };
+    };
+    if (this.kind === 'energy' && this.atlas) {
+      const { families, modes, curves, samples } = this.atlas;
+      const energy = plot.posToVal(py, 'y');
+      for (const family of families) {
+        if (family.order > 24) continue;
+        const [x, y] = place(4 / family.period, family.least);
+        // A half-line upwards; of neighbours the one of lower order is meant.
+        const distance = Math.hypot(px - x, Math.max(py - y, 0)) + 0.25 * family.order;
+        offer(distance, () => ({ kind: 'family', family, energy: Math.max(energy, family.least) }));
+      }
+      modes.forEach((mode, k) => {
+        for (let j = 0; j < samples; ++j) {
+          const [period, e] = [curves[2 * (k * samples + j)], curves[2 * (k * samples + j) + 1]];
+          const [x, y] = place(4 / period, e);
+          offer(Math.hypot(px - x, py - y) + 2, () => ({ kind: 'mode', mode, period }));
+        }
+      });
+    } else if (this.kind === 'existence' && this.atlas) {
+      const { schedules, cells } = this.atlas;
+      for (let i = 0; i < schedules.length; i += 4) {
+        const [x, y] = place(schedules[i] / cells, schedules[i + 1] / cells);
+        offer(Math.hypot(px - x, py - y), () => ({ kind: 'schedule', phases: [[schedules[i], schedules[i + 1]]] }));
+      }
+    } else if (this.kind === 'response') {
+      for (const point of this.response) {
+        const [x, y] = place(point.frequency, point.impulse);
+        offer(Math.hypot(px - x, py - y), () => ({ kind: 'response', point }));
+      }
+    }
+    if (best) this.onPick(best.pick);
+  }
+
+  /** The next or the last one along the frequency, for those who have no pointer. */
+  step(motion: Motion, direction: number): void {
+    if (this.kind === 'response' && this.response.length > 0) {
+      const sorted = [...this.response].sort((a, b) => a.frequency - b.frequency || a.impulse - b.impulse);
+      const now = sorted.findIndex((p) => motion.show === 'forced' && motion.phases[0][0] === p.contact &&
+        motion.phases[0][0] + motion.phases[0][1] === p.steps && motion.which === p.which);
+      const next = now < 0 ? 0 : (now + direction + sorted.length) % sorted.length;
+      this.onPick({ kind: 'response', point: sorted[next] });
+      return;
+    }
+    if (!this.atlas) return;
+    const sorted = this.atlas.families.filter((f) => f.order <= 12).sort((a, b) => b.period - a.period);
+    let now = -1;
+    if (motion.show === 'schedule') {
+      const period = motion.phases.reduce((n, p) => n + p[0] + p[1], 0) / motion.cells;
+      now = sorted.findIndex((f) => Math.abs(f.period - period) < 1e-9);
+    }
+    const family = sorted[now < 0 ? 0 : (now + direction + sorted.length) % sorted.length];
+    this.onPick({ kind: 'family', family, energy: family.least });
+  }
+
+  setHere(here: { x: number; y: number } | undefined): void {
+    this.here = here;
+    this.plot.redraw();
+  }
+
+  show(kind: MapKind, view: View): void {
+    this.kind = kind;
+    if (kind === 'energy') {
+      this.plot.show({ x: 'frequency ω/ω₁', y: 'energy E/E₁', logY: true, xRange: mapRange, yRange: [0.95, mostEnergy], zoom: true,
+        yTicks: (v) => ([1, 2, 5, 10, 20, 50].includes(v) ? String(v) : '') },
+        [[1, 2], [1, 1]], [{ show: false }], (plot) => this.drawEnergy(plot));
+    } else if (kind === 'existence') {
+      this.plot.show({ x: 'contact time t_c [L/c]', y: 'flight time t_f [L/c]', xRange: [0, 2], yRange: [0, 4], zoom: true },
+        [[0, 2], [0, 4]], [{ show: false }], (plot) => this.drawExistence(plot));
+    } else {
+      this.showResponse(view.forcing);
+    }
+  }
+
+  showResponse(forcing: Forcing): void {
+    const most = Math.max(0.5, ...this.response.map((p) => p.impulse));
+    this.plot.show({ x: 'frequency of the excitation ω/ω₁', y: 'impulse on the wall [EA g/c]', xRange: [forcing.least, forcing.most],
+      yRange: [0, 1.08 * most], zoom: true }, [[forcing.least, forcing.most], [0, 1]], [{ show: false }], (plot) => this.drawResponse(plot));
+  }
+
+  private drawHere(plot: uPlot): void {
+    if (!this.here) return;
+    const [x, y] = at(plot, this.here.x, this.here.y);
+    const r = 7 * devicePixelRatio;
+    plot.ctx.strokeStyle = palette.contact;
+    plot.ctx.lineWidth = 3 * devicePixelRatio;
+    dot(plot.ctx, x, y, r);
+    plot.ctx.stroke();
+    plot.ctx.lineWidth = devicePixelRatio;
+    plot.ctx.strokeStyle = tones().ink;
+    for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
+      plot.ctx.beginPath();
+      plot.ctx.moveTo(x + dx * r * 1.2, y + dy * r * 1.2);
+      plot.ctx.lineTo(x + dx * r * 1.9, y + dy * r * 1.9);
+      plot.ctx.stroke();
+    }
+  }
+
+  private drawEnergy(plot: uPlot): void {
+    const { atlas } = this;
+    if (!atlas) return;
+    const c = plot.ctx;
+    const { ink } = tones();
+    const top = plot.bbox.top;
+    // Families: half-lines, the bolder the lower their order.
+    for (const family of [...atlas.families].reverse()) {
+      const [x, y] = at(plot, 4 / family.period, family.least);
+      const weight = Math.min(1, 5 / family.order);
+      c.globalAlpha = 0.08 + 0.75 * weight * weight;
+      c.strokeStyle = palette.strain;
+      c.lineWidth = (0.6 + 2 * weight) * devicePixelRatio;
+      c.beginPath();
+      c.moveTo(x, y);
+      c.lineTo(x, top);
+      c.stroke();
+      if (family.order <= 12) {
+        c.globalAlpha = 1;
+        c.fillStyle = palette.strain;
+        dot(c, x, y, (1.5 + 2 * weight) * devicePixelRatio);
+        c.fill();
+      }
+    }
+    c.globalAlpha = 1;
+    c.strokeStyle = ink;
+    atlas.modes.forEach((mode, k) => {
+      // The fewer turns of T a mode counts, the bolder.
+      const weight = Math.min(1, 3 / -mode.contact[1]);
+      c.lineWidth = (0.7 + 1.5 * weight) * devicePixelRatio;
+      c.globalAlpha = 0.35 + 0.65 * weight;
+      c.beginPath();
+      for (let j = 0; j < atlas.samples; ++j) {
+        const i = 2 * (k * atlas.samples + j);
+        const [x, y] = at(plot, 4 / atlas.curves[i], atlas.curves[i + 1]);
+        if (j === 0) c.moveTo(x, y);
+        else c.lineTo(x, y);
+      }
+      c.stroke();
+    });
+    c.globalAlpha = 1;
+    this.drawHere(plot);
+  }
+
+  private drawExistence(plot: uPlot): void {
+    const { atlas } = this;
+    if (!atlas) return;
+    const c = plot.ctx;
+    const { faint } = tones();
+    const colour = through(palette.sequence.slice(0, 8));
+    const size = Math.max(1.5, 0.6 * (plot.bbox.width / (2 * atlas.cells))) * (plot.bbox.width > 300 ? 1 : 0.8) + 1;
+    for (let i = 0; i < atlas.schedules.length; i += 4) {
+      const [nc, nf, least, presses] = atlas.schedules.subarray(i, i + 4);
+      if (nf > 4 * atlas.cells) continue;
+      const [x, y] = at(plot, nc / atlas.cells, nf / atlas.cells);
+      c.fillStyle = presses ? asText(colour(Math.log(least) / Math.log(mostEnergy))) : faint;
+      c.globalAlpha = presses ? 1 : 0.45;
+      c.fillRect(x - size / 2, y - size / 2, size, size);
+    }
+    c.globalAlpha = 1;
+    this.drawHere(plot);
+  }
+
+  private drawResponse(plot: uPlot): void {
+    const c = plot.ctx;
+    const { faint, paper } = tones();
+    const r = 3.2 * devicePixelRatio;
+    // Where the bar without a wall would stay clear of it.
+    c.fillStyle = faint;
+    c.globalAlpha = 0.18;
+    // Runs of neighbours are one band.
+    const edge = (k: number): number => {
+      const [here, next] = [this.lines[Math.max(k, 0)], this.lines[Math.min(k + 1, this.lines.length - 1)]];
+      return plot.valToPos((here[0] + next[0]) / 2, 'x', true);
+    };
+    for (let k = 0; k < this.lines.length; ++k) {
+      if (this.lines[k][2]) continue;
+      const first = k;
+      while (k + 1 < this.lines.length && !this.lines[k + 1][2]) ++k;
+      const [from, to] = [edge(first - 1), edge(k)];
+      c.fillRect(Math.min(from, to), plot.bbox.top, Math.abs(to - from), plot.bbox.height);
+    }
+    c.globalAlpha = 1;
+    for (const point of this.response) {
+      const [x, y] = at(plot, point.frequency, point.impulse);
+      dot(c, x, y, r);
+      c.strokeStyle = palette.strain;
+      c.lineWidth = 1.5 * devicePixelRatio;
+      c.fillStyle = point.stays > 0 ? palette.strain : paper;
+      c.fill();
+      c.stroke();
+    }
+    this.drawHere(plot);
+  }
+}

@@ -1,0 +1,80 @@
+// What the reader takes along: the command and the Python line of the same motion, files, pictures.
+
+import type { Motion } from './core';
+import type { Forcing } from './view';
+
+const pairs = (m: { phases: [number, number][] }, between: string): string => m.phases.flat().join(between);
+
+/** The command that gives the same motion, as the command line writes its JSON. */
+export function commandOf(motion: Motion): string {
+  const cells = motion.cells === 300 ? '' : ` --cells ${motion.cells}`;
+  if (motion.show === 'schedule') {
+    if (motion.pause !== undefined) {
+      return `signorini continuum ${pairs(motion, ' ')}${cells} --energy-ratio ${motion.energy} --member ${motion.pause} --state state.csv --format json`;
+    }
+    const energy = motion.energy === undefined ? '' : ` --energy-ratio ${motion.energy}`;
+    return `signorini find ${pairs(motion, ' ')}${cells}${energy} --state state.csv --motion motion.csv --format json`;
+  }
+  if (motion.show === 'mode') {
+    return `signorini mode ${motion.contact} ${motion.turns} --period ${motion.period}${cells} --motion motion.csv --format json`;
+  }
+  if (motion.show === 'forced') {
+    return `signorini find ${pairs(motion, ' ')}${cells} --damping ${motion.damping} --force ${motion.place} --amplitude ${motion.amplitude} --state state.csv --format json`;
+  }
+  const start = motion.start.kind === 'rest' ? '--rest' : '--from start.csv';
+  const span = motion.steps === undefined ? `--time ${motion.crossings}`
+    : `--force ${motion.place} --amplitude ${motion.amplitude} --frequency ${(4 * motion.cells) / motion.steps} --periods ${motion.periods}`;
+  return `signorini simulate ${start}${cells} --damping ${motion.damping} ${span} --tip tip.csv --events events.csv --format json`;
+}
+
+export function responseCommand(f: Forcing): string {
+  return `signorini response --damping ${f.damping} --force ${f.place} --amplitude ${f.amplitude} --from ${f.least} --to ${f.most} --cells ${f.cells} --csv response.csv --format json`;
+}
+
+export function pythonOf(motion: Motion): string {
+  const cells = motion.cells === 300 ? '' : `, cells=${motion.cells}`;
+  const head = 'import signorini\n';
+  if (motion.show === 'schedule') {
+    if (motion.pause !== undefined) {
+      return `${head}curve = signorini.continuum(${pairs(motion, ', ')}, energy_ratio=${motion.energy}${cells})`;
+    }
+    const energy = motion.energy === undefined ? '' : `, energy_ratio=${motion.energy}`;
+    return `${head}result = signorini.find(${pairs(motion, ', ')}${energy}${cells})`;
+  }
+  if (motion.show === 'mode') {
+    return `${head}motion = signorini.mode(${motion.contact}, ${motion.turns}, ${motion.period})`;
+  }
+  if (motion.show === 'forced') {
+    return `${head}result = signorini.find(${pairs(motion, ', ')}${cells}, damping=${motion.damping}, force="${motion.place}", amplitude=${motion.amplitude})`;
+  }
+  const start = motion.start.kind === 'rest' ? '' : '"start.csv", ';
+  const span = motion.steps === undefined ? `time=${motion.crossings}`
+    : `force="${motion.place}", amplitude=${motion.amplitude}, frequency=${(4 * motion.cells) / motion.steps}, periods=${motion.periods}`;
+  return `${head}bar = signorini.simulate(${start}damping=${motion.damping}, ${span}${cells})`;
+}
+
+export interface FileOffer { label: string; name: string; file: string }
+
+/** The files of a motion: what the button says, which one the library writes, and its name. */
+export function filesOf(motion: Motion): FileOffer[] {
+  const json = (what: string): FileOffer => ({ label: 'JSON', name: `${what}.json`, file: 'answer.json' });
+  if (motion.show === 'schedule') {
+    return [json('schedule'), { label: 'State (CSV)', name: 'schedule.state', file: 'state.csv' },
+      ...(motion.pause === undefined ? [{ label: 'Motion (CSV)', name: 'schedule.motion', file: 'motion.csv' }]
+        : [{ label: 'Continuum (CSV)', name: 'schedule.continuum', file: 'continuum.csv' }])];
+  }
+  if (motion.show === 'mode') return [json('mode'), { label: 'Motion (CSV)', name: 'mode.motion', file: 'motion.csv' }];
+  if (motion.show === 'forced') return [json('forced'), { label: 'State (CSV)', name: 'forced.state', file: 'state.csv' }];
+  return [json('simulation'),
+    ...(motion.start.kind === 'pluck' ? [{ label: 'Start (CSV)', name: 'simulation.start', file: 'start.csv' }] : []),
+    { label: 'Tip (CSV)', name: 'simulation.tip', file: 'tip.csv' },
+    { label: 'Contacts (CSV)', name: 'simulation.events', file: 'events.csv' }];
+}
+
+export function save(name: string, content: Blob): void {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(content);
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+}

@@ -1,0 +1,196 @@
+// What is on the screen, as a link: every choice of the reader and nothing else.
+
+import type { Motion, Phases, Place, Start } from './core';
+
+export type MapKind = 'energy' | 'existence' | 'response';
+
+/** Of the excitation: damping ratio, place, amplitude [N or m], grid and frequencies of its map. */
+export interface Forcing {
+  damping: number; place: Place; amplitude: number; cells: number; least: number; most: number;
+}
+
+export interface View {
+  motion: Motion;
+  map: MapKind;
+  forcing: Forcing;
+  magnified: number;  // displacements are drawn so many times larger
+  pace: number;       // L/c of motion in a second of the reader's
+  time: number;       // share of the period, where the cursor stands
+}
+
+export const paperCase: Motion = { show: 'schedule', cells: 300, phases: [[150, 900]] };
+
+export const usual: View = {
+  motion: paperCase,
+  map: 'energy',
+  forcing: { damping: 0.02, place: 'tip', amplitude: 2e-4, cells: 60, least: 0.8, most: 1.4 },
+  magnified: 100,
+  pace: 0.5,
+  time: 0,
+};
+
+const phasesAsText = (phases: Phases): string => phases.map((phase) => phase.join(':')).join(',');
+
+/** The part of the address behind #. */
+export function asLink(view: View): string {
+  const words = new URLSearchParams();
+  const put = (name: string, value: string | number | undefined): void => {
+    if (value !== undefined) words.set(name, String(value));
+  };
+  const m = view.motion;
+  put('show', m.show);
+  put('cells', m.cells);
+  if (m.show === 'schedule') {
+    put('phases', phasesAsText(m.phases));
+    put('energy', m.energy);
+    put('pause', m.pause);
+  } else if (m.show === 'mode') {
+    put('contact', m.contact);
+    put('turns', m.turns);
+    put('period', m.period);
+  } else if (m.show === 'forced') {
+    put('phases', phasesAsText(m.phases));
+    put('which', m.which);
+  } else {
+    put('start', m.start.kind === 'rest' ? 'rest' : `${m.start.place}:${m.start.displacement}`);
+    put('dashpot', m.damping);
+    put('crossings', m.crossings);
+    put('steps', m.steps);
+    put('periods', m.periods);
+    put('from', m.from);
+    put('span', m.span);
+  }
+  put('map', view.map);
+  const f = view.forcing;
+  const isForced = view.map === 'response' || m.show === 'forced' || (m.show === 'simulation' && m.steps !== undefined);
+  if (isForced) {
+    put('damping', f.damping);
+    put('place', f.place);
+    put('amplitude', f.amplitude);
+    put('grid', f.cells);
+    put('least', f.least);
+    put('most', f.most);
+  }
+  put('magnified', view.magnified);
+  put('pace', view.pace);
+  put('time', Number(view.time.toFixed(4)));
+  return words.toString().replaceAll('%3A', ':').replaceAll('%2C', ',');
+}
+
+class Words {
+  constructor(private readonly words: URLSearchParams) {}
+
+  has(name: string): boolean {
+    return this.words.has(name);
+  }
+  text(name: string): string {
+    return this.words.get(name) ?? '';
+  }
+  number(name: string, low: number, high: number): number {
+    const text = this.text(name);
+    const value = Number(text);
+    if (text.trim() === '' || !(value >= low && value <= high)) {
+      throw new Error(`${name} = “${text}”: allowed numbers ${low} to ${high}`);
+    }
+    return value;
+  }
+  whole(name: string, low: number, high: number): number {
+    const value = this.number(name, low, high);
+    if (!Number.isInteger(value)) {
+      throw new Error(`${name} = “${this.text(name)}”: allowed whole numbers ${low} to ${high}`);
+    }
+    return value;
+  }
+  oneOf<Word extends string>(name: string, allowed: readonly Word[]): Word {
+    const found = allowed.find((word) => word === this.text(name));
+    if (!found) throw new Error(`${name} = “${this.text(name)}”: allowed ${allowed.join(', ')}`);
+    return found;
+  }
+  phases(): Phases {
+    const text = this.text('phases');
+    return text.split(',').map((pair) => {
+      const numbers = pair.split(':').map(Number);
+      if (numbers.length !== 2 || !numbers.every((n) => Number.isInteger(n) && n >= 1)) {
+        throw new Error(`phases = “${text}”: allowed contact:free steps, such as 150:900`);
+      }
+      return [numbers[0], numbers[1]];
+    });
+  }
+  start(): Start {
+    const text = this.text('start');
+    if (text === 'rest') return { kind: 'rest' };
+    const [place, displacement] = text.split(':').map(Number);
+    if (!(place >= 0.05 && place <= 1 && displacement >= -20 && displacement <= 1)) {
+      throw new Error(`start = “${text}”: allowed rest, or place:displacement such as 1:-3`);
+    }
+    return { kind: 'pluck', place, displacement };
+  }
+}
+
+const mostCells = 1200;
+
+function motionOf(words: Words, forcing: Forcing): Motion {
+  const show = words.oneOf('show', ['schedule', 'mode', 'forced', 'simulation'] as const);
+  const cells = words.whole('cells', 2, mostCells);
+  const some = <T>(name: string, read: () => T): T | undefined => (words.has(name) ? read() : undefined);
+  if (show === 'schedule') {
+    const motion: Motion = { show, cells, phases: words.phases() };
+    const energy = some('energy', () => words.number('energy', 1e-9, 1e9));
+    const pause = some('pause', () => words.number('pause', 0, 1e9));
+    if (energy !== undefined) motion.energy = energy;
+    if (pause !== undefined && energy !== undefined) motion.pause = pause;
+    return motion;
+  }
+  if (show === 'mode') {
+    return {
+      show, cells, contact: words.whole('contact', 4, 40004), turns: words.whole('turns', -10001, -1),
+      period: words.number('period', 1e-6, 4),
+    };
+  }
+  if (show === 'forced') {
+    const { damping, place, amplitude } = forcing;
+    return { show, cells, phases: words.phases(), damping, place, amplitude, which: words.whole('which', 0, 1) };
+  }
+  const simulation: Motion = {
+    show, cells, start: words.start(), damping: words.number('dashpot', 0, 1),
+    from: words.number('from', 0, 1e6), span: words.number('span', 0.1, 100), frames: 60,
+  };
+  if (words.has('steps')) {
+    simulation.steps = words.whole('steps', 3, 100 * cells);
+    simulation.periods = words.whole('periods', 1, 2000);
+    simulation.place = forcing.place;
+    simulation.amplitude = forcing.amplitude;
+  } else {
+    simulation.crossings = words.number('crossings', 0.1, 1000);
+  }
+  return simulation;
+}
+
+/** The view of a link, and a sentence where a part of it was not understood. */
+export function fromLink(link: string): { view: View; fault?: string } {
+  const words = new Words(new URLSearchParams(link.replace(/^#/, '')));
+  const view: View = structuredClone(usual);
+  try {
+    const read = <Key extends 'magnified' | 'pace' | 'time'>(key: Key, low: number, high: number): void => {
+      if (words.has(key)) view[key] = words.number(key, low, high);
+    };
+    read('magnified', 1, 1000);
+    read('pace', 0.01, 10);
+    read('time', 0, 1);
+    if (words.has('map')) view.map = words.oneOf('map', ['energy', 'existence', 'response'] as const);
+    const f = view.forcing;
+    if (words.has('damping')) f.damping = words.number('damping', 1e-4, 1);
+    if (words.has('place')) f.place = words.oneOf('place', ['tip', 'base'] as const);
+    if (words.has('amplitude')) f.amplitude = words.number('amplitude', 1e-9, 10);
+    if (words.has('grid')) f.cells = words.whole('grid', 4, mostCells);
+    if (words.has('least')) f.least = words.number('least', 0.1, 10);
+    if (words.has('most')) f.most = words.number('most', f.least, 10);
+    if (words.has('show')) view.motion = motionOf(words, f);
+    return { view };
+  } catch (fault) {
+    return {
+      view: structuredClone(usual),
+      fault: `The link could not be followed: ${(fault as Error).message}. The paper's case is shown instead.`,
+    };
+  }
+}

@@ -1,0 +1,260 @@
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { cpus, loadavg } from 'node:os';
+import { expect } from '@playwright/test';
+import { address, commandLine, download, open, shownCommand, slide, test, withoutStopwatch } from './page';
+
+const headline = '#headline';
+
+/** On a machine that does other work as well, times are that much longer. */
+const patience = Math.max(1, loadavg()[0] / cpus().length);
+
+test('load: the paper’s motion is on the screen within a second of the page', async ({ page }) => {
+  // The best of three: the browser itself starts with the first.
+  let first = Infinity;
+  for (let k = 0; k < 3; ++k) {
+    await open(page);
+    await expect(page.locator(headline)).toContainText('E = 4 E₁');
+    first = Math.min(first, await page.evaluate(() => performance.getEntriesByName('first-motion')[0].startTime));
+  }
+  console.log(`first motion after ${Math.round(first)} ms`);
+  expect(first).toBeLessThan(1000 * patience);
+});
+
+test('family: a click on the map shows the nearest family at that energy', async ({ page }) => {
+  await open(page);
+  const plot = page.locator('#map .u-over');
+  const box = (await plot.boundingBox())!;
+  // (4, 7, 1) stands at 8/7; frequencies from 0.97 to 2.12, energies from 0.95 to 60.
+  const x = box.width * ((8 / 7 - 0.97) / (2.12 - 0.97));
+  const y = box.height * (1 - Math.log(20 / 0.95) / Math.log(60 / 0.95));
+  await plot.click({ position: { x, y } });
+  await expect(page.locator(headline)).toContainText('T = 3.5 L/c');
+  await expect(page.locator('#proved')).toContainText('(4, 7, 1)');
+  await expect(page.locator('#proved')).toContainText('dimension 148');
+  const energy = Number(/E = ([\d.]+)/.exec(await page.locator(headline).innerText())![1]);
+  expect(energy).toBeGreaterThan(19);
+  expect(energy).toBeLessThan(21);
+});
+
+test('energy and pause: the sliders walk through motions of one period, and of one energy', async ({ page }) => {
+  await open(page);
+  await slide(page, 'energy', 0.3);
+  await expect(page.locator(headline)).not.toContainText('E = 4 E₁');
+  const energy = /E = [\d.]+ E₁/.exec(await page.locator(headline).innerText())![0];
+  const facts = () => page.locator('#computed').innerText();
+  const before = await facts();
+  await slide(page, 'pause', 0.5);
+  await expect(page.locator('#pause-value')).not.toContainText('pause 0 L/c');
+  await expect(page.locator(headline)).toContainText(energy);
+  expect(await facts()).toContain(/Impulse\s+[\d.]+/.exec(before)![0]);
+});
+
+test('contact time: schedules of one tent have motions, all of one period', async ({ page }) => {
+  await open(page);
+  await slide(page, 'contact', 120);
+  await expect(page.locator(headline)).toContainText('(120, 930) on 300 cells: T = 3.5 L/c');
+});
+
+test('mode: T = π gives contact time 4 − π and the energy of the formula', async ({ page }) => {
+  await open(page);
+  await page.locator('input[name="kind"][value="mode"]').check();
+  await page.fill('#period-text', 'pi');
+  await page.click('#period-form button');
+  await expect(page.locator('#period-value')).toContainText('3.14159265359');
+  await expect(page.locator(headline)).toContainText(`contact ${Number((4 - Math.PI).toPrecision(6))} L/c`);
+  // Main mode: 1/√(E/E₁) = T − 3.
+  await expect(page.locator(headline)).toContainText(`E = ${Number((1 / (Math.PI - 3) ** 2).toPrecision(6))} E₁`);
+});
+
+test('pluck: the bar is dragged, let go, and meets the wall', async ({ page }) => {
+  await open(page);
+  const bar = page.locator('#bar-canvas');
+  const box = (await bar.boundingBox())!;
+  await page.mouse.move(box.x + 0.7 * box.width, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + box.height / 2, { steps: 5 });
+  await page.mouse.up();
+  await expect(page.locator(headline)).toContainText('let go');
+  const contacts = Number(/(\d+) contacts/.exec(await page.locator(headline).innerText())![1]);
+  expect(contacts).toBeGreaterThan(0);
+});
+
+test('response: the curve folds, a dot is a forced motion, and the bar settles on it', async ({ page }) => {
+  await open(page);
+  await page.locator('input[name="map"][value="response"]').check();
+  await page.selectOption('#force-cells', '30');
+  await expect(page.locator('#progress')).toContainText('each tried', { timeout: 50_000 });
+  // Where it folds two motions share a frequency: more motions than frequencies that have one.
+  await page.click('#map-next');
+  await expect(page.locator(headline)).toContainText('impulse');
+  await page.click('#settle');
+  await expect(page.locator(headline)).toContainText('Held at');
+  await expect(page.locator('#settling')).toBeVisible();
+});
+
+const links = [
+  'show=schedule&cells=300&phases=120:930&energy=20&pause=0.25&map=existence&magnified=60&pace=0.5&time=0.25',
+  'show=mode&cells=200&contact=8&turns=-3&period=2.6&map=energy&magnified=100&pace=0.5&time=0',
+  'show=simulation&cells=200&start=0.6:-3&dashpot=0.02&crossings=40&from=0&span=16&map=energy&magnified=50&pace=1&time=0.5',
+];
+for (const link of links) {
+  test(`link: ${link.slice(0, 40)}… comes back as it was`, async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' });
+    await open(page, link);
+    await expect(page.locator('#notice')).toBeHidden();
+    await slide(page, 'magnified', 2);
+    await slide(page, 'magnified', Math.log10(Number(/magnified=(\d+)/.exec(link)![1])));
+    await expect.poll(() => page.evaluate(() => location.hash.slice(1))).toBe(link);
+  });
+}
+
+for (const [link, says] of [
+  ['show=schedule&cells=abc&phases=150:900', 'cells'],
+  ['show=dance&cells=300', 'show'],
+  ['show=schedule&cells=300&phases=nonsense', 'phases'],
+  ['show=mode&cells=200&contact=4&turns=-1&period=3.99999e9', 'period'],
+  ['show=mode&cells=200&contact=8&turns=-1&period=3', 'contact'],
+] as const) {
+  test(`link: “${link}” gets a sentence, not a blank page`, async ({ page }) => {
+    await open(page, link);
+    await expect(page.locator('#notice')).toContainText(says);
+    await expect(page.locator(headline)).toContainText('E = 4 E₁');
+  });
+}
+
+test('none: a schedule without motions is answered by its proof', async ({ page }) => {
+  await page.goto(address('show=schedule&cells=40&phases=20:109'));
+  await expect(page.locator(headline)).toContainText('No motion follows (20, 109)');
+  await expect(page.locator('#proved')).toContainText('certificate');
+});
+
+test('take away: JSON and CSV are those of the command shown beside them, to the last digit', async ({ page }) => {
+  await open(page, 'show=schedule&cells=300&phases=150:900&energy=20');
+  const find = commandLine(await shownCommand(page), {}, ['state.csv']);
+  expect(withoutStopwatch(await download(page, 'answer.json'))).toBe(withoutStopwatch(find.out));
+  expect(await download(page, 'state.csv')).toBe(find.files['state.csv']);
+
+  await open(page, 'show=schedule&cells=60&phases=30:180&energy=12.5');
+  const small = commandLine(await shownCommand(page), {}, ['motion.csv']);
+  expect(await download(page, 'motion.csv')).toBe(small.files['motion.csv']);
+
+  await open(page, 'show=schedule&cells=300&phases=150:900&energy=20&pause=0.25');
+  const continuum = commandLine(await shownCommand(page), {}, ['state.csv']);
+  expect(await download(page, 'answer.json')).toBe(continuum.out);
+  expect(await download(page, 'state.csv')).toBe(continuum.files['state.csv']);
+
+  await open(page, `show=mode&cells=200&contact=4&turns=-1&period=${Math.PI}`);
+  expect(await download(page, 'answer.json')).toBe(commandLine(await shownCommand(page)).out);
+
+  await open(page, 'show=simulation&cells=200&start=0.6:-3&dashpot=0&crossings=40&from=0&span=16');
+  const start = await download(page, 'start.csv');
+  const simulation = commandLine(await shownCommand(page), { 'start.csv': start }, ['tip.csv', 'events.csv']);
+  expect(await download(page, 'answer.json')).toBe(simulation.out);
+  expect(await download(page, 'tip.csv')).toBe(simulation.files['tip.csv']);
+  expect(await download(page, 'events.csv')).toBe(simulation.files['events.csv']);
+
+  const families = commandLine(['families', '--csv', 'families.csv'], {}, ['families.csv']);
+  expect(await download(page, 'families.csv')).toBe(families.files['families.csv']);
+});
+
+/** JSON with its numbers to eleven digits: two C libraries differ in the last bit of a sine. */
+const elevenDigits = (json: string): unknown => JSON.parse(json, (_, value: unknown) => (typeof value === 'number' ? Number(value.toPrecision(11)) : value));
+
+test('take away: the forced motion is that of the command line, to eleven digits', async ({ page }) => {
+  await open(page, 'show=forced&cells=60&phases=24:192&which=1&damping=0.02&place=tip&amplitude=0.0002');
+  const own = JSON.parse(await download(page, 'answer.json')) as { status: string; motions: { residual: number }[] };
+  const other = JSON.parse(commandLine(await shownCommand(page)).out) as typeof own;
+  expect(own.status).toBe('found');
+  for (const answer of [own, other]) for (const motion of answer.motions) motion.residual = 0;
+  expect(elevenDigits(JSON.stringify(own))).toEqual(elevenDigits(JSON.stringify(other)));
+});
+
+test('pictures: every view is saved as PNG and as SVG', async ({ page }) => {
+  await open(page);
+  for (const button of await page.locator('#pictures button').all()) {
+    const [saved] = await Promise.all([page.waitForEvent('download'), button.click()]);
+    const bytes = readFileSync(await saved.path());
+    if (saved.suggestedFilename().endsWith('.png')) {
+      expect(bytes.subarray(1, 4).toString()).toBe('PNG');
+    } else {
+      const problem = await page.evaluate((text) => {
+        const svg = new DOMParser().parseFromString(text, 'image/svg+xml');
+        return svg.querySelector('parsererror')?.textContent ?? (svg.querySelectorAll('path,rect,image').length < 3 ? 'nearly empty' : '');
+      }, bytes.toString());
+      expect(problem, saved.suggestedFilename()).toBe('');
+    }
+  }
+});
+
+test('tour: six steps, each with a motion, from one contact to forced resonance', async ({ page }) => {
+  await open(page);
+  await page.click('#start-tour');
+  const seen = new Set<string>();
+  for (let step = 1; step <= 6; ++step) {
+    await expect(page.locator('#tour-title')).toContainText(`${step}. `);
+    await expect(page.locator('#notice')).toBeHidden();
+    await expect.poll(async () => seen.has(await page.locator(headline).innerText()), { timeout: 10_000 }).toBe(false);
+    seen.add(await page.locator(headline).innerText());
+    await expect(page.locator(headline)).not.toContainText('No motion');
+    await page.click('#tour-next');
+  }
+  await expect(page.locator('#tour')).toBeHidden();
+  expect(seen.size).toBe(6);
+});
+
+for (const [name, width, height, scheme] of [['wide', 1280, 900, 'light'], ['phone', 390, 844, 'light'], ['dark', 1280, 900, 'dark']] as const) {
+  test(`${name}: axe finds nothing, and nothing is wider than the screen`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await page.emulateMedia({ colorScheme: scheme, reducedMotion: 'reduce' });
+    await open(page);
+    await page.addScriptTag({ content: readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8') });
+    for (const kind of ['schedule', 'mode', 'simulation', 'forced']) {
+      await page.locator(`input[name="kind"][value="${kind}"]`).check();
+      await expect(page.locator(`[data-kind="${kind}"]`)).toBeVisible();
+      const violations = await page.evaluate(async () => {
+        const axe = (globalThis as unknown as { axe: { run: () => Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> } }).axe;
+        return (await axe.run()).violations.map((one) => `${one.id}: ${one.nodes.map((node) => node.html).join(' ')}`);
+      });
+      expect(violations).toEqual([]);
+    }
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+  });
+}
+
+test('keyboard: tab reaches the bar, space stops it, arrows move the time', async ({ page }) => {
+  await open(page);
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#bar-canvas')).toBeFocused();
+  await page.keyboard.press(' ');
+  await expect(page.locator('#play')).toHaveText('Play');
+  const before = await page.locator('#time').inputValue();
+  await page.keyboard.press('ArrowRight');
+  expect(await page.locator('#time').inputValue()).not.toBe(before);
+});
+
+test('reduced motion: nothing moves until it is asked to', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page);
+  await expect(page.locator('#play')).toHaveText('Play');
+  const before = await page.locator('#time').inputValue();
+  await page.waitForTimeout(300);
+  expect(await page.locator('#time').inputValue()).toBe(before);
+});
+
+test('frames: N = 300 moves smoothly, and a frame costs a fraction of its time', async ({ page }) => {
+  await open(page);
+  const { rate, cost } = await page.evaluate(async () => {
+    const stamps: number[] = [];
+    await new Promise<void>((done) => {
+      const look = (now: number) => (stamps.push(now) < 180 ? void requestAnimationFrame(look) : done());
+      requestAnimationFrame(look);
+    });
+    const costs = performance.getEntriesByName('frame').map((entry) => entry.duration).sort((a, b) => a - b);
+    return { rate: (1000 * (stamps.length - 1)) / (stamps.at(-1)! - stamps[0]), cost: costs[Math.floor(costs.length / 2)] };
+  });
+  console.log(`frames: ${rate.toFixed(1)} a second at N = 300, median ${cost?.toFixed(2)} ms of script in a frame`);
+  expect(cost).toBeLessThan(8 * patience);
+  expect(rate).toBeGreaterThan(50 / patience);
+});
