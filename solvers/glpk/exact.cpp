@@ -46,10 +46,7 @@ private:
         Stopwatch watch;
         Problem problem;
         fill(problem, program);
-        glp_smcp settings;
-        glp_init_smcp(&settings);
-        settings.msg_lev = GLP_MSG_OFF;
-        setLimits(options, settings);
+        glp_smcp settings = quietSettings(options);
         result.setupSeconds = watch.restart();
 
         int code = 0;

@@ -153,14 +153,18 @@ Verdict simplexVerdict(int code, glp_prob* problem)
     }
 }
 
-void setLimits(const SolverOptions& options, glp_smcp& settings)
+glp_smcp quietSettings(const SolverOptions& options)
 {
+    glp_smcp settings;
+    glp_init_smcp(&settings);
+    settings.msg_lev = GLP_MSG_OFF;
     if (options.iterationLimit > 0) {
         settings.it_lim = clampToInt(static_cast<double>(options.iterationLimit));
     }
     if (std::isfinite(options.timeLimit)) {
         settings.tm_lim = clampToInt(std::ceil(1e3 * options.timeLimit));
     }
+    return settings;
 }
 
 void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_prob*, int),

@@ -20,8 +20,8 @@ struct Verdict {
 /// The meaning of what glp_simplex or glp_exact returned, and of glp_get_status after a 0.
 [[nodiscard]] Verdict simplexVerdict(int code, glp_prob* problem);
 
-/// it_lim and tm_lim of the simplex methods.
-void setLimits(const SolverOptions& options, glp_smcp& settings);
+/// Of the simplex methods: silent, within the limits.
+[[nodiscard]] glp_smcp quietSettings(const SolverOptions& options);
 
 /// Reads n values and the multipliers of p + q rows, where `value` and `dual` are GLPK's accessors
 /// of the method used, e.g. glp_get_col_prim and glp_get_row_dual. GLPK's multipliers have the sign

@@ -30,13 +30,10 @@ private:
         Stopwatch watch;
         Problem problem;
         fill(problem, program);
-        glp_smcp settings;
-        glp_init_smcp(&settings);
-        settings.msg_lev = GLP_MSG_OFF;
+        glp_smcp settings = quietSettings(options);
         settings.presolve = glp_get_num_rows(problem.get()) > fewRows ? GLP_ON : GLP_OFF;
         settings.tol_bnd = std::min(defaultTolerance, toleranceShare * options.tolerance);
         settings.tol_dj = settings.tol_bnd;
-        setLimits(options, settings);
         result.setupSeconds = watch.restart();
 
         int code = 0;

@@ -15,6 +15,7 @@
 
 #include "catch.hpp"
 #include "formulation.hpp"
+#include "listed_rows.hpp"
 #include "program_rows.hpp"
 #include "signorini/schedule.hpp"
 
@@ -26,6 +27,7 @@ extern "C" {
 }
 
 using namespace signorini;
+using test::ListedRows;
 
 /// cddlib keeps some numbers of GMP for itself when it converts a polyhedron: no leak of ours.
 extern "C" const char* __lsan_default_suppressions();
@@ -118,35 +120,6 @@ bool hasVertex(const GeneratorSet& generators)
 {
     return !generators.empty() && generators.rbegin()->front() == "1";
 }
-
-/// Rows in a list.
-class ListedRows : public RowSource {
-public:
-    ListedRows(std::size_t unknowns, std::vector<ExactRow> rows)
-        : unknowns_(unknowns), rows_(std::move(rows))
-    {
-    }
-
-    [[nodiscard]] std::size_t unknowns() const override { return unknowns_; }
-
-    [[nodiscard]] std::optional<ExactRow> violatedRow(const Homogeneous& point) const override
-    {
-        for (const ExactRow& row : rows_) {
-            Integer value = -row.rhs * point.denominator;
-            for (std::size_t i = 0; i < unknowns_; ++i) {
-                value += row.coefficients[i] * point.numerators[i];
-            }
-            if (value < 0 || (row.isEquality && value != 0)) {
-                return row;
-            }
-        }
-        return std::nullopt;
-    }
-
-private:
-    std::size_t unknowns_;
-    std::vector<ExactRow> rows_;
-};
 
 /// Small coefficients, so that rows are often parallel, redundant, or meet in one point.
 std::vector<ExactRow> randomRows(std::mt19937& generator, std::size_t unknowns)

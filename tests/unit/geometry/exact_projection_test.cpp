@@ -6,8 +6,10 @@
 #include <random>
 
 #include "catch.hpp"
+#include "listed_rows.hpp"
 
 using namespace signorini;
+using test::ListedRows;
 
 namespace {
 
@@ -19,35 +21,6 @@ Rational valueAt(const ExactRow& row, const RationalVector& x)
     }
     return sum;
 }
-
-/// A list of rows.
-class Listed : public RowSource {
-public:
-    Listed(std::size_t unknowns, std::vector<ExactRow> rows)
-        : unknowns_(unknowns), rows_(std::move(rows))
-    {
-    }
-
-    [[nodiscard]] std::size_t unknowns() const override { return unknowns_; }
-
-    [[nodiscard]] std::optional<ExactRow> violatedRow(const Homogeneous& point) const override
-    {
-        for (const ExactRow& row : rows_) {
-            Integer value = -row.rhs * point.denominator;
-            for (std::size_t k = 0; k < unknowns_; ++k) {
-                value += row.coefficients[k] * point.numerators[k];
-            }
-            if (value < 0 || (row.isEquality && value != 0)) {
-                return row;
-            }
-        }
-        return std::nullopt;
-    }
-
-private:
-    std::size_t unknowns_;
-    std::vector<ExactRow> rows_;
-};
 
 std::vector<ExactRow> drawRows(std::mt19937_64& generator, std::size_t unknowns)
 {
@@ -82,7 +55,7 @@ TEST_CASE("exact projection: nearest by the conditions of a convex program, or r
             centre.emplace_back(small(generator), 2);
             d.push_back(1 + static_cast<std::int64_t>(k) % 3);
         }
-        const Projection result = project(Listed(unknowns, rows), centre, d);
+        const Projection result = project(ListedRows(unknowns, rows), centre, d);
 
         RationalVector sum(unknowns, Rational(0));
         Rational right = 0;

@@ -44,23 +44,35 @@ Program drawProgram(std::mt19937_64& generator)
     return program;
 }
 
+/// A program that is scaled, how, and what becomes of it.
+struct Scaled {
+    explicit Scaled(std::mt19937_64& generator) : program(drawProgram(generator))
+    {
+        const auto found = scalingOf(program);
+        REQUIRE(found);
+        scaling = *found;
+        copy = scaled(program, scaling);
+    }
+
+    Program program;
+    Scaling scaling;
+    Program copy;
+};
+
 }  // namespace
 
 TEST_CASE("scaling: all factors are powers of two, and the largest entry of each row is about 1")
 {
     std::mt19937_64 generator(1);
     for (int trial = 0; trial < 100; ++trial) {
-        const Program program = drawProgram(generator);
-        const auto scaling = scalingOf(program);
-        REQUIRE(scaling);
-        REQUIRE(isPowerOfTwo(scaling->unit));
-        REQUIRE(isPowerOfTwo(scaling->objective));
-        for (const auto* factors : {&scaling->equalities, &scaling->inequalities}) {
+        const auto [program, scaling, copy] = Scaled(generator);
+        REQUIRE(isPowerOfTwo(scaling.unit));
+        REQUIRE(isPowerOfTwo(scaling.objective));
+        for (const auto* factors : {&scaling.equalities, &scaling.inequalities}) {
             for (const double factor : *factors) {
                 REQUIRE(isPowerOfTwo(factor));
             }
         }
-        const Program copy = scaled(program, *scaling);
         for (Eigen::Index row = 0; row < 3; ++row) {
             const double largest =
                 Eigen::RowVectorXd(copy.inequalities.row(row)).cwiseAbs().maxCoeff();
@@ -75,20 +87,17 @@ TEST_CASE("scaling: values of rows, bounds and objective are those of the point 
     std::mt19937_64 generator(2);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
     for (int trial = 0; trial < 100; ++trial) {
-        const Program program = drawProgram(generator);
-        const auto scaling = scalingOf(program);
-        REQUIRE(scaling);
-        const Program copy = scaled(program, *scaling);
+        const auto [program, scaling, copy] = Scaled(generator);
         const Eigen::VectorXd inside =
             Eigen::VectorXd::NullaryExpr(4, [&] { return number(generator); });
-        const Eigen::VectorXd x = scaling->unit * inside;
+        const Eigen::VectorXd x = scaling.unit * inside;
         REQUIRE(copy.equalities * inside - copy.equalityRhs ==
-                scaling->equalities.cwiseProduct(program.equalities * x - program.equalityRhs));
+                scaling.equalities.cwiseProduct(program.equalities * x - program.equalityRhs));
         REQUIRE(
             copy.inequalities * inside - copy.inequalityRhs ==
-            scaling->inequalities.cwiseProduct(program.inequalities * x - program.inequalityRhs));
-        REQUIRE(copy.lower * scaling->unit == program.lower);
-        REQUIRE(objective(copy, inside) == scaling->objective * objective(program, x));
+            scaling.inequalities.cwiseProduct(program.inequalities * x - program.inequalityRhs));
+        REQUIRE(copy.lower * scaling.unit == program.lower);
+        REQUIRE(objective(copy, inside) == scaling.objective * objective(program, x));
     }
 }
 
@@ -97,10 +106,7 @@ TEST_CASE("scaling: multipliers of the copy, turned back, have the reduced costs
     std::mt19937_64 generator(3);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
     for (int trial = 0; trial < 100; ++trial) {
-        const Program program = drawProgram(generator);
-        const auto scaling = scalingOf(program);
-        REQUIRE(scaling);
-        const Program copy = scaled(program, *scaling);
+        const auto [program, scaling, copy] = Scaled(generator);
         SolverResult result;
         const auto draw = [&](Eigen::Index size) {
             return Eigen::VectorXd::NullaryExpr(size, [&] { return number(generator); }).eval();
@@ -111,11 +117,11 @@ TEST_CASE("scaling: multipliers of the copy, turned back, have the reduced costs
         const Eigen::VectorXd costs = copy.linear -
                                       copy.equalities.transpose() * result.equalityDuals -
                                       copy.inequalities.transpose() * result.inequalityDuals;
-        unscale(*scaling, result);
+        unscale(scaling, result);
         const Eigen::VectorXd back = program.linear -
                                      program.equalities.transpose() * result.equalityDuals -
                                      program.inequalities.transpose() * result.inequalityDuals;
-        REQUIRE(costs == scaling->objective * scaling->unit * back);
+        REQUIRE(costs == scaling.objective * scaling.unit * back);
     }
 }
 
