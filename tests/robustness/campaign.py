@@ -47,9 +47,9 @@ class Case:
         shutil.rmtree(self.folder, ignore_errors=True)
         shutil.rmtree(self._temporary, ignore_errors=True)
 
-    def run(self, words):
+    def run(self, words, variables=None):
         """Runs the program in the case's folder; notes crashes, hangs and files left behind."""
-        environment = dict(os.environ, TMPDIR=str(self._temporary))
+        environment = dict(os.environ, TMPDIR=str(self._temporary), **(variables or {}))
         try:
             done = subprocess.run([self._program, *words], cwd=self.folder, env=environment,
                                   stdin=subprocess.DEVNULL, capture_output=True,
