@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "certificate_report.hpp"
 #include "demand_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
@@ -104,67 +105,95 @@ std::vector<StabilityReport> stabilityReports(const FoundMotion& motion, const S
     return reports;
 }
 
-/// The files that a call names.
-class MotionOutputs {
+/// The files that a call names: of a motion, or of the proof that there is none.
+class FindOutputs {
 public:
-    explicit MotionOutputs(const FindCommand& words)
+    explicit FindOutputs(const FindCommand& words)
         : words_(words),
-          outputs_({{"--state", words.stateFile},
-                    words.motionFile.option(),
-                    {"--figure", words.figureFile},
-                    {"--animate", words.animationFile}},
-                   {words.motionFile.folderOption()})
+          motion_(ofMotion(words), {words.motionFile.folderOption(), ofProof(words)}),
+          proof_({ofProof(words)}, ofMotion(words))
     {
     }
 
-    [[nodiscard]] bool areWanted() const { return outputs_.areWanted(); }
+    [[nodiscard]] bool areOfMotion() const { return motion_.areWanted(); }
 
-    void sayNone() const
+    /// Says on stderr which files there is nothing for.
+    void write(const PeriodicResult& result, const Json& answer)
     {
-        if (areWanted() && !words_.common.quiet) {
-            tell("signorini find: no motion to write, so no file was written\n");
-        }
-    }
-
-    /// \pre a motion was found.
-    void write(const PeriodicResult& result)
-    {
-        outputs_.put("--state", [&](const std::string& path) {
-            writeStateCsv(path, result.motion->state, result.scene.bar);
-        });
-        outputs_.put("--figure", [&](const std::string& path) {
-            drawMotion(result, figureFormat(words_.figureFile), path);
-        });
-        if (words_.motionFile.isWanted() || !words_.animationFile.empty()) {
+        if (result.motion) {
             writeMotion(result);
+        } else if (motion_.areWanted()) {
+            say("no motion to write, so no file was written");
         }
-        outputs_.commit();
+        if (result.absence) {
+            proof_.put("--certificate", [&](const std::string& path) {
+                TextFile file(path);
+                writeAnswer(answer, result, [&](std::string_view text) { file.write(text); });
+                file.close();
+            });
+            proof_.commit();
+        } else if (proof_.areWanted()) {
+            say("no proof to write, so --certificate was not written");
+        }
     }
 
 private:
+    static std::vector<OutputOption> ofMotion(const FindCommand& words)
+    {
+        return {{"--state", words.stateFile},
+                words.motionFile.option(),
+                {"--figure", words.figureFile},
+                {"--animate", words.animationFile}};
+    }
+
+    static OutputOption ofProof(const FindCommand& words)
+    {
+        return {"--certificate", words.certificateFile};
+    }
+
+    void say(std::string_view what) const
+    {
+        if (!words_.common.quiet) {
+            tell(fmt::format("signorini find: {}\n", what));
+        }
+    }
+
     void writeMotion(const PeriodicResult& result)
+    {
+        motion_.put("--state", [&](const std::string& path) {
+            writeStateCsv(path, result.motion->state, result.scene.bar);
+        });
+        motion_.put("--figure", [&](const std::string& path) {
+            drawMotion(result, figureFormat(words_.figureFile), path);
+        });
+        if (words_.motionFile.isWanted() || !words_.animationFile.empty()) {
+            writeField(result);
+        }
+        motion_.commit();
+    }
+
+    void writeField(const PeriodicResult& result)
     {
         const std::vector<Segment>& segments = result.scene.segments;
         const Motion field = isUniform(segments)
                                  ? Motion(result.motion->state, result.schedule)
                                  : Motion(result.motion->state, result.schedule, segments);
         const std::int64_t all = signorini::steps(result.schedule);
-        outputs_.put("--animate", [&](const std::string& path) {
+        motion_.put("--animate", [&](const std::string& path) {
             animateMotion(MotionSamples(field, result.scene), animationFormat(words_.animationFile),
                           path);
         });
-        if (words_.motionFile.isWanted() && field.steps() < all && !words_.common.quiet) {
-            tell(
-                fmt::format("signorini find: --motion holds {} of {} steps: the others repeat "
-                            "free oscillations\n",
+        if (words_.motionFile.isWanted() && field.steps() < all) {
+            say(fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",
                             field.steps(), all));
         }
         words_.motionFile.write(
-            outputs_, [&](std::int64_t most) { return MotionSamples(field, result.scene, most); });
+            motion_, [&](std::int64_t most) { return MotionSamples(field, result.scene, most); });
     }
 
     const FindCommand& words_;
-    Outputs outputs_;
+    Outputs motion_;
+    Outputs proof_;
 };
 
 }  // namespace
@@ -205,6 +234,8 @@ void FindCommand::addTo(CLI::App& command)
     command.add_flag("--stability", wantsStability,
                      "start beside the motion, undamped and with a damping ratio of 0.001");
     addAnimation(command, animationFile);
+    addFile(command, "--certificate", certificateFile,
+            "where there is no motion, write the proof, for tools/check-certificate", "FILE.json");
     common.addTo(command);
 }
 
@@ -227,7 +258,7 @@ void FindCommand::warn(const Physical& physical) const
 void FindCommand::requireNothingFree() const
 {
     const FindOptions usual;
-    const std::array<std::pair<const char*, bool>, 13> others{{
+    const std::array<std::pair<const char*, bool>, 14> others{{
         {"--period, --frequency, --hertz", question.isAsked()},
         {"--energy", energy.has_value()},
         {"--energy-ratio", options.energyRatio.has_value()},
@@ -240,6 +271,7 @@ void FindCommand::requireNothingFree() const
         {"--motion", motionFile.isWanted()},
         {"--figure", !figureFile.empty()},
         {"--animate", !animationFile.empty()},
+        {"--certificate", !certificateFile.empty()},
         {"--stability (of response)", wantsStability},
     }};
     for (const auto& [option, isGiven] : others) {
@@ -257,11 +289,11 @@ ExitStatus FindCommand::run() const
     if (!forced.isAsked() && forced.cycles != 1) {
         throw std::invalid_argument("--cycles: allowed only together with --damping and --force");
     }
-    if (question.isAsked() && wantsStability) {
-        throw std::invalid_argument("--stability: allowed only together with NC NF");
+    if (question.isAsked() && (wantsStability || !certificateFile.empty())) {
+        throw std::invalid_argument("--stability, --certificate: allowed only together with NC NF");
     }
     const Scene scene = common.scene();
-    if (!haveOneSpeed(scene.segments) && MotionOutputs(*this).areWanted()) {
+    if (!haveOneSpeed(scene.segments) && FindOutputs(*this).areOfMotion()) {
         throw std::invalid_argument(
             "--state, --motion, --figure, --animate: allowed only for segments in which waves have "
             "one speed");
@@ -304,14 +336,10 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
 {
     validate(schedule);
     requireStable(schedule);
-    MotionOutputs files(*this);
+    FindOutputs files(*this);
     const PeriodicResult result = search(schedule, request.options, common.quiet);
-    if (result.motion) {
-        files.write(result);
-    } else {
-        files.sayNone();
-    }
-    Json json = answerOf(result, request.target());
+    Json json = answerWithoutProof(result, request.target());
+    files.write(result, json);
     std::string text = asText(result, request.target());
     if (wantsStability && result.motion) {
         json["stability"] = Json::array();
@@ -320,7 +348,11 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
             text += asText(report, result.scene.bar);
         }
     }
-    writeOut(common.wantsJson ? asLine(json) : text);
+    if (common.wantsJson) {
+        writeAnswer(json, result, writeOut);
+    } else {
+        writeOut(text);
+    }
     if (result.motion) {
         warn(result.motion->physical);
     }
@@ -330,7 +362,7 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
 ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindRequest& request) const
 {
     const std::int64_t cells = common.usualCells();
-    MotionOutputs files(*this);
+    FindOutputs files(*this);
     QuestionReport report(asked, cells, request.options, request.target());
     std::optional<PeriodicResult> first;
     std::vector<Physical> measured;
@@ -345,16 +377,12 @@ ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindReque
             first = std::move(result);
         }
     }
-    if (files.areWanted() && measured.size() > 1) {
+    if (files.areOfMotion() && measured.size() > 1) {
         throw std::invalid_argument(
             fmt::format("--state, --motion, --figure: {} motions answer: allowed one, by its NC NF",
                         measured.size()));
     }
-    if (first) {
-        files.write(*first);
-    } else {
-        files.sayNone();
-    }
+    files.write(first.value_or(PeriodicResult{}), {});
     writeOut(common.wantsJson ? asLine(report.json()) : report.text());
     for (const Physical& physical : measured) {
         warn(physical);

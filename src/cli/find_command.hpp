@@ -29,6 +29,7 @@ struct FindCommand {
     MotionFile motionFile;
     std::string figureFile;
     std::string animationFile;
+    std::string certificateFile;
     bool wantsStability = false;
 
     void addTo(CLI::App& command);

@@ -23,7 +23,11 @@ struct TargetReport {
 [[nodiscard]] std::string asText(const PeriodicResult& result,
                                  const std::optional<TargetReport>& target = {});
 
-/// The JSON of the contract.
+/// The JSON of the contract but for "certificate", which is null: see certificate_report.hpp.
+[[nodiscard]] Json answerWithoutProof(const PeriodicResult& result,
+                                      const std::optional<TargetReport>& target = {});
+
+/// All of it in one object, for proofs of modest size.
 [[nodiscard]] Json answerOf(const PeriodicResult& result,
                             const std::optional<TargetReport>& target = {});
 

@@ -1,69 +1,12 @@
 #include <cmath>
 
+#include "certificate_report.hpp"
 #include "families_report.hpp"
 #include "report.hpp"
 
 namespace signorini::cli {
 
 namespace {
-
-/// Rows and multipliers as pairs, all of them: what says "verified" can be verified by the reader.
-Json multipliersAsJson(const std::vector<Multiplier>& rows)
-{
-    Json pairs = Json::array();
-    for (const Multiplier& m : rows) {
-        pairs.push_back({m.row, m.value});
-    }
-    return pairs;
-}
-
-Json asJson(const FarkasCertificate& c)
-{
-    return {{"kind", "farkas"},
-            {"verified", true},
-            {"rows", "paper"},
-            {"gap", c.gap},
-            {"size", c.size},
-            {"periodicity", multipliersAsJson(c.periodicity)},
-            {"pressure", multipliersAsJson(c.pressure)},
-            {"penetration", multipliersAsJson(c.penetration)}};
-}
-
-Json asJson(const ProgramProof& proof)
-{
-    return {{"kind", "farkas"},
-            {"verified", true},
-            {"rows", name(proof.rows)},
-            {"equalities", multipliersAsJson(proof.multipliers.equalities)},
-            {"inequalities", multipliersAsJson(proof.multipliers.inequalities)}};
-}
-
-Json multipliersAsJson(const std::vector<RationalMultiplier>& rows)
-{
-    Json pairs = Json::array();
-    for (const RationalMultiplier& m : rows) {
-        pairs.push_back({m.row, m.value});
-    }
-    return pairs;
-}
-
-Json asJson(const SteppedProof& proof)
-{
-    return {{"kind", "farkas"},
-            {"verified", true},
-            {"rows", name(Formulation::joints)},
-            {"equalities", multipliersAsJson(proof.multipliers.equalities)},
-            {"inequalities", multipliersAsJson(proof.multipliers.inequalities)}};
-}
-
-Json asJson(const EnergyExclusion& exclusion)
-{
-    Json json{{"kind", "energy-range"}, {"verified", exclusion.isVerified}};
-    if (!exclusion.isVerified) {
-        json["note"] = rangeNote;
-    }
-    return json;
-}
 
 Json placeAsJson(const TentPlace& place)
 {
@@ -112,7 +55,7 @@ Json physicalAsJson(const Physical& p)
             {"tip_lowest", p.tipLowest}};
 }
 
-Json answerOf(const PeriodicResult& result, const std::optional<TargetReport>& target)
+Json answerWithoutProof(const PeriodicResult& result, const std::optional<TargetReport>& target)
 {
     Json json = newAnswer();
     addScene(result.scene, json);
@@ -180,15 +123,24 @@ Json answerOf(const PeriodicResult& result, const std::optional<TargetReport>& t
         }
     }
     if (result.absence) {
-        const auto& proof = result.absence->proof;
         json["reason"] = name(result.absence->reason);
-        json["certificate"] = std::visit([](const auto& p) { return asJson(p); }, proof);
-        if (const auto* exclusion = std::get_if<EnergyExclusion>(&proof)) {
+        if (const auto* exclusion = std::get_if<EnergyExclusion>(&result.absence->proof)) {
             json["detail"] = describe(*exclusion);
         }
     }
     if (!result.detail.empty()) {
         json["detail"] = result.detail;
+    }
+    return json;
+}
+
+Json answerOf(const PeriodicResult& result, const std::optional<TargetReport>& target)
+{
+    Json json = answerWithoutProof(result, target);
+    if (result.absence) {
+        std::string certificate;
+        writeCertificate(*result.absence, [&](std::string_view text) { certificate += text; });
+        json["certificate"] = Json::parse(certificate);
     }
     return json;
 }

@@ -1,0 +1,118 @@
+#include "certificate_report.hpp"
+
+#include <fmt/format.h>
+
+#include "report.hpp"
+#include "text.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+constexpr std::string_view none = "\"certificate\":null";
+constexpr std::size_t pieceSize = 1U << 16U;  ///< characters
+
+class Writer {
+public:
+    explicit Writer(const WriteText& write) : write_(write) {}
+
+    void operator()(const FarkasCertificate& c) const
+    {
+        begin("paper");
+        write_(fmt::format(",\"gap\":{},\"size\":{}", c.gap, c.size));
+        list("periodicity", c.periodicity);
+        list("pressure", c.pressure);
+        list("penetration", c.penetration);
+        write_("}");
+    }
+
+    void operator()(const ProgramProof& proof) const
+    {
+        program(name(proof.rows), proof.multipliers);
+    }
+
+    void operator()(const SteppedProof& proof) const
+    {
+        program(name(Formulation::joints), proof.multipliers);
+    }
+
+    void operator()(const EnergyExclusion& exclusion) const
+    {
+        Json json{{"kind", "energy-range"}, {"verified", exclusion.isVerified}};
+        if (!exclusion.isVerified) {
+            json["note"] = rangeNote;
+        }
+        write_(json.dump());
+    }
+
+private:
+    void begin(std::string_view rows) const
+    {
+        write_(fmt::format(R"({{"kind":"farkas","verified":true,"rows":"{}")", rows));
+    }
+
+    template <typename Proof>
+    void program(std::string_view rows, const Proof& proof) const
+    {
+        begin(rows);
+        list("equalities", proof.equalities);
+        list("inequalities", proof.inequalities);
+        write_("}");
+    }
+
+    /// Rows and multipliers as pairs, all of them: what says "verified" can be verified by others.
+    template <typename Rows>
+    void list(std::string_view key, const Rows& rows) const
+    {
+        Text text;
+        const auto flush = [&] {
+            write_({text.data(), text.size()});
+            text.clear();
+        };
+        print(text, ",\"{}\":[", key);
+        std::string_view comma;
+        for (const auto& m : rows) {
+            print(text, "{}[{},", comma, m.row);
+            printValue(text, m.value);
+            text.push_back(']');
+            comma = ",";
+            if (text.size() > pieceSize) {
+                flush();
+            }
+        }
+        text.push_back(']');
+        flush();
+    }
+
+    static void printValue(Text& text, std::int64_t value) { print(text, "{}", value); }
+    static void printValue(Text& text, const std::string& fraction)
+    {
+        print(text, "\"{}\"", fraction);
+    }
+
+    const WriteText& write_;
+};
+
+}  // namespace
+
+void writeCertificate(const Absence& absence, const WriteText& write)
+{
+    std::visit(Writer(write), absence.proof);
+}
+
+void writeAnswer(const Json& answer, const PeriodicResult& result, const WriteText& write)
+{
+    const std::string line = asLine(answer);
+    const std::size_t place = line.find(none);
+    if (!result.absence || place == std::string::npos) {
+        write(line);
+        return;
+    }
+    const std::size_t value = place + none.size() - std::string_view("null").size();
+    const std::string_view text = line;
+    write(text.substr(0, value));
+    writeCertificate(*result.absence, write);
+    write(text.substr(place + none.size()));
+}
+
+}  // namespace signorini::cli
