@@ -4,6 +4,7 @@
 certificates_test.py PROGRAM CHECKER [--count N] [--seed S]
 
 Random schedules: every "none" must come with a proof, and a proof spoilt in one number is refused.
+The same with two stops or several phases, where no proof may fit a schedule that has motions.
 """
 import argparse
 import copy
@@ -58,6 +59,54 @@ def is_without_effect(checker, answer, other):
     return bool(changed) and all(state[row] == (row, 1) for row in changed)
 
 
+def random_scene(draw):
+    """Words for a schedule of one to three phases, on one stop or two."""
+    cells = draw.choice([1, 2, 3, 4, 6, 9, 12, 30])
+    two = draw.random() < 0.7
+    words = []
+    for _ in range(draw.choice([1, 2, 3] if two else [2, 3])):
+        left = "L:" if two and draw.random() < 0.5 else ""
+        words += [f"{left}{draw.randint(1, 3 * cells)}", str(draw.randint(1, 6 * cells))]
+    if two and draw.random() < 0.3:  # a pair of mirrored phases
+        words = [words[0].replace("L:", ""), words[1]]
+        words += ["L:" + words[0], words[1]]
+    words += ["--cells", str(cells), "--format", "json"]
+    words += draw.choice([[], ["--gap", "-1e-3"], ["--gap", "0", "--energy", "1"]])
+    if two:
+        words += ["--second-stop", repr(draw.choice([1.001e-3, 2e-3, draw.uniform(1.01e-3, 4e-3),
+                                                     4e-3 / 3]))]
+    return words
+
+
+def check_scenes(options, checker, draw):
+    """Proofs over the rows of sums; how many hold, and how many are refused where motions exist."""
+    proved = refused = 0
+    found, proofs = [], []
+    while proved < options.count or len(found) < 4:
+        words = random_scene(draw)
+        call = subprocess.run([options.program, "find", *words], capture_output=True, check=False)
+        if call.returncode not in (0, 1):
+            continue  # without a gap some schedules are refused
+        answer = json.loads(call.stdout)
+        if answer["status"] == "found":
+            found.append(answer)
+            continue
+        try:
+            checker.check(answer)
+        except checker.NoProof as why:
+            sys.exit(f"{' '.join(words)}: {why}")
+        proved += 1
+        proofs.append(answer["certificate"])
+    for answer in found:
+        for certificate in proofs:
+            bad = {**answer, "status": "none", "certificate": certificate}
+            try:
+                sys.exit(f"{answer['schedule']} has motions: {checker.check(bad)}")
+            except checker.NoProof:
+                refused += 1
+    return proved, refused
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("program")
@@ -93,6 +142,8 @@ def main():
             if not is_without_effect(checker, answer, bad):
                 sys.exit(f"{words}: spoilt ({what}), and still taken for a proof")
     print(f"{proved} proofs hold, {refused} spoilt ones are refused")
+    print("scenes: {} proofs hold, {} of others are refused".format(
+        *check_scenes(options, checker, draw)))
 
 
 if __name__ == "__main__":
