@@ -3,7 +3,8 @@
 
 certificates_test.py PROGRAM CHECKER [--count N] [--seed S]
 
-Random schedules: every "none" must come with a proof, and a proof spoilt in one number is refused.
+Random schedules of uniform bars and of bars of several segments: every "none" must come with a
+proof, and a proof spoilt in one number is refused.
 The same with two stops or several phases, where no proof may fit a schedule that has motions.
 """
 import argparse
@@ -14,6 +15,7 @@ import json
 import random
 import subprocess
 import sys
+from fractions import Fraction
 
 
 def load(path):
@@ -30,8 +32,10 @@ def spoilt(answer, draw):
     """The answer with one change that no proof survives."""
     answer = copy.deepcopy(answer)
     certificate = answer["certificate"]
-    lists = [name for name in ("periodicity", "pressure", "penetration") if certificate[name]]
-    ways = ["gap"] + [(way, name) for name in lists for way in ("value", "drop", "twice")]
+    names = ("periodicity", "pressure", "penetration", "equalities", "inequalities")
+    lists = [name for name in names if certificate.get(name)]
+    ways = ["gap"] if "gap" in certificate else []
+    ways += [(way, name) for name in lists for way in ("value", "drop", "twice")]
     way = draw.choice(ways)
     if way == "gap":
         gap = certificate["gap"]
@@ -41,7 +45,9 @@ def spoilt(answer, draw):
     rows = certificate[name]
     place = draw.randrange(len(rows))
     if kind == "value":
-        rows[place][1] += draw.choice([-1, 1])
+        value = rows[place][1]
+        change = draw.choice([-1, 1])
+        rows[place][1] = value + change if isinstance(value, int) else str(Fraction(value) + change)
     elif kind == "drop":
         del rows[place]
     else:
@@ -49,8 +55,30 @@ def spoilt(answer, draw):
     return answer, f"{name}, {kind}, row {place}"
 
 
+def random_bar(draw):
+    """--segments of a bar, and its cells."""
+    parts = [(draw.randint(1, 4), draw.choice([1, 1.3, 0.2, 7, 1e-3, 1e3, draw.uniform(0.1, 10)]))
+             for _ in range(draw.choice([2, 2, 2, 3, 4]))]
+    dashpots = [draw.choice([0, 0, 0, 0.3]) for _ in parts[1:]] + [0]
+    words = [f"{cells}:{impedance}" + (f":1:{dashpot}" if dashpot else "")
+             for (cells, impedance), dashpot in zip(parts, dashpots)]
+    return ["--segments", ",".join(words)], sum(cells for cells, _ in parts)
+
+
+def joints_without_effect(checker, answer, other):
+    """Do they differ only in rows that read 0 = 0?"""
+    rows = checker.JointRows(answer, answer["cells"],
+                             [(*phase[:2], "left" if phase[2:] else "right")
+                              for phase in answer["schedule"]])
+    first, second = (dict(map(tuple, a["certificate"]["equalities"])) for a in (answer, other))
+    changed = [row for row in first.keys() | second.keys() if first.get(row, 0) != second.get(row, 0)]
+    return bool(changed) and not any(any(rows.equalities[row].values()) for row in changed)
+
+
 def is_without_effect(checker, answer, other):
     """Do they differ only in rows of (30) that read 0 = 0, where W leaves the unknown alone?"""
+    if answer["certificate"]["rows"] == "joints":
+        return joints_without_effect(checker, answer, other)
     first, second = (dict(map(tuple, a["certificate"]["periodicity"])) for a in (answer, other))
     changed = [row for row in first.keys() | second.keys() if first.get(row, 0) != second.get(row, 0)]
     state = [(unknown, 1) for unknown in range(2 * answer["cells"])]
@@ -81,8 +109,9 @@ def random_scene(draw):
 def check_scenes(options, checker, draw):
     """Proofs over the rows of sums; how many hold, and how many are refused where motions exist."""
     proved = refused = 0
-    found, proofs = [], []
-    while proved < options.count or len(found) < 4:
+    mirrored = ["1", "5", "L:1", "5", "--cells", "4", "--second-stop", "1e-3", "--format", "json"]
+    found, proofs = [json.loads(subprocess.check_output([options.program, "find", *mirrored]))], []
+    while proved < options.count:
         words = random_scene(draw)
         call = subprocess.run([options.program, "find", *words], capture_output=True, check=False)
         if call.returncode not in (0, 1):
@@ -107,25 +136,31 @@ def check_scenes(options, checker, draw):
     return proved, refused
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("program")
-    parser.add_argument("checker")
-    parser.add_argument("--count", type=int, default=200)
-    parser.add_argument("--seed", type=int, default=1)
-    options = parser.parse_args()
-    checker = load(options.checker)
-    draw = random.Random(options.seed)
+def random_call(draw, is_stepped):
+    """Words of the program about a random schedule."""
+    scene = draw.choice([[], ["--gap", "-1e-3"], ["--gap", "0", "--energy", "1"]])
+    cells = draw.choice([1, 2, 3, 4, 6, 9, 12, 30, 60])
+    bar = ["--cells", str(cells)]
+    other = ""
+    if is_stepped:
+        bar, cells = random_bar(draw)
+        scene = draw.choice([[], ["--gap", "-1e-3"], ["--second-stop", "1.3e-3"]])
+        other = "L:" if scene[:1] == ["--second-stop"] else ""
+    phases = [str(draw.randint(1, 3 * cells)), str(draw.randint(1, 6 * cells))]
+    if is_stepped and draw.random() < 0.3:
+        phases += [other + str(draw.randint(1, cells)), str(draw.randint(1, 2 * cells))]
+    return ["find", *phases, *bar, *scene, "--format", "json"]
+
+
+def check_many(options, checker, draw, is_stepped):
+    """So many proofs of one sort of bar, and spoilt ones."""
     proved = refused = 0
     while proved < options.count:
-        cells = draw.choice([1, 2, 3, 4, 6, 9, 12, 30, 60])
-        phases = [[draw.randint(1, 3 * cells), draw.randint(1, 6 * cells)]]
-        call = [options.program, "find", *(str(s) for phase in phases for s in phase),
-                "--cells", str(cells), "--format", "json",
-                *draw.choice([[], ["--gap", "-1e-3"], ["--gap", "0", "--energy", "1"]])]
-        answer = json.loads(subprocess.run(call, capture_output=True, check=False).stdout)
-        words = " ".join(call[1:])
-        if answer["status"] != "none":
+        call = random_call(draw, is_stepped)
+        answer = json.loads(subprocess.run([options.program, *call], capture_output=True,
+                                           check=False).stdout)
+        words = " ".join(call)
+        if answer["status"] != "none" or answer["certificate"]["rows"] == "lumped":
             continue
         try:
             checker.check(answer)
@@ -141,9 +176,29 @@ def main():
                 continue
             if not is_without_effect(checker, answer, bad):
                 sys.exit(f"{words}: spoilt ({what}), and still taken for a proof")
-    print(f"{proved} proofs hold, {refused} spoilt ones are refused")
+    print(f"{'stepped' if is_stepped else 'uniform'} bars: {proved} proofs hold, "
+          f"{refused} spoilt ones are refused")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program")
+    parser.add_argument("checker")
+    parser.add_argument("--count", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    checker = load(options.checker)
+    draw = random.Random(options.seed)
+    check_many(options, checker, draw, is_stepped=False)
     print("scenes: {} proofs hold, {} of others are refused".format(
         *check_scenes(options, checker, draw)))
+    listed = json.loads(subprocess.run(
+        [options.program, "find", "3", "25", "--segments", "4:1,4:1.3", "--format", "json"],
+        capture_output=True, check=False).stdout or "null")
+    if listed is None:
+        print("stepped bars: this build has no simplex method")
+        return
+    check_many(options, checker, draw, is_stepped=True)
 
 
 if __name__ == "__main__":
