@@ -3,8 +3,7 @@ A refutation, added up by hand
 ==============================
 
 "There is no motion" comes with whole numbers, one for each row of the paper's (30)–(32). The
-rows times these numbers add up to 0 = N·(something negative). Nothing has to be believed: here
-are the rows, and the sum.
+rows times these numbers add up to 0 = N·(something negative). Here are the rows, and the sum.
 """
 
 import matplotlib.pyplot as plt
@@ -25,8 +24,7 @@ for step in range(contact + flight):
 pushing, tip = np.array(p[:contact]), np.cumsum(p[contact:], axis=0)
 
 # %%
-# The certificate, checked in five lines: (30) is W − 1, (31) is Σ(b − a) = N, (10) says −p ≤ 0,
-# (12) says tip ≤ 0.
+# The certificate in five lines: (30) is W − 1, (31) Σ(b − a) = N, (10) −p ≤ 0, (12) tip ≤ 0.
 
 proof = found.certificate
 total = proof.gap * np.repeat([-1, 1], N)
@@ -35,9 +33,7 @@ for rows, pairs in ((x - unity, proof.periodicity), (-pushing, proof.pressure), 
 assert all(y >= 0 for _, y in [*proof.pressure, *proof.penetration])
 assert not total.any() and proof.gap * N < 0  # 0 < 0: there is no motion
 
-axes = plt.figure(figsize=(8, 4)).subplots()
-axes.imshow((x - unity).T, cmap="RdBu", vmin=-2, vmax=2, aspect="auto")
-used = [row for row, _ in proof.periodicity]
-axes.plot(used, np.full(len(used), 20.2), "^", color="#d55e00", clip_on=False)
+axes = plt.figure(figsize=(8, 4)).subplots(subplot_kw={"xticks": range(0, 20, 5)})
+axes.imshow((x - unity).T, cmap="RdBu", aspect="auto")
+axes.plot([row for row, _ in proof.periodicity], [20.2] * len(proof.periodicity), "^", clip_on=False)
 axes.set(xlabel="row of (30); triangles: rows the proof uses", ylabel="unknown")
-axes.set(xticks=range(0, 20, 5), yticks=range(0, 20, 5))
