@@ -18,9 +18,8 @@ print(found.status, found.reason)
 unity = x = np.eye(2 * N, dtype=int)  # a₁ … a_N, b₁ … b_N in terms of the initial state
 p = []  # what arrives at the tip in each step
 for step in range(contact + flight):
-    echo = -x[N - 1] if step < contact else x[N - 1]
     p.append(x[N - 1])
-    x = np.vstack([-x[N], x[: N - 1], x[N + 1 :], echo])
+    x = np.vstack([-x[N], x[: N - 1], x[N + 1 :], -p[-1] if step < contact else p[-1]])
 pushing, tip = np.array(p[:contact]), np.cumsum(p[contact:], axis=0)
 
 # %%
@@ -33,7 +32,8 @@ for rows, pairs in ((x - unity, proof.periodicity), (-pushing, proof.pressure), 
 assert all(y >= 0 for _, y in [*proof.pressure, *proof.penetration])
 assert not total.any() and proof.gap * N < 0  # 0 < 0: there is no motion
 
-axes = plt.figure(figsize=(8, 4)).subplots(subplot_kw={"xticks": range(0, 20, 5)})
+axes = plt.figure(figsize=(8, 4)).subplots()
+axes.locator_params(integer=True)
 axes.imshow((x - unity).T, cmap="RdBu", aspect="auto")
 axes.plot([row for row, _ in proof.periodicity], [20.2] * len(proof.periodicity), "^", clip_on=False)
 axes.set(xlabel="row of (30); triangles: rows the proof uses", ylabel="unknown")
