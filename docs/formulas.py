@@ -10,7 +10,10 @@ FUNCTIONS = {"max", "min", "gcd", "mod", "win", "exp", "tanh", "ln", "cos", "sin
 SHORT_WORDS = {"in", "is", "or", "of", "at", "so", "as", "by", "on", "if", "to", "it"}
 SCRIPTS = {"₀": "_0", "₁": "_1", "₂": "_2", "²": "^2", "ᵀ": "^T", "′": "'", "Σ": r"\sum ", "…": r"\dots ", "√": r"\sqrt "}
 TOKEN = re.compile(r"[A-Za-z]+(?:-[A-Za-z]+)*|\s+|.")
-INDEXED = re.compile(r"(?<![\w`$/.])([A-Za-zΑ-Ωα-ω][′']?)_(\{[^{}]+\}|[A-Za-z0-9α-ω]+)(?![\w`])")
+INDEXED = re.compile(
+    r"(?:(?<=\.\.)|(?<=\d)|(?<![\w`$/.]))"  # also n of 0..n, p of 2p
+    r"([A-Za-zΑ-Ωα-ω][′']?)_(\{[^{}]+\}|[A-Za-z0-9α-ω]+)(²?)(?![a-z_`])"
+)
 ASIDE = re.compile(r"(\$\$.*?\$\$|`[^`]*`|\]\([^)]*\)|^    .*$)", re.DOTALL | re.MULTILINE)
 PATTERN = re.compile(r"[+−]  +[+−]")  # a table of signs, no formula
 
@@ -97,7 +100,8 @@ def indexed(text: str) -> str:
         index = match[2].strip("{}")
         index = rf"\text{{{index}}}" if len(index) > 2 and index.isalpha() else index
         index = tex_of(index) if " " in index else index
-        return f"${match[1].replace('′', chr(39))}_{{{index.replace('|', chr(92) + 'vert ')}}}$"
+        power = "^2" if match[3] else ""
+        return f"${match[1].replace('′', chr(39))}_{{{index.replace('|', chr(92) + 'vert ')}}}{power}$"
 
     parts = ASIDE.split(text)
     return "".join(part if at % 2 else INDEXED.sub(one, part) for at, part in enumerate(parts))

@@ -58,7 +58,12 @@ constexpr Make nloptAuglag = nullptr;
 constexpr Make nloptCobyla = nullptr;
 #endif
 
-constexpr Capabilities simplex{
+constexpr Capabilities simplex{.detectsInfeasibility = true,
+                               .duals = true,
+                               .iterationLimit = true,
+                               .timeLimit = true,
+                               .cancel = true};
+constexpr Capabilities exact{
     .detectsInfeasibility = true, .duals = true, .iterationLimit = true, .timeLimit = true};
 constexpr Capabilities interior{.duals = true};
 constexpr Capabilities local{.quadraticObjective = true,
@@ -96,7 +101,7 @@ std::span<const Backend> backends()
                 .library = "GLPK",
                 .option = "SIGNORINI_WITH_GLPK",
                 .purpose = "linear programs by the simplex method in rational numbers",
-                .can = simplex,
+                .can = exact,
                 .version = glpkVersion,
                 .make = glpkExact},
         Backend{.name = "ipopt",

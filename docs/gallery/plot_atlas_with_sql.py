@@ -27,8 +27,7 @@ for contact, families, schedules in database.execute(count):
 
 pressing = "SELECT phases, dimension FROM schedules WHERE contact = 'pressing'"
 rows = database.execute(pressing).fetchall()
-steps = [tuple(map(int, phases.split(":"))) for phases, _ in rows]
-colour = [dimension for _, dimension in rows]
+steps, colour = zip(*[(map(int, phases.split(":")), size) for phases, size in rows])
 axes = plt.figure(figsize=(8, 6)).subplots()
 dots = axes.scatter(*zip(*steps), c=colour, s=2, cmap="viridis_r")
 axes.set(xlabel="contact steps $n_c$", ylabel="flight steps $n_f$", title="each tent: a family")

@@ -3,7 +3,7 @@ From a simplex to a measured state
 ==================================
 
 All motions of a schedule form a simplex, here of 149 dimensions. Gauges saw one of them, with
-noise, at twelve places. Which one was it? The nearest, and the answer says how near.
+noise, at 25 places. Which one was it? The nearest, and the answer says how near.
 """
 
 import matplotlib.pyplot as plt

@@ -25,4 +25,4 @@ quiet = [f.frequency_ratio for f in answer if not f.touches]
 axes.plot(quiet, [0] * len(quiet), "|", color="black", label="motion without contact")
 axes.set(xlabel="frequency ω/ω₁", ylabel="impulse on the wall [mN s] per period")
 axes.set_title("F = 0.2 mN, ζ = 0.02, N = 48")
-axes.legend()
+axes.legend(loc="center right")

@@ -6,6 +6,7 @@ for k = 1:4
   now = table(table(:, 1) == t(1 + round((k - 1) * numel(t) / 4)), :);
   subplot(2, 2, k);
   plot(now(:, 2), 1e3 * now(:, 3), 'b', [1 1], [-2 1], 'k:');
-  axis([0 1 -2.2 1.2]); title(sprintf('t = %.3f s', now(1, 1)));
-  xlabel('x [m]'); ylabel('u [mm]');
+  axis([0 1 -2.2 1.2]); text(0.05, -1.8, sprintf('t = %.3f s', now(1, 1)));
+  if k > 2, xlabel('x [m]'); end
+  if mod(k, 2), ylabel('u [mm]'); end
 end

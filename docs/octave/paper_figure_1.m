@@ -11,7 +11,8 @@ end
 answer = ask('families');
 for k = 1:numel(answer.families)
   family = answer.families(k);
-  semilogy(family.frequency_ratio * [1 1], [family.least_energy_ratio 50], 'Color', [0.34 0.71 0.91]);
+  semilogy(family.frequency_ratio * [1 1], [family.least_energy_ratio 50], ...
+           'Color', [0.34 0.71 0.91]);
 end
 semilogy(8 / 7, 20, 'o', 'Color', [0.84 0.37 0], 'MarkerFaceColor', [0.84 0.37 0]);
 axis([1 1.6 1 50]); xlabel('\omega/\omega_1'); ylabel('E/E_1'); hold off;

@@ -20,14 +20,14 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable,
                     Bar, Continuum, ContinuumPoint, Damping, Drive,
                     EnergyBalance, EnergyExclusion, EnergySection, Family,
                     FamilyPlace, FarkasCertificate, ForcedFrequency,
-                    ForcedMotion, ForcedResult, Mode, ModeMotion, Motion,
-                    Physical, ProgramProof, Residuals, Result, Scene,
+                    ForcedMotion, ForcedResult, Mode, ModeChain, ModeMotion,
+                    ModePolytope, Motion, Physical, PolytopeMotion, ProgramProof, Residuals, Result, Scene,
                     Schedule, Segment, Settled, Simulation, SolutionSet,
                     SolverReport, State, Waves, __version__, backends,
                     SteppedProof)
 from ._find import continuum, find
 from ._forced import Response, response, simulate
-from ._lists import families, mode, modes
+from ._lists import families, mode, modes, polytope
 from ._question import Question
 from ._tables import Table
 
@@ -39,11 +39,13 @@ __all__ = [
     "Bar", "Continuum", "ContinuumPoint", "Damping", "Drive", "EnergyBalance",
     "EnergyExclusion", "EnergySection", "Family", "FamilyPlace",
     "FarkasCertificate", "ForcedFrequency", "ForcedMotion", "ForcedResult",
-    "Mode", "ModeMotion", "Motion", "Physical", "ProgramProof", "Question",
+    "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion", "Physical",
+    "PolytopeMotion", "ProgramProof", "Question",
     "Residuals", "Response", "Result", "Scene", "Schedule", "Segment",
     "Settled", "Simulation", "SolutionSet", "SolverReport", "State",
     "SteppedProof", "Table", "Waves", "__version__", "backends", "continuum",
-    "families", "find", "mode", "modes", "plot", "response", "simulate",
+    "families", "find", "mode", "modes", "plot", "polytope", "response",
+    "simulate",
 ]
 
 

@@ -1,6 +1,6 @@
 """Types of the answers of the compiled part; stubs alone, no module."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any, Optional
 
 import numpy as np
@@ -32,27 +32,23 @@ class Residuals(_Record):
     demands: float
     def worst(self) -> float: ...
 
-class FarkasCertificate(_Record):
+class _Proof(_Record):
     kind: str
     verified: bool
     rows: str
+
+class FarkasCertificate(_Proof):
     gap: int
     size: int
     periodicity: list[tuple[int, int]]
     pressure: list[tuple[int, int]]
     penetration: list[tuple[int, int]]
 
-class ProgramProof(_Record):
-    kind: str
-    verified: bool
-    rows: str
+class ProgramProof(_Proof):
     equalities: list[tuple[int, int]]
     inequalities: list[tuple[int, int]]
 
-class SteppedProof(_Record):
-    kind: str
-    verified: bool
-    rows: str
+class SteppedProof(_Proof):
     equalities: list[tuple[int, str]]
     inequalities: list[tuple[int, str]]
 
@@ -201,10 +197,8 @@ class Mode(_Record):
     def families(self, max_order: int) -> list[Family]: ...
     def motion(self, period_ratio: float) -> ModeMotion: ...
 
-class ModeMotion(_Fields):
-    status: str
+class _OnNoGrid(_Fields):
     bar: Bar
-    mode: Mode
     period: float
     period_ratio: float
     frequency: float
@@ -213,7 +207,6 @@ class ModeMotion(_Fields):
     contact_time_ratio: float
     energy: float
     energy_ratio: float
-    jumps: list[tuple[int, int]]
     physical: Physical
     admissible: bool
     amplitude_ratio: float
@@ -221,6 +214,44 @@ class ModeMotion(_Fields):
     def to_dict(self) -> dict[str, Any]: ...
     def p(self, t_ratio: ArrayLike) -> Any: ...
     def state(self, cells: int) -> State: ...
+
+class ModeMotion(_OnNoGrid):
+    status: str
+    mode: Mode
+    jumps: list[tuple[int, int]]
+
+class PolytopeMotion(_OnNoGrid):
+    polytope: ModePolytope
+    contacts: list[tuple[float, float]]
+    contacts_ratio: list[tuple[float, float]]
+
+class ModeChain(_Record):
+    k: int
+    turns: int
+    release: int
+
+class ModePolytope(_Record):
+    chains: list[ModeChain]
+    order: int
+    free_times: int
+    contact: tuple[int, int]
+    period_range: tuple[tuple[int, int], tuple[int, int]]
+    inverse_sqrt_energy: tuple[int, int, int]
+    ends: tuple[str, str]
+    vertices: list[list[tuple[int, int]]]
+    energy_ratio_range: Bounds
+    frequency_range: tuple[float, float]
+    energy_range: Bounds
+    bar: Bar
+    phases: int
+    def energy_ratio(self, period_ratio: ArrayLike) -> Any: ...
+    def slice(self, period_ratio: float) -> Array: ...
+    def stretches(self, period_ratio: float, arrivals: Sequence[float]
+                  ) -> Array: ...
+    def motion(self, period_ratio: float,
+               arrivals: Optional[Sequence[float]] = ...
+               ) -> PolytopeMotion: ...
+    def schedules(self, cells: int, steps: int) -> list[Schedule]: ...
 
 class AtlasFamily(_Record):
     id: int
@@ -239,6 +270,8 @@ class AtlasFamily(_Record):
     energy_range: Bounds
     energy_ratio_range: Bounds
     schedules: int
+    dimension_at_energy: Optional[int]
+    connected_at_energy: Optional[bool]
 
 class AtlasSchedule(_Record):
     cells: int

@@ -73,8 +73,7 @@ class Atlas:
         bar : Bar, optional
             What units mean in SI; or its parameters as keywords. The sign of
             its gap decides what exists.
-        progress : callable, bool or tqdm bar, optional
-            Called with (done, total).
+        progress : callable of (done, total), bool or tqdm bar, optional
 
         Returns
         -------

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from . import _core
 from ._core import Bar, Continuum, ForcedResult, Result, Scene, State
@@ -11,42 +11,62 @@ from ._question import Question, ask
 from ._words import Number, Segments, Steps, bar_of, scene_of, state_of
 
 
+if TYPE_CHECKING:
+    from typing_extensions import TypedDict, Unpack
+
+    class _Parameters(TypedDict, total=False):
+        """Of a bar."""
+
+        length: float
+        wave_speed: float
+        axial_stiffness: float
+        gap: float
+        young: float
+        density: float
+        area: float
+
+    class _Options(_Parameters, total=False):
+        """What any motion can be asked with."""
+
+        cells: int | None
+        bar: Bar | None
+        strain_limit: float | None
+
+    class _Demands(_Options, total=False):
+        """What can be asked of a motion that nothing drives."""
+
+        scene: Scene | None
+        second_stop: float | None
+        segments: Segments | None
+        solver: str
+        formulation: str
+        objective: str
+        target: State | str | None
+        energy: float | None
+        energy_ratio: float | None
+        tip_floor: float | None
+        tolerance: float
+        time_limit: float | None
+
+
 @overload
-def find(first: Steps, /, *schedule: Steps, cells: int | None = None,
-         bar: Bar | None = None,
-         scene: Scene | None = None, second_stop: float | None = None,
-         segments: Segments | None = None,
-         solver: str = "auto", formulation: str = "auto",
-         objective: str = "auto", target: State | str | None = None,
-         energy: float | None = None, energy_ratio: float | None = None,
-         strain_limit: float | None = None, tip_floor: float | None = None,
-         tolerance: float = 1e-7, time_limit: float | None = None,
-         **bar_options: float) -> Result: ...
+def find(first: Steps, /, *schedule: Steps,
+         **demands: Unpack[_Demands]) -> Result: ...
 
 
 @overload
 def find(*, period: Number | None = None, frequency: Number | None = None,
-         hertz: float | None = None, cells: int | None = None,
-         bar: Bar | None = None, scene: Scene | None = None,
-         second_stop: float | None = None, segments: Segments | None = None,
-         solver: str = "auto", formulation: str = "auto",
-         objective: str = "auto", target: State | str | None = None,
-         energy: float | None = None, energy_ratio: float | None = None,
-         strain_limit: float | None = None, tip_floor: float | None = None,
-         tolerance: float = 1e-7, time_limit: float | None = None,
-         **bar_options: float) -> Question: ...
+         hertz: float | None = None,
+         **demands: Unpack[_Demands]) -> Question: ...
 
 
 @overload
-def find(first: Steps, /, *schedule: Steps, cells: int | None = None,
-         bar: Bar | None = None,
-         damping: float, force: str, amplitude: float | None = None,
-         cycles: int = 1, strain_limit: float | None = None,
-         **bar_options: float) -> ForcedResult: ...
+def find(first: Steps, /, *schedule: Steps, damping: float, force: str,
+         amplitude: float | None = None, cycles: int = 1,
+         **options: Unpack[_Options]) -> ForcedResult: ...
 
 
-# The names of a bar's options, all floats, are no other arguments' names.
-def find(  # type: ignore[misc]
+def find(
          *schedule: Steps, cells: int | None = None, bar: Bar | None = None,
          scene: Scene | None = None, second_stop: float | None = None,
          segments: Segments | None = None,
@@ -188,8 +208,7 @@ def continuum(*schedule: Steps, energy_ratio: float, cells: int | None = None,
         How far neighbours may be apart on a curve by programs [sqrt(E/E_1)].
     tolerance : float
         Largest relative residual.
-    progress : callable, bool or tqdm bar, optional
-        Called with (done, total).
+    progress : callable of (done, total), bool or tqdm bar, optional
 
     Returns
     -------

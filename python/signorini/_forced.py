@@ -47,7 +47,7 @@ class Response(Table[ForcedFrequency]):
 
 def response(*, damping: float, force: str, amplitude: float,
              start: float = 0.5, to: float = 2.0, cycles: int = 1,
-             cells: int = 300, stability: bool = False,
+             cells: int = 300, stability: bool = False, threads: int = 1,
              bar: Bar | None = None, progress: Progress = None,
              **bar_options: float) -> Response:
     """List every forced motion with one contact, for all periods of a range.
@@ -69,10 +69,11 @@ def response(*, damping: float, force: str, amplitude: float,
         N, cells of the bar.
     stability : bool
         Start beside each motion and see whether the bar comes back.
+    threads : int
+        To share the work.
     bar : Bar, optional
         What units mean in SI; or its parameters as keywords, `length=`, ...
-    progress : callable, bool or tqdm bar, optional
-        Called with (done, total).
+    progress : callable of (done, total), bool or tqdm bar, optional
 
     Returns
     -------
@@ -86,7 +87,7 @@ def response(*, damping: float, force: str, amplitude: float,
     """
     units = bar_of(bar, bar_options)
     data = _core.response(damping, force, amplitude, start, to, cycles, cells,
-                          stability, units, listener(progress))
+                          stability, threads, units, listener(progress))
     head = {key: getattr(data, key) for key in (
         "cells", "bar", "damping", "force", "amplitude", "cycles",
         "frequency_ratio_range")}
@@ -135,8 +136,7 @@ def simulate(start: State | Waves | str | None = None, *,
         In place of `bar` and `second_stop`.
     second_stop : float, optional
         h [m]: a stop at u(L) = -h.
-    progress : callable, bool or tqdm bar, optional
-        Called with (done, total).
+    progress : callable of (done, total), bool or tqdm bar, optional
 
     Returns
     -------

@@ -1,12 +1,17 @@
-"""Families and modes: what exists, on no grid."""
+"""Families, modes and polytopes: what exists, on no grid."""
 
 from __future__ import annotations
 
+from typing import Literal, overload
+
 from . import _core
-from ._core import Bar, Family, Mode, ModeMotion
+from ._core import Bar, Family, Mode, ModeMotion, ModePolytope
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Number, bar_of, fraction_of
+from ._words import Number, Steps, bar_of, fraction_of
+
+#: Orders that a few seconds list, by number of contacts.
+_USUAL_ORDER = {1: 25, 2: 25, 3: 9, 4: 5}
 
 
 def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
@@ -22,8 +27,7 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
         Only families with a motion of E/E_1 up to it.
     bar : Bar, optional
         What units mean in SI; or its parameters as keywords, `length=`, ...
-    progress : callable, bool or tqdm bar, optional
-        Called with (done, total).
+    progress : callable of (done, total), bool or tqdm bar, optional
 
     Returns
     -------
@@ -43,28 +47,47 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
                  count=len(rows))
 
 
-def modes(*, max_order: int = 25, max_energy_ratio: float = 50.0,
-          max_period: float = 8.0, bar: Bar | None = None,
-          progress: Progress = None, **bar_options: float) -> Table[Mode]:
-    """List the continuous families: a motion for every period, exact.
+@overload
+def modes(*, phases: Literal[1] = 1, max_order: int | None = None,
+          max_energy_ratio: float = 50.0, max_period: float | None = None,
+          bar: Bar | None = None, progress: Progress = None,
+          **bar_options: float) -> Table[Mode]: ...
+
+
+@overload
+def modes(*, phases: Literal[2, 3, 4, 5], max_order: int | None = None,
+          max_energy_ratio: float = 50.0, max_period: float | None = None,
+          bar: Bar | None = None, progress: Progress = None,
+          **bar_options: float) -> Table[ModePolytope]: ...
+
+
+def modes(*, phases: int = 1, max_order: int | None = None,
+          max_energy_ratio: float = 50.0, max_period: float | None = None,
+          bar: Bar | None = None, progress: Progress = None,
+          **bar_options: float) -> Table[Mode] | Table[ModePolytope]:
+    """List the continuous families: motions of every period, exact.
 
     Parameters
     ----------
-    max_order : int
-        Only contact times a4 + b T with -b up to it.
+    phases : int
+        K, contacts in a period. With one a mode has one motion of each
+        period; with more they fill polytopes, on which the energy depends on
+        the period alone.
+    max_order : int, optional
+        Only contact times p - q T with q up to it (25; with 3, 4, 5 contacts
+        9, 5, 3).
     max_energy_ratio : float
-        Only modes with a motion of E/E_1 up to it.
-    max_period : float
-        Only modes with a motion of T [L/c] up to it.
+        Only with a motion of E/E_1 up to it.
+    max_period : float, optional
+        Only with a motion of T [L/c] up to it (8, or 4 for each contact).
+    progress : callable of (done, total), bool or tqdm bar, optional
     bar : Bar, optional
         What units mean in SI; or its parameters as keywords, `length=`, ...
-    progress : callable, bool or tqdm bar, optional
-        Called with (done, total).
 
     Returns
     -------
-    Table of Mode
-        By ascending -b, then a4.
+    Table of Mode, or of ModePolytope with several contacts
+        By ascending order.
 
     Raises
     ------
@@ -72,11 +95,15 @@ def modes(*, max_order: int = 25, max_energy_ratio: float = 50.0,
         If a bound is out of its range.
     """
     units = bar_of(bar, bar_options)
-    rows = _core.modes(max_order, max_energy_ratio, max_period, units,
-                       listener(progress))
-    return Table("modes", rows, bar=units, complete=True, max_order=max_order,
-                 max_period_ratio=max_period,
-                 max_energy_ratio=max_energy_ratio)
+    order = _USUAL_ORDER.get(phases, 3) if max_order is None else max_order
+    period = max(8.0, 4.0 * phases) if max_period is None else max_period
+    bounds = {"complete": True, "max_order": order, "max_period_ratio": period,
+              "max_energy_ratio": max_energy_ratio}
+    words = (order, max_energy_ratio, period, units, listener(progress))
+    if phases == 1:
+        return Table("modes", _core.modes(*words), bar=units, **bounds)
+    return Table("polytopes", _core.polytopes(phases, *words), bar=units,
+                 phases=phases, **bounds)
 
 
 def mode(a4: int, b: int, period: Number | None = None, *,
@@ -108,3 +135,31 @@ def mode(a4: int, b: int, period: Number | None = None, *,
                          "[L/c]")
     exact = fraction_of(period, "period")
     return found.motion(float(exact))
+
+
+def polytope(*schedule: Steps, cells: int | None = None,
+             bar: Bar | None = None, **bar_options: float
+             ) -> ModePolytope | None:
+    """Return the polytope that holds the one motion of a schedule.
+
+    Parameters
+    ----------
+    *schedule : int, pairs of int, or Schedule
+        n_c, n_f of each contact phase in turn; gcd(2N, n) = 1.
+    cells : int, optional
+        N, cells of the bar (300).
+    bar : Bar, optional
+        What units mean in SI; or its parameters as keywords, `length=`, ...
+
+    Returns
+    -------
+    ModePolytope or None
+        None if the schedule has no motion, or one that touches without
+        force, or repeats itself.
+
+    Raises
+    ------
+    ValueError
+        If the schedule is invalid, or has another gcd.
+    """
+    return _core.polytope(schedule, cells, bar_of(bar, bar_options))

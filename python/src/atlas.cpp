@@ -4,15 +4,32 @@
 
 #include <mutex>
 
+#include "family_section.hpp"
+#include "faults.hpp"
 #include "patience.hpp"
 #include "scene.hpp"
+#include "share_work.hpp"
 #include "signorini/atlas_database.hpp"
 
 namespace signorini::python {
 
+SIGNORINI_MEMBERS(FamilySection, &T::dimension, &T::isConnected);
+
+/// A set of orbits; its motions of one energy, where one was asked for.
+struct FamilyRow {
+    AtlasFamily value;
+    Bar bar;
+    std::optional<FamilySection> section = {};
+};
+template <>
+struct Members<FamilyRow> {
+    static constexpr auto list =
+        std::tuple{&FamilyRow::value, &FamilyRow::bar, &FamilyRow::section};
+};
+
 namespace {
 
-using FamilyOf = Of<AtlasFamily>;
+using FamilyOf = FamilyRow;
 using EntryOf = Of<AtlasEntry>;
 
 /// A database that is asked by one thread at a time.
@@ -31,19 +48,19 @@ using Shared = std::shared_ptr<Atlas>;
 using Cells = std::optional<std::int64_t>;
 
 /// Keys that say when motions repeat: T [L/c] and omega/omega_1 by functions of the library.
-template <typename T>
-void addPeriod(Record<Of<T>>& record)
+template <typename Row>
+void addPeriod(Record<Row>& record)
 {
     record
         .key(
-            "period", [](const Of<T>& f) { return period(f.value) * scales(f.bar).time; }, "T [s].")
+            "period", [](const Row& f) { return period(f.value) * scales(f.bar).time; }, "T [s].")
         .key(
-            "period_ratio", [](const Of<T>& f) { return period(f.value); }, "T [L/c].")
+            "period_ratio", [](const Row& f) { return period(f.value); }, "T [L/c].")
         .key(
-            "frequency",
-            [](const Of<T>& f) { return 1.0 / (period(f.value) * scales(f.bar).time); }, "[Hz]")
+            "frequency", [](const Row& f) { return 1.0 / (period(f.value) * scales(f.bar).time); },
+            "[Hz]")
         .key(
-            "frequency_ratio", [](const Of<T>& f) { return frequencyRatio(f.value); },
+            "frequency_ratio", [](const Row& f) { return frequencyRatio(f.value); },
             "omega/omega_1.");
 }
 
@@ -91,7 +108,21 @@ Either a family, or all grazing motions of one period: those have no (order, nu,
             "(least, most) E/E_1, on this grid.")
         .key(
             "schedules", [](const FamilyOf& f) { return f.value.schedules; },
-            "How many of the range show some of its motions.");
+            "How many of the range show some of its motions.")
+        .keyIfAny(
+            "dimension_at_energy",
+            [](const FamilyOf& f) {
+                return orNone(f.section,
+                              [](const FamilySection& s) { return py::cast(s.dimension); });
+            },
+            "Of its motions of the energy that was asked for, or the nearest it has.")
+        .keyUnless(
+            "connected_at_energy",
+            [](const FamilyOf& f) {
+                return f.section ? orNone(f.section->isConnected) : py::object(py::none());
+            },
+            [](const FamilyOf& f) { return !f.section; },
+            "Do those hang together? None: not known, or no energy was asked for.");
 }
 
 void addEntry(py::module_& module)
@@ -187,25 +218,57 @@ void addRun(py::module_& module)
 }
 
 /// Rows with their units.
-template <typename Row>
-std::vector<Of<Row>> withUnits(std::vector<Row> rows, const Bar& bar)
+template <typename Row, typename Given>
+std::vector<Row> withUnits(std::vector<Given> given, const Bar& bar)
 {
-    std::vector<Of<Row>> list;
-    list.reserve(rows.size());
-    for (Row& row : rows) {
-        list.push_back({std::move(row), bar});
+    std::vector<Row> rows;
+    rows.reserve(given.size());
+    for (Given& one : given) {
+        rows.push_back({std::move(one), bar});
     }
-    return list;
+    return rows;
+}
+
+std::vector<FamilyOf> familiesNear(const Atlas& a, double w, double e, double within, Cells cells)
+{
+    auto rows = withUnits<FamilyOf>(a.database.familiesNear(w, e, within, cells), a.bar);
+    for (FamilyOf& row : rows) {
+        row.section = sectionOf(row.value, e);
+    }
+    return rows;
 }
 
 /// What a question to the database returns, asked in a thread of its own.
 template <typename Question>
 auto asked(const Shared& atlas, Question question)
 {
-    return patiently([atlas, question](const Wires&) {
+    return patiently([atlas, question](const Wires& wires) {
         const std::lock_guard lock(atlas->mutex);
-        return question(*atlas);
+        if constexpr (std::is_invocable_v<Question, const Atlas&, const Wires&>) {
+            return question(*atlas, wires);
+        } else {
+            return question(*atlas);
+        }
     });
+}
+
+/// Visits each row that `visit` shows, until the call is cancelled.
+template <typename Row, typename Given, typename Visit>
+std::vector<Row> allRows(const Wires& wires, const Bar& bar, Visit visit)
+{
+    struct Cancelled {};
+    std::vector<Row> rows;
+    try {
+        visit([&](const Given& one) {
+            if (wires.cancel()) {
+                throw Cancelled();
+            }
+            rows.push_back({one, bar});
+        });
+    } catch (const Cancelled&) {
+        rows.clear();  // nobody waits for them
+    }
+    return rows;
 }
 
 void addAtlasFile(py::module_& module)
@@ -218,47 +281,44 @@ void addAtlasFile(py::module_& module)
              })
         .def("families",
              [](const Shared& atlas, Cells cells) {
-                 return asked(atlas, [cells](const Atlas& a) {
-                     std::vector<FamilyOf> rows;
-                     a.database.forEachFamily(cells, [&](const AtlasFamily& family) {
-                         rows.push_back({family, a.bar});
+                 return asked(atlas, [cells](const Atlas& a, const Wires& wires) {
+                     return allRows<FamilyOf, AtlasFamily>(wires, a.bar, [&](const auto& keep) {
+                         a.database.forEachFamily(cells, keep);
                      });
-                     return rows;
                  });
              })
         .def("schedules",
              [](const Shared& atlas, Cells cells) {
-                 return asked(atlas, [cells](const Atlas& a) {
-                     std::vector<EntryOf> rows;
-                     a.database.forEachFound(cells, [&](const AtlasEntry& entry) {
-                         rows.push_back({entry, a.bar});
+                 return asked(atlas, [cells](const Atlas& a, const Wires& wires) {
+                     return allRows<EntryOf, AtlasEntry>(wires, a.bar, [&](const auto& keep) {
+                         a.database.forEachFound(cells, keep);
                      });
-                     return rows;
                  });
              })
         .def("families_near",
              [](const Shared& atlas, double w, double e, double within, Cells cells) {
-                 return asked(atlas, [=](const Atlas& a) {
-                     return withUnits(a.database.familiesNear(w, e, within, cells), a.bar);
-                 });
+                 return asked(atlas,
+                              [=](const Atlas& a) { return familiesNear(a, w, e, within, cells); });
              })
         .def("schedules_near",
              [](const Shared& atlas, double w, double e, double within, Cells cells) {
                  return asked(atlas, [=](const Atlas& a) {
-                     return withUnits(a.database.schedulesNear(w, e, within, cells), a.bar);
+                     return withUnits<EntryOf>(a.database.schedulesNear(w, e, within, cells),
+                                               a.bar);
                  });
              })
         .def("families_of_period",
              [](const Shared& atlas, std::int64_t p, std::int64_t q, Cells cells) {
                  return asked(atlas, [=](const Atlas& a) {
-                     return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.bar);
+                     return withUnits<FamilyOf>(
+                         a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.bar);
                  });
              })
         .def("schedules_of_period",
              [](const Shared& atlas, std::int64_t p, std::int64_t q, Cells cells) {
                  return asked(atlas, [=](const Atlas& a) {
-                     return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells),
-                                      a.bar);
+                     return withUnits<EntryOf>(
+                         a.database.schedulesOfPeriod(exactPeriod(p, q), cells), a.bar);
                  });
              })
         .def("twins", [](const Shared& atlas, Cells cells) {
@@ -266,8 +326,8 @@ void addAtlasFile(py::module_& module)
                 asked(atlas, [cells](const Atlas& a) { return a.database.twins(cells); });
             py::list list;
             for (const Twins& twins : groups) {
-                list.append(py::make_tuple(withUnits(twins.families, atlas->bar),
-                                           withUnits(twins.schedules, atlas->bar)));
+                list.append(py::make_tuple(withUnits<FamilyOf>(twins.families, atlas->bar),
+                                           withUnits<EntryOf>(twins.schedules, atlas->bar)));
             }
             return list;
         });
@@ -287,6 +347,9 @@ AtlasRun build(const std::string& path, std::int64_t cells, Cells maxContact, Ce
     range.familiesOnly = familiesOnly;
     range.gapSign = stopsOf(bar).right;
     validate(range);
+    Faults faults;
+    faults.requireWhole("threads", threads, maxThreads);
+    faults.throwIfAny();
     return patiently(
         [=](const Wires& wires) {
             AtlasOptions options;

@@ -103,13 +103,6 @@ Three whole numbers (w, nu, k) name it, on no grid; on every grid with w | 2N it
         });
 }
 
-/// A function of the period [L/c] on an array of them.
-template <typename F>
-py::object onPeriods(const py::object& periods, F f)
-{
-    return Grid(py::float_(0.0), periods).of([f](double, double period) { return f(period); });
-}
-
 void addMode(py::module_& module)
 {
     Record<ModeOf> record(module, "Mode",
@@ -209,110 +202,6 @@ t_c = a4 + b T and E/E_1 = 1/(kappa T - mu)^2, T in L/c.
         });
 }
 
-void addModeMotion(py::module_& module)
-{
-    Record<ModeAnswer> record(module, "ModeMotion",
-                              R"(The motion of a mode at one period, on no grid.
-
-t = 0 is the start of contact; at jumps velocity and strain take the value right after them.
-)");
-    const auto energy = [](const ModeAnswer& m) { return energyRatio(m.mode, m.motion.period()); };
-    const auto physical = [](const ModeAnswer& m) {
-        return physicalOf(m.motion.extremes(), m.bar);
-    };
-    record
-        .key(
-            "status", [](const ModeAnswer&) { return nameOf(Status::found); }, "\"found\".")
-        .key(
-            "bar", [](const ModeAnswer& m) { return m.bar; }, "Its units.")
-        .key(
-            "mode",
-            [](const ModeAnswer& m) {
-                return ModeOf{m.mode, m.bar};
-            },
-            "That it is of.")
-        .key(
-            "period", [](const ModeAnswer& m) { return m.motion.period() * scales(m.bar).time; },
-            "T [s].")
-        .key(
-            "period_ratio", [](const ModeAnswer& m) { return m.motion.period(); }, "T [L/c].")
-        .key(
-            "frequency",
-            [](const ModeAnswer& m) { return 1.0 / (m.motion.period() * scales(m.bar).time); },
-            "[Hz]")
-        .key(
-            "frequency_ratio", [](const ModeAnswer& m) { return 4.0 / m.motion.period(); },
-            "omega/omega_1.")
-        .key(
-            "contact_time",
-            [](const ModeAnswer& m) { return m.motion.contactTime() * scales(m.bar).time; },
-            "t_c [s].")
-        .key(
-            "contact_time_ratio", [](const ModeAnswer& m) { return m.motion.contactTime(); },
-            "t_c [L/c].")
-        .key(
-            "energy", [energy](const ModeAnswer& m) { return energy(m) * scales(m.bar).energy; },
-            "[J]")
-        .key("energy_ratio", energy, "E/E_1.")
-        .key(
-            "jumps",
-            [](const ModeAnswer& m) {
-                py::list list;
-                for (const ModeJump& jump : jumps(m.mode)) {
-                    list.append(py::make_tuple(2 * jump.k, -jump.turns));
-                }
-                return list;
-            },
-            "[(k, turns), ...]: p changes its sign at k + turns T.")
-        .key("physical", physical, "What can be measured, in SI units: a Physical.")
-        .key(
-            "admissible", [physical](const ModeAnswer& m) { return physical(m).isAdmissible(); },
-            "Is s > -1 everywhere?");
-    auto& shown = record.more();
-    shown
-        .def(py::pickle(
-            [](const ModeAnswer& m) {
-                return py::make_tuple(Travel<Mode>::put(m.mode), Travel<Bar>::put(m.bar),
-                                      m.motion.period());
-            },
-            [](const py::tuple& tuple) {
-                const Mode mode = Travel<Mode>::get(tuple[0]);
-                return ModeAnswer{mode, Travel<Bar>::get(tuple[1]),
-                                  ModeMotion(mode, py::cast<double>(tuple[2]))};
-            }))
-        .def_property_readonly(
-            "amplitude_ratio", [](const ModeAnswer& m) { return m.motion.amplitude(); },
-            "h = |p| [g/L].")
-        .def_property_readonly(
-            "jump_times_ratio",
-            [](const std::shared_ptr<ModeAnswer>& m) {
-                const auto& times = m->motion.jumpTimes();
-                return view(times.data(), times.size(), m);
-            },
-            "Where p changes its sign, ascending [L/c]: the first is t_c; no copy.")
-        .def(
-            "p",
-            [](const ModeAnswer& m, const py::object& t) {
-                return Grid(py::float_(0.0), t).of([&m](double, double instant) {
-                    return m.motion.incoming(instant);
-                });
-            },
-            py::arg("t_ratio"), "The wave arriving at the tip [g/L] at t [L/c], any array.")
-        .def(
-            "state",
-            [](const ModeAnswer& m, std::int64_t cells) {
-                return StateOf{std::make_shared<const State>(cellMeans(m.motion, cells)), m.bar};
-            },
-            py::arg("cells"), "At t = 0, the means over each of N cells.")
-        .def("__repr__", [](const ModeAnswer& m) {
-            return fmt::format(
-                "ModeMotion(t_c = {} - {} T, period_ratio={:.10g}, "
-                "energy_ratio={:.10g})",
-                4 * m.mode.a, -m.mode.b, m.motion.period(), energyRatio(m.mode, m.motion.period()));
-        });
-    addModeMotionFields(shown);
-}
-
 std::vector<FamilyOf> families(std::int64_t maxOrder, std::optional<double> maxEnergyRatio,
                                const Bar& bar, const py::object& progress)
 {
@@ -387,7 +276,6 @@ void addLists(py::module_& module)
 {
     addFamily(module);
     addMode(module);
-    addModeMotion(module);
     module.def("families", &families);
     module.def("modes", &modes);
     module.def("mode", &mode);

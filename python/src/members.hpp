@@ -78,6 +78,11 @@ SIGNORINI_MEMBERS(Family, &T::order, &T::blocks, &T::contactBlocks, &T::windowSu
 SIGNORINI_MEMBERS(TentPlace, &T::family, &T::classes, &T::amplitudes, &T::offset);
 SIGNORINI_MEMBERS(Mode, &T::a, &T::b, &T::lowest, &T::highest, &T::lowestEnd, &T::highestEnd,
                   &T::kappa, &T::mu, &T::gapSign);
+SIGNORINI_MEMBERS(ModeChain, &T::release, &T::k, &T::turns);
+SIGNORINI_MEMBERS(ChainJump, &T::chain, &T::k, &T::turns);
+SIGNORINI_MEMBERS(ModePolytope, &T::chains, &T::jumps, &T::order, &T::dimension, &T::lowest,
+                  &T::highest, &T::lowestEnd, &T::highestEnd, &T::kappa, &T::mu, &T::divisor,
+                  &T::vertices);
 SIGNORINI_MEMBERS(MotionSet, &T::kernelDimension, &T::kind, &T::dimension, &T::amplitudes,
                   &T::energy, &T::family, &T::held);
 SIGNORINI_MEMBERS(FoundMotion, &T::state, &T::contact, &T::canonical, &T::repetitions, &T::pressing,

@@ -84,6 +84,8 @@ PYBIND11_MODULE(_core, module)
     addMotion(module);
     addFind(module);
     addLists(module);
+    addPolytopes(module);
+    addModeMotions(module);
     addContinuum(module);
     addAtlas(module);
     addForced(module);

@@ -29,11 +29,14 @@ struct OnGrid {
     double wallForce(double t) const { return field.wallForceAt(t * cells); }
 };
 
-/// The same for a mode.
+/// The same for a mode or a polytope.
 struct OnNoGrid {
     const ModeMotion& motion;
 
-    explicit OnNoGrid(const ModeAnswer& answer) : motion(answer.motion) {}
+    template <typename Answer>
+    explicit OnNoGrid(const Answer& answer) : motion(answer.motion)
+    {
+    }
     double displacement(double x, double t) const { return motion.displacement(x, t); }
     double velocity(double x, double t) const { return motion.velocity(x, t); }
     double strain(double x, double t) const { return motion.strain(x, t); }
@@ -266,9 +269,14 @@ const std::shared_ptr<const Motion>& GridMotion::field() const
     return field_;
 }
 
-void addModeMotionFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown)
+void addModeFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown)
 {
     addFieldsOf<ModeAnswer, OnNoGrid>(shown);
+}
+
+void addModeFields(py::class_<PolytopeAnswer, std::shared_ptr<PolytopeAnswer>>& shown)
+{
+    addFieldsOf<PolytopeAnswer, OnNoGrid>(shown);
 }
 
 void addMotion(py::module_& module)

@@ -43,9 +43,18 @@ struct ModeAnswer {
     ModeMotion motion;
 };
 
+/// A motion with several contacts, on no grid.
+struct PolytopeAnswer {
+    ModePolytope polytope;
+    Bar bar;
+    ModePoint point;
+    ModeMotion motion;
+};
+
 void addMotion(py::module_& module);
 
 /// u, v, s and the force on the wall, on arrays of x and t.
-void addModeMotionFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown);
+void addModeFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown);
+void addModeFields(py::class_<PolytopeAnswer, std::shared_ptr<PolytopeAnswer>>& shown);
 
 }  // namespace signorini::python

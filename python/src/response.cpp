@@ -6,6 +6,7 @@
 #include "force.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
+#include "share_work.hpp"
 #include "signorini/response.hpp"
 
 namespace signorini::python {
@@ -110,7 +111,7 @@ void addRecords(py::module_& module)
 
 ResponseAnswer response(double damping, const std::string& force, double amplitude, double least,
                         double most, std::int64_t cycles, std::int64_t cells, bool stability,
-                        const Bar& bar, const py::object& progress)
+                        std::int64_t threads, const Bar& bar, const py::object& progress)
 {
     const Excited place = placeOf(force);
     ResponseAnswer answer{{.cells = cells,
@@ -124,24 +125,29 @@ ResponseAnswer response(double damping, const std::string& force, double amplitu
                           {},
                           stability};
     (void)stepsOf(answer.range);
+    Faults faults;
+    faults.requireWhole("threads", threads, maxThreads);
+    faults.throwIfAny();
     return patiently(
-        [answer](const Wires& wires) mutable {
+        [answer, threads](const Wires& wires) mutable {
             const std::vector<std::int64_t> steps = stepsOf(answer.range);
+            std::vector<std::optional<FrequencyResponse>> responses(steps.size());
             StabilityOptions options;
             options.cancel = wires.cancel;
-            for (const std::int64_t n : steps) {
-                auto at = responseAt(answer.range, n, wires.cancel);
-                if (!at) {
-                    break;
-                }
-                for (ForcedMotion& motion : at->motions) {
-                    if (answer.wantsStability) {
+            const auto serve = [&](std::size_t k) {
+                responses[k] = responseAt(answer.range, steps[k], wires.cancel);
+                if (responses[k] && answer.wantsStability) {
+                    for (ForcedMotion& motion : responses[k]->motions) {
                         motion.stability = stabilityOf(motion, options).stability;
                     }
                 }
-                answer.frequencies.push_back(std::move(*at));
-                wires.progress(static_cast<double>(answer.frequencies.size()),
-                               static_cast<double>(steps.size()));
+                return responses[k].has_value() && !isRequested(wires.cancel);
+            };
+            shareWork(steps.size(), threads, serve, wires.progress);
+            for (std::optional<FrequencyResponse>& at : responses) {
+                if (at) {
+                    answer.frequencies.push_back(std::move(*at));
+                }
             }
             return answer;
         },

@@ -21,3 +21,34 @@ def place_of_program() -> str | None:
         return named
     built = ROOT / "build" / "release" / "bin" / "signorini"
     return str(built) if built.exists() else shutil.which("signorini")
+
+
+#: How long something took, and who says so, is no part of an answer.
+UNLIKE = ("schema", "version")
+
+
+def alike(said: Any, ours: Any, where: str = "") -> None:
+    """Compare key by key; numbers to the last bit."""
+    if isinstance(said, dict):
+        for key, value in said.items():
+            if key in UNLIKE or where.endswith("solver") and key == "seconds":
+                continue
+            assert key in ours, f"{where}.{key} is missing"
+            alike(value, ours[key], f"{where}.{key}")
+        more = set(ours) - set(said)
+        assert not more, f"{where} has {more}, too"
+    elif isinstance(said, list):
+        assert len(said) == len(ours), where
+        for at, (one, other) in enumerate(zip(said, ours)):
+            alike(one, other, f"{where}[{at}]")
+    else:
+        assert said == ours, f"{where}: {said!r} and {ours!r}"
+
+
+def words_of(options: dict[str, Any]) -> list[str]:
+    """The same for the program."""
+    words = []
+    for key, value in options.items():
+        words += ["--" + key.replace("_", "-"), repr(value)
+                  if isinstance(value, float) else str(value)]
+    return words

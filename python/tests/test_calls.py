@@ -41,8 +41,10 @@ def records(folder: Path) -> list[Any]:
             sg.find(150, 900, strain_limit=1e-3, formulation="state",
                     cells=300) if sg.backends()["glpk-simplex"] else found,
             forced, curve, curve[2], sg.families()[3], sg.modes()[2],
-            sg.mode(4, -1, 3.14159), run, run.waves, response[1],
-            atlas.families()[0], atlas.schedules()[0], atlas.runs[0]]
+            sg.mode(4, -1, 3.14159), sg.modes(phases=2, max_order=3)[0],
+            sg.modes(phases=2, max_order=3)[0].motion(2.6), run, run.waves, response[1],
+            atlas.families()[0], atlas.near("8/7", 4, within=0.5)[0],
+            atlas.schedules()[0], atlas.runs[0]]
 
 
 def test_records_survive_pickle_and_copy(tmp_path: Path) -> None:
@@ -52,7 +54,8 @@ def test_records_survive_pickle_and_copy(tmp_path: Path) -> None:
             assert type(again) is type(record)
             assert again.to_dict() == record.to_dict(), record
             assert repr(again) == repr(record)
-            if not isinstance(record, (sg.Motion, sg.ModeMotion)):
+            if not isinstance(record, (sg.Motion, sg.ModeMotion,
+                                       sg.PolytopeMotion)):
                 assert again == record
     tables: list[Any] = [sg.families(), sg.modes()]
     for table in tables:
@@ -120,6 +123,12 @@ def test_any_numbers_get_an_answer_or_a_value_error(
         assert answer.status in ("found", "none", "undecided")
 
 
+def needs(backend: str) -> Any:
+    """For tests of what this build may be without."""
+    return pytest.mark.skipif(sg.backends()[backend] is None,
+                              reason=f"no {backend} in this build")
+
+
 def interrupted(work: Callable[[], object]) -> float:
     """Seconds from Ctrl-C to KeyboardInterrupt."""
     sent = [0.0]
@@ -150,6 +159,31 @@ def test_control_c_ends_a_call_within_a_tenth_of_a_second(
         work: Callable[[], object]) -> None:
     # On a machine that does something else as well we may wait our turn.
     assert min(interrupted(work) for _ in range(2)) < 0.1
+
+
+def threads_of_this_process() -> int:
+    """Also those that Python does not know."""
+    return len(list(Path("/proc/self/task").iterdir()))
+
+
+@pytest.mark.skipif(not Path("/proc/self/task").exists(), reason="Linux")
+@pytest.mark.parametrize("work", [
+    lambda: sg.modes(phases=4, max_order=101),
+    lambda: sg.response(damping=0.02, force="tip", amplitude=2e-4, cells=900,
+                        stability=True, threads=3),
+    pytest.param(lambda: sg.find(15000, 90000, cells=30000, objective="any",
+                                 formulation="state", solver="glpk-simplex"),
+                 marks=needs("glpk-simplex")),
+    pytest.param(lambda: sg.continuum(150, 900, energy_ratio=20, seed=1,
+                                      engine="ipopt"), marks=needs("ipopt")),
+])
+def test_nothing_works_on_after_control_c(work: Callable[[], object]) -> None:
+    before = threads_of_this_process()
+    interrupted(work)
+    until = time.monotonic() + 5
+    while threads_of_this_process() > before and time.monotonic() < until:
+        time.sleep(0.05)
+    assert threads_of_this_process() <= before
 
 
 def test_an_interrupted_atlas_goes_on(tmp_path: Path) -> None:
@@ -306,7 +340,7 @@ def test_frames_have_a_row_for_each(tmp_path: Path) -> None:
 
 def test_every_function_says_what_it_takes_and_raises() -> None:
     functions: list[Any] = [sg.find, sg.continuum, sg.families, sg.modes,
-                            sg.mode, sg.response, sg.simulate,
+                            sg.mode, sg.polytope, sg.response, sg.simulate,
                             sg.Atlas.build]
     for function in functions:
         text = inspect.getdoc(function) or ""

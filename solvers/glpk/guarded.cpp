@@ -33,21 +33,37 @@ struct Rescue {
     std::jmp_buf place;
     std::array<char, 400> words;
     std::size_t size;
+    const Cancel* cancel;
+    bool isCancelled;
 };
 
-extern "C" int keepWords(void* data, const char* text)
+/// Keeps the last words.
+void keep(Rescue& rescue, const char* text)
 {
-    Rescue& rescue = *static_cast<Rescue*>(data);
+    if (rescue.size + std::string_view(text).size() >= rescue.words.size()) {
+        rescue.size = 0;
+    }
     for (; *text != '\0' && rescue.size + 1 < rescue.words.size(); ++text) {
         rescue.words[rescue.size++] = *text == '\n' ? ' ' : *text;
     }
     rescue.words[rescue.size] = '\0';
-    return 1;  // nothing goes to the terminal
 }
 
 extern "C" void leave(void* data)
 {
     std::longjmp(static_cast<Rescue*>(data)->place, 1);  // NOLINT(cert-err52-cpp): see the header
+}
+
+/// GLPK speaks of errors, and while it works if there is somebody who may want it to end.
+extern "C" int listen(void* data, const char* text)
+{
+    Rescue& rescue = *static_cast<Rescue*>(data);
+    keep(rescue, text);
+    if (rescue.cancel != nullptr && isRequested(*rescue.cancel)) {
+        rescue.isCancelled = true;
+        leave(data);
+    }
+    return 1;  // nothing goes to the terminal
 }
 
 /// Of the call of this thread that is under way.
@@ -57,7 +73,7 @@ thread_local Rescue* current = nullptr;
 [[noreturn]] void endGmp()
 {
     if (current != nullptr) {
-        keepWords(current, "GMP: no memory");
+        keep(*current, "GMP: no memory");
         leave(current);
     }
     std::abort();
@@ -96,7 +112,7 @@ void setHooks(Rescue* rescue)
     static std::once_flag once;
     std::call_once(once, watchGmp);
     current = rescue;
-    glp_term_hook(rescue == nullptr ? nullptr : keepWords, rescue);
+    glp_term_hook(rescue == nullptr ? nullptr : listen, rescue);
     glp_error_hook(rescue == nullptr ? nullptr : leave, rescue);
 }
 
@@ -112,7 +128,7 @@ bool comesBack(void (*call)(void*, glp_prob*), void* data, glp_prob* problem, Re
 
 }  // namespace
 
-Problem::Problem()
+Problem::Problem(const Cancel& cancel) : cancel_(cancel ? &cancel : nullptr)
 {
     constexpr int outOfMemory = 2;
     if (const int code = glp_init_env(); code >= outOfMemory) {
@@ -138,22 +154,33 @@ void Problem::attempt(void (*call)(void*, glp_prob*), void* data)
     Rescue rescue;
     rescue.size = 0;
     rescue.words[0] = '\0';
+    rescue.cancel = cancel_;
+    rescue.isCancelled = false;
     setHooks(&rescue);
+    glp_term_out(cancel_ != nullptr ? GLP_ON : GLP_OFF);
     const bool isDone = comesBack(call, data, handle_, rescue);
     setHooks(nullptr);
+    glp_term_out(GLP_OFF);
+    if (rescue.isCancelled) {
+        freeAll();
+        throw Cancelled();
+    }
     if (!isDone) {
         giveUp(rescue.words.data());
     }
 }
 
-void Problem::giveUp(const char* words)
+void Problem::freeAll()
 {
     handle_ = nullptr;  // GLPK's manual: after an error nothing of the environment may be used
     if (isAlone_) {
         glp_free_env();
-    } else {
-        glp_term_out(GLP_OFF);  // the error has switched it on
     }
+}
+
+void Problem::giveUp(const char* words)
+{
+    freeAll();
     const std::string_view text = words;
     const auto says = [text](std::string_view part) {
         return text.find(part) != std::string_view::npos;

@@ -10,13 +10,19 @@
 
 #include <type_traits>
 
+#include "signorini/control.hpp"
+
 namespace signorini::glpk {
+
+/// A call ended because it was asked to.
+struct Cancelled {};
 
 /// A problem object of GLPK in the environment of this thread.
 class Problem {
 public:
-    /// Also silences GLPK in this thread. \throws std::bad_alloc.
-    Problem();
+    /// Also silences GLPK in this thread. `cancel` is asked whenever GLPK has something to say of
+    /// its progress, and must live as long as this. \throws std::bad_alloc.
+    explicit Problem(const Cancel& cancel = {});
     Problem(const Problem&) = delete;
     Problem& operator=(const Problem&) = delete;
     ~Problem();
@@ -25,9 +31,9 @@ public:
 
     /// Runs `call(glp_prob*)`, which calls GLPK and holds nothing that needs a destructor.
     /// \throws std::bad_alloc if GLPK is out of memory, std::runtime_error with its words if a
-    /// check of its own fails. Then the problem is gone, and nothing but destroying this is
-    /// allowed. Its memory is given back unless the thread has other objects of GLPK, which stay as
-    /// they are.
+    /// check of its own fails, Cancelled. Then the problem is gone, and nothing but destroying this
+    /// is allowed. Its memory is given back unless the thread has other objects of GLPK, which stay
+    /// as they are.
     template <typename Call>
     void run(Call call)
     {
@@ -37,10 +43,12 @@ public:
 
 private:
     void attempt(void (*call)(void*, glp_prob*), void* data);
+    void freeAll();
     [[noreturn]] void giveUp(const char* words);
 
     glp_prob* handle_ = nullptr;
-    bool isAlone_ = false;  ///< was GLPK's environment of this thread empty before?
+    const Cancel* cancel_ = nullptr;  ///< none: GLPK is not asked to speak
+    bool isAlone_ = false;            ///< was GLPK's environment of this thread empty before?
 };
 
 }  // namespace signorini::glpk

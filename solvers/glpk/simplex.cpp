@@ -18,6 +18,9 @@ constexpr double toleranceShare = 0.1;
 /// square.
 constexpr int fewRows = 64;
 
+/// Pivots between two looks at `cancel`.
+constexpr int pivotsOfALook = 50;
+
 class Simplex final : public Solver {
 public:
     using Solver::Solver;
@@ -28,16 +31,25 @@ private:
     {
         SolverResult result;
         Stopwatch watch;
-        Problem problem;
+        Problem problem(options.cancel);
         fill(problem, program);
         glp_smcp settings = quietSettings(options);
+        settings.msg_lev = options.cancel ? GLP_MSG_ON : GLP_MSG_OFF;
+        settings.out_frq = pivotsOfALook;
         settings.presolve = glp_get_num_rows(problem.get()) > fewRows ? GLP_ON : GLP_OFF;
         settings.tol_bnd = std::min(defaultTolerance, toleranceShare * options.tolerance);
         settings.tol_dj = settings.tol_bnd;
         result.setupSeconds = watch.restart();
 
         int code = 0;
-        problem.run([&code, &settings](glp_prob* p) { code = glp_simplex(p, &settings); });
+        try {
+            problem.run([&code, &settings](glp_prob* p) { code = glp_simplex(p, &settings); });
+        } catch (const Cancelled&) {
+            result.solveSeconds = watch.seconds();
+            result.status = SolverStatus::cancelled;
+            result.detail = "cancelled";
+            return result;
+        }
         result.solveSeconds = watch.seconds();
 
         readSimplex(code, problem.get(), program, result);

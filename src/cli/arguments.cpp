@@ -15,13 +15,12 @@
 #include <system_error>
 
 #include "faults.hpp"
+#include "share_work.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::cli {
 
 namespace {
-
-constexpr std::int64_t maxThreads = 1024;
 
 // What the signal handler can reach: a plain array, written before the handler is installed.
 std::array<std::array<char, 4096>, 16> stagedPaths;

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "energy_section.hpp"
+#include "family_section.hpp"
 #include "json.hpp"
 #include "signorini/output.hpp"
 #include "text.hpp"
@@ -37,24 +36,6 @@ void putEnergy(Json& json, const EnergyRange& energy, const Scales& unit)
     json["energy_ratio_range"] = {energy.least, bound(energy.most)};
 }
 
-/// The motions of one energy, the nearest to this that the family has.
-struct Section {
-    std::int64_t dimension = 0;
-    std::optional<bool> isConnected;  ///< empty: not known
-
-    Section(const AtlasFamily& family, double energyRatio)
-    {
-        const EnergyRange& range = family.energy;
-        const double energy = std::clamp(energyRatio, range.least, range.most);
-        const bool isInside = range.least < energy && energy < range.most;
-        dimension = isInside ? family.dimension - 1 : 0;
-        if (family.family) {
-            isConnected =
-                connectivityOf(onePhaseSet({family.cells, {family.top}}), energy).isConnected;
-        }
-    }
-};
-
 Json asJson(const AtlasFamily& all, const std::optional<AtlasPoint>& point, const Scales& unit)
 {
     Json json{{"id", all.id},  {"cells", all.cells},        {"order", nullptr},
@@ -71,7 +52,7 @@ Json asJson(const AtlasFamily& all, const std::optional<AtlasPoint>& point, cons
     putEnergy(json, all.energy, unit);
     json["schedules"] = all.schedules;
     if (point) {
-        const Section section(all, point->energyRatio);
+        const FamilySection section = sectionOf(all, point->energyRatio);
         json["dimension_at_energy"] = section.dimension;
         json["connected_at_energy"] = section.isConnected ? Json(*section.isConnected) : Json();
     }
@@ -134,7 +115,7 @@ std::string asText(const AtlasFamily& all, const std::optional<AtlasPoint>& poin
                                    periodText(period(all), frequencyRatio(all), unit),
                                    energyText(all.energy, unit), name(all.kind), all.dimension);
     if (point) {
-        const Section section(all, point->energyRatio);
+        const FamilySection section = sectionOf(all, point->energyRatio);
         text += fmt::format(
             ", {} at that energy{}", section.dimension,
             section.isConnected ? (*section.isConnected ? ", connected" : ", not connected") : "");

@@ -3,16 +3,12 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
 
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "response_report.hpp"
+#include "share_work.hpp"
 #include "signorini/figures.hpp"
 
 namespace signorini::cli {
@@ -44,38 +40,12 @@ void work(ResponseAnswer& answer, bool wantsStability, std::int64_t threads, con
 {
     const std::vector<std::int64_t> steps = stepsOf(answer.range);
     std::vector<std::optional<FrequencyResponse>> responses(steps.size());
-    std::atomic<std::size_t> next = 0;
-    std::atomic<bool> isOver = false;
-    std::size_t done = 0;
-    std::exception_ptr trouble;
-    std::mutex mutex;
-    const auto serve = [&] {
-        try {
-            for (std::size_t k = next++; k < steps.size() && !isOver; k = next++) {
-                // The largest n takes longest and goes first.
-                const std::size_t at = steps.size() - 1 - k;
-                responses[at] = responseOf(answer.range, steps[at], wantsStability, cancel);
-                isOver = isOver || !responses[at];
-                const std::lock_guard<std::mutex> lock(mutex);
-                show(static_cast<double>(++done), static_cast<double>(steps.size()));
-            }
-        } catch (...) {
-            isOver = true;
-            const std::lock_guard<std::mutex> lock(mutex);
-            trouble = std::current_exception();
-        }
+    // The largest n takes longest and goes first.
+    const auto serve = [&](std::size_t at) {
+        responses[at] = responseOf(answer.range, steps[at], wantsStability, cancel);
+        return responses[at].has_value();
     };
-    std::vector<std::thread> others;
-    for (std::int64_t k = 1; k < std::min(threads, static_cast<std::int64_t>(steps.size())); ++k) {
-        others.emplace_back(serve);
-    }
-    serve();
-    for (std::thread& other : others) {
-        other.join();
-    }
-    if (trouble) {
-        std::rethrow_exception(trouble);
-    }
+    shareWork(steps.size(), threads, serve, show);
     for (std::optional<FrequencyResponse>& response : responses) {
         if (response) {
             answer.frequencies.push_back(std::move(*response));

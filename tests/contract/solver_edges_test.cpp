@@ -110,6 +110,14 @@ TEST_CASE("contract: cancel: a search ends when asked to, before it starts or la
         if (!expected.can.cancel) {
             return;
         }
+        if (!expected.can.energyEquality) {
+            const Program linear = programOf(onePhase(300, 150, 900));
+            int looks = 0;
+            CHECK(solver.solve(linear, {.cancel = [&looks] { return ++looks > 3; }}).status ==
+                  SolverStatus::cancelled);
+            checkOptimal(solver.solve(linear, {.cancel = [] { return false; }}), linear);
+            return;
+        }
         const Program program = leastEnergy(onePhase(30, 15, 90));
         CHECK(solver.solve(program, {.cancel = [] { return true; }}).status ==
               SolverStatus::cancelled);

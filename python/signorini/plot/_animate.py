@@ -128,8 +128,7 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
         Instants of the period.
     fps : int
         Frames a second.
-    figure : matplotlib figure, optional
-        To draw into; a new one without.
+    figure : matplotlib figure to draw into, optional
 
     Returns
     -------
@@ -143,7 +142,7 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
     """
     from matplotlib.animation import FuncAnimation
     found = motion_of(moving)
-    figure = new(figsize=(8, 5)) if figure is None else figure
+    figure = figure or new(figsize=(8, 5))
     upper, lower = figure.subplots(2, 1, height_ratios=[1, 2])
     magnified = 0.12 * found.bar.length / found.bar.displacement_unit
     draws = [_bar(upper, found, magnified), _graph(lower, found)]

@@ -156,8 +156,7 @@ def motion(moving: Moving, *, figure: Any = None) -> dict[str, Any]:
     Parameters
     ----------
     moving : Motion, Result or ContinuumPoint
-    figure : matplotlib figure, optional
-        To draw into; a new one without.
+    figure : matplotlib figure to draw into, optional
 
     Returns
     -------
@@ -170,7 +169,7 @@ def motion(moving: Moving, *, figure: Any = None) -> dict[str, Any]:
         If there is no motion.
     """
     found = motion_of(moving)
-    figure = new(figsize=(9, 8)) if figure is None else figure
+    figure = figure or new(figsize=(9, 8))
     metre, metre_unit = unit_for(found.bar.length, "m")
     second, second_unit = unit_for(float(found.t[-1]), "s")
     axes: dict[str, Any] = figure.subplot_mosaic(
@@ -222,8 +221,7 @@ def continuum(curve: Continuum, *, members: int = 16, figure: Any = None
     curve : Continuum
     members : int
         How many of its motions.
-    figure : matplotlib figure, optional
-        To draw into; a new one without.
+    figure : matplotlib figure to draw into, optional
 
     Returns
     -------
@@ -237,7 +235,7 @@ def continuum(curve: Continuum, *, members: int = 16, figure: Any = None
     """
     if len(curve) == 0:
         raise ValueError("the curve has no points: there is nothing to draw")
-    figure = new(figsize=(10, 9)) if figure is None else figure
+    figure = figure or new(figsize=(10, 9))
     metre, metre_unit = unit_for(curve.bar.length, "m")
     second, second_unit = unit_for(curve.period, "s")
     axes: dict[str, Any] = figure.subplot_mosaic(

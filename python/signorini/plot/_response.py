@@ -31,8 +31,7 @@ def response(data: Response, *, figure: Any = None) -> tuple[Any, Any]:
     Parameters
     ----------
     data : Response
-    figure : matplotlib figure, optional
-        To draw into; a new one without.
+    figure : matplotlib figure to draw into, optional
 
     Returns
     -------
@@ -46,7 +45,7 @@ def response(data: Response, *, figure: Any = None) -> tuple[Any, Any]:
     """
     if len(data) == 0:
         raise ValueError("the response has no frequency: nothing to draw")
-    figure = new(figsize=(9, 7)) if figure is None else figure
+    figure = figure or new(figsize=(9, 7))
     upper, lower = figure.subplots(2, 1, sharex=True)
     bar = data.bar
     impulses = [m.impulse for _, m in data.motions]
@@ -95,8 +94,7 @@ def simulation(run: Simulation, *, figure: Any = None) -> tuple[Any, Any]:
     ----------
     run : Simulation
         With the path of its tip.
-    figure : matplotlib figure, optional
-        To draw into; a new one without.
+    figure : matplotlib figure to draw into, optional
 
     Returns
     -------
@@ -111,7 +109,7 @@ def simulation(run: Simulation, *, figure: Any = None) -> tuple[Any, Any]:
     times = run.tip_time
     if len(times) == 0:
         raise ValueError("the path of the tip was not recorded: tip=True")
-    figure = new(figsize=(9, 6)) if figure is None else figure
+    figure = figure or new(figsize=(9, 6))
     upper, lower = figure.subplots(2, 1, sharex=True)
     second, second_unit = unit_for(run.time, "s")
     tip = run.tip_displacement

@@ -95,7 +95,7 @@ TEST_CASE("solver: who is chosen for a program stands in the table, the first in
     using Names = std::vector<std::string_view>;
     CHECK(namesFor({}) == Names{"glpk-simplex", "ipopt"});
     CHECK(namesFor({.duals = true}) == Names{"glpk-simplex"});
-    CHECK(namesFor({.cancel = true}) == Names{"ipopt"});
+    CHECK(namesFor({.cancel = true}) == Names{"glpk-simplex", "ipopt"});
     CHECK(namesFor({.quadraticObjective = true}) == Names{"ipopt", "nlopt-slsqp"});
     CHECK(namesFor({.energyEquality = true}) == Names{"ipopt", "nlopt-auglag"});
     CHECK(namesFor({.quadraticObjective = true, .energyEquality = true}) ==

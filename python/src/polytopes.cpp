@@ -1,0 +1,245 @@
+#include <pybind11/stl.h>
+
+#include "faults.hpp"
+#include "lists.hpp"
+#include "patience.hpp"
+
+namespace signorini::python {
+
+namespace {
+
+using PolytopeOf = Of<ModePolytope>;
+
+/// p + q T is how long all contacts of a period last together.
+py::tuple contactOf(const ModePolytope& polytope)
+{
+    std::int64_t sum = 0;
+    for (const ModeChain& chain : polytope.chains) {
+        sum += 2 * chain.k;
+    }
+    return py::make_tuple(sum, -polytope.order);
+}
+
+/// [[(p, q), ...], ...], (T, s_2, ..., s_K) of each corner.
+py::list verticesOf(const ModePolytope& polytope)
+{
+    py::list list;
+    for (const auto& vertex : polytope.vertices) {
+        py::list corner;
+        for (const ExactPeriod& coordinate : vertex) {
+            corner.append(pairOf(coordinate));
+        }
+        list.append(corner);
+    }
+    return list;
+}
+
+/// An array with a row for each list; all are of one length.
+py::array_t<double> rowsOf(const std::vector<ModePoint>& points, std::size_t columns)
+{
+    py::array_t<double> array({points.size(), columns});
+    double* to = array.mutable_data();
+    for (const ModePoint& point : points) {
+        to = std::copy(point.arrivals.begin(), point.arrivals.end(), to);
+    }
+    return array;
+}
+
+/// The mean of the corners at one period, where nothing else is asked for.
+std::vector<double> middle(const ModePolytope& polytope, double period)
+{
+    const std::vector<ModePoint> corners = slice(polytope, period);
+    std::vector<double> mean(polytope.chains.size() - 1, 0.0);
+    for (const ModePoint& corner : corners) {
+        for (std::size_t l = 0; l < mean.size(); ++l) {
+            mean[l] += corner.arrivals[l] / static_cast<double>(corners.size());
+        }
+    }
+    return mean;
+}
+
+PolytopeAnswer motionOf(const PolytopeOf& p, double period,
+                        const std::optional<std::vector<double>>& arrivals)
+{
+    const ModePoint point{period, arrivals ? *arrivals : middle(p.value, period)};
+    return {p.value, p.bar, point, ModeMotion(p.value, point)};
+}
+
+void addChain(py::module_& module)
+{
+    Record<ModeChain>(module, "ModeChain",
+                      "Jumps from an arrival to a release: e_release = s + 2 k - turns T.")
+        .key(
+            "k", [](const ModeChain& c) { return c.k; }, "Jumps.")
+        .key(
+            "turns", [](const ModeChain& c) { return c.turns; }, "Whole periods between.")
+        .key(
+            "release", [](const ModeChain& c) { return c.release + 1; },
+            "Of which contact, counted from 1.");
+}
+
+void addKeys(Record<PolytopeOf>& record)
+{
+    record
+        .key(
+            "chains", [](const PolytopeOf& p) { return p.value.chains; },
+            "[ModeChain, ...], one from each arrival.")
+        .key(
+            "order", [](const PolytopeOf& p) { return p.value.order; }, "Sum of all turns, odd.")
+        .key(
+            "free_times", [](const PolytopeOf& p) { return p.value.dimension; },
+            "How many times may be chosen beside T.")
+        .key(
+            "contact", [](const PolytopeOf& p) { return contactOf(p.value); },
+            "(p, q): all contacts together last p + q T [L/c].")
+        .key(
+            "period_range",
+            [](const PolytopeOf& p) {
+                return py::make_tuple(pairOf(p.value.lowest), pairOf(p.value.highest));
+            },
+            "((p, q), (p, q)): p/q < T < p/q [L/c].")
+        .key(
+            "inverse_sqrt_energy",
+            [](const PolytopeOf& p) {
+                return py::make_tuple(p.value.kappa, p.value.mu, p.value.divisor);
+            },
+            "(kappa, mu, divisor): 1/sqrt(E/E_1) = (kappa T - mu)/divisor.")
+        .key(
+            "ends",
+            [](const PolytopeOf& p) {
+                return py::make_tuple(nameOf(p.value.lowestEnd), nameOf(p.value.highestEnd));
+            },
+            "Why it ends there.")
+        .key(
+            "vertices", [](const PolytopeOf& p) { return verticesOf(p.value); },
+            "[[(p, q), ...], ...]: T and the arrivals s_2, ..., s_K of each corner [L/c].")
+        .key(
+            "energy_ratio_range",
+            [](const PolytopeOf& p) { return boundsOf(energyRange(p.value)); },
+            "(least, most) E/E_1, neither reached; None: infinite.")
+        .key(
+            "frequency_range",
+            [](const PolytopeOf& p) {
+                const double unit = scales(p.bar).time;
+                return py::make_tuple(1.0 / (p.value.highest.value() * unit),
+                                      1.0 / (p.value.lowest.value() * unit));
+            },
+            "(lowest, highest) [Hz].")
+        .key(
+            "energy_range",
+            [](const PolytopeOf& p) {
+                return boundsOf(energyRange(p.value), scales(p.bar).energy);
+            },
+            "(least, most) [J].");
+}
+
+void addPolytope(py::module_& module)
+{
+    Record<PolytopeOf> record(module, "ModePolytope",
+                              R"(Motions with K contacts in a period, on no grid, exact.
+
+One for each (T, s_2, ..., s_K) in the interior of a polytope with rational corners; s_1 = 0 and
+s_l are the arrivals. The energy depends on T alone.
+)");
+    addKeys(record);
+    record.more()
+        .def_property_readonly(
+            "bar", [](const PolytopeOf& p) { return p.bar; }, "Its units.")
+        .def_property_readonly(
+            "phases", [](const PolytopeOf& p) { return p.value.chains.size(); }, "K.")
+        .def(
+            "energy_ratio",
+            [](const PolytopeOf& p, const py::object& periods) {
+                return onPeriods(periods, [&p](double t) { return energyRatio(p.value, t); });
+            },
+            py::arg("period_ratio"),
+            "E/E_1 at T [L/c], any array. ValueError outside the interval.")
+        .def(
+            "slice",
+            [](const PolytopeOf& p, double period) {
+                return rowsOf(slice(p.value, period), p.value.chains.size() - 1);
+            },
+            py::arg("period_ratio"),
+            "Arrivals s_2 ... s_K [L/c] at the corners of T [L/c], an array of shape (corners, "
+            "K - 1): the motions of this period are their means, ends excluded. ValueError outside "
+            "the interval.")
+        .def(
+            "stretches",
+            [](const PolytopeOf& p, double period, const std::vector<double>& arrivals) {
+                const auto times = stretches(p.value, {period, arrivals});
+                return filled(static_cast<std::int64_t>(times.size()), [&times](std::int64_t k) {
+                    return times[static_cast<std::size_t>(k)];
+                });
+            },
+            py::arg("period_ratio"), py::arg("arrivals"),
+            "Contact and flight in turn, 2K lengths [L/c]. ValueError unless there are K - 1 "
+            "arrivals.")
+        .def("motion", &motionOf, py::arg("period_ratio"), py::arg("arrivals") = py::none(),
+             "At T and arrivals s_2 ... s_K [L/c], in the middle without: a PolytopeMotion. "
+             "ValueError outside.")
+        .def(
+            "schedules",
+            [](const PolytopeOf& p, std::int64_t cells, std::int64_t steps) {
+                return schedulesOf(p.value, cells, steps);
+            },
+            py::arg("cells"), py::arg("steps"),
+            "On N cells, of the motions with T = steps/cells L/c, one for each orbit.")
+        .def("__hash__",
+             [](const PolytopeOf& p) {
+                 py::list list;
+                 for (const ModeChain& chain : p.value.chains) {
+                     list.append(py::make_tuple(chain.k, chain.turns, chain.release));
+                 }
+                 return py::hash(py::tuple(list));
+             })
+        .def("__repr__", [](const PolytopeOf& p) {
+            std::string chains;
+            for (const ModeChain& chain : p.value.chains) {
+                chains += fmt::format("{}/{}->{}, ", chain.k, chain.turns, chain.release + 1);
+            }
+            return fmt::format("ModePolytope({}{}/{} < T < {}/{} L/c, {} free)", chains,
+                               p.value.lowest.numerator, p.value.lowest.denominator,
+                               p.value.highest.numerator, p.value.highest.denominator,
+                               p.value.dimension);
+        });
+}
+
+std::vector<PolytopeOf> polytopes(std::int64_t phases, std::int64_t maxOrder, double maxEnergyRatio,
+                                  double maxPeriod, const Bar& bar, const py::object& progress)
+{
+    return patiently(
+        [=](const Wires& wires) {
+            std::vector<PolytopeOf> list;
+            for (const ModePolytope& polytope :
+                 findPolytopes(phases, {.maxOrder = maxOrder,
+                                       .maxPeriod = maxPeriod,
+                                       .maxEnergyRatio = maxEnergyRatio,
+                                       .gapSign = stopsOf(bar).right,
+                                       .cancel = wires.cancel,
+                                       .progress = wires.progress})) {
+                list.push_back({polytope, bar});
+            }
+            return list;
+        },
+        progress);
+}
+
+std::optional<PolytopeOf> polytope(const py::tuple& words, std::optional<std::int64_t> cells,
+                                   const Bar& bar)
+{
+    const Schedule schedule = scheduleOf(words, cells);
+    const auto found = patiently([=](const Wires&) { return polytopeOf(schedule); });
+    return found ? std::optional(PolytopeOf{*found, bar}) : std::nullopt;
+}
+
+}  // namespace
+
+void addPolytopes(py::module_& module)
+{
+    addChain(module);
+    addPolytope(module);
+    module.def("polytopes", &polytopes);
+    module.def("polytope", &polytope);
+}
+
+}  // namespace signorini::python

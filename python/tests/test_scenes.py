@@ -1,0 +1,110 @@
+"""Gaps of any sign, a second stop, stepped bars: what the program says."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import pytest
+
+import signorini as sg
+
+from support import Program, alike, words_of
+
+Question = tuple[list[Any], dict[str, Any]]
+
+
+def tent(dice: random.Random, gap: float) -> Question:
+    """A schedule near the middle of a tent, where there are motions."""
+    family = dice.choice(list(sg.families(9, gap=gap)))
+    cells = family.order * dice.randint(2, 5)
+    (contact, free), = family.schedule(cells)
+    off = dice.randint(-2, 2)
+    if dice.random() < 0.4:  # anywhere
+        contact, free = dice.randint(1, 2 * cells), dice.randint(1, 4 * cells)
+    return [max(1, contact + off), max(1, free - off)], {"cells": cells,
+                                                         "gap": gap}
+
+
+def pressed(dice: random.Random) -> Question:
+    """The bar at rest presses on the wall."""
+    steps, options = tent(dice, -10 ** dice.uniform(-6, -2))
+    if dice.random() < 0.5:
+        options["energy_ratio"] = dice.choice([0.5, 1, 2, 9.5])
+    return steps, options
+
+
+def without_gap(dice: random.Random) -> Question:
+    """The energy sets the size."""
+    steps, options = tent(dice, 0.0)
+    return steps, {**options, "energy": 10 ** dice.uniform(-6, 1)}
+
+
+def between(dice: random.Random) -> Question:
+    """Two stops, touched in turn."""
+    cells = dice.choice([2, 4, 6, 12])
+    steps = [(dice.randint(1, cells), dice.randint(1, 3 * cells)),
+             (dice.randint(1, cells), dice.randint(1, 3 * cells), "left")]
+    if dice.random() < 0.7:
+        steps[1] = (*steps[0], "left")
+    return steps, {"cells": cells, "gap": 1e-3,
+                   "second_stop": dice.choice([1e-3, 2e-3, 5e-4])}
+
+
+def stepped(dice: random.Random) -> Question:
+    """A bar of two materials."""
+    half = dice.choice([2, 3, 4])
+    thick = dice.choice([0.7, 1.0, 1.3, 2.0])
+    return ([dice.randint(1, 2 * half), dice.randint(1, 8 * half)],
+            {"cells": 2 * half, "segments": [(half, 1.0), (half, thick)],
+             "objective": dice.choice(["any", "min-energy"])})
+
+
+def said(steps: list[Any], options: dict[str, Any]) -> list[str]:
+    """The same words for the program."""
+    words = []
+    for step in steps:
+        if isinstance(step, tuple):
+            contact, free, *left = step
+            words += ["L:" * len(left) + str(contact), str(free)]
+        else:
+            words.append(str(step))
+    rest = dict(options)
+    parts = rest.pop("segments", None)
+    if parts:
+        rest["segments"] = ",".join(f"{n}:{z!r}" for n, z in parts)
+    return words + words_of(rest)
+
+
+@pytest.mark.parametrize("ask, count, least", [
+    (pressed, 150, 20), (without_gap, 100, 20), (between, 150, 10),
+    (stepped, 60, 5)])
+def test_random_requests_agree_bit_for_bit(program: Program, ask: Any,
+                                           count: int, least: int) -> None:
+    dice = random.Random(ask.__name__)
+    seen = {"found": 0, "none": 0, "undecided": 0}
+    for _ in range(count):
+        steps, options = ask(dice)
+        answer = sg.find(*steps, **options)
+        alike(program("find", *said(steps, options)), answer.to_dict(),
+              f"{steps} {options}")
+        seen[answer.status] += 1
+        assert answer.status != "none" or answer.is_proof()
+    assert min(seen["found"], seen["none"]) >= least, seen
+
+
+def test_pressed_questions_agree(program: Program) -> None:
+    """All motions of one period, pressed at rest."""
+    asked = program("find", "--period", "5/2", "--gap", -1e-3, "--cells", 20)
+    ours = sg.find(period="5/2", gap=-1e-3, cells=20).to_dict()
+    alike(asked, ours)
+
+
+def test_simulations_between_stops_agree(program: Program) -> None:
+    words = ["--rest", "--damping", 0.02, "--force", "tip", "--amplitude",
+             5e-3, "--frequency", 1.05, "--periods", 40, "--cells", 16,
+             "--second-stop", 1e-3]
+    run = sg.simulate(damping=0.02, force="tip", amplitude=5e-3,
+                      frequency=1.05, periods=40, cells=16, second_stop=1e-3)
+    alike(program("simulate", *words), run.to_dict())
+    assert {"left", "right"} == set(run.contact_stop)
