@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "echo.hpp"
+#include "portable.hpp"
 
 namespace signorini {
 
@@ -33,7 +34,7 @@ ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const do
     ForcedMotion motion;
     motion.schedule = all.schedule;
     motion.damping = all.damping;
-    motion.amplitude = std::hypot(place.c, place.s);
+    motion.amplitude = portable::hypot(place.c, place.s);
     const auto value = [place](Plane x) { return x.dot(place); };
     motion.excitation = {all.shapes.front().place, {}, static_cast<double>(cells)};
     const bool isHarmonic = all.shapes.size() > 1;
@@ -41,7 +42,7 @@ ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const do
         motion.excitation.values.push_back(
             value({all.shapes.front().values[m], isHarmonic ? all.shapes.back().values[m] : 0.0}));
     }
-    motion.phase = isHarmonic ? std::atan2(place.s, place.c) : 0.0;
+    motion.phase = isHarmonic ? portable::atan2(place.s, place.c) : 0.0;
     const std::int64_t n = motion.excitation.steps();
     std::vector<double> amplitudes(static_cast<std::size_t>(all.waves.classes()), 0.0);
     const std::vector<std::int64_t> undamped = all.waves.freeClasses();
@@ -65,7 +66,7 @@ ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const do
 std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine& line,
                                         double amplitude)
 {
-    const double offset = std::hypot(line.foot.c, line.foot.s);
+    const double offset = portable::hypot(line.foot.c, line.foot.s);
     const double squares = (amplitude - offset) * (amplitude + offset);
     std::vector<ForcedMotion> motions;
     if (squares >= 0.0) {

@@ -6,6 +6,7 @@
 #include "forced_case.hpp"
 #include "forced_polytope.hpp"
 #include "names.hpp"
+#include "portable.hpp"
 
 namespace signorini {
 
@@ -143,9 +144,9 @@ void describeLine(ForcedSet& set, const ForcedLine& line)
     }
     set.low = line.low;
     set.high = line.high;
-    const double offset = std::hypot(line.foot.c, line.foot.s);
-    set.leastAmplitude = std::hypot(offset, std::clamp(0.0, line.low, line.high));
-    set.mostAmplitude = std::hypot(offset, std::max(std::abs(line.low), std::abs(line.high)));
+    const double offset = portable::hypot(line.foot.c, line.foot.s);
+    set.leastAmplitude = portable::hypot(offset, std::clamp(0.0, line.low, line.high));
+    set.mostAmplitude = portable::hypot(offset, std::max(std::abs(line.low), std::abs(line.high)));
     set.kind = std::isinf(set.mostAmplitude) ? ForcedKind::ray
                : line.low < line.high        ? ForcedKind::segment
                                              : ForcedKind::point;
@@ -154,7 +155,9 @@ void describeLine(ForcedSet& set, const ForcedLine& line)
 void describePolytope(ForcedSet& set, ForcedPolytope polytope)
 {
     set.corners = std::move(polytope.corners);
-    const auto amplitude = [](const std::array<double, 2>& x) { return std::hypot(x[0], x[1]); };
+    const auto amplitude = [](const std::array<double, 2>& x) {
+        return portable::hypot(x[0], x[1]);
+    };
     set.leastAmplitude = amplitude(nearestPlace(set.corners));
     set.mostAmplitude = polytope.isBounded ? amplitude(farthestPlace(set.corners))
                                            : std::numeric_limits<double>::infinity();
@@ -172,7 +175,7 @@ double worstResidual(const ForcedSet& set, const Solved& solved)
     }
     double worst = solved.at(nearestPlace(set.corners)).residual;
     for (const ForcedCorner& corner : set.corners) {
-        if (std::hypot(corner.place[0], corner.place[1]) <=
+        if (portable::hypot(corner.place[0], corner.place[1]) <=
             1e3 * std::max(1.0, set.leastAmplitude)) {
             worst = std::max(worst, forcedMotion(solved.motions(),
                                                  {corner.place[0], corner.place[1]}, corner.free)

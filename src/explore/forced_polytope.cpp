@@ -7,6 +7,7 @@
 
 #include "backend_choice.hpp"
 #include "forced_form.hpp"
+#include "portable.hpp"
 
 namespace signorini {
 
@@ -25,7 +26,7 @@ Plane planeOf(const std::array<double, 2>& place)
 
 double sizeOf(Plane x)
 {
-    return std::hypot(x.c, x.s);
+    return portable::hypot(x.c, x.s);
 }
 
 double cross(Plane x, Plane y)

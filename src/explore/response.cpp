@@ -5,6 +5,7 @@
 
 #include "faults.hpp"
 #include "forced_case.hpp"
+#include "portable.hpp"
 
 namespace signorini {
 
@@ -33,11 +34,11 @@ void validate(const ResponseRange& range)
 /// On both sides of the foot amplitudes grow along the line.
 void addBranches(FrequencyResponse& response, std::int64_t contact, const ForcedLine& line)
 {
-    const double offset = std::hypot(line.foot.c, line.foot.s);
+    const double offset = portable::hypot(line.foot.c, line.foot.s);
     const auto add = [&](double from, double to) {
         if (from <= to) {
             response.branches.push_back(
-                {contact, std::hypot(offset, from), std::hypot(offset, to)});
+                {contact, portable::hypot(offset, from), portable::hypot(offset, to)});
         }
     };
     add(std::max(-line.high, 0.0), -line.low);
@@ -80,7 +81,7 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
                               static_cast<double>(range.cycles) / static_cast<double>(steps);
     // Without contact the tip moves harmonically, and its size does not depend on the phase.
     const Plane tip = waves.tip(0);
-    response.linearPeak = range.amplitude * std::hypot(tip.c, tip.s);
+    response.linearPeak = range.amplitude * portable::hypot(tip.c, tip.s);
     response.touches = response.linearPeak >= 1.0;
     for (std::int64_t contact = 1; contact < steps; ++contact) {
         if (contact % 16 == 0 && isRequested(cancel)) {

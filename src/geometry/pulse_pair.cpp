@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "portable.hpp"
 #include "section_numbers.hpp"
 #include "sphere_section.hpp"
 
@@ -24,7 +25,7 @@ double ratioOf(double whole, const std::vector<double>& others, double power)
     double sum = whole;
     double squares = whole;
     for (const double cover : others) {
-        const double value = std::pow(cover, power);
+        const double value = portable::pow(cover, power);
         sum += value;
         squares += value * value;
     }
@@ -89,7 +90,7 @@ std::vector<double> PulsePair::at(double pause) const
     const double power = powerFor(section_.ratio, z);
     double sum = 0.0;
     for (double& value : z) {
-        value = value > 0.0 ? std::pow(value, power) : 0.0;
+        value = value > 0.0 ? portable::pow(value, power) : 0.0;
         sum += value;
     }
     for (double& value : z) {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "faults.hpp"
+#include "portable.hpp"
 #include "sphere_section.hpp"
 
 namespace signorini {
@@ -147,13 +148,13 @@ double SlidingWalk::angleToFace(std::size_t& meets) const
     for (std::size_t j = 0; j < z_.size(); ++j) {
         const double cosine = z_[j] - centre_;
         const double sine = radius_ * tangent_[j];
-        const double swing = std::hypot(cosine, sine);
+        const double swing = portable::hypot(cosine, sine);
         if (active_[j] || swing <= centre_) {
             continue;
         }
         // At the face already, but for rounding, and falling: now, not after a whole turn.
         constexpr double rounding = 1e-7;
-        const double falls = std::atan2(sine, cosine) + std::acos(-centre_ / swing);
+        const double falls = portable::atan2(sine, cosine) + portable::acos(-centre_ / swing);
         const bool isNow = sine < 0.0 && falls <= 0.0 && falls > -rounding;
         const double angle = isNow ? 0.0 : falls <= 0.0 ? falls + turn : falls;
         if (angle < first) {
@@ -170,8 +171,8 @@ const std::vector<double>& SlidingWalk::advance(double length)
         std::size_t meets = 0;
         const double face = angleToFace(meets);
         const double angle = std::min(length / radius_, face);
-        const double c = std::cos(angle);
-        const double s = std::sin(angle);
+        const double c = portable::cos(angle);
+        const double s = portable::sin(angle);
         for (std::size_t j = 0; j < z_.size(); ++j) {
             if (active_[j]) {
                 continue;

@@ -3,18 +3,19 @@
 
 #include "excited_names.hpp"
 #include "faults.hpp"
+#include "portable.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {
 
 double Damping::rho() const
 {
-    return std::exp(-std::numbers::pi * ratio);
+    return portable::exp(-std::numbers::pi * ratio);
 }
 
 double Damping::eta() const
 {
-    return std::tanh(0.5 * std::numbers::pi * ratio);
+    return portable::tanh(0.5 * std::numbers::pi * ratio);
 }
 
 void validate(const Damping& damping)
@@ -33,7 +34,7 @@ Damping dampingOfRho(double rho)
         faults.add("rho", rho, "]0, 1] [-]");
         faults.throwIfAny();
     }
-    const Damping damping{std::abs(std::log(rho)) / std::numbers::pi};
+    const Damping damping{std::abs(portable::log(rho)) / std::numbers::pi};
     validate(damping);
     return damping;
 }
@@ -121,7 +122,8 @@ Excitation excitationOf(const Harmonic& harmonic)
         // Whole turns are left out exactly.
         const auto part = static_cast<double>(harmonic.cycles * m % harmonic.steps) +
                           offset * static_cast<double>(harmonic.cycles);
-        excitation.values.push_back(harmonic.amplitude * std::cos(angle * part - harmonic.phase));
+        excitation.values.push_back(harmonic.amplitude *
+                                    portable::cos(angle * part - harmonic.phase));
     }
     return excitation;
 }

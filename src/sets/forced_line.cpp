@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "portable.hpp"
+
 namespace signorini {
 
 namespace {
@@ -249,8 +251,8 @@ void ForcedWaves::solveClass(std::int64_t first)
     });
     // Around the class a wave is multiplied by (-rho)^flights; its deviation from 1 is what holds
     // the class in place.
-    const double decay = static_cast<double>(flights) * std::log(rho_);
-    const double grip = flights % 2 == 0 ? -std::expm1(decay) : 1.0 + std::exp(decay);
+    const double decay = static_cast<double>(flights) * portable::log(rho_);
+    const double grip = flights % 2 == 0 ? -portable::expm1(decay) : 1.0 + portable::exp(decay);
     ClassKind& kind = kinds_[static_cast<std::size_t>(first)];
     held_ -= kind == ClassKind::held ? 1 : 0;
     undamped_ -= kind == ClassKind::undamped ? 1 : 0;
