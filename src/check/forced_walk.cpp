@@ -3,8 +3,8 @@
 #include <deque>
 #include <limits>
 
-#include "compensated_sum.hpp"
 #include "forced_check.hpp"
+#include "signorini/compensated_sum.hpp"
 
 namespace signorini {
 
