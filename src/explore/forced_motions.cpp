@@ -164,6 +164,19 @@ void describePolytope(ForcedSet& set, ForcedPolytope polytope)
     set.kind = ForcedKind::polytope;
 }
 
+/// Conditions that miss each other by no more than rounding meet in a point: a motion if its
+/// residual says so. \return is there one?
+bool describeTouch(ForcedSet& set, ForcedLine line)
+{
+    if (line.blocking || !std::isfinite(line.low) || !std::isfinite(line.high)) {
+        return false;
+    }
+    set.detail.clear();
+    line.low = line.high = 0.5 * (line.low + line.high);
+    describeLine(set, line);
+    return true;
+}
+
 /// Of a line the motion of least amplitude, of a polygon all corners have to be motions, but for
 /// those that only stand for no end.
 double worstResidual(const ForcedSet& set, const Solved& solved)
@@ -197,7 +210,10 @@ void decide(ForcedSet& set, Solved& solved)
         }
         if (line.isEmpty() && line.hasLine) {
             explainAbsence(set, conflictOf(line, waves), solved.question());
-            if (set.status == Status::none || set.freeWaves == 0) {
+            if (set.status == Status::none) {
+                return;
+            }
+            if (set.freeWaves == 0 && !describeTouch(set, line)) {
                 return;
             }
         } else if (set.freeWaves == 0) {

@@ -55,13 +55,6 @@ void BarSimulation::Clock::pass(double duration, double same)
     }
 }
 
-void BarSimulation::Sum::add(double term)
-{
-    const double next = value + term;
-    lost += std::abs(value) >= std::abs(term) ? (value - next) + term : (term - next) + value;
-    value = next;
-}
-
 BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitation excitation,
                              const SimulationOptions& options)
     : crossing_(start.crossing),
@@ -113,7 +106,7 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
         append(piece.duration, piece.value);
     }
     merged_ = 0.0;
-    const double room = opening_.total() / crossing_;
+    const double room = opening_.value() / crossing_;
     const double roomBehind = way_ / crossing_ - room;
     if (room < -atWall || roomBehind < -atWall) {
         Faults faults;
@@ -180,8 +173,7 @@ void BarSimulation::hold(Stop stop)
 {
     isHeld_ = true;
     stop_ = stop;
-    opening_ = {};
-    opening_.add(stop == Stop::right ? 0.0 : way_);
+    opening_ = CompensatedSum(stop == Stop::right ? 0.0 : way_);
 }
 
 void BarSimulation::recordTip()
@@ -211,7 +203,7 @@ void BarSimulation::step(double most)
     bool arrives = false;
     const Stop ahead = v > 0.0 ? Stop::right : Stop::left;
     if (v > 0.0 || (v < 0.0 && way_ < never)) {
-        const double room = v > 0.0 ? opening_.total() : way_ - opening_.total();
+        const double room = v > 0.0 ? opening_.value() : way_ - opening_.value();
         const double hit = room / std::abs(v);
         arrives = hit <= lasts + same_;
         lasts = hit < lasts - same_ ? std::max(hit, 0.0) : lasts;
@@ -266,21 +258,20 @@ void BarSimulation::advance(double duration)
     }
     owed_ += duration;
     while (owed_ > same_) {
-        const double before = time_.value;
-        const double lost = time_.lost;
+        const CompensatedSum before = time_;
         step(owed_);
-        owed_ -= (time_.value - before) + (time_.lost - lost);
+        owed_ -= time_.since(before);
     }
 }
 
 double BarSimulation::time() const
 {
-    return time_.total() / crossing_;
+    return time_.value() / crossing_;
 }
 
 double BarSimulation::tip() const
 {
-    return stops_.right - opening_.total() / crossing_;
+    return stops_.right - opening_.value() / crossing_;
 }
 
 double BarSimulation::base() const
@@ -329,12 +320,12 @@ double BarSimulation::merged() const
 
 double BarSimulation::storedSquares() const
 {
-    Sum squares;
+    CompensatedSum squares;
     for (std::size_t k = 0; k < count_; ++k) {
         const Piece& piece = ring_[(head_ + k) & (ring_.size() - 1)];
         squares.add(piece.duration * piece.value * piece.value);
     }
-    return squares.total();
+    return squares.value();
 }
 
 EnergyBalance BarSimulation::balance() const
@@ -342,13 +333,12 @@ EnergyBalance BarSimulation::balance() const
     // What the base does is counted where it is felt, so the energy is that of what left the tip.
     const double unit = 2.0 / crossing_;
     const double squares = storedSquares();
-    Sum error;
-    for (const double term :
-         {squares, -start_, -work_.value, -work_.lost, dissipated_.value, dissipated_.lost}) {
-        error.add(term);
-    }
-    return {unit * work_.total(), unit * dissipated_.total(), unit * error.total(),
-            unit * std::max({squares, start_, std::abs(work_.total()), dissipated_.total()})};
+    CompensatedSum error(squares);
+    error.add(-start_);
+    error.add(work_, -1.0);
+    error.add(dissipated_, 1.0);
+    return {unit * work_.value(), unit * dissipated_.value(), unit * error.value(),
+            unit * std::max({squares, start_, std::abs(work_.value()), dissipated_.value()})};
 }
 
 }  // namespace signorini

@@ -195,13 +195,19 @@ void ForcedWaves::setPhases(std::span<const Phase> phases)
         }
     }
     phases_.assign(phases.begin(), phases.end());
+    std::sort(changed_.begin(), changed_.end());
+    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+    for (const std::int64_t j : changed_) {
+        solveClass(j);
+    }
+    changed_.clear();
 }
 
 void ForcedWaves::changeStep(std::int64_t m, bool isContact)
 {
     if (isContact_[static_cast<std::size_t>(m)] != isContact) {
         isContact_[static_cast<std::size_t>(m)] = isContact;
-        solveClass(m % classes_);
+        changed_.push_back(m % classes_);
     }
 }
 
@@ -356,8 +362,10 @@ ForcedLine ForcedWaves::line(bool isHasty, double waveLimit)
     const auto isFree = [this](std::int64_t m) {
         return held_ > 0 && kindOf(m) == ClassKind::held;
     };
+    // A wall that need not push, whatever the excitation, leaves a row that is 0 but for rounding.
+    const double nothing = roundOff * scale;
     const auto byContact = [&](const ForcedCondition& condition, Plane row) {
-        return isFree(condition.step) || cut.by(row, condition) || !isHasty;
+        return size(row) <= nothing || isFree(condition.step) || cut.by(row, condition) || !isHasty;
     };
     // What left nothing of the schedule before is likely to leave nothing of this one.
     for (const auto& last : lastRows_) {
@@ -404,7 +412,7 @@ std::vector<ForcedRow> ForcedWaves::rows(double waveLimit) const
     forEachContact([&](const ForcedCondition& condition, Plane row) {
         writer.clear();
         writer.add(condition.step, 2.0);
-        writer.put(condition, false, row);
+        writer.put(condition, false, size(row) > least ? row : Plane{});
         return true;
     });
     forEachFlight([&] { writer.clear(); },

@@ -6,10 +6,12 @@
 
 namespace signorini {
 
+/// What rounding takes from each addition is kept beside the sum. Two words, a few additions.
 class CompensatedSum {
 public:
     explicit CompensatedSum(double start = 0.0) : sum_(start) {}
 
+    /// O(1).
     void add(double term)
     {
         const double next = sum_ + term;
@@ -24,7 +26,13 @@ public:
         lost_ += sign * other.lost_;
     }
 
+    /// The sum, rounded once.
     [[nodiscard]] double value() const { return sum_ + lost_; }
+    /// What was added since it was as `earlier`.
+    [[nodiscard]] double since(const CompensatedSum& earlier) const
+    {
+        return (sum_ - earlier.sum_) + (lost_ - earlier.lost_);
+    }
 
 private:
     double sum_;
