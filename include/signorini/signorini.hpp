@@ -7,7 +7,6 @@
 #include "signorini/atlas_database.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/certificate.hpp"
-#include "signorini/compensated_sum.hpp"
 #include "signorini/config.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/control.hpp"

@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "signorini/bar.hpp"
-#include "signorini/compensated_sum.hpp"
 #include "signorini/control.hpp"
 #include "signorini/motion.hpp"
 
@@ -222,6 +221,12 @@ private:
 
         void pass(double duration, double same);
     };
+    struct Sum {
+        double value = 0.0;
+        double lost = 0.0;
+        void add(double term);
+        [[nodiscard]] double total() const { return value + lost; }
+    };
 
     void append(double duration, double value);
     void grow();
@@ -248,13 +253,13 @@ private:
     std::size_t count_ = 0;
     bool isHeld_ = false;
     Stop stop_ = Stop::right;
-    CompensatedSum opening_;  ///< place of the wall - u(L), in g times units of time per crossing
-    CompensatedSum time_;     ///< units
-    double owed_ = 0.0;       ///< units that were asked for and not yet simulated
+    Sum opening_;        ///< place of the wall - u(L), in g times units of time per crossing
+    Sum time_;           ///< units
+    double owed_ = 0.0;  ///< units that were asked for and not yet simulated
     std::int64_t events_ = 0;
     double start_ = 0.0;  ///< sum of squares at the start
-    CompensatedSum work_;
-    CompensatedSum dissipated_;
+    Sum work_;
+    Sum dissipated_;
     double merged_ = 0.0;
     double impulse_ = 0.0;
     ContactEvent contact_;  ///< the one that lasts

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "arrivals.hpp"
-#include "signorini/compensated_sum.hpp"
+#include "compensated_sum.hpp"
 #include "signorini/verification.hpp"
 
 namespace signorini {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "signorini/compensated_sum.hpp"
+#include "compensated_sum.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 

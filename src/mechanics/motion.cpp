@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compensated_sum.hpp"
 #include "faults.hpp"
 #include "propagation.hpp"
-#include "signorini/compensated_sum.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini {

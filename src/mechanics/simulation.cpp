@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "compensated_sum.hpp"
 #include "faults.hpp"
 
 namespace signorini {
@@ -53,6 +54,11 @@ void BarSimulation::Clock::pass(double duration, double same)
         next = next + 1 == values.size() ? 0 : next + 1;
         left += step;
     }
+}
+
+void BarSimulation::Sum::add(double term)
+{
+    addCompensated(value, lost, term);
 }
 
 BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitation excitation,
@@ -106,7 +112,7 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
         append(piece.duration, piece.value);
     }
     merged_ = 0.0;
-    const double room = opening_.value() / crossing_;
+    const double room = opening_.total() / crossing_;
     const double roomBehind = way_ / crossing_ - room;
     if (room < -atWall || roomBehind < -atWall) {
         Faults faults;
@@ -173,7 +179,8 @@ void BarSimulation::hold(Stop stop)
 {
     isHeld_ = true;
     stop_ = stop;
-    opening_ = CompensatedSum(stop == Stop::right ? 0.0 : way_);
+    opening_ = {};
+    opening_.add(stop == Stop::right ? 0.0 : way_);
 }
 
 void BarSimulation::recordTip()
@@ -203,7 +210,7 @@ void BarSimulation::step(double most)
     bool arrives = false;
     const Stop ahead = v > 0.0 ? Stop::right : Stop::left;
     if (v > 0.0 || (v < 0.0 && way_ < never)) {
-        const double room = v > 0.0 ? opening_.value() : way_ - opening_.value();
+        const double room = v > 0.0 ? opening_.total() : way_ - opening_.total();
         const double hit = room / std::abs(v);
         arrives = hit <= lasts + same_;
         lasts = hit < lasts - same_ ? std::max(hit, 0.0) : lasts;
@@ -258,20 +265,21 @@ void BarSimulation::advance(double duration)
     }
     owed_ += duration;
     while (owed_ > same_) {
-        const CompensatedSum before = time_;
+        const double before = time_.value;
+        const double lost = time_.lost;
         step(owed_);
-        owed_ -= time_.since(before);
+        owed_ -= (time_.value - before) + (time_.lost - lost);
     }
 }
 
 double BarSimulation::time() const
 {
-    return time_.value() / crossing_;
+    return time_.total() / crossing_;
 }
 
 double BarSimulation::tip() const
 {
-    return stops_.right - opening_.value() / crossing_;
+    return stops_.right - opening_.total() / crossing_;
 }
 
 double BarSimulation::base() const
@@ -320,12 +328,12 @@ double BarSimulation::merged() const
 
 double BarSimulation::storedSquares() const
 {
-    CompensatedSum squares;
+    Sum squares;
     for (std::size_t k = 0; k < count_; ++k) {
         const Piece& piece = ring_[(head_ + k) & (ring_.size() - 1)];
         squares.add(piece.duration * piece.value * piece.value);
     }
-    return squares.value();
+    return squares.total();
 }
 
 EnergyBalance BarSimulation::balance() const
@@ -333,12 +341,13 @@ EnergyBalance BarSimulation::balance() const
     // What the base does is counted where it is felt, so the energy is that of what left the tip.
     const double unit = 2.0 / crossing_;
     const double squares = storedSquares();
-    CompensatedSum error(squares);
-    error.add(-start_);
-    error.add(work_, -1.0);
-    error.add(dissipated_, 1.0);
-    return {unit * work_.value(), unit * dissipated_.value(), unit * error.value(),
-            unit * std::max({squares, start_, std::abs(work_.value()), dissipated_.value()})};
+    Sum error;
+    for (const double term :
+         {squares, -start_, -work_.value, -work_.lost, dissipated_.value, dissipated_.lost}) {
+        error.add(term);
+    }
+    return {unit * work_.total(), unit * dissipated_.total(), unit * error.total(),
+            unit * std::max({squares, start_, std::abs(work_.total()), dissipated_.total()})};
 }
 
 }  // namespace signorini

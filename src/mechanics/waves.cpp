@@ -2,8 +2,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "compensated_sum.hpp"
 #include "faults.hpp"
-#include "signorini/compensated_sum.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {

@@ -6,18 +6,19 @@
 
 namespace signorini {
 
-/// What rounding takes from each addition is kept beside the sum. Two words, a few additions.
+/// sum + lost + term: what rounding takes from the addition is kept beside the sum.
+inline void addCompensated(double& sum, double& lost, double term)
+{
+    const double next = sum + term;
+    lost += std::abs(sum) >= std::abs(term) ? (sum - next) + term : (term - next) + sum;
+    sum = next;
+}
+
 class CompensatedSum {
 public:
     explicit CompensatedSum(double start = 0.0) : sum_(start) {}
 
-    /// O(1).
-    void add(double term)
-    {
-        const double next = sum_ + term;
-        lost_ += std::abs(sum_) >= std::abs(term) ? (sum_ - next) + term : (term - next) + sum_;
-        sum_ = next;
-    }
+    void add(double term) { addCompensated(sum_, lost_, term); }
 
     /// Adds another sum, times +-1.
     void add(const CompensatedSum& other, double sign)
@@ -26,13 +27,7 @@ public:
         lost_ += sign * other.lost_;
     }
 
-    /// The sum, rounded once.
     [[nodiscard]] double value() const { return sum_ + lost_; }
-    /// What was added since it was as `earlier`.
-    [[nodiscard]] double since(const CompensatedSum& earlier) const
-    {
-        return (sum_ - earlier.sum_) + (lost_ - earlier.lost_);
-    }
 
 private:
     double sum_;
