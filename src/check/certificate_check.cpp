@@ -40,7 +40,7 @@ public:
     {
         for (std::int64_t step = count % (2 * size()); step > 0; --step) {
             auto& flipped = signs_[static_cast<std::size_t>(head_)];
-            flipped = -flipped;
+            flipped = static_cast<std::int8_t>(-flipped);
             contact(1);
         }
     }
@@ -48,7 +48,7 @@ public:
 private:
     std::int64_t cells_;
     std::int64_t head_ = 0;
-    std::vector<std::int32_t> signs_;
+    std::vector<std::int8_t> signs_;
 };
 
 /// The coefficients of a combination of rows over the 2N unknowns.
@@ -155,16 +155,12 @@ bool combinesToContradiction(const FarkasCertificate& certificate, const Schedul
         firstContact += phase.contact;
         firstFree += phase.free;
     }
-    // (30): x at the end minus x at the start, row by row in the order of arrival at the tip.
-    const SignLine start(cells);
-    std::vector<std::int64_t> y(static_cast<std::size_t>(2 * cells), 0);
+    // (30): x at the end minus x at the start. a_N, ..., a_1, -b_1, ..., -b_N arrive at the tip.
     for (const Multiplier& m : certificate.periodicity) {
-        y[static_cast<std::size_t>(m.row)] = m.value;
-    }
-    for (std::int64_t m = 0; m < 2 * cells; ++m) {
-        const std::size_t row = start.unknown(m);
-        total.add(line.unknown(m), start.sign(m) * line.sign(m), y[row]);
-        total.add(row, -1, y[row]);
+        const bool isA = m.row < cells;
+        const std::int64_t place = isA ? cells - 1 - m.row : m.row;
+        total.add(line.unknown(place), isA ? line.sign(place) : -line.sign(place), m.value);
+        total.add(static_cast<std::size_t>(m.row), -1, m.value);
     }
     return total.isZero();
 }

@@ -153,6 +153,7 @@ std::vector<Multiplier> inUnknowns(const Functional& y)
 {
     const auto size = static_cast<std::int64_t>(y.size());
     std::vector<Multiplier> rows;
+    rows.reserve(y.size() - static_cast<std::size_t>(std::count(y.begin(), y.end(), 0)));
     for (std::int64_t row = 0; row < size; ++row) {
         const Unknown step = unknownOf(row, size / 2);
         const std::int64_t value = step.sign * y[static_cast<std::size_t>(step.index)];

@@ -266,6 +266,32 @@ TEST_CASE("cli: without a motion no file is written, and old ones stay")
     CHECK(program.files() == 1);
 }
 
+TEST_CASE("cli: --certificate is the answer with all of its proof, and there is none of a motion")
+{
+    const Program program;
+    CHECK(program.run("find 2 4 --cells 2 --certificate proof.json --state s.csv").status == 1);
+    CHECK(program.files() == 1);
+    json written = json::parse(contentOf(program.file("proof.json")));
+    json printed = json::parse(program.run("find 2 4 --cells 2 --format json").out);
+    for (json* answer : {&written, &printed}) {
+        (*answer)["solver"]["seconds"] = 0;
+    }
+    CHECK(written == printed);
+    CHECK(written["certificate"]["verified"] == true);
+    CHECK(!written["certificate"]["periodicity"].empty());
+
+    const auto found = program.run("find 5 23 --cells 8 --certificate other.json --state s.csv");
+    CHECK(found.status == 0);
+    CHECK_THAT(found.err, containsText("no proof to write"));
+    CHECK(program.files() == 2);
+    CHECK(program.run("find 5 23 --cells 8 --certificate s.csv --state s.csv").status == 2);
+    CHECK(program.run("find --period 7/2 --certificate p.json").status == 2);
+    // A list longer than a piece in which it is written.
+    CHECK(program.run("find 20001 90000 --cells 30000 --certificate long.json").status == 1);
+    CHECK(json::parse(contentOf(program.file("long.json")))["certificate"]["periodicity"].size() >
+          20'000);
+}
+
 TEST_CASE("cli: files that cannot be written are exit status 4, and nothing is left behind")
 {
     const Program program;
