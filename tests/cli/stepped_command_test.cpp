@@ -83,9 +83,47 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("find 3 25 --segments 4:1,4:1.3 --strain-limit 1", "for a bar of several segments");
     refuses("find 3 25 --segments 4:1,4:1.3:2 --figure m.svg", "one speed");
     refuses("find --frequency 8/7 --segments 4:1,4:1.3", "--segments");
-    refuses("simulate --segments 4:1,4:1.3 --time 1", "--segments");
+    refuses("simulate --segments 4:1,4:1.3:1:-1 --time 1", "dashpot of segment 2");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3", "--segments");
     refuses("response --damping 0.1 --force tip --amplitude 1e-4 --segments 4:1,4:1.3",
             "--segments");
     CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli stepped: a motion that was found goes on for ten periods when it is followed")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const Program program;
+    const std::string bar = " --segments 4:1,4:1.3 --format json";
+    const json found = program.find("3 25 --segments 4:1,4:1.3 --state s.csv", 0);
+    const auto run =
+        program.run("simulate --from s.csv --time 35 --events e.csv --tip t.csv" + bar);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    const json followed = json::parse(run.out);
+    CHECK(followed["segments"] == found["segments"]);
+    CHECK(followed["energy"].get<double>() == Approx(found["energy"].get<double>()).epsilon(1e-6));
+    CHECK(followed["tip"].get<double>() == Approx(1e-3).epsilon(1e-6));
+    CHECK(followed["impulse"].get<double>() ==
+          Approx(10.0 * found["physical"]["impulse"].get<double>()).epsilon(1e-6));
+    CHECK(lines(contentOf(program.file("e.csv"))) == 1 + followed["contacts"].get<int>());
+}
+
+TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and says so")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const Program program;
+    const std::string bar = " --segments 4:1,4:1.3 --damping 0.1 --force tip --format json";
+    const auto run =
+        program.run("simulate --rest --amplitude 4e-4 --frequency 1 --periods 400" + bar);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    const json settled = json::parse(run.out);
+    const json& balance = settled["balance"];
+    CHECK(std::abs(balance["error"].get<double>()) < 1e-9 * balance["work"].get<double>());
+    CHECK(balance["dissipated"].get<double>() > 0.0);
 }
