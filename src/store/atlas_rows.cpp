@@ -14,6 +14,7 @@
 #include <system_error>
 #include <vector>
 
+#include "segments_text.hpp"
 #include "set_kind_names.hpp"
 #include "verdict_names.hpp"
 
@@ -262,6 +263,7 @@ AtlasRun readRun(const SQLite::Statement& s)
                  .familiesOnly = readWhole(s, 15, 0, 1) != 0,
                  .gapSign = static_cast<int>(readWhole(s, 17, -1, 1))};
     try {
+        run.range.segments = segmentsOf(text(s, 18));
         validate(run.range);
     } catch (const std::invalid_argument& error) {
         refuse(s, 1, error.what());
