@@ -89,6 +89,9 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --cells 9",
             "cells of all segments = 8");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only", "families only");
+    refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --gap -1e-3", "gap");
+    refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --strain-limit 1",
+            "--strain-limit");
     refuses("response --damping 0.1 --force tip --amplitude 1e-4 --segments 4:1,4:1.3",
             "--segments");
     CHECK(program.files() == 0);
@@ -130,6 +133,9 @@ TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and 
     const json& balance = settled["balance"];
     CHECK(std::abs(balance["error"].get<double>()) < 1e-9 * balance["work"].get<double>());
     CHECK(balance["dissipated"].get<double>() > 0.0);
+    const auto words = program.run("find 6 26 --segments 4:1,4:1.3 --damping 0.1 --force tip");
+    CHECK((words.status == 0 || words.status == 3));
+    CHECK_THAT(words.out, containsText("force on the tip"));
 }
 
 TEST_CASE("cli stepped: an atlas is the same by threads and by processes, and keeps bar and proofs")
