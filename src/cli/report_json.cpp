@@ -49,9 +49,11 @@ Json multipliersAsJson(const std::vector<RationalMultiplier>& rows)
 
 Json asJson(const SteppedProof& proof)
 {
+    const double floor = proof.tipFloor - proof.tolerance;
     return {{"kind", "farkas"},
             {"verified", true},
             {"rows", name(Formulation::joints)},
+            {"tip_floor", std::isfinite(floor) ? Json(floor) : Json()},
             {"equalities", multipliersAsJson(proof.multipliers.equalities)},
             {"inequalities", multipliersAsJson(proof.multipliers.inequalities)}};
 }
