@@ -18,13 +18,21 @@
 /// schedules asks `decide` for the reason of each. Several phases are decided one by one by the
 /// exact sums
 /// (`lumpedSet`).
+///
+/// ## A bar of several segments
+///
+/// It has no families: every schedule is decided one by one, as `findPeriodic` does, and a row
+/// holds the least energy. What is refuted is proved in rationals; what is not is undecided.
 
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
+#include "signorini/bar.hpp"
 #include "signorini/control.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/one_phase_set.hpp"
@@ -43,6 +51,9 @@ struct AtlasRange {
     bool keepsRefuted = false;  ///< keep the schedules that no motion follows, too
     bool familiesOnly = false;  ///< keep no schedule; one phase only
     int gapSign = 1;            ///< [-], of the gap: 1, 0 or -1
+    /// Clamp first; empty: a uniform bar. Then a gap of 1 or -1, and schedules, not families, are
+    /// kept.
+    std::vector<Segment> segments = {};
 
     friend bool operator==(const AtlasRange&, const AtlasRange&) = default;
 };
@@ -57,6 +68,12 @@ inline constexpr std::int64_t maxAtlasPhases = 8;
 /// Reports all faults in one message; at most 2^62 numbers are allowed.
 /// \throws std::invalid_argument with field, value and allowed range.
 void validate(const AtlasRange& range);
+
+/// A range as one line of text, for other processes. All its numbers come back exactly.
+[[nodiscard]] std::string textOf(const AtlasRange& range);
+
+/// \throws std::invalid_argument unless `textOf` wrote it.
+[[nodiscard]] AtlasRange rangeOf(std::string_view text);
 
 /// A set of orbits on a grid, and how many schedules of the range show some of them: the simplex of
 /// a family (modes.hpp), or all grazing motions of one period, which have no (w, nu, k).
@@ -112,6 +129,16 @@ struct AtlasTally {
     friend bool operator==(const AtlasTally&, const AtlasTally&) = default;
 };
 
+/// The proof that a schedule of a bar of several segments has no motion: multipliers over the rows
+/// of the joints form, as docs/certificates.md describes them, in text: "row:value ..." of the
+/// equalities, "; ", and the same of the inequalities.
+struct AtlasProof {
+    std::int64_t number = 0;  ///< of its row
+    std::string multipliers;
+
+    friend bool operator==(const AtlasProof&, const AtlasProof&) = default;
+};
+
 /// What one thread decides at a time, and one transaction writes: of one phase some neighbouring n,
 /// of several some neighbouring numbers.
 struct AtlasBatch {
@@ -119,6 +146,7 @@ struct AtlasBatch {
     AtlasTally tally;                   ///< of all its schedules
     std::vector<AtlasFamily> families;  ///< whose n is in it, by n and k
     std::vector<AtlasRow> rows;  ///< those to keep, by n and n_c; of several phases by number
+    std::vector<AtlasProof> proofs = {};  ///< of refuted rows that are kept, ascending
 };
 
 /// How many numbers the range has. Rotations of a schedule have numbers, but are skipped. O(1).

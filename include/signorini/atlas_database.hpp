@@ -13,7 +13,8 @@
 /// steps (after which all its motions repeat), period (steps/N), frequency_ratio (4N/steps),
 /// status, reason, kernel_dimension, kind, dimension, contact, canonical (0 or 1),
 /// energy_ratio_min, energy_ratio_max (NULL: unbounded or unknown), family (the id of its family;
-/// NULL: several phases, or no motion); unique in (cells, phases), and within a run by n and n_c,
+/// NULL: several phases, or no motion, or several segments), proof (of a refuted schedule of a bar
+/// of several segments: AtlasProof); unique in (cells, phases), and within a run by n and n_c,
 /// those of several phases in the order of the range. steps is n, or less where every motion
 /// repeats sooner: a repetition never has a row of its own in `families`, and in `schedules` it has
 /// the frequency of its motions.
@@ -24,11 +25,11 @@
 /// moment loses the batches in flight, nothing else.
 ///
 /// All ranges of a file have a gap of one sign, runs.gap_sign. Without a gap energies have no
-/// meaning: energy_ratio_min is 0, energy_ratio_max NULL.
+/// meaning: energy_ratio_min is 0, energy_ratio_max NULL. They are of one bar, runs.segments:
+/// "cells:impedance:speed:dashpot,...", empty for a uniform one.
 ///
-/// This is version 3 of the tables (user_version). An atlas of version 1, without `families`, or 2,
-/// without gap_sign, is
-/// refused: decide its range anew.
+/// This is version 4 of the tables (user_version). An atlas of version 1, without `families`, 2,
+/// without gap_sign, or 3, without segments, is refused: decide its range anew.
 
 #include <cstdint>
 #include <functional>

@@ -89,7 +89,7 @@ struct Scene {
 /// that does not leave the tip some way (g + h > 0), segments that are not positive.
 void validate(const Scene& scene);
 
-/// [N], what the bar at rest presses on the wall with: -EA g/L, or 0 where there is a gap. O(1).
+/// [N], what the bar at rest presses on the wall with: -g/sum(l_i/EA_i); 0 where there is a gap.
 [[nodiscard]] double staticForce(const Scene& scene);
 
 }  // namespace signorini

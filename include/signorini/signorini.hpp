@@ -20,5 +20,6 @@
 #include "signorini/output.hpp"
 #include "signorini/response.hpp"
 #include "signorini/schedule.hpp"
+#include "signorini/segments.hpp"
 #include "signorini/simulation.hpp"
 #include "signorini/verification.hpp"

@@ -12,11 +12,17 @@
 ///
 /// The state is a list of pieces (duration, value); nothing stands on a grid, and no step of time
 /// is chosen. docs/theory.md, section 16.
+///
+/// A bar of several segments (bar.hpp) has two such lists for each of them, and at a joint every
+/// piece makes two. Z being the impedance of the last segment, eta stays the dashpot in units of
+/// EA/c of the first: rho = (Z - eta)/(Z + eta), 1/(Z + eta) in place of 1/(1 + eta), and R =
+/// F + 2 Z p. docs/theory.md, section 19.
 
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -127,10 +133,15 @@ struct Waves {
 /// wall where the gap is negative (a = 1/2, b = -1/2 throughout).
 [[nodiscard]] Waves wavesAtRest(double stepsPerCrossing = 1.0, const Stops& stops = {});
 
+/// A bar of several segments at rest, a step for each cell: without waves, or pressed on the wall
+/// by one force throughout where the gap is negative. \throws std::invalid_argument on segments
+/// that are none.
+[[nodiscard]] Waves wavesAtRest(std::span<const Segment> segments, const Stops& stops);
+
 /// u(x_i) - u(0), x_i = i/cells, i = 0..cells [g]. O(pieces + cells).
 [[nodiscard]] Eigen::VectorXd stretching(const Waves& waves, std::int64_t cells);
 
-/// E/E_1 = 2 int (a^2 + b^2) dx. O(pieces).
+/// E/E_1 = 2 int (a^2 + b^2) dx of a uniform bar. O(pieces).
 [[nodiscard]] double energyRatio(const Waves& waves);
 
 /// One contact with a stop.
@@ -161,11 +172,47 @@ struct EnergyBalance {
 /// How to simulate.
 struct SimulationOptions {
     /// [g/L], >= 0; neighbours that differ by no more become one piece with their mean. Equal ones
-    /// always do. Unset: 0 without damping, else 1e-12.
+    /// always do. Unset: 0 for a uniform bar without damping, else 1e-12.
     std::optional<double> mergeBelow = {};
     bool recordsTip = false;  ///< keep the path of the tip
     Stops stops = {};         ///< what the tip meets
+    /// Of a bar that is not uniform; the start's `crossing` is the number of their cells.
+    std::vector<Segment> segments = {};
 };
+
+/// Pieces of a wave in the order of arrival, in a ring.
+class PieceQueue {
+public:
+    /// Neighbours that differ by no more become one with their mean.
+    explicit PieceQueue(double mergeBelow = 0.0) : mergeBelow_(mergeBelow), ring_(64) {}
+
+    [[nodiscard]] std::size_t size() const { return count_; }
+    [[nodiscard]] const Piece& front() const { return ring_[head_]; }
+    [[nodiscard]] const Piece& operator[](std::size_t k) const
+    {
+        return ring_[(head_ + k) & (ring_.size() - 1)];
+    }
+    /// sum of duration times value^2. O(pieces).
+    [[nodiscard]] double squares() const;
+    /// sum of |jump| times duration over all that became one.
+    [[nodiscard]] double merged() const { return merged_; }
+
+    void append(double duration, double value);
+    /// Takes a duration from the front. A rest that is no longer than `same` goes to what follows.
+    void take(double duration, double same);
+
+private:
+    void grow();
+
+    double mergeBelow_;
+    std::vector<Piece> ring_;  ///< a power of two
+    std::size_t head_ = 0;
+    std::size_t count_ = 0;
+    double rest_ = 0.0;  ///< of the last piece, where nothing followed
+    double merged_ = 0.0;
+};
+
+class SegmentLines;
 
 /// The bar, event by event: the end of a piece, the end of a step of the excitation, the tip at the
 /// wall. A constant effort for each event. On a grid and undamped it only moves and negates
@@ -173,9 +220,15 @@ struct SimulationOptions {
 class BarSimulation {
 public:
     /// \throws std::invalid_argument on values that are not finite, durations that are not positive
-    /// or do not add up, or a tip beyond a stop by more than 1e-9 g.
+    /// or do not add up, or a tip beyond a stop by more than 1e-9 g; also on segments that are none
+    /// or have other cells than the start.
     BarSimulation(const Waves& start, const Damping& damping, Excitation excitation = {},
                   const SimulationOptions& options = {});
+    BarSimulation(const BarSimulation&);
+    BarSimulation(BarSimulation&&) noexcept;
+    BarSimulation& operator=(const BarSimulation&);
+    BarSimulation& operator=(BarSimulation&&) noexcept;
+    ~BarSimulation();
 
     /// Goes on for a time in units of the start's `Waves`: steps for a state on a grid.
     void advance(double duration);
@@ -195,7 +248,9 @@ public:
     /// The state. O(pieces).
     [[nodiscard]] Waves waves() const;
     /// Pieces under way.
-    [[nodiscard]] std::int64_t pieces() const { return static_cast<std::int64_t>(count_); }
+    [[nodiscard]] std::int64_t pieces() const;
+    /// E/E_1 of the state. O(pieces).
+    [[nodiscard]] double energyRatio() const;
     /// Contacts that are over, and pressed.
     [[nodiscard]] const std::vector<ContactEvent>& contacts() const { return contacts_; }
     /// All impulse so far, that of a contact that lasts included, each counted > 0 [EA g/c].
@@ -228,29 +283,31 @@ private:
         [[nodiscard]] double total() const { return value + lost; }
     };
 
-    void append(double duration, double value);
-    void grow();
+    void setClocks();
+    void place(const Waves& start);
     void step(double most);
+    void send(double q, double lasts);
     void closeContact();
     void hold(Stop stop);
     void recordTip();
     [[nodiscard]] double storedSquares() const;
+    [[nodiscard]] Waves wavesOfEcho() const;
 
     double crossing_;
     double same_;  ///< instants that differ by less are one
     double rho_;
     double eta_;
-    double admittance_;  ///< 1/(1 + eta)
-    double mergeBelow_;
+    double impedance_;   ///< Z, of the last segment
+    double admittance_;  ///< 1/(Z + eta)
     bool recordsTip_;
     Stops stops_;
     double way_;  ///< from the wall to the second stop, like opening_; infinite: none
     Excitation excitation_;
     Clock force_;
-    Clock base_;               ///< V one crossing ago, as it arrives at the tip
-    std::vector<Piece> ring_;  ///< q, in the order in which it arrives; a power of two
-    std::size_t head_ = 0;
-    std::size_t count_ = 0;
+    Clock base_;       ///< V one crossing ago, as it arrives at the tip; with segments V now
+    PieceQueue echo_;  ///< of a uniform bar: q, in the order in which it arrives
+    /// Of a bar of several segments: its waves, one entry; else empty.
+    std::vector<SegmentLines> segments_;
     bool isHeld_ = false;
     Stop stop_ = Stop::right;
     Sum opening_;        ///< place of the wall - u(L), in g times units of time per crossing
@@ -260,7 +317,7 @@ private:
     double start_ = 0.0;  ///< sum of squares at the start
     Sum work_;
     Sum dissipated_;
-    double merged_ = 0.0;
+    double mergedBefore_ = 0.0;  ///< in the echo, by the start
     double impulse_ = 0.0;
     ContactEvent contact_;  ///< the one that lasts
     std::vector<ContactEvent> contacts_;

@@ -259,8 +259,8 @@ Bar CommonOptions::barOfAnyGap() const
 {
     if (secondStop_ || !segments_.empty()) {
         throw std::invalid_argument(fmt::format(
-            "{}: allowed only where this command knows such scenes: find{}",
-            secondStop_ ? "--second-stop" : "--segments", secondStop_ ? ", simulate" : ""));
+            "{}: allowed only where this command knows such scenes: find, simulate{}",
+            secondStop_ ? "--second-stop" : "--segments", secondStop_ ? "" : ", atlas"));
     }
     return givenBar();
 }
@@ -321,7 +321,7 @@ std::vector<Segment> parseSegments(std::string_view name, std::string_view text)
             segment.speed = parsePositive(name, parts[2], "-");
         }
         if (parts.size() == 4) {
-            segment.dashpot = parsePositive(name, parts[3], "-");
+            segment.dashpot = parseReal(name, parts[3], "-");
         }
         segments.push_back(segment);
     }

@@ -13,8 +13,10 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "ranks.hpp"
+#include "segments_text.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -74,12 +76,28 @@ AtlasRange AtlasCommand::range() const
     range.maxEnergyRatio = maxEnergyRatio.value_or(range.maxEnergyRatio);
     range.keepsRefuted = all;
     range.familiesOnly = familiesOnly;
-    range.gapSign = stopsOf(common.barOfAnyGap()).right;
+    range.gapSign = stopsOf(bar()).right;
+    range.segments = segments();
     if (all && familiesOnly) {
         throw std::invalid_argument("--all, --families-only: allowed one of them");
     }
     validate(range);
     return range;
+}
+
+std::vector<Segment> AtlasCommand::segments() const
+{
+    const Scene scene = common.scene();
+    if (scene.secondStop) {
+        throw std::invalid_argument(
+            "--second-stop: allowed only where this command knows such scenes: find, simulate");
+    }
+    return isUniform(scene.segments) ? std::vector<Segment>{} : scene.segments;
+}
+
+Bar AtlasCommand::bar() const
+{
+    return firstMaterial({common.scene().bar, std::nullopt, segments()});
 }
 
 bool AtlasCommand::namesRange() const
@@ -107,9 +125,13 @@ ExitStatus AtlasCommand::run() const
             throw std::invalid_argument(
                 "--database is missing: allowed the name of an SQLite file");
         }
-        if (common.barOfAnyGap().gap <= 0.0 && !figureFile.empty()) {
+        if (bar().gap <= 0.0 && !figureFile.empty()) {
             throw std::invalid_argument(
                 "--figure: allowed with a gap > 0, whose plot it is; --csv holds the families");
+        }
+        if (!segments().empty() && !(figureFile.empty() && csvFile.empty())) {
+            throw std::invalid_argument(
+                "--figure, --csv: allowed for a uniform bar, whose families they show");
         }
         std::vector<OutputOption> written = outputs();
         written.insert(written.begin(), {"--database", database});
@@ -200,15 +222,21 @@ std::vector<OutputOption> AtlasCommand::outputs() const
 void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                         Outputs& outputs) const
 {
+    const std::vector<AtlasRun> runs = atlas.runs();
+    if (!(figureFile.empty() && csvFile.empty()) &&
+        std::any_of(runs.begin(), runs.end(),
+                    [](const AtlasRun& run) { return !run.range.segments.empty(); })) {
+        throw std::invalid_argument(
+            "--figure, --csv: allowed for the atlas of a uniform bar, whose families they show");
+    }
     outputs.put("--figure", [&](const std::string& path) {
         drawFrequencyEnergyPlot(atlas, cells, figureFormat(figureFile), path);
     });
     outputs.put("--map", [&](const std::string& path) {
         drawExistenceMap(atlas, cells, figureFormat(mapFile), path);
     });
-    outputs.put("--csv", [&](const std::string& path) {
-        writeAtlasCsv(path, atlas, cells, common.barOfAnyGap());
-    });
+    outputs.put("--csv",
+                [&](const std::string& path) { writeAtlasCsv(path, atlas, cells, bar()); });
     outputs.commit();
 }
 
@@ -217,7 +245,7 @@ ExitStatus AtlasCommand::answer() const
     Outputs drawing(outputs());
     AtlasAnswer answer;
     answer.isTwins = twins;
-    answer.bar = common.barOfAnyGap();
+    answer.bar = bar();
     const AtlasDatabase atlas = forFile("--database", database, [&] {
         AtlasDatabase opened = AtlasDatabase::open(database);
         ask(opened, answer);
@@ -267,20 +295,21 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
         throw std::invalid_argument(
             "--map draws schedules, which --families-only leaves out: allowed one of them");
     }
-    const Bar bar = common.barOfAnyGap();
     AtlasOptions options;
     options.threads = common.threads;
     options.resume = resume;
-    options.options = fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}{}",
-                                  range.cells, range.maxContact, range.maxFree, range.maxPhases,
-                                  std::isfinite(range.maxEnergyRatio)
-                                      ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
-                                      : "",
-                                  range.keepsRefuted ? " --all" : "",
-                                  range.familiesOnly ? " --families-only" : "") +
-                      (range.gapSign < 0    ? " --gap < 0"
-                       : range.gapSign == 0 ? " --gap 0"
-                                            : "");
+    options.options =
+        fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}{}", range.cells,
+                    range.maxContact, range.maxFree, range.maxPhases,
+                    std::isfinite(range.maxEnergyRatio)
+                        ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
+                        : "",
+                    range.keepsRefuted ? " --all" : "",
+                    range.familiesOnly ? " --families-only" : "") +
+        (range.gapSign < 0    ? " --gap < 0"
+         : range.gapSign == 0 ? " --gap 0"
+                              : "") +
+        (range.segments.empty() ? "" : fmt::format(" --segments {}", textOf(range.segments)));
     if (!interrupt) {
         interrupt.emplace();
     }
@@ -317,7 +346,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (run.isFinished()) {
         draw(*atlas, range.cells, drawing);
     }
-    writeOut(common.wantsJson ? asJson(run, database, bar) : asText(run, database));
+    writeOut(common.wantsJson ? asJson(run, database, common.scene()) : asText(run, database));
     if (!run.isFinished()) {
         if (!common.quiet) {
             tell(

@@ -47,6 +47,10 @@ private:
     [[nodiscard]] bool namesRange() const;
     [[nodiscard]] bool makesRange() const;
     [[nodiscard]] AtlasRange range() const;
+    /// Of a bar that is not uniform.
+    [[nodiscard]] std::vector<Segment> segments() const;
+    /// Whose scales the answers have.
+    [[nodiscard]] Bar bar() const;
     void checkQuery() const;
     [[nodiscard]] std::optional<AtlasPoint> point() const;
     [[nodiscard]] AtlasQuestion question(const std::optional<AtlasPoint>& point) const;

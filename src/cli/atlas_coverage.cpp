@@ -7,6 +7,8 @@
 #include <iterator>
 #include <set>
 
+#include "segments_text.hpp"
+
 namespace signorini::cli {
 
 namespace {
@@ -117,11 +119,12 @@ std::string AtlasCoverage::gaps() const
 std::string describe(const AtlasRange& range)
 {
     return fmt::format(
-        "N = {}, contact 1..{}, free 1..{}{}{}{}", range.cells, range.maxContact, range.maxFree,
+        "N = {}, contact 1..{}, free 1..{}{}{}{}{}", range.cells, range.maxContact, range.maxFree,
         range.maxPhases > 1 ? fmt::format(", 1..{} phases", range.maxPhases) : "",
         std::isfinite(range.maxEnergyRatio) ? fmt::format(", E <= {} E₁", range.maxEnergyRatio)
                                             : "",
-        range.familiesOnly ? ", families only" : "");
+        range.familiesOnly ? ", families only" : "",
+        range.segments.empty() ? "" : fmt::format(", segments {}", textOf(range.segments)));
 }
 
 }  // namespace signorini::cli

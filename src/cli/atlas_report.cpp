@@ -278,13 +278,12 @@ std::string asText(const AtlasRun& run, const std::string& database)
         tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
 }
 
-std::string asJson(const AtlasRun& run, const std::string& database, const Bar& bar)
+std::string asJson(const AtlasRun& run, const std::string& database, const Scene& scene)
 {
     const AtlasTally& tally = run.tally;
     Json json = newAnswer();
     json.update(Json{{"status", run.isFinished() ? "done" : "interrupted"},
                      {"database", database},
-                     {"bar", barAsJson(bar)},
                      {"cells", run.range.cells},
                      {"max_contact", run.range.maxContact},
                      {"max_free", run.range.maxFree},
@@ -300,6 +299,7 @@ std::string asJson(const AtlasRun& run, const std::string& database, const Bar& 
                      {"undecided", tally.undecided},
                      {"batches", {run.nextBatch, run.batches}},
                      {"seconds", run.seconds}});
+    addScene(scene, json);
     return asLine(json);
 }
 

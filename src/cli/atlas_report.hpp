@@ -43,6 +43,7 @@ void writeAtlasCsv(const std::string& path, const AtlasDatabase& atlas,
                    std::optional<std::int64_t> cells, const Bar& bar);
 
 [[nodiscard]] std::string asText(const AtlasRun& run, const std::string& database);
-[[nodiscard]] std::string asJson(const AtlasRun& run, const std::string& database, const Bar& bar);
+[[nodiscard]] std::string asJson(const AtlasRun& run, const std::string& database,
+                                 const Scene& scene);
 
 }  // namespace signorini::cli

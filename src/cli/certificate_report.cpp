@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "report.hpp"
 #include "text.hpp"
 
@@ -28,12 +30,16 @@ public:
 
     void operator()(const ProgramProof& proof) const
     {
-        program(name(proof.rows), proof.multipliers);
+        begin(name(proof.rows));
+        lists(proof.multipliers);
     }
 
     void operator()(const SteppedProof& proof) const
     {
-        program(name(Formulation::joints), proof.multipliers);
+        const double floor = proof.tipFloor - proof.tolerance;
+        begin(name(Formulation::joints));
+        write_(",\"tip_floor\":" + (std::isfinite(floor) ? Json(floor) : Json()).dump());
+        lists(proof.multipliers);
     }
 
     void operator()(const EnergyExclusion& exclusion) const
@@ -52,9 +58,8 @@ private:
     }
 
     template <typename Proof>
-    void program(std::string_view rows, const Proof& proof) const
+    void lists(const Proof& proof) const
     {
-        begin(rows);
         list("equalities", proof.equalities);
         list("inequalities", proof.inequalities);
         write_("}");

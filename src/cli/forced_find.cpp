@@ -3,10 +3,12 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <cmath>
 
 #include "files.hpp"
 #include "forced_report.hpp"
 #include "report.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -26,12 +28,21 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
     if (!force.place) {
         refuse("--force", "missing", "tip|base");
     }
-    const Bar bar = common.bar();
+    const Scene scene = common.scene();
+    const bool isStepped = !scene.segments.empty();
+    if (isStepped && std::isfinite(strainLimit)) {
+        refuse("--strain-limit", fmt::format("{}", strainLimit),
+               "none for a forced bar of several segments");
+    }
+    const Bar bar = isStepped ? firstMaterial(scene) : common.bar();
     Outputs outputs({{"--state", stateFile}});
     const ForcedLimits limits{strainLimit / scales(bar).strain};
+    const Forcing forcing{*force.place, cycles};
     const ForcedAnswer answer =
-        answerOf(forcedMotions(schedule, force.damping(), {*force.place, cycles}, limits), bar,
-                 force.amplitude);
+        isStepped ? answerOf(SteppedForced(schedule, scene, force.damping(), forcing), scene,
+                             force.amplitude)
+                  : answerOf(forcedMotions(schedule, force.damping(), forcing, limits), bar,
+                             force.amplitude);
     if (!answer.motions.empty()) {
         outputs.put("--state", [&](const std::string& path) {
             writeStateCsv(path, answer.motions.back().state, bar);

@@ -4,6 +4,7 @@
 
 #include "force_report.hpp"
 #include "report.hpp"
+#include "stepped_bar.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {
@@ -109,7 +110,7 @@ Json certificateAsJson(const ForcedAnswer& answer)
 
 ForcedAnswer answerOf(ForcedSet set, const Bar& bar, std::optional<double> asked)
 {
-    ForcedAnswer answer{std::move(set), bar, bar.gap, asked, {}};
+    ForcedAnswer answer{std::move(set), bar, bar, bar.gap, asked, {}};
     if (answer.set.forcing.place == Excited::tip) {
         answer.amplitudeUnit = forceUnit(bar);
     }
@@ -124,6 +125,29 @@ ForcedAnswer answerOf(ForcedSet set, const Bar& bar, std::optional<double> asked
     answer.motions = motionsOfAmplitude(answer.set, amplitude);
     if (answer.motions.empty()) {
         answer.exclusion = exclusionOf(answer.set, amplitude);
+    }
+    return answer;
+}
+
+ForcedAnswer answerOf(const SteppedForced& forced, const Scene& scene, std::optional<double> asked)
+{
+    Bar bar = firstMaterial(scene);
+    bar.young.reset();  // it is known of the first segment only
+    ForcedAnswer answer{forced.set(), scene, bar, bar.gap, asked, {}};
+    if (answer.set.forcing.place == Excited::tip) {
+        answer.amplitudeUnit = forceUnit(bar);
+    }
+    if (answer.set.status != Status::found) {
+        return answer;
+    }
+    if (!asked) {
+        answer.motions = {forced.leastAmplitude()};
+        return answer;
+    }
+    const double amplitude = *asked / answer.amplitudeUnit;
+    answer.motions = forced.ofAmplitude(amplitude);
+    if (answer.motions.empty()) {
+        answer.exclusion = AmplitudeExclusion{amplitude, {}, false};
     }
     return answer;
 }
@@ -166,7 +190,6 @@ std::string asJson(const ForcedAnswer& answer)
         {"status", name(answer.status())},
         {"cells", set.schedule.cells},
         {"schedule", phasesAsJson(set.schedule.phases)},
-        {"bar", barAsJson(answer.bar)},
         {"damping", dampingAsJson(set.damping, answer.bar)},
         {"force", name(set.forcing.place)},
         {"cycles", set.forcing.cycles},
@@ -180,6 +203,7 @@ std::string asJson(const ForcedAnswer& answer)
         {"motions", Json::array()},
         {"reason", set.reason ? Json(name(*set.reason)) : Json()},
         {"certificate", answer.motions.empty() ? certificateAsJson(answer) : Json()}});
+    addScene(answer.scene, json);
     if (set.status == Status::found) {
         // JSON has no infinity: a ray prints null.
         json["amplitude_range"] = {set.leastAmplitude * answer.amplitudeUnit,

@@ -8,13 +8,15 @@
 
 #include "signorini/bar.hpp"
 #include "signorini/response.hpp"
+#include "stepped_forced.hpp"
 
 namespace signorini::cli {
 
 /// What is said of a schedule.
 struct ForcedAnswer {
     ForcedSet set;
-    Bar bar;
+    Scene scene;
+    Bar bar;                            ///< whose scales the answer has
     double amplitudeUnit = 1.0;         ///< [N] or [m]
     std::optional<double> asked;        ///< [N] or [m]
     std::vector<ForcedMotion> motions;  ///< by ascending impulse
@@ -29,6 +31,10 @@ struct ForcedAnswer {
 
 /// The motions of an amplitude [N] or [m], or if none is asked for the one of the least.
 [[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Bar& bar, std::optional<double> asked);
+
+/// The same of a bar of several segments.
+[[nodiscard]] ForcedAnswer answerOf(const SteppedForced& forced, const Scene& scene,
+                                    std::optional<double> asked);
 
 /// Several lines for people, with a final newline.
 [[nodiscard]] std::string asText(const ForcedAnswer& answer);

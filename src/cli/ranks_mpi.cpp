@@ -3,6 +3,9 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -13,11 +16,36 @@ namespace signorini::cli {
 
 namespace {
 
-/// What rank 0 calls the workers to: batches first, first + 1, ... of a range; none if first < 0.
+/// What rank 0 calls the workers to: batches first, first + 1, ... of a range. It travels as text;
+/// an empty one sends them home.
 struct Call {
     AtlasRange range;
-    std::int64_t first = -1;
+    std::int64_t first = 0;
 };
+
+/// Sends a text from rank 0 to all, and returns it.
+std::string broadcast(std::string text)
+{
+    auto size = static_cast<std::int64_t>(text.size());
+    MPI_Bcast(&size, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+    text.resize(static_cast<std::size_t>(size));
+    MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, MPI_COMM_WORLD);
+    return text;
+}
+
+std::string textOf(const Call& call)
+{
+    return std::to_string(call.first) + ' ' + signorini::textOf(call.range);
+}
+
+std::optional<Call> callOf(const std::string& text)
+{
+    if (text.empty()) {
+        return std::nullopt;
+    }
+    const std::size_t mark = text.find(' ');
+    return Call{rangeOf(std::string_view(text).substr(mark + 1)), std::stoll(text.substr(0, mark))};
+}
 
 /// What a message means.
 enum Tag : int {
@@ -32,16 +60,24 @@ void rest()
     std::this_thread::sleep_for(std::chrono::microseconds(100));
 }
 
-/// A batch is a row of bytes: its sizes and tally, then families, then rows.
+/// A batch is a row of bytes: its sizes and tally, then families, then rows, then proofs, each
+/// with the length of its text.
 struct Head {
     std::int64_t number = 0;
     AtlasTally tally;
     std::size_t families = 0;
     std::size_t rows = 0;
+    std::size_t proofs = 0;
+};
+
+/// Of a proof.
+struct ProofHead {
+    std::int64_t number = 0;
+    std::size_t length = 0;
 };
 
 static_assert(std::is_trivially_copyable_v<AtlasRow> && std::is_trivially_copyable_v<AtlasFamily> &&
-                  std::is_trivially_copyable_v<Head> && std::is_trivially_copyable_v<Call>,
+                  std::is_trivially_copyable_v<Head> && std::is_trivially_copyable_v<ProofHead>,
               "batches travel as bytes between processes of one program");
 
 template <typename Value>
@@ -63,12 +99,22 @@ const char* take(const char* at, Value* values, std::size_t count)
 
 std::vector<char> pack(const AtlasBatch& batch)
 {
-    const Head head{batch.number, batch.tally, batch.families.size(), batch.rows.size()};
-    std::vector<char> bytes(sizeof head + head.families * sizeof(AtlasFamily) +
-                            head.rows * sizeof(AtlasRow));
+    const Head head{batch.number, batch.tally, batch.families.size(), batch.rows.size(),
+                    batch.proofs.size()};
+    std::size_t size =
+        sizeof head + head.families * sizeof(AtlasFamily) + head.rows * sizeof(AtlasRow);
+    for (const AtlasProof& proof : batch.proofs) {
+        size += sizeof(ProofHead) + proof.multipliers.size();
+    }
+    std::vector<char> bytes(size);
     char* at = put(bytes.data(), &head, 1);
     at = put(at, batch.families.data(), head.families);
-    put(at, batch.rows.data(), head.rows);
+    at = put(at, batch.rows.data(), head.rows);
+    for (const AtlasProof& proof : batch.proofs) {
+        const ProofHead of{proof.number, proof.multipliers.size()};
+        at = put(at, &of, 1);
+        at = put(at, proof.multipliers.data(), of.length);
+    }
     return bytes;
 }
 
@@ -82,7 +128,14 @@ AtlasBatch unpack(const std::vector<char>& bytes)
     batch.families.resize(head.families);
     batch.rows.resize(head.rows);
     at = take(at, batch.families.data(), head.families);
-    take(at, batch.rows.data(), head.rows);
+    at = take(at, batch.rows.data(), head.rows);
+    for (std::size_t k = 0; k < head.proofs; ++k) {
+        ProofHead of;
+        at = take(at, &of, 1);
+        AtlasProof& proof = batch.proofs.emplace_back(AtlasProof{of.number, {}});
+        proof.multipliers.resize(of.length);
+        at = take(at, proof.multipliers.data(), of.length);
+    }
     return batch;
 }
 
@@ -190,8 +243,7 @@ Ranks::~Ranks()
     if (!wasCalled_) {
         // Wrong use, or a question to the database: rank 0 says that nothing is to be done, and
         // the others, who wait for its word in any case, hear it.
-        Call none;
-        MPI_Bcast(&none, sizeof none, MPI_BYTE, 0, MPI_COMM_WORLD);
+        (void)broadcast("");
     }
     MPI_Finalize();
 }
@@ -203,22 +255,20 @@ std::unique_ptr<BatchSource> Ranks::share(const AtlasRange& range, std::int64_t 
     auto batches =
         std::make_unique<SharedBatches>(count_, range, threads, std::move(cancel), first);
     wasCalled_ = true;
-    Call call{range, first};
-    MPI_Bcast(&call, sizeof call, MPI_BYTE, 0, MPI_COMM_WORLD);
+    (void)broadcast(textOf(Call{range, first}));
     return batches;
 }
 
 bool Ranks::serve(std::int64_t threads, const Cancel& cancel)
 {
-    Call call;
     wasCalled_ = true;
-    MPI_Bcast(&call, sizeof call, MPI_BYTE, 0, MPI_COMM_WORLD);
-    if (call.first < 0) {
+    const std::optional<Call> call = callOf(broadcast(""));
+    if (!call) {
         return true;
     }
     bool isWanted = true;
     {
-        LocalBatches own(call.range, threads, cancel, call.first + rank_, count_);
+        LocalBatches own(call->range, threads, cancel, call->first + rank_, count_);
         std::optional<AtlasBatch> batch;
         while (isWanted && (batch = own.next())) {
             const std::vector<char> bytes = pack(*batch);

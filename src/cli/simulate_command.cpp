@@ -11,6 +11,7 @@
 #include "progress.hpp"
 #include "signorini/figures.hpp"
 #include "simulation_report.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -39,6 +40,12 @@ void goOn(BarSimulation& simulation, double stretch, double total, bool isQuiet,
     if (answer.amplitude) {
         answer.settled = watch.settled();
     }
+}
+
+/// The segments of a bar that is not uniform.
+std::vector<Segment> partsOf(const Scene& scene)
+{
+    return isUniform(scene.segments) ? std::vector<Segment>{} : scene.segments;
 }
 
 }  // namespace
@@ -84,14 +91,17 @@ void SimulateCommand::requireWhole() const
     }
 }
 
-Waves SimulateCommand::start(const Bar& bar) const
+Waves SimulateCommand::start(const Scene& scene) const
 {
+    const std::vector<Segment> parts = partsOf(scene);
     if (fromFile.empty()) {
-        return wavesAtRest(static_cast<double>(common.usualCells()), stopsOf(bar));
+        return parts.empty() ? wavesAtRest(static_cast<double>(common.usualCells()), stopsOf(scene))
+                             : wavesAtRest(parts, stopsOf(scene));
     }
     // A table of waves brings its own grid, whatever --cells says of the excitation.
+    const std::int64_t cells = parts.empty() ? common.usualCells() : steppedBar(parts).cells;
     return wavesOf(forFile("--from", fromFile, [&] {
-        return readState(fromFile, bar, common.usualCells(), maxMeasurements).state;
+        return readState(fromFile, firstMaterial(scene), cells, maxMeasurements).state;
     }));
 }
 
@@ -135,9 +145,7 @@ ExitStatus SimulateCommand::run() const
 {
     requireWhole();
     const Scene scene = common.scene();
-    if (!scene.segments.empty()) {
-        throw std::invalid_argument("--segments: allowed only where stepped bars are known: find");
-    }
+    const Bar bar = firstMaterial(scene);
     SimulationAnswer answer{.scene = scene,
                             .damping = force.damping(),
                             .amplitude = force.amplitude,
@@ -147,25 +155,25 @@ ExitStatus SimulateCommand::run() const
                             .cells = 0,
                             .settled = {}};
     Outputs outputs({{"--events", eventsFile}, {"--tip", tipFile}, {"--figure", figureFile}});
-    const Waves waves = start(scene.bar);
+    const Waves waves = start(scene);
     answer.cells = static_cast<std::int64_t>(waves.crossing);
     answer.excitation =
-        excitation(scene.bar, common.cells ? static_cast<double>(*common.cells) : waves.crossing);
+        excitation(bar, common.cells ? static_cast<double>(*common.cells) : waves.crossing);
     BarSimulation simulation(waves, force.damping(), answer.excitation,
                              {.mergeBelow = {},
                               .recordsTip = !tipFile.empty() || !figureFile.empty(),
-                              .stops = stopsOf(scene)});
+                              .stops = stopsOf(scene),
+                              .segments = partsOf(scene)});
     // In units of the simulation's; a period of the excitation is a whole number of its steps.
     const double stretch = answer.excitation.steps() > 0
                                ? static_cast<double>(answer.excitation.steps()) * waves.crossing /
                                      answer.excitation.stepsPerCrossing
                                : 16.0 * waves.crossing;
-    goOn(simulation, stretch, stretches(stretch, waves.crossing, scene.bar), common.quiet, answer);
+    goOn(simulation, stretch, stretches(stretch, waves.crossing, bar), common.quiet, answer);
     if (answer.isComplete) {
         outputs.put("--events",
-                    [&](const std::string& path) { writeEvents(path, simulation, scene.bar); });
-        outputs.put("--tip",
-                    [&](const std::string& path) { writeTip(path, simulation, scene.bar); });
+                    [&](const std::string& path) { writeEvents(path, simulation, bar); });
+        outputs.put("--tip", [&](const std::string& path) { writeTip(path, simulation, bar); });
         outputs.put("--figure", [&](const std::string& path) {
             drawSimulation(simulation, answer.excitation, figureFormat(figureFile), path);
         });

@@ -33,7 +33,7 @@ struct SimulateCommand {
 
 private:
     void requireWhole() const;
-    [[nodiscard]] Waves start(const Bar& bar) const;
+    [[nodiscard]] Waves start(const Scene& scene) const;
     /// How many stretches of time are asked for, in units of which a crossing takes `crossing`.
     [[nodiscard]] double stretches(double stretch, double crossing, const Bar& bar) const;
     [[nodiscard]] Excitation excitation(const Bar& bar, double cells) const;

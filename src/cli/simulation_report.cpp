@@ -6,26 +6,27 @@
 
 #include "force_report.hpp"
 #include "signorini/output.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
 std::string asText(const SimulationAnswer& answer, const BarSimulation& simulation)
 {
-    const Scales unit = scales(answer.scene.bar);
+    const Bar bar = firstMaterial(answer.scene);
+    const Scales unit = scales(bar);
     const EnergyBalance balance = simulation.balance();
-    const double energy = energyRatio(simulation.waves());
+    const double energy = simulation.energyRatio();
     std::string text = fmt::format(
         "{:<12}{:.6g} s ({:.6g} L/c), {} events\n", answer.isComplete ? "simulated" : "interrupted",
         simulation.time() * unit.time, simulation.time(), simulation.events());
     text += fmt::format("contacts    {}, impulse {:.6g} N s in all\n", simulation.contacts().size(),
-                        simulation.impulse() * impulseUnit(answer.scene.bar));
+                        simulation.impulse() * impulseUnit(bar));
     if (answer.settled) {
         const Settled& settled = *answer.settled;
         text += fmt::format(
             "settled     repeats every {} of the excitation: {} contact{}, {:.6g} N s\n",
             settled.periods == 1 ? "period" : fmt::format("{} periods", settled.periods),
-            settled.contacts, settled.contacts == 1 ? "" : "s",
-            settled.impulse * impulseUnit(answer.scene.bar));
+            settled.contacts, settled.contacts == 1 ? "" : "s", settled.impulse * impulseUnit(bar));
     } else if (answer.amplitude) {
         text += "settled     no\n";
     }
@@ -37,8 +38,7 @@ std::string asText(const SimulationAnswer& answer, const BarSimulation& simulati
     text += fmt::format(
         "energy      {:.10g} J{}; work {:.6g} J, dissipated {:.6g} J, "
         "balance off by {:.3g} of the largest\n",
-        energy * unit.energy,
-        answer.scene.bar.gap == 0.0 ? "" : fmt::format(" = {:.10g} E₁", energy),
+        energy * unit.energy, bar.gap == 0.0 ? "" : fmt::format(" = {:.10g} E₁", energy),
         balance.work * unit.energy, balance.dissipated * unit.energy,
         balance.size > 0.0 ? std::abs(balance.error) / balance.size : 0.0);
     if (simulation.merged() > 0.0) {
@@ -50,10 +50,10 @@ std::string asText(const SimulationAnswer& answer, const BarSimulation& simulati
 
 std::string asJson(const SimulationAnswer& answer, const BarSimulation& simulation)
 {
-    const Bar& bar = answer.scene.bar;
+    const Bar bar = firstMaterial(answer.scene);
     const Scales unit = scales(bar);
     const EnergyBalance balance = simulation.balance();
-    const double energy = energyRatio(simulation.waves());
+    const double energy = simulation.energyRatio();
     Json json = newAnswer();
     json.update(Json{{"status", answer.isComplete ? "done" : "interrupted"},
                      {"cells", answer.cells},

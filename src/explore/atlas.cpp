@@ -1,9 +1,13 @@
 #include "signorini/atlas.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
 
 #include "faults.hpp"
+#include "segments_text.hpp"
+#include "stepped_bar.hpp"
+#include "stepped_blocks.hpp"
 
 namespace signorini {
 
@@ -61,6 +65,20 @@ void validate(const AtlasRange& range)
     if (range.gapSign < -1 || range.gapSign > 1) {
         faults.add("gap sign", range.gapSign, "-1..1");
     }
+    if (!range.segments.empty()) {
+        requireCells(steppedBar(range.segments), range.cells);
+        if (range.gapSign == 0) {
+            faults.add("gap sign", 0, "-1, 1 for a bar of several segments");
+        }
+        if (range.familiesOnly) {
+            faults.add("families only", true, "false for a bar of several segments");
+        }
+        const std::int64_t most = maxSteppedSteps / maxAtlasPhases;
+        if (range.maxContact + range.maxFree > most) {
+            faults.add("max contact + max free", range.maxContact + range.maxFree,
+                       fmt::format("at most {} for a bar of several segments", most));
+        }
+    }
     if (!(range.maxEnergyRatio > 0.0)) {
         faults.add("max energy ratio", range.maxEnergyRatio, "numbers > 0 [E_1]");
     }
@@ -75,6 +93,42 @@ void validate(const AtlasRange& range)
         faults.add("families only", true, "false where refuted schedules are kept");
     }
     faults.throwIfAny();
+}
+
+std::string textOf(const AtlasRange& range)
+{
+    return fmt::format("{} {} {} {} {} {} {} {} {}", range.cells, range.maxContact, range.maxFree,
+                       range.maxPhases, range.maxEnergyRatio, range.keepsRefuted ? 1 : 0,
+                       range.familiesOnly ? 1 : 0, range.gapSign, textOf(range.segments));
+}
+
+AtlasRange rangeOf(std::string_view text)
+{
+    AtlasRange range;
+    std::string_view rest = text;
+    const auto take = [&](auto& value) {
+        const char* end = rest.data() + rest.size();
+        const auto [stop, error] = std::from_chars(rest.data(), end, value);
+        if (error != std::errc{} || stop == end || *stop != ' ') {
+            throw std::invalid_argument(
+                fmt::format("range = {}: allowed what textOf writes", text));
+        }
+        rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()) + 1);
+    };
+    int keepsRefuted = 0;
+    int familiesOnly = 0;
+    take(range.cells);
+    take(range.maxContact);
+    take(range.maxFree);
+    take(range.maxPhases);
+    take(range.maxEnergyRatio);
+    take(keepsRefuted);
+    take(familiesOnly);
+    take(range.gapSign);
+    range.keepsRefuted = keepsRefuted != 0;
+    range.familiesOnly = familiesOnly != 0;
+    range.segments = segmentsOf(rest);
+    return range;
 }
 
 double period(const AtlasFamily& family)

@@ -5,6 +5,7 @@
 
 #include "several_phases.hpp"
 #include "signorini/atlas.hpp"
+#include "stepped_atlas.hpp"
 #include "tents.hpp"
 
 namespace signorini {
@@ -17,6 +18,7 @@ constexpr std::int64_t stepsPerBatch = 1 << 9;
 constexpr std::int64_t stepsPerBatchOfFamilies = 1 << 12;
 constexpr std::int64_t rowsPerBatchOfAll = 1 << 16;
 constexpr std::int64_t severalPhasesBatch = 1 << 12;
+constexpr std::int64_t steppedBatch = 1 << 6;  // each a linear program or more
 
 std::int64_t pairsOf(const AtlasRange& range)
 {
@@ -167,10 +169,40 @@ private:
     const Cancel& cancel_;
 };
 
+/// Some neighbouring numbers of a bar of several segments.
+std::optional<AtlasBatch> decideSteppedBatch(const AtlasRange& range, std::int64_t batch,
+                                             const Cancel& cancel)
+{
+    AtlasBatch result;
+    result.number = batch;
+    const std::int64_t begin = batch * steppedBatch;
+    const std::int64_t end = std::min(begin + steppedBatch, numbersOf(range));
+    for (std::int64_t number = begin; number < end; ++number) {
+        if (isRequested(cancel)) {
+            return std::nullopt;
+        }
+        if (!rotationOf(phasesAt(range, number)).isFirst) {
+            continue;
+        }
+        auto decided = decideStepped(range, number, cancel);
+        if (!decided) {
+            return std::nullopt;
+        }
+        enter(range, decided->row, result);
+        if (decided->proof && range.keepsRefuted) {
+            result.proofs.push_back(*std::move(decided->proof));
+        }
+    }
+    return result;
+}
+
 }  // namespace
 
 std::int64_t batchesOf(const AtlasRange& range)
 {
+    if (!range.segments.empty()) {
+        return batchesFor(numbersOf(range), steppedBatch);
+    }
     return onePhaseBatches(range) +
            batchesFor(numbersOf(range) - pairsOf(range), severalPhasesBatch);
 }
@@ -178,6 +210,9 @@ std::int64_t batchesOf(const AtlasRange& range)
 std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batch,
                                       std::vector<std::int8_t>& signs, const Cancel& cancel)
 {
+    if (!range.segments.empty()) {
+        return decideSteppedBatch(range, batch, cancel);
+    }
     AtlasBatch result;
     result.number = batch;
     const std::int64_t onePhase = onePhaseBatches(range);

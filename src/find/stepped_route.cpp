@@ -10,6 +10,7 @@
 #include "faults.hpp"
 #include "infeasibility.hpp"
 #include "request.hpp"
+#include "signorini/segments.hpp"
 #include "stepped_check.hpp"
 #include "stepped_motions.hpp"
 #include "stepped_proof.hpp"
@@ -235,7 +236,7 @@ private:
         SteppedVerification all =
             verifyStepped(state, result_.schedule, options_.scene.segments, options_.tolerance);
         Verification& seen = all.seen;
-        const double energy = energyRatio(state, bar_);
+        const double energy = energyRatio(state, options_.scene.segments);
         if (std::isfinite(options_.tipFloor)) {
             seen.residuals.demands = std::max(0.0, options_.tipFloor - all.extremes.lowestTip);
         }

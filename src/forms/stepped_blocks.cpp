@@ -120,9 +120,7 @@ public:
         for (std::size_t j = tip; j > joint; --j) {
             const JointWeights& w = bar.joints[j - 1];
             const double r = fromLeft(j - 1, step);
-            wave = 2.0 * (static_cast<double>(w.left) * r + static_cast<double>(w.right) * wave) /
-                       static_cast<double>(w.all) -
-                   r;
+            wave = w.velocity(r, wave) - r;
         }
         return wave;
     }

@@ -109,7 +109,19 @@ void validate(const Scene& scene)
 double staticForce(const Scene& scene)
 {
     const Bar& bar = scene.bar;
-    return bar.gap < 0.0 ? -bar.axialStiffness * bar.gap / bar.length : 0.0;
+    if (!(bar.gap < 0.0)) {
+        return 0.0;
+    }
+    // A segment is cells times speed long, and EA is impedance times speed.
+    double length = 0.0;
+    double compliance = 0.0;
+    for (const Segment& segment : scene.segments) {
+        const auto cells = static_cast<double>(segment.cells);
+        length += cells * segment.speed / scene.segments.front().speed;
+        compliance += cells * scene.segments.front().impedance / segment.impedance;
+    }
+    const double stiffer = scene.segments.empty() ? 1.0 : length / compliance;
+    return -bar.axialStiffness * bar.gap / bar.length * stiffer;
 }
 
 }  // namespace signorini

@@ -7,6 +7,7 @@
 
 #include "compensated_sum.hpp"
 #include "faults.hpp"
+#include "segment_lines.hpp"
 
 namespace signorini {
 
@@ -44,6 +45,19 @@ void requireWaves(const Waves& waves)
     faults.throwIfAny();
 }
 
+/// What pieces may differ by and still become one.
+double mergedBelow(const Damping& damping, const SimulationOptions& options)
+{
+    const bool isExact = damping.ratio == 0.0 && options.segments.empty();
+    const double below = options.mergeBelow.value_or(isExact ? 0.0 : 1e-12);
+    if (!(below >= 0.0 && std::isfinite(below))) {
+        Faults faults;
+        faults.add("mergeBelow", below, "finite and >= 0 [g/L]");
+        faults.throwIfAny();
+    }
+    return below;
+}
+
 }  // namespace
 
 void BarSimulation::Clock::pass(double duration, double same)
@@ -67,51 +81,26 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
       same_(sameInstant * start.crossing),
       rho_(damping.rho()),
       eta_(damping.eta()),
+      impedance_(1.0),
       admittance_(1.0 / (1.0 + damping.eta())),
-      mergeBelow_(options.mergeBelow.value_or(damping.ratio > 0.0 ? 1e-12 : 0.0)),
       recordsTip_(options.recordsTip),
       stops_(options.stops),
       way_(never),
-      excitation_(std::move(excitation))
+      excitation_(std::move(excitation)),
+      echo_(mergedBelow(damping, options))
 {
     requireWaves(start);
     signorini::validate(damping);
     signorini::validate(excitation_);
-    if (!(mergeBelow_ >= 0.0 && std::isfinite(mergeBelow_))) {
-        Faults faults;
-        faults.add("mergeBelow", mergeBelow_, "finite and >= 0 [g/L]");
-        faults.throwIfAny();
+    if (!options.segments.empty()) {
+        const SteppedBar bar = steppedBar(options.segments);
+        segments_.emplace_back(bar, start, mergedBelow(damping, options));
+        impedance_ = bar.segments.back().impedance;
+        rho_ = (impedance_ - eta_) / (impedance_ + eta_);
+        admittance_ = 1.0 / (impedance_ + eta_);
     }
-    force_.left = never;
-    base_.left = never;
-    if (const std::int64_t steps = excitation_.steps(); steps > 0) {
-        const bool isForce = excitation_.place == Excited::tip;
-        Clock& clock = isForce ? force_ : base_;
-        clock.step = crossing_ / excitation_.stepsPerCrossing;
-        for (std::int64_t m = 0; m < steps; ++m) {
-            clock.values.push_back(isForce ? excitation_.force(m) : excitation_.baseVelocity(m));
-        }
-        clock.left = isForce ? 0.0 : crossing_;  // what the base does is felt a crossing later
-        if (isForce) {
-            clock.pass(0.0, 0.0);
-        }
-    }
-    ring_.resize(64);
-    if (stops_.left) {
-        const Fraction& left = *stops_.left;
-        way_ = crossing_ * (stops_.right + static_cast<double>(left.numerator) /
-                                               static_cast<double>(left.denominator));
-    }
-    opening_.add(crossing_ * (stops_.right - excitation_.baseDisplacement(0)));
-    for (const Piece& piece : start.a) {
-        opening_.add(piece.duration * piece.value);
-        append(piece.duration, -piece.value);
-    }
-    for (const Piece& piece : start.b) {
-        opening_.add(-piece.duration * piece.value);
-        append(piece.duration, piece.value);
-    }
-    merged_ = 0.0;
+    setClocks();
+    place(start);
     const double room = opening_.total() / crossing_;
     const double roomBehind = way_ / crossing_ - room;
     if (room < -atWall || roomBehind < -atWall) {
@@ -131,38 +120,60 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
     recordTip();
 }
 
-void BarSimulation::grow()
+BarSimulation::BarSimulation(const BarSimulation&) = default;
+BarSimulation::BarSimulation(BarSimulation&&) noexcept = default;
+BarSimulation& BarSimulation::operator=(const BarSimulation&) = default;
+BarSimulation& BarSimulation::operator=(BarSimulation&&) noexcept = default;
+BarSimulation::~BarSimulation() = default;
+
+/// Starts the excitation.
+void BarSimulation::setClocks()
 {
-    std::vector<Piece> larger(2 * ring_.size());
-    for (std::size_t k = 0; k < count_; ++k) {
-        larger[k] = ring_[(head_ + k) & (ring_.size() - 1)];
+    force_.left = never;
+    base_.left = never;
+    const std::int64_t steps = excitation_.steps();
+    if (steps == 0) {
+        return;
     }
-    ring_ = std::move(larger);
-    head_ = 0;
+    const bool isForce = excitation_.place == Excited::tip;
+    Clock& clock = isForce ? force_ : base_;
+    clock.step = crossing_ / excitation_.stepsPerCrossing;
+    for (std::int64_t m = 0; m < steps; ++m) {
+        clock.values.push_back(isForce ? excitation_.force(m) : excitation_.baseVelocity(m));
+    }
+    // At the tip of a uniform bar what the base does is felt a crossing later.
+    clock.left = isForce || !segments_.empty() ? 0.0 : crossing_;
+    if (clock.left == 0.0) {
+        clock.pass(0.0, 0.0);
+    }
 }
 
-void BarSimulation::append(double duration, double value)
+/// Places the tip, and what it sent before.
+void BarSimulation::place(const Waves& start)
 {
-    if (count_ > 0) {
-        Piece& last = ring_[(head_ + count_ - 1) & (ring_.size() - 1)];
-        const double jump = std::abs(last.value - value);
-        if (jump == 0.0) {
-            last.duration += duration;
-            return;
-        }
-        if (jump <= mergeBelow_) {
-            const double share = duration / (last.duration + duration);
-            merged_ += share * last.duration * jump;
-            last.value += share * (value - last.value);
-            last.duration += duration;
-            return;
-        }
+    if (stops_.left) {
+        const Fraction& left = *stops_.left;
+        way_ = crossing_ * (stops_.right + static_cast<double>(left.numerator) /
+                                               static_cast<double>(left.denominator));
     }
-    if (count_ == ring_.size()) {
-        grow();
+    opening_.add(crossing_ * (stops_.right - excitation_.baseDisplacement(0)));
+    for (const Piece& piece : start.a) {
+        opening_.add(piece.duration * piece.value);
     }
-    ring_[(head_ + count_) & (ring_.size() - 1)] = {duration, value};
-    ++count_;
+    for (const Piece& piece : start.b) {
+        opening_.add(-piece.duration * piece.value);
+    }
+    if (!segments_.empty()) {
+        return;
+    }
+    // Of what is merged here nothing moves during the simulation.
+    for (const Piece& piece : start.a) {
+        echo_.append(piece.duration, -piece.value);
+    }
+    for (const Piece& piece : start.b) {
+        echo_.append(piece.duration, piece.value);
+    }
+    mergedBefore_ = echo_.merged();
 }
 
 void BarSimulation::closeContact()
@@ -193,9 +204,11 @@ void BarSimulation::recordTip()
 /// One event: until it the tip obeys one law.
 void BarSimulation::step(double most)
 {
-    const double stored = ring_[head_].value;
-    const double p = base_.value - stored;
-    const double pull = force_.value + 2.0 * p;
+    const bool isStepped = !segments_.empty();
+    // What the base takes up, and what the tip does.
+    const double atBase = isStepped ? segments_.front().atBase() : echo_.front().value;
+    const double p = isStepped ? segments_.front().atTip() : base_.value - atBase;
+    const double pull = force_.value + 2.0 * impedance_ * p;
     const double push = stop_ == Stop::right ? pull : -pull;  // of a tip that is held
     if (isHeld_ && push < 0.0) {
         closeContact();
@@ -203,9 +216,9 @@ void BarSimulation::step(double most)
     }
     const double v = isHeld_ ? 0.0 : admittance_ * pull;
     double lasts = std::min({most, force_.left, base_.left});
-    Piece& head = ring_[head_];
-    if (head.duration <= lasts + same_) {
-        lasts = head.duration;
+    const double sameFor = isStepped ? segments_.front().lasts() : echo_.front().duration;
+    if (sameFor <= lasts + same_) {
+        lasts = sameFor;
     }
     bool arrives = false;
     const Stop ahead = v > 0.0 ? Stop::right : Stop::left;
@@ -238,15 +251,9 @@ void BarSimulation::step(double most)
         }
     }
     if (base_.value != 0.0) {
-        work_.add(base_.value * (base_.value - 2.0 * stored) * lasts);
+        work_.add(base_.value * (base_.value - 2.0 * atBase) * lasts);
     }
-    if (lasts == head.duration) {
-        head_ = (head_ + 1) & (ring_.size() - 1);
-        --count_;
-    } else {
-        head.duration -= lasts;
-    }
-    append(lasts, isHeld_ ? -p : rho_ * p + admittance_ * force_.value);
+    send(isHeld_ ? -p : rho_ * p + admittance_ * force_.value, lasts);
     force_.left < never ? force_.pass(lasts, same_) : void();
     base_.left < never ? base_.pass(lasts, same_) : void();
     time_.add(lasts);
@@ -254,6 +261,17 @@ void BarSimulation::step(double most)
         hold(ahead);
     }
     recordTip();
+}
+
+/// What the tip sends goes on its way, and all other waves with it.
+void BarSimulation::send(double q, double lasts)
+{
+    if (segments_.empty()) {
+        echo_.take(lasts, 0.0);
+        echo_.append(lasts, q);
+    } else {
+        dissipated_.add(segments_.front().pass(lasts, q, base_.value, same_));
+    }
 }
 
 void BarSimulation::advance(double duration)
@@ -293,6 +311,11 @@ double BarSimulation::base() const
 
 Waves BarSimulation::waves() const
 {
+    return segments_.empty() ? wavesOfEcho() : segments_.front().waves();
+}
+
+Waves BarSimulation::wavesOfEcho() const
+{
     Waves waves;
     waves.crossing = crossing_;
     const auto put = [](std::vector<Piece>& to, double duration, double value) {
@@ -304,8 +327,8 @@ Waves BarSimulation::waves() const
     };
     Clock clock = base_;
     double left = crossing_;
-    for (std::size_t k = 0; k < count_; ++k) {
-        Piece piece = ring_[(head_ + k) & (ring_.size() - 1)];
+    for (std::size_t k = 0; k < echo_.size(); ++k) {
+        Piece piece = echo_[k];
         while (left > same_ && piece.duration > 0.0) {
             double lasts = std::min(clock.left, left);
             lasts = piece.duration <= lasts + same_ ? piece.duration : lasts;
@@ -321,19 +344,25 @@ Waves BarSimulation::waves() const
     return waves;
 }
 
+std::int64_t BarSimulation::pieces() const
+{
+    return static_cast<std::int64_t>(segments_.empty() ? echo_.size() : segments_.front().pieces());
+}
+
+double BarSimulation::energyRatio() const
+{
+    return segments_.empty() ? signorini::energyRatio(waves()) : 2.0 * storedSquares() / crossing_;
+}
+
 double BarSimulation::merged() const
 {
-    return merged_ / crossing_;
+    return (segments_.empty() ? echo_.merged() - mergedBefore_ : segments_.front().merged()) /
+           crossing_;
 }
 
 double BarSimulation::storedSquares() const
 {
-    Sum squares;
-    for (std::size_t k = 0; k < count_; ++k) {
-        const Piece& piece = ring_[(head_ + k) & (ring_.size() - 1)];
-        squares.add(piece.duration * piece.value * piece.value);
-    }
-    return squares.total();
+    return segments_.empty() ? echo_.squares() : segments_.front().squares();
 }
 
 EnergyBalance BarSimulation::balance() const

@@ -7,8 +7,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "echo.hpp"
 #include "faults.hpp"
 #include "signorini/schedule.hpp"
+#include "signorini/segments.hpp"
+#include "signorini/simulation.hpp"
 
 namespace signorini {
 
@@ -43,6 +46,22 @@ std::optional<JointWeights> exactWeights(double left, double right, double dashp
         return fraction.numerator * (common / fraction.denominator);
     };
     return JointWeights{times(left), times(right), times(left) + times(right) + times(dashpot)};
+}
+
+/// Visits the segments of a state, relative to the first, with the first cell of each.
+template <typename Visit>
+void forEachSegment(const State& state, std::span<const Segment> segments, Visit visit)
+{
+    if (segments.empty()) {
+        return;
+    }
+    const SteppedBar bar = steppedBar(segments);
+    requireCells(state, bar.cells);
+    Eigen::Index first = 0;
+    for (const Segment& segment : bar.segments) {
+        visit(first, segment);
+        first += segment.cells;
+    }
 }
 
 }  // namespace
@@ -141,26 +160,53 @@ bool haveOneSpeed(std::span<const Segment> segments)
     });
 }
 
-double energyRatio(const State& state, const SteppedBar& bar)
+Eigen::VectorXd strain(const State& state, std::span<const Segment> segments)
 {
+    Eigen::VectorXd result = strain(state);
+    forEachSegment(state, segments, [&result](Eigen::Index first, const Segment& segment) {
+        result.segment(first, segment.cells) /= segment.speed;
+    });
+    return result;
+}
+
+double energyRatio(const State& state, std::span<const Segment> segments)
+{
+    if (segments.empty()) {
+        return energyRatio(state);
+    }
     double sum = 0.0;
-    Eigen::Index first = 0;
-    for (const Segment& segment : bar.segments) {
+    forEachSegment(state, segments, [&](Eigen::Index first, const Segment& segment) {
         sum += segment.impedance * (state.a.segment(first, segment.cells).squaredNorm() +
                                     state.b.segment(first, segment.cells).squaredNorm());
-        first += segment.cells;
+    });
+    return 2.0 * sum / static_cast<double>(state.cells());
+}
+
+Waves wavesAtRest(std::span<const Segment> segments, const Stops& stops)
+{
+    const SteppedBar bar = steppedBar(segments);
+    const auto cells = static_cast<double>(bar.cells);
+    double compliance = 0.0;  // of the bar, relative to that of one of the first material
+    for (const Segment& segment : bar.segments) {
+        compliance += static_cast<double>(segment.cells) / (segment.impedance * cells);
     }
-    return 2.0 * sum / static_cast<double>(bar.cells);
+    const double force = stops.right < 0 ? 1.0 / compliance : 0.0;  // u(L) = -1
+    Waves waves{cells, {}, {}};
+    for (std::size_t i = 0; i < bar.segments.size(); ++i) {
+        const auto piece = [&](const Segment& segment, double sign) {
+            return Piece{static_cast<double>(segment.cells),
+                         sign * 0.5 * force / segment.impedance};
+        };
+        waves.a.push_back(piece(bar.segments[bar.segments.size() - 1 - i], 1.0));
+        waves.b.push_back(piece(bar.segments[i], -1.0));
+    }
+    return waves;
 }
 
 SteppedWaves::SteppedWaves(const SteppedBar& bar, const State& state)
     : joints_(bar.joints), cells_(bar.cells)
 {
-    if (state.a.size() != cells_ || state.b.size() != cells_) {
-        Faults faults;
-        faults.add("cells of the state", state.a.size(), fmt::format("{}, as in the bar", cells_));
-        faults.throwIfAny();
-    }
+    requireCells(state, cells_);
     Eigen::Index first = 0;
     for (const Segment& segment : bar.segments) {
         Line line;
@@ -188,9 +234,7 @@ double SteppedWaves::step(const Ends& ends)
         const JointWeights& joint = joints_[i];
         const double a = lines_[i].rightEnd();
         const double b = lines_[i + 1].leftEnd();
-        const double v =
-            2.0 * (static_cast<double>(joint.left) * a + static_cast<double>(joint.right) * b) /
-            static_cast<double>(joint.all);
+        const double v = joint.velocity(a, b);
         taken += dashpots_[i] * v * v;
         lines_[i].push(entering, v - a);
         entering = v - b;

@@ -34,6 +34,13 @@ struct JointWeights {
     std::int64_t right = 1;
     std::int64_t all = 2;  ///< <= 2^51
 
+    /// v of the joint, a arriving from the left and b from the right.
+    [[nodiscard]] double velocity(double a, double b) const
+    {
+        return 2.0 * (static_cast<double>(left) * a + static_cast<double>(right) * b) /
+               static_cast<double>(all);
+    }
+
     friend bool operator==(const JointWeights&, const JointWeights&) = default;
 };
 
@@ -66,9 +73,6 @@ void requireCells(const SteppedBar& bar, std::int64_t cells);
 
 /// Is a bar of these segments the uniform one: are all alike, without dashpots?
 [[nodiscard]] bool isUniform(std::span<const Segment> segments);
-
-/// E/E_1 = (2/N) sum Z (a^2 + b^2). O(N). \pre the state has the bar's cells.
-[[nodiscard]] double energyRatio(const State& state, const SteppedBar& bar);
 
 /// What the ends do to the waves in one step.
 struct Ends {

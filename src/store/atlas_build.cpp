@@ -22,6 +22,12 @@ AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const Atla
         throw std::invalid_argument(
             "gap: the database holds ranges of a gap of another sign: allowed another file");
     }
+    if (std::any_of(runs.begin(), runs.end(), [&range](const AtlasRun& run) {
+            return run.range.segments != range.segments;
+        })) {
+        throw std::invalid_argument(
+            "segments: the database holds ranges of a bar of other segments: allowed another file");
+    }
     if (before == runs.end()) {
         const bool othersWait = std::any_of(runs.begin(), runs.end(),
                                             [](const AtlasRun& run) { return !run.isFinished(); });

@@ -12,6 +12,7 @@
 
 #include "atlas_rows.hpp"
 #include "connection.hpp"
+#include "segments_text.hpp"
 #include "signorini/config.hpp"
 
 namespace signorini {
@@ -20,7 +21,7 @@ namespace {
 
 /// Marks the file as an atlas: "sgnr".
 constexpr std::int64_t applicationId = 0x73676e72;
-constexpr std::int64_t schemaVersion = 3;
+constexpr std::int64_t schemaVersion = 4;
 
 constexpr const char* schema = R"(
 CREATE TABLE families(
@@ -34,13 +35,13 @@ CREATE TABLE schedules(
   frequency_ratio REAL NOT NULL, status TEXT NOT NULL, reason TEXT, kernel_dimension INTEGER,
   kind TEXT, dimension INTEGER, contact TEXT, canonical INTEGER,
   energy_ratio_min REAL, energy_ratio_max REAL, family INTEGER REFERENCES families(id),
-  UNIQUE(cells, phases));
+  proof TEXT, UNIQUE(cells, phases));
 CREATE INDEX schedules_without_family ON schedules(cells, steps) WHERE family IS NULL;
 CREATE TABLE runs(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, options TEXT NOT NULL, cells INTEGER NOT NULL,
   max_contact INTEGER NOT NULL, max_free INTEGER NOT NULL, phases INTEGER NOT NULL,
   max_energy_ratio REAL, keeps_refuted INTEGER NOT NULL, families_only INTEGER NOT NULL,
-  gap_sign INTEGER NOT NULL,
+  gap_sign INTEGER NOT NULL, segments TEXT NOT NULL,
   batches INTEGER NOT NULL, next_batch INTEGER NOT NULL, decided INTEGER NOT NULL,
   pressing INTEGER NOT NULL, grazing INTEGER NOT NULL, refuted INTEGER NOT NULL,
   undecided INTEGER NOT NULL, families INTEGER NOT NULL,
@@ -49,14 +50,14 @@ CREATE UNIQUE INDEX one_run_per_range ON runs(
   cells, max_contact, max_free, phases, ifnull(max_energy_ratio, -1), keeps_refuted,
   families_only);
 PRAGMA application_id = 1936158322;
-PRAGMA user_version = 3;
+PRAGMA user_version = 4;
 )";
-static_assert(applicationId == 1936158322 && schemaVersion == 3, "as written in the schema");
+static_assert(applicationId == 1936158322 && schemaVersion == 4, "as written in the schema");
 
 constexpr const char* insertRow =
     "INSERT OR IGNORE INTO schedules(cells, phases, steps, period, frequency_ratio, status, "
     "reason, kernel_dimension, kind, dimension, contact, canonical, energy_ratio_min, "
-    "energy_ratio_max, family) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
+    "energy_ratio_max, family, proof) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
 
 constexpr const char* insertFamily =
     "INSERT INTO families(cells, family_order, nu, contact_blocks, phases, steps, period, "
@@ -137,8 +138,10 @@ public:
         for (const AtlasFamily& family : batch.families) {
             insert(family);
         }
+        auto proof = batch.proofs.begin();
         for (const AtlasRow& row : batch.rows) {
-            insert(range, row);
+            const bool isProved = proof != batch.proofs.end() && proof->number == row.number;
+            insert(range, row, isProved ? std::optional(proof++->multipliers) : std::nullopt);
         }
     }
 
@@ -163,7 +166,8 @@ private:
             all.energy.least, all.energy.most, all.schedules);
     }
 
-    void insert(const AtlasRange& range, const AtlasRow& row)
+    void insert(const AtlasRange& range, const AtlasRow& row,
+                const std::optional<std::string>& proof)
     {
         const Schedule schedule{range.cells, phasesAt(range, row.number)};
         const auto ifFound = [&row](auto value) {
@@ -176,7 +180,7 @@ private:
             row.kernelDimension >= 0 ? std::optional(row.kernelDimension) : std::nullopt,
             ifFound(name(row.kind)), ifFound(row.dimension), ifFound(name(row.contact)),
             ifFound(row.isCanonical), ifFound(row.energy.least), ifFound(row.energy.most),
-            row.familyTop ? std::optional(idOf(range.cells, *row.familyTop)) : std::nullopt);
+            row.familyTop ? std::optional(idOf(range.cells, *row.familyTop)) : std::nullopt, proof);
     }
 
     /// Of the family with that top. Rows of one family follow each other.
@@ -265,12 +269,13 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
         SQLite::Statement insert(
             database,
             "INSERT INTO runs(version, options, cells, max_contact, max_free, phases, "
-            "max_energy_ratio, keeps_refuted, families_only, gap_sign, batches, next_batch, "
+            "max_energy_ratio, keeps_refuted, families_only, gap_sign, segments, batches, "
+            "next_batch, "
             "decided, pressing, grazing, refuted, undecided, families, started, seconds, workers) "
-            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
         run(insert, SIGNORINI_VERSION, options, range.cells, range.maxContact, range.maxFree,
             range.maxPhases, range.maxEnergyRatio, range.keepsRefuted, range.familiesOnly,
-            range.gapSign, entered.batches, now());
+            range.gapSign, textOf(range.segments), entered.batches, now());
         entered.id = database.getLastInsertRowid();
         return entered;
     });

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "infinity.hpp"
+#include "segments_text.hpp"
 #include "set_kind_names.hpp"
 #include "verdict_names.hpp"
 
@@ -261,6 +262,7 @@ AtlasRun readRun(const SQLite::Statement& s)
                  .familiesOnly = readWhole(s, 15, 0, 1) != 0,
                  .gapSign = static_cast<int>(readWhole(s, 17, -1, 1))};
     try {
+        run.range.segments = segmentsOf(text(s, 18));
         validate(run.range);
     } catch (const std::invalid_argument& error) {
         refuse(s, 1, error.what());

@@ -144,9 +144,11 @@ def random_call(draw, is_stepped):
     other = ""
     if is_stepped:
         bar, cells = random_bar(draw)
-        scene = draw.choice([[], ["--gap", "-1e-3"], ["--second-stop", "1.3e-3"]])
+        scene = draw.choice([[], ["--gap", "-1e-3"], ["--second-stop", "1.3e-3"],
+                             ["--tip-floor", "-2e-4"]])
         other = "L:" if scene[:1] == ["--second-stop"] else ""
-    phases = [str(draw.randint(1, 3 * cells)), str(draw.randint(1, (4 if is_stepped else 6) * cells))]
+    longest = (4 if is_stepped else 6) * cells
+    phases = [str(draw.randint(1, 3 * cells)), str(draw.randint(1, longest))]
     if is_stepped and draw.random() < 0.3:
         phases += [other + str(draw.randint(1, cells)), str(draw.randint(1, 2 * cells))]
     return ["find", *phases, *bar, *scene, "--format", "json"]

@@ -1,5 +1,6 @@
 // signorini find --segments: bars of several segments.
 
+#include "database.hpp"
 #include "program.hpp"
 #include "solver.hpp"
 
@@ -70,9 +71,92 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("find 3 25 --segments 4:1,4:1.3 --strain-limit 1", "for a bar of several segments");
     refuses("find 3 25 --segments 4:1,4:1.3:2 --figure m.svg", "one speed");
     refuses("find --frequency 8/7 --segments 4:1,4:1.3", "--segments");
-    refuses("simulate --segments 4:1,4:1.3 --time 1", "--segments");
-    refuses("atlas --database a.sqlite --segments 4:1,4:1.3", "--segments");
+    refuses("simulate --segments 4:1,4:1.3:1:-1 --time 1", "dashpot of segment 2");
+    refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --figure f.svg", "--figure");
+    refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --cells 9",
+            "cells of all segments = 8");
+    refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only", "families only");
+    refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --gap -1e-3", "gap");
+    refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --strain-limit 1",
+            "--strain-limit");
     refuses("response --damping 0.1 --force tip --amplitude 1e-4 --segments 4:1,4:1.3",
             "--segments");
     CHECK(program.files() == 0);
+}
+
+TEST_CASE("cli stepped: a motion that was found goes on for ten periods when it is followed")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const Program program;
+    const std::string bar = " --segments 4:1,4:1.3 --format json";
+    const json found = program.find("3 25 --segments 4:1,4:1.3 --state s.csv", 0);
+    const auto run =
+        program.run("simulate --from s.csv --time 35 --events e.csv --tip t.csv" + bar);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    const json followed = json::parse(run.out);
+    CHECK(followed["segments"] == found["segments"]);
+    CHECK(followed["energy"].get<double>() == Approx(found["energy"].get<double>()).epsilon(1e-6));
+    CHECK(followed["tip"].get<double>() == Approx(1e-3).epsilon(1e-6));
+    CHECK(followed["impulse"].get<double>() ==
+          Approx(10.0 * found["physical"]["impulse"].get<double>()).epsilon(1e-6));
+    CHECK(lines(contentOf(program.file("e.csv"))) == 1 + followed["contacts"].get<int>());
+}
+
+TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and says so")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const Program program;
+    const std::string bar = " --segments 4:1,4:1.3 --damping 0.1 --force tip --format json";
+    const auto run =
+        program.run("simulate --rest --amplitude 4e-4 --frequency 1 --periods 400" + bar);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    const json settled = json::parse(run.out);
+    const json& balance = settled["balance"];
+    CHECK(std::abs(balance["error"].get<double>()) < 1e-9 * balance["work"].get<double>());
+    CHECK(balance["dissipated"].get<double>() > 0.0);
+    const auto words = program.run("find 6 26 --segments 4:1,4:1.3 --damping 0.1 --force tip");
+    CHECK((words.status == 0 || words.status == 3));
+    CHECK_THAT(words.out, containsText("force on the tip"));
+}
+
+TEST_CASE("cli stepped: an atlas is the same by threads and by processes, and keeps bar and proofs")
+{
+    if (!canDecide()) {
+        return;
+    }
+    const Program program;
+    const std::string words =
+        "atlas --segments 2:1,2:1.3 --max-contact 6 --max-free 24 --all --quiet --format json "
+        "--database ";
+    const auto one = program.run(words + "one.sqlite");
+    INFO(one.err);
+    REQUIRE(one.status == 0);
+    const json report = json::parse(one.out);
+    CHECK(report["segments"].size() == 2);
+    CHECK(report["decided"] == 144);
+    CHECK(report["undecided"] == 0);
+    REQUIRE(program.run(words + "two.sqlite --threads 2").status == 0);
+    const auto rows = dump(program.file("one.sqlite"));
+    CHECK(rows.size() == 144);
+    CHECK(dump(program.file("two.sqlite")) == rows);
+    CHECK(number(program.file("one.sqlite"),
+                 "SELECT COUNT(*) FROM schedules WHERE status = 'none' AND proof IS NULL") == 0);
+    if (SIGNORINI_HAS_MPI != 0) {
+        const std::string launch =
+            "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+            "OMPI_MCA_btl_vader_single_copy_mechanism=none mpirun --oversubscribe -n 3";
+        REQUIRE(program.run(words + "three.sqlite", launch).status == 0);
+        CHECK(dump(program.file("three.sqlite")) == rows);
+    }
+    const auto other = program.run(
+        "atlas --segments 2:1,2:1.4 --max-contact 6 --max-free 24 "
+        "--quiet --database one.sqlite");
+    CHECK(other.status == 2);
+    CHECK_THAT(other.err, containsText("segments"));
 }

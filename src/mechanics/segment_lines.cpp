@@ -1,0 +1,142 @@
+#include "segment_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "faults.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Deals the pieces of a wave out to queues of given durations.
+class Dealer {
+public:
+    explicit Dealer(const std::vector<Piece>& pieces) : pieces_(pieces) {}
+
+    void fill(PieceQueue& queue, double duration)
+    {
+        while (duration > 0.0 && next_ < pieces_.size()) {
+            const Piece& piece = pieces_[next_];
+            const double rest = piece.duration - used_;
+            const double part = std::min(rest, duration);
+            queue.append(part, piece.value);
+            duration -= part;
+            used_ += part;
+            if (part == rest) {
+                ++next_;
+                used_ = 0.0;
+            }
+        }
+        if (duration > 0.0) {  // what rounding left of the sum of all durations
+            queue.append(duration, pieces_.back().value);
+        }
+    }
+
+private:
+    const std::vector<Piece>& pieces_;
+    std::size_t next_ = 0;
+    double used_ = 0.0;
+};
+
+}  // namespace
+
+SegmentLines::SegmentLines(const SteppedBar& bar, const Waves& start, double mergeBelow)
+    : joints_(bar.joints), crossing_(start.crossing)
+{
+    if (crossing_ != static_cast<double>(bar.cells)) {
+        Faults faults;
+        faults.add("crossing of the start", crossing_,
+                   fmt::format("{}, the cells of all segments", bar.cells));
+        faults.throwIfAny();
+    }
+    for (const Segment& segment : bar.segments) {
+        lines_.push_back(
+            {PieceQueue(mergeBelow), PieceQueue(mergeBelow), segment.impedance, segment.dashpot});
+    }
+    Dealer fromTip(start.a);
+    Dealer fromBase(start.b);
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        const std::size_t last = lines_.size() - 1 - i;
+        fromTip.fill(lines_[last].a, static_cast<double>(bar.segments[last].cells));
+        fromBase.fill(lines_[i].b, static_cast<double>(bar.segments[i].cells));
+    }
+}
+
+double SegmentLines::lasts() const
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const Line& line : lines_) {
+        least = std::min({least, line.a.front().duration, line.b.front().duration});
+    }
+    return least;
+}
+
+double SegmentLines::pass(double duration, double q, double baseVelocity, double same)
+{
+    const auto move = [duration, same](PieceQueue& queue, double entering) {
+        queue.take(duration, same);
+        queue.append(duration, entering);
+    };
+    double taken = 0.0;
+    double entering = baseVelocity - atBase();
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+        const JointWeights& joint = joints_[i];
+        const double a = lines_[i].a.front().value;
+        const double b = lines_[i + 1].b.front().value;
+        const double v = joint.velocity(a, b);
+        taken += lines_[i].dashpot * v * v * duration;
+        move(lines_[i].a, entering);
+        move(lines_[i].b, v - a);
+        entering = v - b;
+    }
+    move(lines_.back().a, entering);
+    move(lines_.back().b, q);
+    return taken;
+}
+
+Waves SegmentLines::waves() const
+{
+    Waves waves;
+    waves.crossing = crossing_;
+    const auto put = [](std::vector<Piece>& to, const PieceQueue& queue) {
+        for (std::size_t k = 0; k < queue.size(); ++k) {
+            to.push_back(queue[k]);
+        }
+    };
+    for (std::size_t i = 0; i < lines_.size(); ++i) {
+        put(waves.a, lines_[lines_.size() - 1 - i].a);
+        put(waves.b, lines_[i].b);
+    }
+    return waves;
+}
+
+double SegmentLines::squares() const
+{
+    double sum = 0.0;
+    for (const Line& line : lines_) {
+        sum += line.impedance * (line.a.squares() + line.b.squares());
+    }
+    return sum;
+}
+
+std::size_t SegmentLines::pieces() const
+{
+    std::size_t count = 0;
+    for (const Line& line : lines_) {
+        count += line.a.size() + line.b.size();
+    }
+    return count;
+}
+
+double SegmentLines::merged() const
+{
+    double sum = 0.0;
+    for (const Line& line : lines_) {
+        sum += line.a.merged() + line.b.merged();
+    }
+    return sum;
+}
+
+}  // namespace signorini
