@@ -74,7 +74,9 @@ AtlasRange AtlasCommand::range() const
     range.maxEnergyRatio = maxEnergyRatio.value_or(range.maxEnergyRatio);
     range.keepsRefuted = all;
     range.familiesOnly = familiesOnly;
-    range.gapSign = stopsOf(common.barOfAnyGap()).right;
+    const Stops stops = stopsOf(common.sceneOfOneBar());
+    range.gapSign = stops.right;
+    range.secondStop = stops.left;
     if (all && familiesOnly) {
         throw std::invalid_argument("--all, --families-only: allowed one of them");
     }
@@ -107,9 +109,10 @@ ExitStatus AtlasCommand::run() const
             throw std::invalid_argument(
                 "--database is missing: allowed the name of an SQLite file");
         }
-        if (common.barOfAnyGap().gap <= 0.0 && !figureFile.empty()) {
+        if (stopsOf(common.sceneOfOneBar()) != Stops{} && !figureFile.empty()) {
             throw std::invalid_argument(
-                "--figure: allowed with a gap > 0, whose plot it is; --csv holds the families");
+                "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds the "
+                "families");
         }
         std::vector<OutputOption> written = outputs();
         written.insert(written.begin(), {"--database", database});
@@ -207,7 +210,7 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
         drawExistenceMap(atlas, cells, figureFormat(mapFile), path);
     });
     outputs.put("--csv", [&](const std::string& path) {
-        writeAtlasCsv(path, atlas, cells, common.barOfAnyGap());
+        writeAtlasCsv(path, atlas, cells, common.sceneOfOneBar().bar);
     });
     outputs.commit();
 }
@@ -217,7 +220,7 @@ ExitStatus AtlasCommand::answer() const
     Outputs drawing(outputs());
     AtlasAnswer answer;
     answer.isTwins = twins;
-    answer.bar = common.barOfAnyGap();
+    answer.bar = common.sceneOfOneBar().bar;
     const AtlasDatabase atlas = forFile("--database", database, [&] {
         AtlasDatabase opened = AtlasDatabase::open(database);
         ask(opened, answer);
@@ -267,20 +270,24 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
         throw std::invalid_argument(
             "--map draws schedules, which --families-only leaves out: allowed one of them");
     }
-    const Bar bar = common.barOfAnyGap();
+    const Bar bar = common.sceneOfOneBar().bar;
     AtlasOptions options;
     options.threads = common.threads;
     options.resume = resume;
-    options.options = fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}{}",
-                                  range.cells, range.maxContact, range.maxFree, range.maxPhases,
-                                  std::isfinite(range.maxEnergyRatio)
-                                      ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
-                                      : "",
-                                  range.keepsRefuted ? " --all" : "",
-                                  range.familiesOnly ? " --families-only" : "") +
-                      (range.gapSign < 0    ? " --gap < 0"
-                       : range.gapSign == 0 ? " --gap 0"
-                                            : "");
+    options.options =
+        fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}{}", range.cells,
+                    range.maxContact, range.maxFree, range.maxPhases,
+                    std::isfinite(range.maxEnergyRatio)
+                        ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
+                        : "",
+                    range.keepsRefuted ? " --all" : "",
+                    range.familiesOnly ? " --families-only" : "") +
+        (range.gapSign < 0    ? " --gap < 0"
+         : range.gapSign == 0 ? " --gap 0"
+                              : "") +
+        (range.secondStop ? fmt::format(" --second-stop {}/{} units", range.secondStop->numerator,
+                                        range.secondStop->denominator)
+                          : "");
     if (!interrupt) {
         interrupt.emplace();
     }

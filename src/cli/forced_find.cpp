@@ -7,6 +7,7 @@
 #include "files.hpp"
 #include "forced_report.hpp"
 #include "report.hpp"
+#include "stops.hpp"
 
 namespace signorini::cli {
 
@@ -26,11 +27,17 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
     if (!force.place) {
         refuse("--force", "missing", "tip|base");
     }
-    const Bar bar = common.bar();
+    const Scene scene = common.sceneOfOneBar();
+    const Bar& bar = scene.bar;
+    if (canRest(schedule.phases, schedule.stops) && !force.amplitude) {
+        refuse("--amplitude", "missing",
+               "numbers > 0 [N or m]: without a gap motions are as small "
+               "as one likes");
+    }
     Outputs outputs({{"--state", stateFile}});
     const ForcedLimits limits{strainLimit / scales(bar).strain};
     const ForcedAnswer answer =
-        answerOf(forcedMotions(schedule, force.damping(), {*force.place, cycles}, limits), bar,
+        answerOf(forcedMotions(schedule, force.damping(), {*force.place, cycles}, limits), scene,
                  force.amplitude);
     if (!answer.motions.empty()) {
         outputs.put("--state", [&](const std::string& path) {

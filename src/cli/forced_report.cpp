@@ -40,15 +40,17 @@ std::string asText(const ForcedCondition& condition)
 {
     switch (condition.rule) {
         case ForcedRule::gap:
-            return "u(L, 0) = g";
+            return "u(L) at the stop at t = 0";
         case ForcedRule::pressure:
-            return fmt::format("R ≥ 0 in step {}", condition.step);
+            return fmt::format("a push in step {}", condition.step);
         case ForcedRule::held:
-            return fmt::format("R ≥ 0 on average in step {} and every 2N later", condition.step);
+            return fmt::format("a push on average in step {} and every 2N later", condition.step);
+        case ForcedRule::secondStop:
+            return fmt::format("u(L) ≥ −h after step {}", condition.step);
         case ForcedRule::penetration:
             return fmt::format("u(L) ≤ g after step {}", condition.step);
         case ForcedRule::closure:
-            return fmt::format("u(L) = g after step {}", condition.step);
+            return fmt::format("u(L) at the stop after step {}", condition.step);
         case ForcedRule::work:
             return fmt::format("no work in step {} and every 2N later", condition.step);
         case ForcedRule::strain:
@@ -77,7 +79,7 @@ Json asJson(const std::vector<ForcedCondition>& conflict)
 
 Json asJson(const ForcedMotion& motion, const ForcedAnswer& answer)
 {
-    const Physical physical = physicalOf(motion.extremes, answer.bar);
+    const Physical physical = physicalOf(motion.extremes, answer.scene.bar);
     return {{"schedule", phasesAsJson(motion.schedule.phases)},
             {"amplitude", motion.amplitude * answer.amplitudeUnit},
             {"phase", motion.phase},
@@ -107,11 +109,11 @@ Json certificateAsJson(const ForcedAnswer& answer)
 
 }  // namespace
 
-ForcedAnswer answerOf(ForcedSet set, const Bar& bar, std::optional<double> asked)
+ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked)
 {
-    ForcedAnswer answer{std::move(set), bar, bar.gap, asked, {}};
+    ForcedAnswer answer{std::move(set), scene, scales(scene.bar).displacement, asked, {}};
     if (answer.set.forcing.place == Excited::tip) {
-        answer.amplitudeUnit = forceUnit(bar);
+        answer.amplitudeUnit = forceUnit(scene.bar);
     }
     if (answer.set.status != Status::found) {
         return answer;
@@ -143,14 +145,14 @@ std::string asText(const ForcedAnswer& answer)
     for (const ForcedMotion& motion : answer.motions) {
         print(text, "motion      amplitude {:.6g} {}, phase {:.6g} rad, residual {:.2g}\n{}",
               motion.amplitude * answer.amplitudeUnit, unitOf(answer), motion.phase,
-              motion.residual, asText(physicalOf(motion.extremes, answer.bar)));
+              motion.residual, asText(physicalOf(motion.extremes, answer.scene.bar)));
     }
     if (set.reason) {
         print(text, "reason      {}\n", name(*set.reason));
     }
     if (!set.conflict.empty()) {
-        print(text, "proof       u(L, 0) = g contradicts {}; checked with enclosed numbers\n",
-              asText(set.conflict));
+        print(text, "proof       {} contradicts {}; checked with enclosed numbers\n",
+              asText({ForcedRule::gap, 0}), asText(set.conflict));
     }
     if (!detailOf(answer).empty()) {
         print(text, "why         {}\n", detailOf(answer));
@@ -166,11 +168,10 @@ std::string asJson(const ForcedAnswer& answer)
         {"status", name(answer.status())},
         {"cells", set.schedule.cells},
         {"schedule", phasesAsJson(set.schedule.phases)},
-        {"bar", barAsJson(answer.bar)},
-        {"damping", dampingAsJson(set.damping, answer.bar)},
+        {"damping", dampingAsJson(set.damping, answer.scene.bar)},
         {"force", name(set.forcing.place)},
         {"cycles", set.forcing.cycles},
-        {"period", period(set.schedule) * scales(answer.bar).time},
+        {"period", period(set.schedule) * scales(answer.scene.bar).time},
         {"period_ratio", period(set.schedule)},
         {"frequency_ratio", static_cast<double>(set.forcing.cycles) * frequencyRatio(set.schedule)},
         {"solution_set", {{"kind", name(set.kind)}, {"free_waves", set.freeWaves}}},
@@ -180,6 +181,7 @@ std::string asJson(const ForcedAnswer& answer)
         {"motions", Json::array()},
         {"reason", set.reason ? Json(name(*set.reason)) : Json()},
         {"certificate", answer.motions.empty() ? certificateAsJson(answer) : Json()}});
+    addScene(answer.scene, json);
     if (set.status == Status::found) {
         // JSON has no infinity: a ray prints null.
         json["amplitude_range"] = {set.leastAmplitude * answer.amplitudeUnit,

@@ -14,7 +14,7 @@ namespace signorini::cli {
 /// What is said of a schedule.
 struct ForcedAnswer {
     ForcedSet set;
-    Bar bar;
+    Scene scene;
     double amplitudeUnit = 1.0;         ///< [N] or [m]
     std::optional<double> asked;        ///< [N] or [m]
     std::vector<ForcedMotion> motions;  ///< by ascending impulse
@@ -28,7 +28,7 @@ struct ForcedAnswer {
 };
 
 /// The motions of an amplitude [N] or [m], or if none is asked for the one of the least.
-[[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Bar& bar, std::optional<double> asked);
+[[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked);
 
 /// Several lines for people, with a final newline.
 [[nodiscard]] std::string asText(const ForcedAnswer& answer);

@@ -20,7 +20,7 @@ namespace {
 
 /// Marks the file as an atlas: "sgnr".
 constexpr std::int64_t applicationId = 0x73676e72;
-constexpr std::int64_t schemaVersion = 3;
+constexpr std::int64_t schemaVersion = 4;
 
 constexpr const char* schema = R"(
 CREATE TABLE families(
@@ -40,7 +40,7 @@ CREATE TABLE runs(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, options TEXT NOT NULL, cells INTEGER NOT NULL,
   max_contact INTEGER NOT NULL, max_free INTEGER NOT NULL, phases INTEGER NOT NULL,
   max_energy_ratio REAL, keeps_refuted INTEGER NOT NULL, families_only INTEGER NOT NULL,
-  gap_sign INTEGER NOT NULL,
+  gap_sign INTEGER NOT NULL, second_stop TEXT,
   batches INTEGER NOT NULL, next_batch INTEGER NOT NULL, decided INTEGER NOT NULL,
   pressing INTEGER NOT NULL, grazing INTEGER NOT NULL, refuted INTEGER NOT NULL,
   undecided INTEGER NOT NULL, families INTEGER NOT NULL,
@@ -49,9 +49,9 @@ CREATE UNIQUE INDEX one_run_per_range ON runs(
   cells, max_contact, max_free, phases, ifnull(max_energy_ratio, -1), keeps_refuted,
   families_only);
 PRAGMA application_id = 1936158322;
-PRAGMA user_version = 3;
+PRAGMA user_version = 4;
 )";
-static_assert(applicationId == 1936158322 && schemaVersion == 3, "as written in the schema");
+static_assert(applicationId == 1936158322 && schemaVersion == 4, "as written in the schema");
 
 constexpr const char* insertRow =
     "INSERT OR IGNORE INTO schedules(cells, phases, steps, period, frequency_ratio, status, "
@@ -68,6 +68,13 @@ constexpr const char* updateRun =
     "UPDATE runs SET next_batch = ?, decided = ?, pressing = ?, grazing = ?, refuted = ?, "
     "undecided = ?, families = ?, finished = ?, seconds = ?, workers = ?, version = ? "
     "WHERE id = ? AND next_batch = ?";
+
+std::optional<std::string> fractionText(const std::optional<Fraction>& fraction)
+{
+    return fraction
+               ? std::optional(fmt::format("{}/{}", fraction->numerator, fraction->denominator))
+               : std::nullopt;
+}
 
 std::string now()
 {
@@ -265,12 +272,13 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
         SQLite::Statement insert(
             database,
             "INSERT INTO runs(version, options, cells, max_contact, max_free, phases, "
-            "max_energy_ratio, keeps_refuted, families_only, gap_sign, batches, next_batch, "
+            "max_energy_ratio, keeps_refuted, families_only, gap_sign, second_stop, batches, "
+            "next_batch, "
             "decided, pressing, grazing, refuted, undecided, families, started, seconds, workers) "
-            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
         run(insert, SIGNORINI_VERSION, options, range.cells, range.maxContact, range.maxFree,
             range.maxPhases, range.maxEnergyRatio, range.keepsRefuted, range.familiesOnly,
-            range.gapSign, entered.batches, now());
+            range.gapSign, fractionText(range.secondStop), entered.batches, now());
         entered.id = database.getLastInsertRowid();
         return entered;
     });
