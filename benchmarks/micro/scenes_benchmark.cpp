@@ -4,6 +4,7 @@
 
 #include "signorini/find_periodic.hpp"
 #include "signorini/lumped_set.hpp"
+#include "signorini/response.hpp"
 #include "signorini/simulation.hpp"
 
 namespace {
@@ -57,6 +58,19 @@ void findOnePhase(benchmark::State& bench)
 }
 BENCHMARK(findOnePhase)->ArgsProduct({{300, 100'000}, {1, -1, 0}})->ArgNames({"N", "gap"});
 
+/// With an energy to hold: what a motion without a gap, which has no size of its own, compares
+/// with.
+void findOfEnergy(benchmark::State& bench)
+{
+    const Schedule schedule = onePhaseOf(bench.range(0), 1);
+    FindOptions options = optionsFor(schedule);
+    options.energyRatio = 4.0;
+    for (auto _ : bench) {
+        benchmark::DoNotOptimize(findPeriodic(schedule, options).motion->energyRatio);
+    }
+}
+BENCHMARK(findOfEnergy)->Arg(300)->Arg(100'000)->ArgNames({"N"});
+
 void findTwoPhases(benchmark::State& bench)
 {
     find(bench, twoPhasesOf(bench.range(0), bench.range(1) == 2));
@@ -90,5 +104,40 @@ void simulateMotion(benchmark::State& bench)
     bench.SetItemsProcessed(bench.iterations() * events);
 }
 BENCHMARK(simulateMotion)->Arg(1)->Arg(2)->ArgNames({"stops"});
+
+/// One schedule, forced and damped: its line and the motion of least amplitude, checked.
+void forcedMotion(benchmark::State& bench)
+{
+    const auto cells = bench.range(0);
+    const bool hasTwo = bench.range(1) == 2;
+    Schedule schedule{cells, {{cells / 4, 15 * cells / 4 - 1}}, {}};
+    if (hasTwo) {
+        schedule.stops.left = Fraction{10, 1};
+    }
+    schedule.stops.right = static_cast<int>(bench.range(2));
+    for (auto _ : bench) {
+        benchmark::DoNotOptimize(forcedMotions(schedule, {0.02}, {}).leastAmplitude);
+    }
+}
+BENCHMARK(forcedMotion)
+    ->Args({300, 1, 1})
+    ->Args({300, 1, -1})
+    ->Args({300, 1, 0})
+    ->Args({300, 2, 1})
+    ->ArgNames({"N", "stops", "gap"});
+
+/// All motions at one frequency, with one stop and two far apart: motions on both cost twice.
+void response(benchmark::State& bench)
+{
+    ResponseRange range;
+    range.amplitude = 0.2;
+    if (bench.range(0) == 2) {
+        range.stops.left = Fraction{10, 1};
+    }
+    for (auto _ : bench) {
+        benchmark::DoNotOptimize(responseAt(range, 1049)->motions.size());
+    }
+}
+BENCHMARK(response)->Arg(1)->Arg(2)->ArgNames({"stops"});
 
 }  // namespace

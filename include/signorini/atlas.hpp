@@ -54,9 +54,15 @@ struct AtlasRange {
     /// Clamp first; empty: a uniform bar. Then a gap of 1 or -1, and schedules, not families, are
     /// kept.
     std::vector<Segment> segments = {};
+    /// h in units of displacement (Stops::left): then phases touch either stop. Families are those
+    /// of the wall that it leaves.
+    std::optional<Fraction> secondStop = std::nullopt;
 
     friend bool operator==(const AtlasRange&, const AtlasRange&) = default;
 };
+
+/// The stops of a range.
+[[nodiscard]] Stops stopsOf(const AtlasRange& range);
 
 /// Largest number of phases of a range.
 inline constexpr std::int64_t maxAtlasPhases = 8;
@@ -101,7 +107,8 @@ struct AtlasFamily {
 
 /// One schedule of the range and what was decided.
 struct AtlasRow {
-    std::int64_t number = 0;  ///< place in the range
+    std::int64_t number =
+        0;  ///< place in the range: of each number of phases those on the wall first
     Status status = Status::undecided;
     std::optional<Reason> reason;         ///< set exactly when there is no motion
     std::int64_t kernelDimension = -1;    ///< [-], dim ker(W - 1); -1: not known
@@ -110,7 +117,9 @@ struct AtlasRow {
     Contact contact = Contact::pressing;  ///< meaningful when there are motions
     /// Does the motion of least energy press at every contact step, and only once per period?
     bool isCanonical = false;
-    EnergyRange energy;  ///< [E_1]; most: infinite if unbounded, NaN if not known
+    /// [E_1]; most: infinite if unbounded, NaN if not known, as that up to which a second stop lets
+    /// motions grow that have any size
+    EnergyRange energy;
     /// [steps], after which all its motions repeat: n, or less (`ownSteps`)
     std::int64_t steps = 0;
     std::optional<Phase> familyTop;  ///< of the family it belongs to; several phases have none

@@ -53,17 +53,18 @@ struct InfeasibilityProof {
 
 /// What a forced motion obeys.
 enum class ForcedRule {
-    gap,          ///< u(L, 0) = g; part of every proof, not listed
-    pressure,     ///< R >= 0 in this step of contact
-    held,         ///< R >= 0 on average in this step and every 2N later, all of them in contact
+    gap,          ///< u(L, 0) = g, or -h on the second stop; part of every proof, not listed
+    pressure,     ///< R >= 0 in this step of contact; on the second stop -R >= 0
+    held,         ///< the same on average in this step and every 2N later, all of them in contact
     penetration,  ///< u(L) <= g at the end of this step of flight
-    closure,      ///< u(L) = g at the end of this step, the last of a flight
+    secondStop,   ///< u(L) >= -h there
+    closure,      ///< u(L) = g, or -h, at the end of this step, the last of a flight
     work,         ///< no work on the waves that pass the tip in this step and every 2N later, which
                   ///< nothing damps: so they come back as they were
     strain,       ///< no compression beyond the limit by the wave that arrives in this step
 };
 
-/// "gap", "pressure", "held", "penetration", "closure", "work", "strain".
+/// "gap", "pressure", "held", "penetration", "second-stop", "closure", "work", "strain".
 [[nodiscard]] std::string_view name(ForcedRule rule);
 
 /// A rule in one step, as it appears in a proof.

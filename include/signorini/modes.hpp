@@ -265,6 +265,16 @@ using FamilyVisitor = std::function<bool(const Family&)>;
 /// all sizes.
 [[nodiscard]] ExactEnergy leastEnergy(const Family& family);
 
+/// The lowest place of the tip in all its motions [|g|], exactly: sgn g - 2 max |Lambda|/|win| over
+/// prefix sums Lambda of signs in flight, which no amplitude changes. A second stop at or below it
+/// leaves the family as it is, one above it leaves nothing. O(nu).
+/// \throws std::invalid_argument without a gap, where motions have any size.
+[[nodiscard]] Fraction lowestTip(const Family& family, int gapSign = 1);
+
+/// Does a second stop, if there is one, leave the motions of a family of the wall? Without a gap it
+/// leaves those that are small enough. O(nu).
+[[nodiscard]] bool staysClear(const Family& family, const Stops& stops);
+
 /// The family with these numbers, if there is one. O(log nu).
 /// \throws std::invalid_argument unless 1 <= w <= maxFamilyOrder, 1 <= nu, 1 <= k.
 [[nodiscard]] std::optional<Family> findFamily(std::int64_t order, std::int64_t blocks,

@@ -16,6 +16,11 @@
 /// further contact phase closes one more flight: with two what is left is a point or nothing.
 /// Waves that nothing damps (without a dashpot, or always in contact) have amplitudes of their own:
 /// a linear program in them and (C, S). docs/theory.md, section 15.
+///
+/// The stops are those of the schedule; a gap of any sign and a second stop only change right sides
+/// and signs, two phases that mirror each other leave a segment like one. Where the bar at rest is
+/// a motion (no gap, only the wall touched) it is not counted: the motions have amplitudes > 0, as
+/// small as one likes. Units are then L in place of g. docs/theory.md, section 17.
 
 #include <array>
 #include <cstdint>
@@ -104,7 +109,8 @@ struct ForcedSet {
     ForcedLimits limits;
     Status status = Status::undecided;
     std::string detail;  ///< why not decided
-    /// Why there is none: contactSign, penetration, gap (flights do not close), constraints.
+    /// Why there is none: contactSign, penetration (of either stop), gap (flights do not close),
+    /// constraints.
     std::optional<Reason> reason;
     /// status none: conditions that with u(L, 0) = g contradict each other, two where nothing is
     /// undamped; certain whatever was rounded (isCertain).
@@ -138,7 +144,7 @@ inline constexpr std::int64_t maxForcedSteps = 100'000'000;
 [[nodiscard]] ForcedMotion motionAt(const ForcedSet& set, double t);
 
 /// The motion of least amplitude; of a polytope one of them. \throws std::invalid_argument if the
-/// set is empty.
+/// set is empty, or there is none: without a gap, unless a phase touches the second stop.
 [[nodiscard]] ForcedMotion leastAmplitudeMotion(const ForcedSet& set);
 
 /// The motions of one amplitude > 0 by ascending impulse, at most two; of a polytope one of them,
@@ -171,6 +177,7 @@ struct ResponseRange {
     std::int64_t cycles = 1;           ///< [-], K; above 1: subharmonic motions
     double leastFrequencyRatio = 0.5;  ///< of the excitation, omega/omega_1 = 4 N K/n; > 0
     double mostFrequencyRatio = 2.0;   ///< >= least
+    Stops stops = {};                  ///< where the tip is held
 };
 
 /// Motions of one n_c, one for each amplitude of an interval.
@@ -182,16 +189,17 @@ struct AmplitudeBranch {
     friend bool operator==(const AmplitudeBranch&, const AmplitudeBranch&) = default;
 };
 
-/// All motions with one contact phase at one frequency.
+/// All motions with one contact phase at one frequency, on either stop, and, where stops are at
+/// equal distances and K is odd, those with two of which the second is the first, mirrored.
 struct FrequencyResponse {
     std::int64_t steps = 0;             ///< n, of the period of the motions
     double frequencyRatio = 0.0;        ///< omega/omega_1 of the excitation
-    double linearPeak = 0.0;            ///< max u(L) of the bar without a wall [g]
-    bool touches = false;               ///< would that motion meet the wall?
+    double linearPeak = 0.0;            ///< max u(L) of the bar without stops [g]
+    bool touches = false;               ///< would that motion meet a stop?
     std::int64_t undecided = 0;         ///< numbers of contact steps that were not decided
-    std::vector<ForcedMotion> motions;  ///< by ascending n_c, then impulse
-    /// Of all amplitudes, by ascending n_c, at most two for each: an amplitude is met by as many
-    /// motions as there are branches that hold it.
+    std::vector<ForcedMotion> motions;  ///< by stop, ascending n_c, then impulse
+    /// Of all amplitudes, in this order, at most two for each schedule: an amplitude is met by as
+    /// many motions as there are branches that hold it.
     std::vector<AmplitudeBranch> branches;
 };
 

@@ -118,8 +118,10 @@ void fold(Schedule& schedule);
 /// The same for one phase on N cells.
 void fold(std::int64_t cells, Phase& phase);
 
-/// "N = 300, (150, 900)", "N = 4, (1, 5) L:(1, 5)", for people; more than eight phases are
-/// abridged.
+/// "(150, 900)", "(1, 5) L:(1, 5)", for people; more than eight phases are abridged.
+[[nodiscard]] std::string describe(const std::vector<Phase>& phases);
+
+/// "N = 300, (150, 900)", "N = 4, (1, 5) L:(1, 5)", for people.
 [[nodiscard]] std::string describe(const Schedule& schedule);
 
 /// What the mathematics answers.

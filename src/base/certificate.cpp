@@ -13,6 +13,7 @@ constexpr auto ruleNames = std::to_array<Named<ForcedRule>>({
     {ForcedRule::pressure, "pressure"},
     {ForcedRule::held, "held"},
     {ForcedRule::penetration, "penetration"},
+    {ForcedRule::secondStop, "second-stop"},
     {ForcedRule::closure, "closure"},
     {ForcedRule::work, "work"},
     {ForcedRule::strain, "strain"},

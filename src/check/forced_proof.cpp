@@ -4,6 +4,7 @@
 
 #include "forced_rows.hpp"
 #include "rational.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -106,6 +107,39 @@ bool isBroken(const EnclosedRow& row, const EnclosedPlane& place)
     return value.isNegative() || (row.isEquality && value.isPositive());
 }
 
+bool isZero(const Interval& x)
+{
+    return x.low == 0.0 && x.high == 0.0;
+}
+
+/// Do the rows leave no excitation but 0? Two waves that nothing damps can do that, or, if no such
+/// wave is in the rows and their right sides are 0, the line of the first row and rows that cut it
+/// at 0 from both sides.
+bool forbidsExcitation(const std::vector<EnclosedRow>& rows, bool isPlane)
+{
+    const auto isCertain = [](const Interval& x) { return x.isPositive() || x.isNegative(); };
+    const auto across = [&](const EnclosedRow& x, const EnclosedRow& y) {
+        return isPlane ? x.plane.cross(y.plane) : x.plane.c;
+    };
+    bool isBelow = false;
+    bool isAbove = false;
+    bool areAlone = true;
+    for (const EnclosedRow& row : rows) {
+        areAlone = areAlone && row.free.empty() && isZero(row.limit);
+        const Interval slope = across(rows.front(), row);
+        isBelow = isBelow || slope.isPositive() || (row.isEquality && slope.isNegative());
+        isAbove = isAbove || slope.isNegative() || (row.isEquality && slope.isPositive());
+    }
+    if (areAlone && (isPlane ? isBelow && isAbove : isCertain(rows.front().plane.c))) {
+        return true;
+    }
+    const auto isWork = [](const EnclosedRow& r) {
+        return r.isEquality && r.free.empty() && isZero(r.limit);
+    };
+    return rows.size() > 1 && std::all_of(rows.begin() + 1, rows.end(), isWork) &&
+           isCertain(across(rows[1], rows.back()));
+}
+
 }  // namespace
 
 bool forbidsContact(const ForcedQuestion& question, std::span<const ForcedCondition> conditions)
@@ -114,6 +148,9 @@ bool forbidsContact(const ForcedQuestion& question, std::span<const ForcedCondit
     const auto rows = rowsOf(waves, conditions);
     if (!rows) {
         return false;
+    }
+    if (canRest(question.schedule.phases, question.schedule.stops)) {
+        return forbidsExcitation(*rows, question.shapes.size() > 1);
     }
     const std::vector<RationalVector> basis = combinationsWithoutFree(*rows);
     std::vector<EnclosedPlane> left;
@@ -157,12 +194,8 @@ bool forbidsAmplitude(const ForcedQuestion& question, double amplitude,
         return false;
     }
     const bool isPlane = question.shapes.size() > 1;
-    const auto isWork = [](const ForcedCondition& c) { return c.rule == ForcedRule::work; };
-    if (!conditions.empty() && std::all_of(conditions.begin(), conditions.end(), isWork)) {
-        // No excitation but 0 is without work.
-        const EnclosedPlane& first = (*rows)[1].plane;
-        const Interval volume = isPlane ? first.cross(rows->back().plane) : first.c;
-        return volume.isPositive() || volume.isNegative();
+    if (!conditions.empty() && forbidsExcitation(*rows, isPlane)) {
+        return true;
     }
     if (std::any_of(rows->begin(), rows->end(),
                     [](const EnclosedRow& row) { return !row.free.empty(); })) {

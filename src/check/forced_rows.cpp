@@ -3,6 +3,8 @@
 #include <numeric>
 #include <utility>
 
+#include "stops.hpp"
+
 namespace signorini {
 
 EnclosedWaves::EnclosedWaves(const ForcedQuestion& question)
@@ -99,11 +101,17 @@ void EnclosedWaves::addPush(EnclosedRow& row, std::int64_t m, std::int64_t facto
     addWave(row, m, 2 * factor);
 }
 
-/// N u(L, 0) = N.
+/// N u(L, 0) = N times the place of the stop.
 EnclosedRow EnclosedWaves::gapRow() const
 {
     const Interval cells(static_cast<double>(cells_));
-    EnclosedRow row{true, {}, {}, cells};
+    const Fraction place =
+        placeOf(question_.schedule.stops, question_.schedule.phases.front().stop);
+    EnclosedRow row{true, {}, {}, {}};
+    if (place.numerator != 0) {  // 0 is exact
+        row.limit = cells * Interval(static_cast<double>(place.numerator)) /
+                    Interval(static_cast<double>(place.denominator));
+    }
     row.plane =
         cells * each([this](const Excitation& e) { return Interval(e.baseDisplacement(cells_)); });
     for (std::int64_t m = 0; m < 2 * cells_; ++m) {
@@ -112,20 +120,60 @@ EnclosedRow EnclosedWaves::gapRow() const
     return row;
 }
 
-std::optional<std::pair<std::int64_t, std::int64_t>> EnclosedWaves::flightOf(std::int64_t m) const
+/// One phase, and where its flight is.
+struct EnclosedWaves::Part {
+    Stop from = Stop::right;  ///< the stop of its contact
+    Stop to = Stop::right;    ///< and the next one
+    std::int64_t takeOff = 0;
+    std::int64_t last = 0;  ///< of the flight
+};
+
+EnclosedWaves::Part EnclosedWaves::partOf(std::int64_t m) const
 {
+    const auto& phases = question_.schedule.phases;
+    std::size_t k = 0;
     std::int64_t begin = 0;
-    for (const Phase& phase : question_.schedule.phases) {
-        begin += phase.contact;
-        if (m < begin) {
-            return std::nullopt;
-        }
-        if (m < begin + phase.free) {
-            return std::pair(begin, begin + phase.free - 1);
-        }
-        begin += phase.free;
+    while (m >= begin + phases[k].contact + phases[k].free) {
+        begin += phases[k].contact + phases[k].free;
+        ++k;
     }
-    return std::nullopt;
+    const std::int64_t takeOff = begin + phases[k].contact;
+    return {phases[k].stop, phases[(k + 1) % phases.size()].stop, takeOff,
+            takeOff + phases[k].free - 1};
+}
+
+/// Of sums of -push from the start of a flight, or of push.
+std::optional<EnclosedRow> EnclosedWaves::flightRow(const ForcedCondition& condition) const
+{
+    const std::int64_t m = condition.step;
+    const Part part = partOf(m);
+    const auto& stops = question_.schedule.stops;
+    const bool isSecond = condition.rule == ForcedRule::secondStop;
+    const bool isEnd = condition.rule == ForcedRule::closure;
+    if (m < part.takeOff || (isEnd && m != part.last) || (isSecond && !stops.left)) {
+        return std::nullopt;
+    }
+    // From stop to stop: in a step the tip moves by (F + 2p)(1 + rho)/2 of a cell.
+    Interval way;
+    if (stops.left) {
+        const Interval below(static_cast<double>(stops.left->denominator));
+        const Interval above =
+            Interval(stops.right) * below + Interval(static_cast<double>(stops.left->numerator));
+        way = Interval(static_cast<double>(2 * cells_)) * above /
+              (below * (Interval(1.0) + Interval(question_.rho)));
+    }
+    EnclosedRow row;
+    row.isEquality = isEnd;
+    for (std::int64_t k = part.takeOff; k <= m; ++k) {
+        addPush(row, k, isSecond ? 1 : -1);
+    }
+    const bool isFromWall = part.from == Stop::right;
+    if (isEnd && part.from != part.to) {
+        row.limit = isFromWall ? way : Interval(0.0) - way;
+    } else if (!isEnd && isSecond == isFromWall) {
+        row.limit = Interval(0.0) - way;
+    }
+    return row;
 }
 
 std::optional<EnclosedRow> EnclosedWaves::row(const ForcedCondition& condition) const
@@ -134,35 +182,29 @@ std::optional<EnclosedRow> EnclosedWaves::row(const ForcedCondition& condition) 
     if (m < 0 || m >= steps_) {
         return std::nullopt;
     }
-    const auto flight = flightOf(m);
     EnclosedRow row;
     switch (condition.rule) {
         case ForcedRule::gap:
             return gapRow();
         case ForcedRule::pressure:
-            if (flight) {
-                return std::nullopt;
+            if (const Part part = partOf(m); m < part.takeOff) {
+                addPush(row, m, pushSign(part.from));
+                return row;
             }
-            addPush(row, m, 1);
-            return row;
+            return std::nullopt;
         case ForcedRule::held:
             for (std::int64_t k = m % classes(); k < steps_; k += classes()) {
-                if (!isContact_[static_cast<std::size_t>(k)]) {
+                const Part part = partOf(k);
+                if (k >= part.takeOff || part.from != partOf(m).from) {
                     return std::nullopt;
                 }
-                addPush(row, k, 1);
+                addPush(row, k, pushSign(part.from));
             }
             return row;
         case ForcedRule::closure:
+        case ForcedRule::secondStop:
         case ForcedRule::penetration:
-            row.isEquality = condition.rule == ForcedRule::closure;
-            if (!flight || (row.isEquality && m != flight->second)) {
-                return std::nullopt;
-            }
-            for (std::int64_t k = flight->first; k <= m; ++k) {
-                addPush(row, k, -1);
-            }
-            return row;
+            return flightRow(condition);
         case ForcedRule::work:
             if (!classOf(m).isFree) {
                 return std::nullopt;

@@ -66,9 +66,10 @@ private:
     void addWave(EnclosedRow& row, std::int64_t m, std::int64_t factor) const;
     void addPush(EnclosedRow& row, std::int64_t m, std::int64_t factor) const;
     [[nodiscard]] EnclosedRow gapRow() const;
-    /// The last step of the flight that m is part of, and its first; none in contact.
-    [[nodiscard]] std::optional<std::pair<std::int64_t, std::int64_t>> flightOf(
-        std::int64_t m) const;
+    struct Part;
+    /// Where step m stands in the schedule.
+    [[nodiscard]] Part partOf(std::int64_t m) const;
+    [[nodiscard]] std::optional<EnclosedRow> flightRow(const ForcedCondition& condition) const;
     [[nodiscard]] std::int64_t classes() const
     {
         return static_cast<std::int64_t>(classes_.size());

@@ -31,7 +31,7 @@ public:
 
     [[nodiscard]] double cell() const { return 1.0 / static_cast<double>(count_); }
     [[nodiscard]] double tip() const { return tip_.value(); }
-    void putTipAtWall() { tip_ = CompensatedSum(1.0); }
+    void putTipAt(double place) { tip_ = CompensatedSum(place); }
     /// F + 2p of the next step, what would press on a wall.
     [[nodiscard]] double push() const { return excitation_.force(step_) + 2.0 * arriving(); }
     [[nodiscard]] double gained() const { return gained_.value(); }
@@ -83,18 +83,38 @@ private:
     std::int64_t step_ = 0;
 };
 
-/// A tip at the wall that is pushed is held, any other is free.
-double marchForced(Cells bar, std::int64_t steps, const State& start, double size, double tolerance)
+/// Where the tip is stopped, and how near counts as there.
+struct Places {
+    double wall;
+    double second;  ///< -infinity: none
+    double near;
+
+    Places(const Stops& stops, double tolerance)
+        : wall(stops.right),
+          second(stops.left ? -stops.left->value() : -std::numeric_limits<double>::infinity()),
+          near(tolerance)
+    {
+    }
+
+    [[nodiscard]] double of(Stop stop) const { return stop == Stop::right ? wall : second; }
+    [[nodiscard]] double depth(double tip) const { return std::max(tip - wall, second - tip); }
+};
+
+/// A tip at a stop that is pushed is held, any other is free.
+double marchForced(Cells bar, std::int64_t steps, const State& start, double size,
+                   const Places& places)
 {
     for (std::int64_t m = 0; m < steps; ++m) {
-        const bool isAtWall = bar.tip() >= 1.0 - tolerance;
-        const bool isHeld = isAtWall && bar.push() > 0.0;
-        if (isAtWall && isHeld) {
-            bar.putTipAtWall();
+        const double push = bar.push();
+        const double place = places.of(push > 0.0 ? Stop::right : Stop::left);
+        const bool isHeld = push != 0.0 && (push > 0.0 ? bar.tip() >= place - places.near
+                                                       : bar.tip() <= place + places.near);
+        if (isHeld) {
+            bar.putTipAt(place);
         }
         bar.take(isHeld);
-        if (bar.tip() > 1.0 + tolerance) {
-            return bar.tip() - 1.0;
+        if (const double depth = places.depth(bar.tip()); depth > places.near) {
+            return depth;
         }
     }
     return bar.distance(start) / size;
@@ -151,13 +171,16 @@ ForcedWalk walkForced(const State& state, const Schedule& schedule, const Dampin
     Extremes& reached = seen.extremes;
     reached.lowestTip = bar.tip();
     const double pressing = tolerance * size;
+    const double unit = schedule.stops.right != 0 ? 1.0 : size;
+    const Places places(schedule.stops, tolerance * unit);
     std::vector<double> arrived;
     arrived.reserve(static_cast<std::size_t>(excitation.steps()));
     CompensatedSum impulse;
     for (const Phase& phase : schedule.phases) {
-        seen.gap = std::max(seen.gap, std::abs(bar.tip() - 1.0));
+        const double sign = phase.stop == Stop::right ? 1.0 : -1.0;
+        seen.gap = std::max(seen.gap, std::abs(bar.tip() - places.of(phase.stop)) / unit);
         for (std::int64_t m = 0; m < phase.contact; ++m) {
-            const double push = bar.push();
+            const double push = sign * bar.push();
             seen.pressure = std::max(seen.pressure, -push / size);
             reached.peakForce = std::max(reached.peakForce, push);
             reached.contactTime += push > pressing ? bar.cell() : 0.0;
@@ -170,10 +193,12 @@ ForcedWalk walkForced(const State& state, const Schedule& schedule, const Dampin
             arrived.push_back(bar.arriving());
             bar.take(false);
             const double speed = (bar.tip() - before) / bar.cell();
-            if (bar.tip() >= 1.0 - tolerance && speed > pressing) {
-                reached.approachSpeed = std::max(reached.approachSpeed, speed);
+            const bool isThere = speed > 0.0 ? bar.tip() >= places.wall - places.near
+                                             : bar.tip() <= places.second + places.near;
+            if (isThere && std::abs(speed) > pressing) {
+                reached.approachSpeed = std::max(reached.approachSpeed, std::abs(speed));
             }
-            seen.penetration = std::max(seen.penetration, bar.tip() - 1.0);
+            seen.penetration = std::max(seen.penetration, places.depth(bar.tip()) / unit);
             reached.lowestTip = std::min(reached.lowestTip, bar.tip());
         }
     }
@@ -185,7 +210,7 @@ ForcedWalk walkForced(const State& state, const Schedule& schedule, const Dampin
     // Energies of the order of the squares of the waves are exchanged within a period.
     seen.balance = std::abs(bar.gained() - bar.spent()) / std::max(largest, size * size);
     seen.march =
-        marchForced(Cells(state, damping, excitation), excitation.steps(), state, size, tolerance);
+        marchForced(Cells(state, damping, excitation), excitation.steps(), state, size, places);
     return seen;
 }
 

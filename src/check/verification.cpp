@@ -8,6 +8,7 @@
 #include "faults.hpp"
 #include "infinity.hpp"
 #include "marcher.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -209,22 +210,6 @@ private:
     const Stops& stops_;
 };
 
-/// Are the second half of the phases the first, on the other stop each? Only stops at equal
-/// distances mirror each other.
-bool isMirrored(const Schedule& schedule)
-{
-    const auto& [right, left] = schedule.stops;
-    const std::size_t half = schedule.phases.size() / 2;
-    return left && *left == Fraction{right, 1} && schedule.phases.size() % 2 == 0 &&
-           std::equal(schedule.phases.begin(),
-                      schedule.phases.begin() + static_cast<std::ptrdiff_t>(half),
-                      schedule.phases.begin() + static_cast<std::ptrdiff_t>(half),
-                      [](const Phase& one, const Phase& other) {
-                          return one.contact == other.contact && one.free == other.free &&
-                                 one.stop != other.stop;
-                      });
-}
-
 }  // namespace
 
 March march(const State& state, std::int64_t count, double tolerance, const Stops& stops)
@@ -270,7 +255,7 @@ Verification verify(const State& state, const Schedule& schedule, double toleran
     Rows rows(measures, tolerance);
     Companion companion(measures, tolerance, steps(schedule));
     Companion* const beside = folded == schedule ? &companion : nullptr;
-    const std::size_t half = isMirrored(folded) ? folded.phases.size() / 2 : 0;
+    const std::size_t half = isMirrored(folded.phases, folded.stops) ? folded.phases.size() / 2 : 0;
     std::size_t walked = 0;
     for (const Phase& phase : folded.phases) {
         rows.beginPhase(phase.stop);

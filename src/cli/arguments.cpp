@@ -258,11 +258,21 @@ Bar CommonOptions::bar() const
 Bar CommonOptions::barOfAnyGap() const
 {
     if (secondStop_ || !segments_.empty()) {
-        throw std::invalid_argument(fmt::format(
-            "{}: allowed only where this command knows such scenes: find, simulate{}",
-            secondStop_ ? "--second-stop" : "--segments", secondStop_ ? "" : ", atlas"));
+        throw std::invalid_argument(
+            fmt::format("{}: allowed only where this command knows such scenes: find, simulate, {}",
+                        secondStop_ ? "--second-stop" : "--segments",
+                        secondStop_ ? "response, families, atlas" : "atlas"));
     }
     return givenBar();
+}
+
+Scene CommonOptions::sceneOfOneBar() const
+{
+    if (!segments_.empty()) {
+        throw std::invalid_argument(
+            "--segments: allowed only where this command knows such scenes: find, without a force");
+    }
+    return scene();
 }
 
 Scene CommonOptions::scene() const

@@ -127,6 +127,8 @@ struct CommonOptions {
 
     /// Those given, or those of all segments, or 300.
     [[nodiscard]] std::int64_t usualCells() const;
+    /// For commands that know a uniform bar and any stops. \throws as scene, on segments.
+    [[nodiscard]] Scene sceneOfOneBar() const;
     /// For commands that know a uniform bar and one wall. \throws std::invalid_argument on a clash,
     /// numbers that do not go together, or a scene with more.
     [[nodiscard]] Bar bar() const;

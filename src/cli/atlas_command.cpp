@@ -76,7 +76,9 @@ AtlasRange AtlasCommand::range() const
     range.maxEnergyRatio = maxEnergyRatio.value_or(range.maxEnergyRatio);
     range.keepsRefuted = all;
     range.familiesOnly = familiesOnly;
-    range.gapSign = stopsOf(bar()).right;
+    const Stops stops = stopsOf(common.scene());
+    range.gapSign = stops.right;
+    range.secondStop = stops.left;
     range.segments = segments();
     if (all && familiesOnly) {
         throw std::invalid_argument("--all, --families-only: allowed one of them");
@@ -88,11 +90,13 @@ AtlasRange AtlasCommand::range() const
 std::vector<Segment> AtlasCommand::segments() const
 {
     const Scene scene = common.scene();
-    if (scene.secondStop) {
-        throw std::invalid_argument(
-            "--second-stop: allowed only where this command knows such scenes: find, simulate");
+    if (isUniform(scene.segments)) {
+        return {};
     }
-    return isUniform(scene.segments) ? std::vector<Segment>{} : scene.segments;
+    if (scene.secondStop) {
+        throw std::invalid_argument("--second-stop: allowed for a uniform bar");
+    }
+    return scene.segments;
 }
 
 Bar AtlasCommand::bar() const
@@ -125,9 +129,10 @@ ExitStatus AtlasCommand::run() const
             throw std::invalid_argument(
                 "--database is missing: allowed the name of an SQLite file");
         }
-        if (bar().gap <= 0.0 && !figureFile.empty()) {
+        if (stopsOf(common.scene()) != Stops{} && !figureFile.empty()) {
             throw std::invalid_argument(
-                "--figure: allowed with a gap > 0, whose plot it is; --csv holds the families");
+                "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds the "
+                "families");
         }
         if (!segments().empty() && !(figureFile.empty() && csvFile.empty())) {
             throw std::invalid_argument(
@@ -309,6 +314,9 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
         (range.gapSign < 0    ? " --gap < 0"
          : range.gapSign == 0 ? " --gap 0"
                               : "") +
+        (range.secondStop ? fmt::format(" --second-stop {}/{} units", range.secondStop->numerator,
+                                        range.secondStop->denominator)
+                          : "") +
         (range.segments.empty() ? "" : fmt::format(" --segments {}", textOf(range.segments)));
     if (!interrupt) {
         interrupt.emplace();

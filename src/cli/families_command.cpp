@@ -17,7 +17,7 @@ namespace signorini::cli {
 namespace {
 
 /// The families, or those found until a signal came or the list was full.
-void fill(FamilyList& list, FamilyBounds bounds, bool isQuiet)
+void fill(FamilyList& list, FamilyBounds bounds, const Stops& stops, bool isQuiet)
 {
     const Interrupt interrupt;
     Progress progress(!isQuiet, "listing families");
@@ -30,6 +30,9 @@ void fill(FamilyList& list, FamilyBounds bounds, bool isQuiet)
             // The work up to an order grows with its square.
             const auto done = static_cast<double>(order - 1);
             progress.show(done * done, last * last);
+        }
+        if (!staysClear(family, stops)) {
+            return true;
         }
         if (list.families.size() == maxListedFamilies) {
             list.ended = fmt::format("{} families are the most in a list", maxListedFamilies);
@@ -64,15 +67,17 @@ void FamiliesCommand::addTo(CLI::App& command)
 
 ExitStatus FamiliesCommand::run() const
 {
-    FamilyList list{maxOrder, bounds.maxEnergyRatio, common.barOfAnyGap(), {}, {}};
+    const Scene scene = common.sceneOfOneBar();
+    const Stops stops = stopsOf(scene);
+    FamilyList list{maxOrder, bounds.maxEnergyRatio, scene.bar, {}, {}, scene.secondStop};
     Outputs outputs({{"--csv", tableFile}, {"--figure", figureFile}});
     if (list.bar.gap == 0.0 && !figureFile.empty()) {
         throw std::invalid_argument(
             "--figure: allowed only with a gap: without one families have every energy");
     }
     FamilyBounds asked = bounds;
-    asked.gapSign = stopsOf(list.bar).right;
-    fill(list, asked, common.quiet);
+    asked.gapSign = stops.right;
+    fill(list, asked, stops, common.quiet);
     if (!list.isComplete() && !common.quiet) {
         tell(fmt::format("signorini families: {}; the list is not complete{}\n", list.ended,
                          outputs.areWanted() ? ", so no file was written" : ""));

@@ -93,7 +93,8 @@ void writeText(const FamilyList& list, const Write& write)
                                    ? fmt::format(" that reach below {} E₁", list.maxEnergyRatio)
                                    : std::string();
     std::string head = fmt::format(
-        "{} families of order w ≤ {}{}{}\n", list.families.size(), list.maxOrder, energy,
+        "{} families of order w ≤ {}{}{}{}\n", list.families.size(), list.maxOrder, energy,
+        list.secondStop ? ", clear of the second stop" : "",
         list.isComplete() ? "" : fmt::format(": {}, the list is not complete", list.ended));
     if (!list.families.empty()) {
         head += fmt::format("\n{:>5} {:>5} {:>4}  {:<10}{:<10}{:<10}{:<13}{:<13}{:<13}{:<14}{}\n",
@@ -121,8 +122,8 @@ void writeJson(const FamilyList& list, const Write& write)
 {
     const Scales unit = scales(list.bar);
     Json json = newAnswer();
-    json.update(Json{{"bar", barAsJson(list.bar)},
-                     {"complete", list.isComplete()},
+    addScene({list.bar, list.secondStop}, json);
+    json.update(Json{{"complete", list.isComplete()},
                      {"max_order", list.maxOrder},
                      {"max_energy_ratio", list.maxEnergyRatio},
                      {"count", list.families.size()},

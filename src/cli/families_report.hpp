@@ -19,7 +19,8 @@ struct FamilyList {
     double maxEnergyRatio = 0.0;
     Bar bar;
     std::vector<Family> families;
-    std::string ended;  ///< why it is not complete; empty: it is
+    std::string ended;                      ///< why it is not complete; empty: it is
+    std::optional<double> secondStop = {};  ///< [m]; families are those of the wall that it leaves
 
     [[nodiscard]] bool isComplete() const { return ended.empty(); }
 };

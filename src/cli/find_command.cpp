@@ -305,26 +305,24 @@ ExitStatus FindCommand::run() const
     ExitStatus status = exitUndecided;
     if (forced.isAsked()) {
         requireNothingFree();
-        status = forced.answer({common.usualCells(), parsePhases(steps)}, common, stateFile,
-                               options.strainLimit);
+        status = forced.answer({common.usualCells(), parsePhases(steps), stopsOf(scene)}, common,
+                               stateFile, options.strainLimit);
     } else if (question.isAsked()) {
-        const AskedPeriod asked = question.on(common.usualCells(), common.barOfAnyGap());
+        const AskedPeriod asked = question.on(common.usualCells(), scene.bar);
         status = answerQuestion(asked, completed(*this));
     } else {
-        const Schedule schedule{common.usualCells(), parsePhases(steps), stopsOf(common.scene())};
+        const Schedule schedule{common.usualCells(), parsePhases(steps), stopsOf(scene)};
         status = answerSchedule(schedule, completed(*this));
     }
     common.useOneThread("find");
     return status;
 }
 
-/// The simulation that stability is seen in knows one wall, beyond a gap.
+/// The simulation that stability is seen in knows one bar.
 void FindCommand::requireStable(const Schedule& schedule) const
 {
-    if (wantsStability && (common.scene().secondStop || !(common.bar().gap > 0.0) ||
-                           !common.scene().segments.empty())) {
-        throw std::invalid_argument(
-            "--stability: allowed with a gap > 0, without --second-stop and --segments");
+    if (wantsStability && !common.scene().segments.empty()) {
+        throw std::invalid_argument("--stability: allowed without --segments");
     }
     if (wantsStability && signorini::steps(schedule) > maxStableSteps) {
         refuse("--stability", fmt::format("{} steps", signorini::steps(schedule)),

@@ -9,6 +9,7 @@
 #include "forced_report.hpp"
 #include "report.hpp"
 #include "stepped_bar.hpp"
+#include "stops.hpp"
 
 namespace signorini::cli {
 
@@ -34,14 +35,18 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
         refuse("--strain-limit", fmt::format("{}", strainLimit),
                "none for a forced bar of several segments");
     }
-    const Bar bar = isStepped ? firstMaterial(scene) : common.bar();
+    if (!isStepped && canRest(schedule.phases, schedule.stops) && !force.amplitude) {
+        refuse("--amplitude", "missing",
+               "numbers > 0 [N or m]: without a gap motions are as small as one likes");
+    }
+    const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;
     Outputs outputs({{"--state", stateFile}});
     const ForcedLimits limits{strainLimit / scales(bar).strain};
     const Forcing forcing{*force.place, cycles};
     const ForcedAnswer answer =
         isStepped ? answerOf(SteppedForced(schedule, scene, force.damping(), forcing), scene,
                              force.amplitude)
-                  : answerOf(forcedMotions(schedule, force.damping(), forcing, limits), bar,
+                  : answerOf(forcedMotions(schedule, force.damping(), forcing, limits), scene,
                              force.amplitude);
     if (!answer.motions.empty()) {
         outputs.put("--state", [&](const std::string& path) {

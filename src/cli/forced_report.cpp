@@ -41,15 +41,17 @@ std::string asText(const ForcedCondition& condition)
 {
     switch (condition.rule) {
         case ForcedRule::gap:
-            return "u(L, 0) = g";
+            return "u(L) at the stop at t = 0";
         case ForcedRule::pressure:
-            return fmt::format("R ≥ 0 in step {}", condition.step);
+            return fmt::format("a push in step {}", condition.step);
         case ForcedRule::held:
-            return fmt::format("R ≥ 0 on average in step {} and every 2N later", condition.step);
+            return fmt::format("a push on average in step {} and every 2N later", condition.step);
+        case ForcedRule::secondStop:
+            return fmt::format("u(L) ≥ −h after step {}", condition.step);
         case ForcedRule::penetration:
             return fmt::format("u(L) ≤ g after step {}", condition.step);
         case ForcedRule::closure:
-            return fmt::format("u(L) = g after step {}", condition.step);
+            return fmt::format("u(L) at the stop after step {}", condition.step);
         case ForcedRule::work:
             return fmt::format("no work in step {} and every 2N later", condition.step);
         case ForcedRule::strain:
@@ -108,11 +110,12 @@ Json certificateAsJson(const ForcedAnswer& answer)
 
 }  // namespace
 
-ForcedAnswer answerOf(ForcedSet set, const Bar& bar, std::optional<double> asked)
+ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked)
 {
-    ForcedAnswer answer{std::move(set), bar, bar, bar.gap, asked, {}};
+    ForcedAnswer answer{
+        std::move(set), scene, scene.bar, scales(scene.bar).displacement, asked, {}};
     if (answer.set.forcing.place == Excited::tip) {
-        answer.amplitudeUnit = forceUnit(bar);
+        answer.amplitudeUnit = forceUnit(scene.bar);
     }
     if (answer.set.status != Status::found) {
         return answer;
@@ -173,8 +176,8 @@ std::string asText(const ForcedAnswer& answer)
         print(text, "reason      {}\n", name(*set.reason));
     }
     if (!set.conflict.empty()) {
-        print(text, "proof       u(L, 0) = g contradicts {}; checked with enclosed numbers\n",
-              asText(set.conflict));
+        print(text, "proof       {} contradicts {}; checked with enclosed numbers\n",
+              asText({ForcedRule::gap, 0}), asText(set.conflict));
     }
     if (!detailOf(answer).empty()) {
         print(text, "why         {}\n", detailOf(answer));

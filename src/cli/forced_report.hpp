@@ -30,7 +30,7 @@ struct ForcedAnswer {
 };
 
 /// The motions of an amplitude [N] or [m], or if none is asked for the one of the least.
-[[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Bar& bar, std::optional<double> asked);
+[[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked);
 
 /// The same of a bar of several segments.
 [[nodiscard]] ForcedAnswer answerOf(const SteppedForced& forced, const Scene& scene,

@@ -79,7 +79,7 @@ void ResponseCommand::addTo(CLI::App& command)
 
 ExitStatus ResponseCommand::run() const
 {
-    ResponseAnswer answer{range, common.bar(), 0.0, {}};
+    ResponseAnswer answer{range, common.sceneOfOneBar(), 0.0, {}};
     if (!force.ratio || !(force.damping().rho() < 1.0)) {
         refuse("--damping", force.ratio ? fmt::format("{}", *force.ratio) : "missing",
                "numbers > 0 [-] with exp(-πζ) < 1");
@@ -98,7 +98,8 @@ ExitStatus ResponseCommand::run() const
     answer.range.cells = common.usualCells();
     answer.range.damping = force.damping();
     answer.range.place = *force.place;
-    answer.range.amplitude = force.scaledAmplitude(answer.bar);
+    answer.range.amplitude = force.scaledAmplitude(answer.scene.bar);
+    answer.range.stops = stopsOf(answer.scene);
     (void)stepsOf(answer.range);
     Outputs outputs({{"--csv", csvFile}, {"--figure", figureFile}, {"--map", mapFile}});
     {

@@ -49,14 +49,16 @@ std::string asText(const ResponseAnswer& answer)
 {
     const ResponseRange& range = answer.range;
     Text text;
-    print(text,
-          "{} motions with one contact phase at {} frequencies: N = {}, ζ = {}, {} of amplitude {} "
-          "{}{}{}\n",
-          answer.motions(), answer.frequencies.size(), range.cells, range.damping.ratio,
-          range.place == Excited::tip ? "force on the tip" : "base", answer.amplitude,
-          range.place == Excited::tip ? "N" : "m",
-          range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
-          answer.isComplete ? "" : ": interrupted, the list is not complete");
+    print(
+        text,
+        "{} motions with one contact phase{} at {} frequencies: N = {}, ζ = {}, {} of amplitude {} "
+        "{}{}{}\n",
+        answer.motions(), range.stops.left ? " on each stop that is touched" : "",
+        answer.frequencies.size(), range.cells, range.damping.ratio,
+        range.place == Excited::tip ? "force on the tip" : "base", answer.amplitude,
+        range.place == Excited::tip ? "N" : "m",
+        range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
+        answer.isComplete ? "" : ": interrupted, the list is not complete");
     if (answer.undecided() > 0) {
         print(text, "undecided   {} schedules\n", answer.undecided());
     }
@@ -69,11 +71,10 @@ std::string asText(const ResponseAnswer& answer)
             print(text, "{}{}\n", begin, response.touches ? "none" : "none: stays clear");
         }
         for (const ForcedMotion& motion : response.motions) {
-            const Phase& phase = motion.schedule.phases.front();
             print(text, "{}{:<14}{:<12.5f}{:<14.6g}{:<14.6g}{}\n", begin,
-                  fmt::format("({}, {})", phase.contact, phase.free), motion.phase,
-                  motion.extremes.impulse * impulseUnit(answer.bar),
-                  motion.extremes.peakForce * forceUnit(answer.bar), word(motion));
+                  describe(motion.schedule.phases), motion.phase,
+                  motion.extremes.impulse * impulseUnit(answer.scene.bar),
+                  motion.extremes.peakForce * forceUnit(answer.scene.bar), word(motion));
         }
     }
     return fmt::to_string(text);
@@ -86,41 +87,43 @@ std::string asJson(const ResponseAnswer& answer)
     json.update(
         Json{{"status", name(answer.status())},
              {"cells", range.cells},
-             {"bar", barAsJson(answer.bar)},
-             {"damping", dampingAsJson(range.damping, answer.bar)},
+             {"damping", dampingAsJson(range.damping, answer.scene.bar)},
              {"force", name(range.place)},
              {"amplitude", answer.amplitude},
              {"cycles", range.cycles},
              {"frequency_ratio_range", {range.leastFrequencyRatio, range.mostFrequencyRatio}},
              {"complete", answer.isComplete},
              {"frequencies", Json::array()}});
+    addScene(answer.scene, json);
     for (const FrequencyResponse& response : answer.frequencies) {
-        json["frequencies"].push_back(asJson(response, answer.bar));
+        json["frequencies"].push_back(asJson(response, answer.scene.bar));
     }
     return asLine(json);
 }
 
 void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
 {
-    const Scales unit = scales(answer.bar);
+    const Scales unit = scales(answer.scene.bar);
     TextFile file(path);
     file.write(
         "steps,frequency_ratio,frequency,touches,linear_peak,contact,free,phase,impulse,"
-        "peak_force,tip_lowest,stability\n");
+        "peak_force,tip_lowest,stability,stop\n");
     for (const FrequencyResponse& response : answer.frequencies) {
         const std::string begin =
             fmt::format("{},{},{},{},{}", response.steps, response.frequencyRatio,
                         response.frequencyRatio / 4.0 / unit.time, response.touches ? 1 : 0,
                         response.linearPeak * unit.displacement);
         if (response.motions.empty()) {
-            file.write(begin + ",,,,,,,\n");
+            file.write(begin + ",,,,,,,,\n");
         }
         for (const ForcedMotion& motion : response.motions) {
             const Phase& phase = motion.schedule.phases.front();
-            file.write(fmt::format("{},{},{},{},{},{},{},{}\n", begin, phase.contact, phase.free,
-                                   motion.phase, motion.extremes.impulse * impulseUnit(answer.bar),
-                                   motion.extremes.peakForce * forceUnit(answer.bar),
-                                   motion.extremes.lowestTip * unit.displacement, word(motion)));
+            file.write(fmt::format("{},{},{},{},{},{},{},{},{}\n", begin, phase.contact, phase.free,
+                                   motion.phase,
+                                   motion.extremes.impulse * impulseUnit(answer.scene.bar),
+                                   motion.extremes.peakForce * forceUnit(answer.scene.bar),
+                                   motion.extremes.lowestTip * unit.displacement, word(motion),
+                                   motion.schedule.phases.size() > 1 ? "both" : name(phase.stop)));
         }
     }
     file.close();

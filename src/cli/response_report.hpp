@@ -13,7 +13,7 @@ namespace signorini::cli {
 /// The outcome of one call.
 struct ResponseAnswer {
     ResponseRange range;
-    Bar bar;
+    Scene scene;
     double amplitude = 0.0;                      ///< [N] or [m]
     std::vector<FrequencyResponse> frequencies;  ///< motions without their states
     bool isComplete = true;

@@ -24,7 +24,7 @@ std::string asText(const StabilityReport& report, const Bar& bar)
         most, report.options.periods);
     if (report.result.drift > 1e-9) {
         text += fmt::format("; undisturbed it moved by up to {:.3g} m, with {} contacts",
-                            report.result.drift * bar.gap, report.result.contacts);
+                            report.result.drift * scales(bar).displacement, report.result.contacts);
     }
     return text + "\n";
 }
@@ -33,13 +33,14 @@ Json asJson(const StabilityReport& report, const Bar& bar)
 {
     Json trials = Json::array();
     for (const StabilityTrial& trial : report.result.trials) {
-        trials.push_back(
-            {{"size", trial.size}, {"start", trial.start * bar.gap}, {"end", trial.end * bar.gap}});
+        trials.push_back({{"size", trial.size},
+                          {"start", trial.start * scales(bar).displacement},
+                          {"end", trial.end * scales(bar).displacement}});
     }
     return {{"damping", dampingAsJson(report.damping, bar)},
             {"verdict", name(report.result.stability)},
             {"periods", report.options.periods},
-            {"drift", report.result.drift * bar.gap},
+            {"drift", report.result.drift * scales(bar).displacement},
             {"contacts", report.result.contacts},
             {"trials", trials}};
 }

@@ -19,25 +19,43 @@ struct Sort {
     const char* block;
     const char* title;
     const char* style;
-    const char* colour;
     std::optional<Stability> stability;
 };
 
+/// What the tip touches in a period.
+struct Touched {
+    const char* block;
+    const char* title;
+    const char* colour;
+    std::size_t phases;
+    Stop first;
+};
+
 constexpr auto sorts = std::to_array<Sort>({
-    {"repels", "one contact: repels", "pt 2 ps 0.45 lw 1", palette::contact, Stability::repels},
-    {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2", palette::faint, Stability::unclear},
-    {"attracts", "one contact: attracts", "pt 7 ps 0.7", palette::contact, Stability::attracts},
-    {"untried", "one contact", "pt 7 ps 0.6", palette::contact, std::nullopt},
+    {"repels", ": repels", "pt 2 ps 0.45 lw 1", Stability::repels},
+    {"unclear", ": not clear", "pt 4 ps 0.6 lw 1.2", Stability::unclear},
+    {"attracts", ": attracts", "pt 7 ps 0.7", Stability::attracts},
+    {"untried", "", "pt 7 ps 0.6", std::nullopt},
 });
 
-/// omega/omega_1, impulse, swing of each motion of one sort. \return are there any?
-bool printMotions(Text& script, const Sort& sort, std::span<const FrequencyResponse> frequencies)
+constexpr auto touches = std::to_array<Touched>({
+    {"wall", "one contact", palette::contact, 1, Stop::right},
+    {"second", "one, on the second stop", palette::strain, 1, Stop::left},
+    {"both", "one on each stop, mirrored", palette::ink, 2, Stop::right},
+});
+
+/// omega/omega_1, impulse, swing of each motion of one sort that touches these stops. \return are
+/// there any?
+bool printMotions(Text& script, const Touched& touched, const Sort& sort,
+                  std::span<const FrequencyResponse> frequencies)
 {
     bool any = false;
-    print(script, "${} << EOD\n", sort.block);
+    print(script, "${}{} << EOD\n", touched.block, sort.block);
     for (const FrequencyResponse& response : frequencies) {
         for (const ForcedMotion& motion : response.motions) {
-            if (motion.stability == sort.stability) {
+            const std::vector<Phase>& phases = motion.schedule.phases;
+            if (motion.stability == sort.stability && phases.size() == touched.phases &&
+                phases.front().stop == touched.first) {
                 any = true;
                 print(script, "{:.8g} {:.6g} {:.6g}\n", response.frequencyRatio,
                       motion.extremes.impulse, -motion.extremes.lowestTip);
@@ -64,22 +82,28 @@ void printLinear(Text& script, std::span<const FrequencyResponse> frequencies)
 }
 
 /// The backbones: frequency, impulse and swing of the free motions of each mode, over the range of
-/// frequencies. One cycle of the excitation in a period of the motion, or `cycles`. \return are
-/// there any?
-bool printModes(Text& script, double least, double most, std::int64_t cycles, double height)
+/// frequencies, `cycles` cycles of the excitation in a period of the motion; without a gap a mode
+/// has one period only. \return are there any?
+bool printModes(Text& script, double least, double most, const ResponseRange& range, double height)
 {
     constexpr int samples = 160;
     bool any = false;
     print(script, "$modes << EOD\n");
-    for (const Mode& mode : findModes({.maxOrder = 15})) {
-        const double unit = 4.0 * static_cast<double>(cycles);
+    std::vector<Mode> modes;
+    if (range.stops.right != 0) {
+        modes = findModes({.maxOrder = 15, .gapSign = range.stops.right});
+    }
+    for (const Mode& mode : modes) {
+        const double unit = 4.0 * static_cast<double>(range.cycles);
         const double from = std::max(unit / most, mode.lowest.value());
         const double to = std::min(unit / least, mode.highest.value());
         bool isDrawn = false;
         for (int k = 0; k < samples && from < to; ++k) {
             const double t = std::lerp(from, to, (k + 0.5) / samples);
             const Extremes free = ModeMotion(mode, t).extremes();
-            if (-free.lowestTip <= 1.5 * height) {
+            const auto& second = range.stops.left;
+            const bool isFree = !second || -free.lowestTip <= second->value();
+            if (isFree && -free.lowestTip <= 1.5 * height) {
                 print(script, "{:.8g} {:.6g} {:.6g}\n", unit / t, free.impulse, -free.lowestTip);
                 isDrawn = true;
             }
@@ -91,10 +115,17 @@ bool printModes(Text& script, double least, double most, std::int64_t cycles, do
     return any;
 }
 
-/// The height of the lower panel: what motions need, and twice the gap for the linear one.
-double heightOf(std::span<const FrequencyResponse> frequencies)
+/// The height of the lower panel: what motions and the second stop need, and twice the gap for the
+/// linear motion, or all of that where there is none.
+double heightOf(std::span<const FrequencyResponse> frequencies, const ResponseRange& range)
 {
-    double most = 2.0;
+    double most = range.stops.right != 0 ? 2.0 : 0.0;
+    if (range.stops.left) {
+        most = std::max(most, range.stops.left->value());
+    }
+    for (const FrequencyResponse& response : frequencies) {
+        most = std::max(most, range.stops.right != 0 ? 0.0 : response.linearPeak);
+    }
     for (const FrequencyResponse& response : frequencies) {
         for (const ForcedMotion& motion : response.motions) {
             most = std::max(most, -motion.extremes.lowestTip);
@@ -105,10 +136,17 @@ double heightOf(std::span<const FrequencyResponse> frequencies)
 
 std::string titleOf(const ResponseRange& range)
 {
+    const bool hasUnit = range.stops.right != 0;
     return fmt::format(
-        "{} of amplitude {:.4g} {},  ζ = {:.4g},  N = {}{}",
+        "{} of amplitude {:.4g} {},  ζ = {:.4g},  N = {}{}{}",
         range.place == Excited::tip ? "force on the tip" : "base moving", range.amplitude,
-        range.place == Excited::tip ? "EA g/L" : "g", range.damping.ratio, range.cells,
+        range.place == Excited::tip ? (hasUnit ? "EA g/L" : "EA")
+        : hasUnit                   ? "g"
+                                    : "L",
+        range.damping.ratio, range.cells,
+        range.stops.right < 0 ? ",  g < 0"
+        : hasUnit             ? ""
+                              : ",  g = 0",
         range.cycles > 1 ? fmt::format(",  period of {} cycles of the excitation", range.cycles)
                          : "");
 }
@@ -121,22 +159,33 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
     if (frequencies.empty()) {
         throw std::invalid_argument("figure: the response holds no frequency to draw");
     }
+    const char* unit = range.stops.right < 0 ? "|g|" : range.stops.right > 0 ? "g" : "L";
     Text script;
     printLinear(script, frequencies);
     const auto [least, most] =
         std::minmax(frequencies.front().frequencyRatio, frequencies.back().frequencyRatio);
     const double margin = most > least ? 0.01 * (most - least) : 0.05;
     const bool hasModes =
-        printModes(script, least - margin, most + margin, range.cycles, heightOf(frequencies));
+        printModes(script, least - margin, most + margin, range, heightOf(frequencies, range));
     std::string upper;
     std::string lower;
-    for (const Sort& sort : sorts) {
-        if (printMotions(script, sort, frequencies)) {
-            upper += fmt::format(", ${} using 1:2 with points {} lc '{}' title '{}'", sort.block,
-                                 sort.style, sort.colour, sort.title);
-            lower += fmt::format(", ${} using 1:3 with points {} lc '{}' notitle", sort.block,
-                                 sort.style, sort.colour);
+    for (const Touched& touched : touches) {
+        for (const Sort& sort : sorts) {
+            if (printMotions(script, touched, sort, frequencies)) {
+                const bool isFaint = sort.stability == Stability::unclear;
+                const char* colour = isFaint ? palette::faint : touched.colour;
+                upper += fmt::format(", ${}{} using 1:2 with points {} lc '{}' title '{}{}'",
+                                     touched.block, sort.block, sort.style, colour, touched.title,
+                                     sort.title);
+                lower += fmt::format(", ${}{} using 1:3 with points {} lc '{}' notitle",
+                                     touched.block, sort.block, sort.style, colour);
+            }
         }
+    }
+    if (const auto& second = range.stops.left) {
+        lower += fmt::format(", {} with lines lw 1 dt (2,2) lc '{}' notitle", second->value(),
+                             palette::ink);
+        print(script, "secondStop = {}\n", second->value());
     }
     double pushed = 0.0;
     for (const FrequencyResponse& response : frequencies) {
@@ -149,11 +198,11 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
           "set grid lw 0.4 lc '{}'\nset xrange [{}:{}]\nset lmargin at screen 0.12\n"
           "set rmargin at screen 0.97\nset label 1 \"{}\" at screen 0.54,0.965 center\n"
           "set tmargin at screen 0.92\nset bmargin at screen 0.54\nset format x ''\n"
-          "set ylabel 'impulse  [EA g/c]'\nset yrange [0:{}]\n"
+          "set ylabel 'impulse  [EA {}/c]'\nset yrange [0:{}]\n"
           "set key top left reverse Left samplen 2 spacing 1.1\n"
           "plot {}NaN with lines lw 2 lc '{}' title 'no contact', "
-          "NaN with lines lw 1.5 dt (6,3) lc '{}' title 'no wall in its way'{}\n",
-          palette::grid, least - margin, most + margin, titleOf(range),
+          "NaN with lines lw 1.5 dt (6,3) lc '{}' title 'no stop in its way'{}\n",
+          palette::grid, least - margin, most + margin, titleOf(range), unit,
           pushed > 0.0 ? fmt::format("{:.4g}", 1.15 * pushed) : std::string("*"),
           hasModes ? fmt::format("$modes using 1:2 with lines lw 5 lc '{}' title 'modes: free, "
                                  "undamped', ",
@@ -161,12 +210,16 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
                    : std::string(),
           palette::ink, palette::faint, upper);
     print(script,
-          "unset label 1\nunset key\nset format x '%g'\nset tmargin at screen 0.49\n"
+          "unset label 1\n{}unset key\nset format x '%g'\nset tmargin at screen 0.49\n"
           "set bmargin at screen 0.12\nset xlabel 'frequency of the excitation  ω/ω_1'\n"
-          "set ylabel 'swing  −min u(L)/g'\nset yrange [0:{:.4g}]\n"
+          "set ylabel 'swing  −min u(L)/{}'\nset yrange [0:{:.4g}]\n"
           "plot $modes using 1:3 with lines lw 5 lc '{}', $linear using 1:2 with lines lw 2 lc "
           "'{}', $linear using 1:3 with lines lw 1.5 dt (6,3) lc '{}'{}\nunset multiplot\n",
-          heightOf(frequencies), palette::fading.back(), palette::ink, palette::faint, lower);
+          range.stops.left ? "set label 2 'second stop' at graph 0.01,first secondStop left "
+                             "offset 0,0.5\n"
+                           : "",
+          unit, heightOf(frequencies, range), palette::fading.back(), palette::ink, palette::faint,
+          lower);
     runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
 }
 

@@ -37,7 +37,9 @@ struct CountedBand {
 /// The amplitude from which the motion without contact meets the wall.
 double edgeOfContact(const FrequencyResponse& response, const ResponseRange& range)
 {
-    return range.amplitude / response.linearPeak;
+    const auto& [right, left] = range.stops;
+    const double nearest = left ? std::min<double>(right, left->value()) : right;
+    return std::max(nearest, 0.0) * range.amplitude / response.linearPeak;
 }
 
 /// The least one of a motion with contact; infinite if there is none.
@@ -131,7 +133,9 @@ void drawResponseMap(std::span<const FrequencyResponse> frequencies, const Respo
           "$edges using 1:3 with lines lw 2 dt (6,3) lc '{}' title 'with contact, the least', "
           "{} with lines lw 1 dt (2,3) lc '{}' title 'amplitude of the response'\n",
           low - margin, high + margin, top,
-          range.place == Excited::tip ? "force  [EA g/L]" : "base  [g]",
+          range.place == Excited::tip ? (range.stops.right != 0 ? "force  [EA g/L]" : "force  [EA]")
+          : range.stops.right != 0    ? "base  [g]"
+                                      : "base  [L]",
           range.cycles > 1 ? fmt::format("{} cycles", range.cycles) : "a cycle",
           range.damping.ratio, range.cells, plots, palette::ink, palette::contact, range.amplitude,
           palette::ink);

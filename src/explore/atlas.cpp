@@ -13,15 +13,21 @@ namespace signorini {
 
 namespace {
 
+/// A phase is one of so many: n_c, n_f, and the stop.
+std::int64_t choicesOf(const AtlasRange& range)
+{
+    return range.maxContact * range.maxFree * (range.secondStop ? 2 : 1);
+}
+
 /// pairs + pairs^2 + ... + pairs^phases, if that is at most 2^62.
-std::optional<std::int64_t> countNumbers(std::int64_t contact, std::int64_t free,
-                                         std::int64_t phases)
+std::optional<std::int64_t> countNumbers(const AtlasRange& range)
 {
     constexpr std::int64_t limit = maxSteps;
-    if (contact > limit / free) {
+    if (range.maxContact > limit / 2 / range.maxFree) {
         return std::nullopt;
     }
-    const std::int64_t pairs = contact * free;
+    const std::int64_t phases = range.maxPhases;
+    const std::int64_t pairs = choicesOf(range);
     std::int64_t power = 1;
     std::int64_t sum = 0;
     for (std::int64_t k = 0; k < phases; ++k) {
@@ -48,6 +54,11 @@ AtlasRange usualRange(std::int64_t cells)
     range.maxContact = 2 * cells;
     range.maxFree = 4 * cells;
     return range;
+}
+
+Stops stopsOf(const AtlasRange& range)
+{
+    return {range.gapSign, range.secondStop};
 }
 
 void validate(const AtlasRange& range)
@@ -83,7 +94,8 @@ void validate(const AtlasRange& range)
         faults.add("max energy ratio", range.maxEnergyRatio, "numbers > 0 [E_1]");
     }
     faults.throwIfAny();
-    if (!countNumbers(range.maxContact, range.maxFree, range.maxPhases)) {
+    validate(Schedule{range.cells, {{1, 1}}, stopsOf(range)});
+    if (!countNumbers(range)) {
         faults.add("the number of schedules", "more than 2^62", "at most 2^62");
     }
     if (range.familiesOnly && range.maxPhases != 1) {
@@ -154,21 +166,23 @@ AtlasTally& AtlasTally::operator+=(const AtlasTally& other)
 
 std::int64_t numbersOf(const AtlasRange& range)
 {
-    return countNumbers(range.maxContact, range.maxFree, range.maxPhases).value();
+    return countNumbers(range).value();
 }
 
 std::vector<Phase> phasesAt(const AtlasRange& range, std::int64_t number)
 {
     const std::int64_t pairs = range.maxContact * range.maxFree;
+    const std::int64_t choices = choicesOf(range);
     std::size_t count = 1;
-    for (std::int64_t power = pairs; number >= power; power *= pairs) {
+    for (std::int64_t power = choices; number >= power; power *= choices) {
         number -= power;
         ++count;
     }
     std::vector<Phase> phases(count);
-    for (std::size_t k = count; k-- > 0; number /= pairs) {
-        const std::int64_t pair = number % pairs;
-        phases[k] = {pair / range.maxFree + 1, pair % range.maxFree + 1};
+    for (std::size_t k = count; k-- > 0; number /= choices) {
+        const std::int64_t pair = number % choices % pairs;
+        phases[k] = {pair / range.maxFree + 1, pair % range.maxFree + 1,
+                     number % choices < pairs ? Stop::right : Stop::left};
     }
     return phases;
 }

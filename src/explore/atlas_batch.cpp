@@ -1,11 +1,13 @@
 // How a range falls into batches, and what each holds.
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "several_phases.hpp"
 #include "signorini/atlas.hpp"
 #include "stepped_atlas.hpp"
+#include "stops.hpp"
 #include "tents.hpp"
 
 namespace signorini {
@@ -156,8 +158,11 @@ private:
                 return false;
             }
             const Phase phase{contact, n - contact};
-            batch_.rows.push_back(rowOf(
-                range_, phase, signorini::decide(range_.cells, phase, signs_, range_.gapSign)));
+            Verdict verdict = signorini::decide(range_.cells, phase, signs_, range_.gapSign);
+            if (!verdict.reason) {  // a tent that the second stop is in the way of
+                verdict.reason = Reason::penetration;
+            }
+            batch_.rows.push_back(rowOf(range_, phase, verdict));
         }
         return true;
     }
@@ -229,11 +234,21 @@ std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batc
         if (isRequested(cancel)) {
             return std::nullopt;
         }
-        const Schedule schedule{range.cells, phasesAt(range, number), {.right = range.gapSign}};
+        Schedule schedule{range.cells, phasesAt(range, number), stopsOf(range)};
         const Rotation rotation = rotationOf(schedule.phases);
-        if (rotation.isFirst) {
-            enter(range, decideSeveral(schedule, rotation.length, number), result);
+        if (!rotation.isFirst) {
+            continue;
         }
+        // Without a gap motions that only touch the wall are as small as a second stop asks for.
+        const bool isAnySize = range.secondStop && canRest(schedule.phases, schedule.stops);
+        if (isAnySize) {
+            schedule.stops.left.reset();
+        }
+        AtlasRow row = decideSeveral(schedule, rotation.length, number);
+        if (isAnySize && row.status == Status::found) {
+            row.energy.most = std::numeric_limits<double>::quiet_NaN();
+        }
+        enter(range, row, result);
     }
     return result;
 }

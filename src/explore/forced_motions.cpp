@@ -7,6 +7,7 @@
 #include "forced_polytope.hpp"
 #include "names.hpp"
 #include "portable.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -19,6 +20,9 @@ constexpr auto forcedKindNames = std::to_array<Named<ForcedKind>>({
     {ForcedKind::ray, "ray"},
     {ForcedKind::polytope, "polytope"},
 });
+
+// Without a gap: amplitudes of a polygon that are 0 but for rounding.
+constexpr double leastOfCone = 1e-7;
 
 void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimits& limits)
 {
@@ -64,12 +68,16 @@ struct Solved {
     explicit Solved(const ForcedSet& of)
         : set(of),
           shapes(shapesOf(of.forcing, of.schedule.cells, steps(of.schedule))),
-          waves(of.schedule.cells, of.damping.rho(), shapes)
+          waves(of.schedule.cells, of.damping.rho(), shapes, of.schedule.stops)
     {
         waves.setPhases(of.schedule.phases);
     }
 
     [[nodiscard]] bool isPlane() const { return shapes.size() > 1; }
+    [[nodiscard]] bool canRest() const
+    {
+        return signorini::canRest(set.schedule.phases, set.schedule.stops);
+    }
     [[nodiscard]] double waveLimit() const { return 0.5 * set.limits.strain; }
     [[nodiscard]] ForcedCase motions() const { return {set.schedule, set.damping, shapes, waves}; }
     [[nodiscard]] ForcedMotion at(const std::array<double, 2>& place) const
@@ -89,6 +97,7 @@ struct Solved {
         line.direction = {set.direction[0], set.direction[1]};
         line.low = set.low;
         line.high = set.high;
+        line.canRest = canRest();
         return line;
     }
 };
@@ -178,9 +187,16 @@ bool describeTouch(ForcedSet& set, ForcedLine line)
 }
 
 /// Of a line the motion of least amplitude, of a polygon all corners have to be motions, but for
-/// those that only stand for no end.
+/// those that only stand for no end. Where the bar at rest is among them some other motion stands
+/// for all: they are its multiples, as far as a second stop lets them.
 double worstResidual(const ForcedSet& set, const Solved& solved)
 {
+    if (solved.canRest()) {
+        ForcedSet tried = set;
+        tried.status = Status::found;
+        const auto motions = motionsOfAmplitude(tried, std::min(1.0, 0.5 * set.mostAmplitude));
+        return motions.empty() ? std::numeric_limits<double>::infinity() : motions.front().residual;
+    }
     if (set.kind != ForcedKind::polytope) {
         const ForcedLine line = solved.line();
         return forcedMotion(solved.motions(), line.at(std::clamp(0.0, line.low, line.high)))
@@ -198,11 +214,30 @@ double worstResidual(const ForcedSet& set, const Solved& solved)
     return worst;
 }
 
+/// The two waves that nothing damps whose rows are least alike; empty if there are none.
+std::vector<ForcedCondition> mostDifferentWork(const Solved& solved)
+{
+    std::vector<ForcedCondition> conflict;
+    double most = 0.0;
+    const std::vector<ForcedRow> rows = solved.waves.rows(solved.waveLimit());
+    for (const ForcedRow& row : rows) {
+        for (const ForcedRow& other : rows) {
+            const double area = std::abs(row.plane.c * other.plane.s - row.plane.s * other.plane.c);
+            if (row.condition.rule == ForcedRule::work &&
+                other.condition.rule == ForcedRule::work && area > most) {
+                most = area;
+                conflict = {row.condition, other.condition};
+            }
+        }
+    }
+    return conflict;
+}
+
 void decide(ForcedSet& set, Solved& solved)
 {
     ForcedWaves& waves = solved.waves;
     set.freeWaves = waves.heldClasses() + waves.undampedClasses();
-    if (waves.undampedClasses() == 0) {
+    if (waves.undampedClasses() == 0 && (set.freeWaves == 0 || waves.boundsHeld())) {
         const ForcedLine line = waves.line(false, solved.waveLimit());
         if (!line.hasLine && set.freeWaves == 0) {
             set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
@@ -230,6 +265,12 @@ void decide(ForcedSet& set, Solved& solved)
             return;
         }
         describePolytope(set, std::move(polytope));
+        if (solved.canRest() && set.mostAmplitude <= leastOfCone) {
+            set.kind = ForcedKind::empty;
+            set.corners.clear();
+            explainAbsence(set, mostDifferentWork(solved), solved.question());
+            return;
+        }
     }
     if (const double residual = worstResidual(set, solved); !(residual <= forcedTolerance)) {
         set.kind = ForcedKind::empty;
@@ -287,6 +328,10 @@ ForcedMotion motionAt(const ForcedSet& set, double t)
 ForcedMotion leastAmplitudeMotion(const ForcedSet& set)
 {
     requireMotions(set);
+    if (canRest(set.schedule.phases, set.schedule.stops)) {
+        throw std::invalid_argument(
+            "set: without a gap motions are as small as one likes: allowed motionsOfAmplitude");
+    }
     return set.kind == ForcedKind::polytope ? Solved(set).at(nearestPlace(set.corners))
                                             : motionAt(set, std::clamp(0.0, set.low, set.high));
 }
@@ -326,20 +371,7 @@ AmplitudeExclusion exclusionOf(const ForcedSet& set, double amplitude)
     AmplitudeExclusion exclusion{amplitude, {}, false};
     Solved solved(set);
     if (set.kind == ForcedKind::polytope) {
-        // The two waves whose rows are least alike.
-        double most = 0.0;
-        const std::vector<ForcedRow> rows = solved.waves.rows(solved.waveLimit());
-        for (const ForcedRow& row : rows) {
-            for (const ForcedRow& other : rows) {
-                const double area =
-                    std::abs(row.plane.c * other.plane.s - row.plane.s * other.plane.c);
-                if (row.condition.rule == ForcedRule::work &&
-                    other.condition.rule == ForcedRule::work && area > most) {
-                    most = area;
-                    exclusion.conflict = {row.condition, other.condition};
-                }
-            }
-        }
+        exclusion.conflict = mostDifferentWork(solved);
         exclusion.isCertain = !exclusion.conflict.empty() &&
                               forbidsAmplitude(solved.question(), amplitude, exclusion.conflict);
         return exclusion;

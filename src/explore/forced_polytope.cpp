@@ -253,14 +253,19 @@ std::array<double, 2> nearestPlace(const std::vector<ForcedCorner>& corners)
 {
     Plane best = planeOf(corners.front().place);
     bool isInside = corners.size() > 2;
+    double area = 0.0;
+    double squares = 0.0;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const Plane from = planeOf(corners[k].place);
         const Plane to = planeOf(corners[(k + 1) % corners.size()].place);
         isInside = isInside && cross(from, to) >= 0.0;
+        area += cross(from, to);
+        squares += from.dot(from);
         const Plane near = from + nearestOn(from, to) * (to - from);
         best = sizeOf(near) < sizeOf(best) ? near : best;
     }
-    return isInside ? std::array{0.0, 0.0} : std::array{best.c, best.s};
+    // Corners on a line have no inside, whatever rounding makes of it.
+    return isInside && area > alike * squares ? std::array{0.0, 0.0} : std::array{best.c, best.s};
 }
 
 std::array<double, 2> farthestPlace(const std::vector<ForcedCorner>& corners)

@@ -29,6 +29,7 @@ void validate(const ResponseRange& range)
     }
     faults.throwIfAny();
     signorini::validate(range.damping);
+    signorini::validate(Schedule{range.cells, {{1, 1}}, range.stops});
 }
 
 /// On both sides of the foot amplitudes grow along the line.
@@ -36,7 +37,7 @@ void addBranches(FrequencyResponse& response, std::int64_t contact, const Forced
 {
     const double offset = portable::hypot(line.foot.c, line.foot.s);
     const auto add = [&](double from, double to) {
-        if (from <= to) {
+        if (from <= to && !(line.canRest && to <= 0.0)) {
             response.branches.push_back(
                 {contact, portable::hypot(offset, from), portable::hypot(offset, to)});
         }
@@ -68,13 +69,84 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
     return all;
 }
 
+namespace {
+
+/// The schedules of n steps that a response goes through.
+enum class Pattern {
+    onWall,
+    onSecondStop,
+    mirrored,  ///< on both, the second half the first on the other stop
+};
+
+std::vector<Pattern> patternsOf(const ResponseRange& range, std::int64_t steps)
+{
+    const auto& [right, left] = range.stops;
+    std::vector<Pattern> patterns{Pattern::onWall};
+    if (left) {
+        patterns.push_back(Pattern::onSecondStop);
+    }
+    if (left && *left == Fraction{right, 1} && steps % 2 == 0 && range.cycles % 2 == 1) {
+        patterns.push_back(Pattern::mirrored);
+    }
+    return patterns;
+}
+
+Schedule scheduleOf(const ResponseRange& range, Pattern pattern, std::int64_t steps,
+                    std::int64_t contact)
+{
+    const Stop first = pattern == Pattern::onSecondStop ? Stop::left : Stop::right;
+    Schedule schedule{range.cells, {{contact, steps - contact, first}}, range.stops};
+    if (pattern == Pattern::mirrored) {
+        schedule.phases = {{contact, steps / 2 - contact, Stop::right},
+                           {contact, steps / 2 - contact, Stop::left}};
+    }
+    return schedule;
+}
+
+/// All motions of one schedule, whose phases the waves have.
+void addMotions(FrequencyResponse& response, const ResponseRange& range, const Schedule& schedule,
+                std::span<const Excitation> shapes, ForcedWaves& waves)
+{
+    ForcedLine line;
+    const bool hasLine = waves.heldClasses() == 0 || waves.boundsHeld();
+    if (hasLine) {
+        line = waves.line(true);
+    }
+    if (hasLine && line.isEmpty()) {
+        return;
+    }
+    const std::int64_t contact = schedule.phases.front().contact;
+    std::vector<ForcedMotion> motions;
+    if (waves.heldClasses() > 0) {
+        const ForcedSet set =
+            forcedMotions(schedule, range.damping, {range.place, range.cycles, {}});
+        response.undecided += set.status == Status::undecided ? 1 : 0;
+        if (set.status == Status::found) {
+            response.branches.push_back({contact, set.leastAmplitude, set.mostAmplitude});
+        }
+        motions = motionsOfAmplitude(set, range.amplitude);
+    } else {
+        addBranches(response, contact, line);
+        motions = motionsOnLine({schedule, range.damping, shapes, waves}, line, range.amplitude);
+    }
+    for (ForcedMotion& motion : motions) {
+        if (motion.residual <= forcedTolerance) {
+            response.motions.push_back(std::move(motion));
+        } else {
+            ++response.undecided;
+        }
+    }
+}
+
+}  // namespace
+
 std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int64_t steps,
                                             const Cancel& cancel)
 {
     validate(range);
     const std::vector<Excitation> shapes =
         shapesOf({range.place, range.cycles, {}}, range.cells, steps);
-    ForcedWaves waves(range.cells, range.damping.rho(), shapes);
+    ForcedWaves waves(range.cells, range.damping.rho(), shapes, range.stops);
     FrequencyResponse response;
     response.steps = steps;
     response.frequencyRatio = 4.0 * static_cast<double>(range.cells) *
@@ -82,37 +154,18 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
     // Without contact the tip moves harmonically, and its size does not depend on the phase.
     const Plane tip = waves.tip(0);
     response.linearPeak = range.amplitude * portable::hypot(tip.c, tip.s);
-    response.touches = response.linearPeak >= 1.0;
-    for (std::int64_t contact = 1; contact < steps; ++contact) {
-        if (contact % 16 == 0 && isRequested(cancel)) {
-            return std::nullopt;
-        }
-        waves.setContact(contact);
-        const ForcedLine line = waves.line(true);
-        if (line.isEmpty()) {
-            continue;
-        }
-        const Schedule schedule{range.cells, {{contact, steps - contact}}};
-        std::vector<ForcedMotion> motions;
-        if (waves.heldClasses() > 0) {
-            const ForcedSet set =
-                forcedMotions(schedule, range.damping, {range.place, range.cycles, {}});
-            response.undecided += set.status == Status::undecided ? 1 : 0;
-            if (set.status == Status::found) {
-                response.branches.push_back({contact, set.leastAmplitude, set.mostAmplitude});
+    const auto& [right, left] = range.stops;
+    response.touches =
+        response.linearPeak >= (left ? std::min<double>(right, left->value()) : right);
+    for (const Pattern pattern : patternsOf(range, steps)) {
+        const std::int64_t most = pattern == Pattern::mirrored ? steps / 2 : steps;
+        for (std::int64_t contact = 1; contact < most; ++contact) {
+            if (contact % 16 == 0 && isRequested(cancel)) {
+                return std::nullopt;
             }
-            motions = motionsOfAmplitude(set, range.amplitude);
-        } else {
-            addBranches(response, contact, line);
-            motions =
-                motionsOnLine({schedule, range.damping, shapes, waves}, line, range.amplitude);
-        }
-        for (ForcedMotion& motion : motions) {
-            if (motion.residual <= forcedTolerance) {
-                response.motions.push_back(std::move(motion));
-            } else {
-                ++response.undecided;
-            }
+            const Schedule schedule = scheduleOf(range, pattern, steps, contact);
+            waves.setPhases(schedule.phases);
+            addMotions(response, range, schedule, shapes, waves);
         }
     }
     return response;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "echo.hpp"
@@ -42,6 +43,7 @@ struct Course {
     const State& state;
     const Damping& damping;
     const Excitation& excitation;
+    const Stops& stops;
     double period;  ///< [steps]
 };
 
@@ -55,12 +57,15 @@ Waves besides(const Course& course, double size, std::mt19937_64& generator)
             piece.value *= 1.0 + part(generator);
         }
     }
-    // The tip must not stand inside the wall: by as much as it does, all cells give way evenly.
+    // The tip must not stand inside a stop: by as much as it does, all cells give way evenly.
     const std::int64_t cells = course.state.cells();
     const double tip = course.excitation.baseDisplacement(0) + stretching(waves, cells)[cells];
-    if (tip > 1.0) {
+    const double least =
+        course.stops.left ? -course.stops.left->value() : -std::numeric_limits<double>::infinity();
+    const double inside = tip - std::clamp<double>(tip, least, course.stops.right);
+    if (inside != 0.0) {
         for (Piece& piece : waves.a) {
-            piece.value += tip - 1.0;
+            piece.value += inside;
         }
     }
     return waves;
@@ -102,7 +107,8 @@ StabilityResult stabilityOf(const Course& course, const StabilityOptions& option
     const std::int64_t cells = course.state.cells();
     const SimulationOptions settings{
         .mergeBelow = course.damping.ratio > 0.0 ? std::optional(options.mergeBelow) : std::nullopt,
-        .recordsTip = false};
+        .recordsTip = false,
+        .stops = course.stops};
     const Waves undisturbed = wavesOf(course.state);
     const Eigen::VectorXd still = stretching(undisturbed, cells);
     StabilityResult result;
@@ -145,7 +151,7 @@ std::string_view name(Stability stability)
 
 StabilityResult stabilityOf(const ForcedMotion& motion, const StabilityOptions& options)
 {
-    return stabilityOf({motion.state, motion.damping, motion.excitation,
+    return stabilityOf({motion.state, motion.damping, motion.excitation, motion.schedule.stops,
                         static_cast<double>(motion.excitation.steps())},
                        options);
 }
@@ -157,7 +163,8 @@ StabilityResult stabilityOf(const State& state, const Schedule& schedule, const 
     validate(damping);
     requireCells(state, schedule.cells);
     const Excitation none{.stepsPerCrossing = static_cast<double>(schedule.cells)};
-    return stabilityOf({state, damping, none, static_cast<double>(steps(schedule))}, options);
+    return stabilityOf({state, damping, none, schedule.stops, static_cast<double>(steps(schedule))},
+                       options);
 }
 
 }  // namespace signorini

@@ -79,6 +79,12 @@ std::int64_t Tents::candidate(std::int64_t n) const
     return n < 4 * range_.cells ? n : (n + twos_ - 1) / twos_ * twos_;
 }
 
+/// Grazing motions swing from the wall to the same distance on the other side.
+bool Tents::grazingStaysClear() const
+{
+    return !range_.secondStop || range_.secondStop->numerator >= range_.secondStop->denominator;
+}
+
 Tent Tents::pressing(std::int64_t n, std::int64_t classes, const Family& family) const
 {
     Tent tent;

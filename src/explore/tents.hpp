@@ -62,7 +62,7 @@ public:
             }
             return visit(tent);
         }
-        if (range_.gapSign > 0 && n % twos_ == 0) {
+        if (range_.gapSign > 0 && n % twos_ == 0 && grazingStaysClear()) {
             Tent tent = grazing(n, classes);
             if (!visit(tent)) {
                 return false;
@@ -83,10 +83,14 @@ private:
         }
         return forEachContact(2 * range_.cells / classes, n / classes, 1, range_.gapSign,
                               [&](const Family& family) {
+                                  if (!staysClear(family, stopsOf(range_))) {
+                                      return true;
+                                  }
                                   Tent tent = pressing(n, classes, family);
                                   return visit(tent);
                               });
     }
+    [[nodiscard]] bool grazingStaysClear() const;
     [[nodiscard]] Tent held(std::int64_t n, std::int64_t classes) const;
     [[nodiscard]] Tent pressing(std::int64_t n, std::int64_t classes, const Family& family) const;
     [[nodiscard]] Tent grazing(std::int64_t n, std::int64_t classes) const;

@@ -83,13 +83,11 @@ double violation(const Demands& demands, const State& state, const Schedule& sch
     if (!demands.areLimits()) {
         return 0.0;
     }
-    const Extremes seen = extremesOf(state, schedule);
     double worst = 0.0;
-    if (std::isfinite(demands.strainLimit)) {
-        worst = std::max(worst, seen.peakCompression / demands.strainLimit - 1.0);
-    }
-    if (std::isfinite(demands.tipFloor)) {
-        worst = std::max(worst, demands.tipFloor - seen.lowestTip);
+    if (std::isfinite(demands.strainLimit) || std::isfinite(demands.tipFloor)) {
+        const Extremes seen = extremesOf(state, schedule);
+        worst = std::max({worst, seen.peakCompression / demands.strainLimit - 1.0,
+                          demands.tipFloor - seen.lowestTip});
     }
     for (const FixedValue& fixed : demands.fixed) {
         const Eigen::VectorXd& wave = fixed.wave == Wave::a ? state.a : state.b;

@@ -148,19 +148,24 @@ void fold(Schedule& schedule)
     }
 }
 
-std::string describe(const Schedule& schedule)
+std::string describe(const std::vector<Phase>& phases)
 {
     constexpr std::size_t shown = 8;
-    std::string text = fmt::format("N = {},", schedule.cells);
-    for (std::size_t k = 0; k < schedule.phases.size() && k < shown; ++k) {
-        const Phase& phase = schedule.phases[k];
-        text += fmt::format(" {}({}, {})", phase.stop == Stop::left ? "L:" : "", phase.contact,
-                            phase.free);
+    std::string text;
+    for (std::size_t k = 0; k < phases.size() && k < shown; ++k) {
+        text +=
+            fmt::format("{}{}({}, {})", k > 0 ? " " : "", phases[k].stop == Stop::left ? "L:" : "",
+                        phases[k].contact, phases[k].free);
     }
-    if (schedule.phases.size() > shown) {
-        text += fmt::format(" … {} phases in all", schedule.phases.size());
+    if (phases.size() > shown) {
+        text += fmt::format(" … {} phases in all", phases.size());
     }
     return text;
+}
+
+std::string describe(const Schedule& schedule)
+{
+    return fmt::format("N = {}, {}", schedule.cells, describe(schedule.phases));
 }
 
 }  // namespace signorini

@@ -1,5 +1,6 @@
 #include "stops.hpp"
 
+#include <algorithm>
 #include <numeric>
 
 #include "echo.hpp"
@@ -38,6 +39,25 @@ std::optional<WaveSum> crossingSum(const Schedule& schedule)
     }
     const std::int64_t way = right * left->denominator + left->numerator;
     return reduced(2 * left->denominator, way * schedule.cells);
+}
+
+bool canRest(std::span<const Phase> phases, const Stops& stops)
+{
+    return stops.right == 0 && std::all_of(phases.begin(), phases.end(), [](const Phase& phase) {
+               return phase.stop == Stop::right;
+           });
+}
+
+bool isMirrored(std::span<const Phase> phases, const Stops& stops)
+{
+    const std::size_t half = phases.size() / 2;
+    return stops.left && *stops.left == Fraction{stops.right, 1} && phases.size() % 2 == 0 &&
+           std::equal(phases.begin(), phases.begin() + static_cast<std::ptrdiff_t>(half),
+                      phases.begin() + static_cast<std::ptrdiff_t>(half),
+                      [](const Phase& one, const Phase& other) {
+                          return one.contact == other.contact && one.free == other.free &&
+                                 one.stop != other.stop;
+                      });
 }
 
 std::vector<FlightLimits> flightLimits(const Schedule& schedule)

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "signorini/schedule.hpp"
@@ -52,6 +53,13 @@ struct FlightLimits {
 {
     return stops.right == 0 && !stops.left;
 }
+
+/// Is the bar at rest, which nothing pushes, one of its motions: no gap, and only the wall touched?
+[[nodiscard]] bool canRest(std::span<const Phase> phases, const Stops& stops);
+
+/// Are the second half of the phases the first, on the other stop each? Only stops at equal
+/// distances mirror each other.
+[[nodiscard]] bool isMirrored(std::span<const Phase> phases, const Stops& stops);
 
 /// p >= 0 is a push on the stop if this is 1, p <= 0 if it is -1.
 [[nodiscard]] constexpr int pushSign(Stop stop)

@@ -9,6 +9,7 @@
 #include "family_chains.hpp"
 #include "faults.hpp"
 #include "integers.hpp"
+#include "rational.hpp"
 
 namespace signorini {
 
@@ -110,6 +111,45 @@ ExactEnergy leastEnergy(const Family& family)
     const std::int64_t root = family.order / common;
     const std::int64_t sum = family.windowSum / common;
     return {root * root, sum * sum};
+}
+
+Fraction lowestTip(const Family& family, int gapSign)
+{
+    if (gapSign == 0 || family.windowSum == 0) {
+        throw std::invalid_argument(
+            "gap sign = 0: allowed 1 or -1: without a gap motions have any "
+            "size");
+    }
+    // From block 0 on the signs go round by w; a flight between changes them.
+    const auto blocks = static_cast<std::size_t>(family.blocks);
+    std::vector<std::int8_t> signs(blocks);
+    std::int8_t sign = 1;
+    std::int64_t at = 0;
+    for (std::size_t k = 0; k < blocks; ++k) {
+        signs[static_cast<std::size_t>(at)] = sign;
+        sign = static_cast<std::int8_t>(at < family.contactBlocks ? sign : -sign);
+        at = (at + family.order) % family.blocks;
+    }
+    std::int64_t prefix = 0;
+    std::int64_t lowest = 0;
+    for (auto k = static_cast<std::size_t>(family.contactBlocks); k < blocks; ++k) {
+        prefix += signs[k];
+        lowest = std::min(lowest, prefix);
+    }
+    const std::int64_t window = std::abs(family.windowSum);
+    const std::int64_t numerator = gapSign * window + 2 * lowest;
+    const std::int64_t common = std::gcd(numerator, window);
+    return {numerator / common, window / common};
+}
+
+bool staysClear(const Family& family, const Stops& stops)
+{
+    if (!stops.left || stops.right == 0) {
+        return true;
+    }
+    const Fraction lowest = lowestTip(family, stops.right);
+    return Integer(-lowest.numerator) * stops.left->denominator <=
+           Integer(stops.left->numerator) * lowest.denominator;
 }
 
 std::optional<Family> findFamily(std::int64_t order, std::int64_t blocks,

@@ -1,102 +1,21 @@
 #include "forced_line.hpp"
-#include "infinity.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
+#include "forced_cut.hpp"
+#include "infinity.hpp"
 #include "portable.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
 namespace {
 
-// Amplitudes beyond this many times the least one of the line count as infinite.
-constexpr double farAway = 1e9;
-// Rows that are 0 but for rounding, relative to the largest.
-constexpr double roundOff = 3e-13;
-double size(Plane x)
-{
-    return std::abs(x.c) + std::abs(x.s);
-}
 
 }  // namespace
-
-/// The line while rows cut it.
-class ForcedWaves::Cut {
-public:
-    Cut(Plane gap, double size, bool isPlane) : isPlane_(isPlane)
-    {
-        const double squares = gap.dot(gap);
-        line_.hasLine = squares > roundOff * roundOff * size * size && std::isfinite(1.0 / squares);
-        if (!line_.hasLine) {
-            return;
-        }
-        const double length = std::sqrt(squares);
-        line_.foot = (1.0 / squares) * gap;
-        line_.direction = (1.0 / length) * Plane{-gap.s, gap.c};
-        far_ = farAway / length;
-        line_.low = isPlane ? -far_ : 0.0;
-        line_.high = isPlane ? far_ : 0.0;
-    }
-
-    [[nodiscard]] bool isEmpty() const { return line_.isEmpty(); }
-
-    /// row . (C, S) >= limit. \return is anything left?
-    bool by(Plane row, const ForcedCondition& condition, double limit = 0.0)
-    {
-        const double offset = row.dot(line_.foot) - limit;
-        const double slope = row.dot(line_.direction);
-        if (offset + slope * line_.low >= 0.0 && offset + slope * line_.high >= 0.0) {
-            return true;
-        }
-        if (std::abs(slope) * far_ <= std::abs(offset)) {
-            if (const double lack = -offset / std::sqrt(row.dot(row)); lack > missed_) {
-                missed_ = lack;
-                line_.blocking = condition;
-            }
-            return !isEmpty();
-        }
-        const double t = -offset / slope;
-        if (slope > 0.0 && t > line_.low) {
-            line_.low = t;
-            line_.lowRow = condition;
-        } else if (slope < 0.0 && t < line_.high) {
-            line_.high = t;
-            line_.highRow = condition;
-        }
-        return !isEmpty();
-    }
-
-    /// row . (C, S) = 0. What holds already, but for rounding, holds.
-    bool to(Plane row, const ForcedCondition& condition)
-    {
-        if (line_.low == line_.high &&
-            std::abs(row.dot(line_.at(line_.low))) <= roundOff * size(row) * size(line_.foot)) {
-            return true;
-        }
-        return by(row, condition) && by(-1.0 * row, condition);
-    }
-
-    [[nodiscard]] ForcedLine result() const
-    {
-        ForcedLine whole = line_;
-        if (isPlane_ && line_.low == -far_) {
-            whole.low = -infinity;
-        }
-        if (isPlane_ && line_.high == far_) {
-            whole.high = infinity;
-        }
-        return whole;
-    }
-
-private:
-    ForcedLine line_;
-    bool isPlane_;
-    double far_ = 0.0;
-    double missed_ = 0.0;  ///< by the blocking row
-};
 
 /// Writes conditions with their free amplitudes.
 class ForcedWaves::RowWriter {
@@ -121,12 +40,14 @@ public:
         }
     }
 
-    void put(const ForcedCondition& condition, bool isEquality, Plane plane, double limit = 0.0)
+    /// sign times the present sum.
+    void put(const ForcedCondition& condition, bool isEquality, Plane plane, double limit = 0.0,
+             double sign = 1.0)
     {
         ForcedRow row{condition, isEquality, plane, {}, limit};
         for (std::size_t k = 0; k < sum_.size(); ++k) {
             if (sum_[k] != 0.0) {
-                row.free.emplace_back(k, sum_[k]);
+                row.free.emplace_back(k, sign * sum_[k]);
             }
         }
         if (size(plane) > 0.0 || !row.free.empty() || limit != 0.0) {
@@ -145,12 +66,17 @@ private:
     std::vector<ForcedRow> rows_;
 };
 
-ForcedWaves::ForcedWaves(std::int64_t cells, double rho, std::span<const Excitation> shapes)
+ForcedWaves::ForcedWaves(std::int64_t cells, double rho, std::span<const Excitation> shapes,
+                         const Stops& stops)
     : cells_(cells),
       steps_(shapes.front().steps()),
       classes_(std::gcd(2 * cells, steps_)),
       rho_(rho),
       isPlane_(shapes.size() == 2),
+      stops_(stops),
+      way_(stops.left
+               ? static_cast<double>(2 * cells) * (stops.right + stops.left->value()) / (1.0 + rho)
+               : infinity),
       isContact_(static_cast<std::size_t>(steps_), false),
       p_(static_cast<std::size_t>(steps_)),
       kinds_(static_cast<std::size_t>(classes_), ClassKind::damped),
@@ -201,6 +127,50 @@ void ForcedWaves::setPhases(std::span<const Phase> phases)
         solveClass(j);
     }
     changed_.clear();
+    closures_ = (isMirroredMotion() ? phases_.size() / 2 : phases_.size()) - 1;
+}
+
+Stop ForcedWaves::stopAt(std::int64_t m) const
+{
+    std::size_t k = 0;
+    for (std::int64_t end = phases_[k].contact + phases_[k].free; end <= m;) {
+        ++k;
+        end += phases_[k].contact + phases_[k].free;
+    }
+    return phases_[k].stop;
+}
+
+double ForcedWaves::startPlace() const
+{
+    return placeOf(stops_, phases_.front().stop).value();
+}
+
+bool ForcedWaves::boundsHeld() const
+{
+    const Stop first = phases_.front().stop;
+    return pushSign(first) * startPlace() > 0.0 &&
+           std::all_of(phases_.begin(), phases_.end(),
+                       [first](const Phase& phase) { return phase.stop == first; });
+}
+
+/// Are the second half of the schedule and of the excitation the first, mirrored? Then so are the
+/// waves, if none has an amplitude of its own, the tip is on the other side half a period later, and half of the flights close by
+/// themselves.
+bool ForcedWaves::isMirroredMotion() const
+{
+    constexpr double alike = 1e-14;
+    if (held_ + undamped_ > 0 || !isMirrored(phases_, stops_)) {
+        return false;
+    }
+    const auto half = static_cast<std::size_t>(steps_ / 2);
+    double largest = 0.0;
+    double differs = 0.0;
+    for (std::size_t m = 0; m < half; ++m) {
+        largest = std::max({largest, size(force_[m]), size(fromBase_[m])});
+        differs = std::max({differs, size(force_[m] + force_[m + half]),
+                            size(fromBase_[m] + fromBase_[m + half])});
+    }
+    return differs <= alike * static_cast<double>(steps_) * largest;
 }
 
 void ForcedWaves::changeStep(std::int64_t m, bool isContact)
@@ -296,13 +266,15 @@ Plane ForcedWaves::tip(std::int64_t m) const
            (1.0 / static_cast<double>(cells_)) * sum;
 }
 
+/// Visits rows that are >= a limit.
 template <typename Visit>
 bool ForcedWaves::forEachContact(Visit visit) const
 {
     std::int64_t m = 0;
     for (const Phase& phase : phases_) {
+        const double sign = pushSign(phase.stop);
         for (const std::int64_t end = m + phase.contact; m < end; ++m) {
-            if (!visit(ForcedCondition{ForcedRule::pressure, m}, push(m))) {
+            if (!visit(ForcedCondition{ForcedRule::pressure, m}, sign * push(m))) {
                 return false;
             }
         }
@@ -311,24 +283,35 @@ bool ForcedWaves::forEachContact(Visit visit) const
     return true;
 }
 
-/// The sums over each beginning of a flight, written so that they are >= 0; `begin` before each
-/// flight. The last one of a period is 0 by periodicity and left out.
+/// The sums of -push over each beginning of a flight, or of push: what is >= a limit, or equal to
+/// it; `begin` before each flight. Those that periodicity closes are left out.
 template <typename Begin, typename Visit>
 bool ForcedWaves::forEachFlight(Begin begin, Visit visit) const
 {
     std::int64_t m = 0;
-    for (const Phase& phase : phases_) {
-        m += phase.contact;
-        const std::int64_t end = m + phase.free;
+    for (std::size_t k = 0; k < phases_.size(); ++k) {
+        m += phases_[k].contact;
+        const std::int64_t last = m + phases_[k].free - 1;
+        const Stop from = phases_[k].stop;
+        const Stop to = phases_[(k + 1) % phases_.size()].stop;
+        const double toWall = from == Stop::right ? 0.0 : way_;
+        const double toSecond = way_ - toWall;
         begin();
         Plane prefix;
-        for (; m < end && m + 1 < steps_; ++m) {
+        for (; m < last; ++m) {
             prefix = prefix - push(m);
-            const auto rule = m + 1 < end ? ForcedRule::penetration : ForcedRule::closure;
-            if (!visit(ForcedCondition{rule, m}, prefix)) {
+            if (!visit(ForcedCondition{ForcedRule::penetration, m}, prefix, -toWall) ||
+                (toSecond < infinity &&
+                 !visit(ForcedCondition{ForcedRule::secondStop, m}, -1.0 * prefix, -toSecond))) {
                 return false;
             }
         }
+        prefix = prefix - push(m);
+        const double end = from == to ? 0.0 : from == Stop::right ? way_ : -way_;
+        if (k < closures_ && !visit(ForcedCondition{ForcedRule::closure, m}, prefix, end)) {
+            return false;
+        }
+        ++m;
     }
     return true;
 }
@@ -350,7 +333,7 @@ ForcedLine ForcedWaves::line(bool isHasty, double waveLimit)
     for (std::int64_t m = 0; m < steps_; m += 1 + steps_ / 16) {
         scale = std::max(scale, size(wave(m)) + size(place_[static_cast<std::size_t>(m)]));
     }
-    Cut cut(tip(0), scale, isPlane_);
+    ForcedCut cut(tip(0), startPlace(), scale, isPlane_, canRest(phases_, stops_));
     if (cut.isEmpty()) {
         return cut.result();
     }
@@ -371,7 +354,7 @@ ForcedLine ForcedWaves::line(bool isHasty, double waveLimit)
     for (const auto& last : lastRows_) {
         if (isHasty && last && last->rule == ForcedRule::pressure &&
             isContact_[static_cast<std::size_t>(last->step)] &&
-            !byContact(*last, push(last->step))) {
+            !byContact(*last, pushSign(stopAt(last->step)) * push(last->step))) {
             return finish();
         }
     }
@@ -379,10 +362,11 @@ ForcedLine ForcedWaves::line(bool isHasty, double waveLimit)
         return finish();
     }
     const double least = roundOff * sizeOfWaves();
-    const auto byFlight = [&](const ForcedCondition& condition, Plane row) {
-        const bool isLeft =
-            size(row) <= least || (condition.rule == ForcedRule::closure ? cut.to(row, condition)
-                                                                         : cut.by(row, condition));
+    const auto byFlight = [&](const ForcedCondition& condition, Plane row, double limit) {
+        // Beside waves that are always held rows have to scale.
+        const bool isLeft = (held_ > 0 && limit != 0.0) || (size(row) <= least && limit == 0.0) ||
+                            (condition.rule == ForcedRule::closure ? cut.to(row, condition, limit)
+                                                                   : cut.by(row, condition, limit));
         return isLeft || !isHasty;
     };
     if (!forEachFlight([] {}, byFlight) || waveLimit == infinity) {
@@ -401,7 +385,7 @@ std::vector<ForcedRow> ForcedWaves::rows(double waveLimit) const
     for (std::int64_t m = 0; m < 2 * cells_; ++m) {
         writer.add(m % steps_, -dx);
     }
-    writer.put({ForcedRule::gap, 0}, true, tip(0), 1.0);
+    writer.put({ForcedRule::gap, 0}, true, tip(0), startPlace());
     const double least = roundOff * std::max(sizeOfWaves(), size(force_.front()));
     for (const std::int64_t j : freeClasses()) {
         writer.clear();
@@ -411,15 +395,19 @@ std::vector<ForcedRow> ForcedWaves::rows(double waveLimit) const
     }
     forEachContact([&](const ForcedCondition& condition, Plane row) {
         writer.clear();
-        writer.add(condition.step, 2.0);
+        writer.add(condition.step, 2.0 * pushSign(stopAt(condition.step)));
         writer.put(condition, false, size(row) > least ? row : Plane{});
         return true;
     });
     forEachFlight([&] { writer.clear(); },
-                  [&](const ForcedCondition& condition, Plane row) {
-                      writer.add(condition.step, -2.0);
+                  [&](const ForcedCondition& condition, Plane row, double limit) {
+                      // The row of the second stop follows that of the wall in the same step.
+                      const bool isSecond = condition.rule == ForcedRule::secondStop;
+                      if (!isSecond) {
+                          writer.add(condition.step, -2.0);
+                      }
                       writer.put(condition, condition.rule == ForcedRule::closure,
-                                 size(row) > least ? row : Plane{});
+                                 size(row) > least ? row : Plane{}, limit, isSecond ? -1.0 : 1.0);
                       return true;
                   });
     for (std::int64_t m = 0; m < steps_ && waveLimit < infinity; ++m) {

@@ -5,8 +5,8 @@
 /// The excitation is C shape_0 + S shape_1, and with damping so is what arrives at the tip:
 /// p = C p^0 + S p^1, each sequence the only fixed point of a contraction. What is left of the
 /// problem is u(L, 0) = g, a line in the plane of (C, S), and rows that cut it. Where nothing damps
-/// the waves of a class of steps, they keep an amplitude z of their own. docs/theory.md,
-/// section 15.
+/// the waves of a class of steps, they keep an amplitude z of their own. Other stops change right
+/// sides and signs of rows, no waves. docs/theory.md, sections 15 and 17.
 
 #include <array>
 #include <cstdint>
@@ -45,8 +45,12 @@ struct ForcedLine {
     bool hasLine = true;                     ///< false: u(L, 0) is 0 for any C, S, but for rounding
     /// Of the conditions parallel to the line that are met nowhere on it the one missed by most.
     std::optional<ForcedCondition> blocking;
+    bool canRest = false;  ///< is t = 0 the bar at rest, which is not looked for?
 
-    [[nodiscard]] bool isEmpty() const { return !hasLine || blocking || low > high; }
+    [[nodiscard]] bool isEmpty() const
+    {
+        return !hasLine || blocking || low > high || (canRest && low == high);
+    }
     [[nodiscard]] Plane at(double t) const { return foot + t * direction; }
 };
 
@@ -65,7 +69,8 @@ struct ForcedRow {
 class ForcedWaves {
 public:
     /// \pre one or two shapes of n steps with N steps per crossing, 0 < rho <= 1.
-    ForcedWaves(std::int64_t cells, double rho, std::span<const Excitation> shapes);
+    ForcedWaves(std::int64_t cells, double rho, std::span<const Excitation> shapes,
+                const Stops& stops = {});
 
     /// From the present phases to one contact phase of so many steps. O(n/G) for each step that
     /// changes.
@@ -74,9 +79,13 @@ public:
     void setPhases(std::span<const Phase> phases);
 
     /// Classes that never fly: each keeps an amplitude of its own, which the wall bounds from
-    /// below. Their waves are set to where R is 0 on average, the least there can be: then `line`
-    /// is empty only if there is no motion, but its points need not be motions.
+    /// below. Their waves are set to where R is 0 on average, the least there can be: then, if
+    /// `boundsHeld`, `line` is empty only if there is no motion, but its points need not be
+    /// motions.
     [[nodiscard]] std::int64_t heldClasses() const { return held_; }
+    /// Is one stop touched, at a distance that such waves only add to? Then rows scale with the
+    /// excitation, the second stop apart.
+    [[nodiscard]] bool boundsHeld() const;
     /// Classes that fly and nothing damps: their amplitudes are free as well. Their waves are
     /// those that start from 0.
     [[nodiscard]] std::int64_t undampedClasses() const { return undamped_; }
@@ -97,17 +106,16 @@ public:
     [[nodiscard]] Plane tip(std::int64_t m) const;
 
     /// The line and what the conditions leave of it, no wave beyond the limit [g/L]. O(n);
-    /// `isHasty`: ends when nothing is left. \pre undampedClasses() is 0.
+    /// `isHasty`: ends when nothing is left. \pre undampedClasses() is 0, and heldClasses(), unless
+    /// boundsHeld().
     [[nodiscard]] ForcedLine line(bool isHasty,
                                   double waveLimit = std::numeric_limits<double>::infinity());
 
-    /// All conditions, u(L, 0) = 1 the first. O(n) rows with as many entries as there are free
-    /// classes. One that is 0 >= 0 or
-    /// 0 = 0 but for rounding is left out.
+    /// All conditions, the place of the tip at t = 0 the first. O(n) rows with as many entries as
+    /// there are free classes. One that is 0 >= 0 or 0 = 0 but for rounding is left out.
     [[nodiscard]] std::vector<ForcedRow> rows(double waveLimit) const;
 
 private:
-    class Cut;
     class RowWriter;
     enum class ClassKind : std::uint8_t { damped, held, undamped };
 
@@ -122,6 +130,10 @@ private:
     bool forEachContact(Visit visit) const;
     template <typename Begin, typename Visit>
     bool forEachFlight(Begin begin, Visit visit) const;
+    /// That is touched in a step, or was last.
+    [[nodiscard]] Stop stopAt(std::int64_t m) const;
+    [[nodiscard]] double startPlace() const;
+    [[nodiscard]] bool isMirroredMotion() const;
 
     std::int64_t cells_;
     std::int64_t steps_;
@@ -130,7 +142,10 @@ private:
     std::int64_t undamped_ = 0;
     double rho_;
     bool isPlane_;
+    Stops stops_;
+    double way_;  ///< sum of the pushes of a flight from stop to stop; infinite: one stop
     std::vector<Phase> phases_;
+    std::size_t closures_ = 0;     ///< flights that do not close by themselves
     std::vector<bool> isContact_;  ///< of each step
     std::vector<Plane> force_;     ///< F
     std::vector<Plane> fromBase_;  ///< what every step adds to the wave of 2N steps later ...

@@ -17,10 +17,11 @@ AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const Atla
     const std::vector<AtlasRun> runs = database.runs();
     const auto before = std::find_if(runs.begin(), runs.end(),
                                      [&range](const AtlasRun& run) { return run.range == range; });
-    if (std::any_of(runs.begin(), runs.end(),
-                    [&range](const AtlasRun& run) { return run.range.gapSign != range.gapSign; })) {
+    if (std::any_of(runs.begin(), runs.end(), [&range](const AtlasRun& run) {
+            return stopsOf(run.range) != stopsOf(range);
+        })) {
         throw std::invalid_argument(
-            "gap: the database holds ranges of a gap of another sign: allowed another file");
+            "gap, second stop: the database holds ranges of other stops: allowed another file");
     }
     if (std::any_of(runs.begin(), runs.end(), [&range](const AtlasRun& run) {
             return run.range.segments != range.segments;
@@ -78,7 +79,8 @@ std::string phasesText(const std::vector<Phase>& phases)
 {
     std::string text;
     for (const Phase& phase : phases) {
-        text += fmt::format("{}{}:{}", text.empty() ? "" : ",", phase.contact, phase.free);
+        text += fmt::format("{}{}{}:{}", text.empty() ? "" : ",",
+                            phase.stop == Stop::left ? "L:" : "", phase.contact, phase.free);
     }
     return text;
 }

@@ -41,7 +41,7 @@ CREATE TABLE runs(
   id INTEGER PRIMARY KEY, version TEXT NOT NULL, options TEXT NOT NULL, cells INTEGER NOT NULL,
   max_contact INTEGER NOT NULL, max_free INTEGER NOT NULL, phases INTEGER NOT NULL,
   max_energy_ratio REAL, keeps_refuted INTEGER NOT NULL, families_only INTEGER NOT NULL,
-  gap_sign INTEGER NOT NULL, segments TEXT NOT NULL,
+  gap_sign INTEGER NOT NULL, segments TEXT NOT NULL, second_stop TEXT,
   batches INTEGER NOT NULL, next_batch INTEGER NOT NULL, decided INTEGER NOT NULL,
   pressing INTEGER NOT NULL, grazing INTEGER NOT NULL, refuted INTEGER NOT NULL,
   undecided INTEGER NOT NULL, families INTEGER NOT NULL,
@@ -69,6 +69,13 @@ constexpr const char* updateRun =
     "UPDATE runs SET next_batch = ?, decided = ?, pressing = ?, grazing = ?, refuted = ?, "
     "undecided = ?, families = ?, finished = ?, seconds = ?, workers = ?, version = ? "
     "WHERE id = ? AND next_batch = ?";
+
+std::optional<std::string> fractionText(const std::optional<Fraction>& fraction)
+{
+    return fraction
+               ? std::optional(fmt::format("{}/{}", fraction->numerator, fraction->denominator))
+               : std::nullopt;
+}
 
 std::string now()
 {
@@ -269,13 +276,15 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
         SQLite::Statement insert(
             database,
             "INSERT INTO runs(version, options, cells, max_contact, max_free, phases, "
-            "max_energy_ratio, keeps_refuted, families_only, gap_sign, segments, batches, "
+            "max_energy_ratio, keeps_refuted, families_only, gap_sign, segments, second_stop, "
+            "batches, "
             "next_batch, "
             "decided, pressing, grazing, refuted, undecided, families, started, seconds, workers) "
-            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
+            "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
         run(insert, SIGNORINI_VERSION, options, range.cells, range.maxContact, range.maxFree,
             range.maxPhases, range.maxEnergyRatio, range.keepsRefuted, range.familiesOnly,
-            range.gapSign, textOf(range.segments), entered.batches, now());
+            range.gapSign, textOf(range.segments), fractionText(range.secondStop), entered.batches,
+            now());
         entered.id = database.getLastInsertRowid();
         return entered;
     });

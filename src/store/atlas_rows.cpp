@@ -4,6 +4,7 @@
 #include <SQLiteCpp/Exception.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -96,6 +97,10 @@ std::vector<Phase> readPhases(const SQLite::Statement& s, int column)
     std::string_view rest = given;
     while (!rest.empty()) {
         Phase phase;
+        if (rest.starts_with("L:")) {
+            phase.stop = Stop::left;
+            rest.remove_prefix(2);
+        }
         if (!takeNumber(rest, ':', phase.contact) || rest.empty() ||
             !takeNumber(rest, ',', phase.free)) {
             break;
@@ -103,7 +108,7 @@ std::vector<Phase> readPhases(const SQLite::Statement& s, int column)
         phases.push_back(phase);
     }
     if (phasesText(phases) != given) {
-        refuse(s, column, "\"nc:nf[,nc:nf...]\"");
+        refuse(s, column, "\"[L:]nc:nf[,[L:]nc:nf...]\"");
     }
     return phases;
 }
@@ -123,9 +128,14 @@ std::int64_t readSteps(const SQLite::Statement& s, std::int64_t cells)
     return steps;
 }
 
+/// Its stops are those of the runs, which are not known here: some that stand apart.
 Schedule readSchedule(const SQLite::Statement& s)
 {
     Schedule schedule{readWhole(s, 1, 1, maxCells), readPhases(s, 2)};
+    if (std::any_of(schedule.phases.begin(), schedule.phases.end(),
+                    [](const Phase& phase) { return phase.stop == Stop::left; })) {
+        schedule.stops.left = Fraction{1, 1};
+    }
     try {
         validate(schedule);
     } catch (const std::invalid_argument& error) {
@@ -198,6 +208,23 @@ void readSet(const SQLite::Statement& s, AtlasRow& row)
     row.energy = readEnergy(s);
 }
 
+/// "p/q", or NULL.
+std::optional<Fraction> readFraction(const SQLite::Statement& s, int column)
+{
+    if (s.isColumnNull(column)) {
+        return std::nullopt;
+    }
+    const std::string given = text(s, column);
+    std::string_view rest = given;
+    Fraction fraction{};
+    if (!takeNumber(rest, '/', fraction.numerator) || rest.empty() ||
+        !takeNumber(rest, '/', fraction.denominator) || !rest.empty() || fraction.numerator < 1 ||
+        fraction.denominator < 1 || std::gcd(fraction.numerator, fraction.denominator) != 1) {
+        refuse(s, column, "a fraction p/q > 0 in lowest terms");
+    }
+    return fraction;
+}
+
 }  // namespace
 
 AtlasEntry readEntry(const SQLite::Statement& s)
@@ -260,7 +287,8 @@ AtlasRun readRun(const SQLite::Statement& s)
                  .maxEnergyRatio = s.isColumnNull(5) ? infinity : real(s, 5),
                  .keepsRefuted = readWhole(s, 6, 0, 1) != 0,
                  .familiesOnly = readWhole(s, 15, 0, 1) != 0,
-                 .gapSign = static_cast<int>(readWhole(s, 17, -1, 1))};
+                 .gapSign = static_cast<int>(readWhole(s, 17, -1, 1)),
+                 .secondStop = readFraction(s, 19)};
     try {
         run.range.segments = segmentsOf(text(s, 18));
         validate(run.range);

@@ -26,7 +26,7 @@ inline const std::string familyColumns =
 inline const std::string runColumns =
     "SELECT id, cells, max_contact, max_free, phases, max_energy_ratio, keeps_refuted, "
     "batches, next_batch, decided, pressing, grazing, refuted, undecided, seconds, families_only, "
-    "families, gap_sign, segments FROM runs ";
+    "families, gap_sign, segments, second_stop FROM runs ";
 
 /// The row the statement stands on. \throws SQLite::Exception naming column and value if no
 /// atlas would contain it.

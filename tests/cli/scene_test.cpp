@@ -69,11 +69,14 @@ TEST_CASE("cli scenes: commands say which scenes they do not know")
 {
     const Program program;
     for (const char* call :
-         {"families --second-stop 1e-3", "modes --gap 0", "modes --segments 4:1,4:1.3",
-          "response --damping 0.02 --force tip --amplitude 1e-4 --gap -1e-3",
+         {"modes --second-stop 1e-3", "modes --gap 0", "modes --segments 4:1,4:1.3",
+          "response --damping 0.02 --force tip --amplitude 1e-4 --segments 4:1,4:1.3",
+          "find 3 7 --cells 4 --gap 0 --damping 0.02 --force tip",
           "continuum 150 900 --energy-ratio 20 --gap 0", "simulate --rest --time 1 --segments 4:1",
-          "atlas --database a.sqlite --second-stop 1e-3", "find 1 5 --gap 1e-3 --second-stop 0",
-          "find 1 5 --segments 4", "find 1 5 --gap -2e-3 --second-stop 1e-3"}) {
+          "atlas --database a.sqlite --second-stop 1e-3 --figure f.svg",
+          "continuum 150 900 --energy-ratio 20 --second-stop 1e-3",
+          "find 1 5 --gap 1e-3 --second-stop 0", "find 1 5 --segments 4",
+          "find 1 5 --gap -2e-3 --second-stop 1e-3"}) {
         const auto outcome = program.run(call);
         INFO(call << ": " << outcome.err);
         CHECK(outcome.status == 2);
@@ -96,7 +99,7 @@ TEST_CASE("cli scenes: modes, families and atlas of a bar pressed at rest")
     REQUIRE(built.status == 0);
     const auto other = program.run("atlas --database a.sqlite --cells 4");
     CHECK(other.status == 2);
-    CHECK_THAT(other.err, containsText("a gap of another sign"));
+    CHECK_THAT(other.err, containsText("of other stops"));
     const json near = json::parse(
         program.run("atlas --database a.sqlite --cells 4 --period 5/2 --schedules --format json")
             .out);
@@ -108,6 +111,58 @@ TEST_CASE("cli scenes: modes, families and atlas of a bar pressed at rest")
     INFO(cone.err);
     REQUIRE(cone.status == 0);
     CHECK(json::parse(cone.out)["pressing"] == 12);
+}
+
+TEST_CASE("cli scenes: families and atlas beside a second stop")
+{
+    const Program program;
+    const auto families = [&program](const std::string& stops) {
+        return json::parse(program.run("families --format json" + stops).out)["families"].size();
+    };
+    CHECK(families(" --second-stop 1e-3") == 0);
+    CHECK(families(" --second-stop 1.2e-3") == 1);  // (12, 23, 1)
+    CHECK(families(" --second-stop 1") == families(""));
+    CHECK(families(" --second-stop 1 --gap 0") == families(" --gap 0"));
+    const std::string call = "atlas --database a.sqlite --cells 4 --max-contact 4 --max-free 8 ";
+    const auto built = program.run(call + "--second-stop 1e-3 --phases 2 --all");
+    INFO(built.err);
+    REQUIRE(built.status == 0);
+    CHECK(program.run(call + "--second-stop 2e-3").status == 2);
+    const auto again = program.run(call + "--second-stop 1e-3 --phases 2 --all --format json");
+    REQUIRE(again.status == 0);
+    const json near = json::parse(
+        program.run("atlas --database a.sqlite --cells 4 --period 3 --schedules --format json")
+            .out);
+    bool isListed = false;
+    for (const json& row : near["schedules"]) {
+        isListed = isListed || row["phases"] == "1:5,L:1:5" ||
+                   row["schedule"] == json::parse(R"([[1, 5], [1, 5, "left"]])");
+    }
+    INFO(near.dump(1));
+    CHECK(isListed);
+}
+
+TEST_CASE("cli scenes: forced motions with any gap and between two stops")
+{
+    const Program program;
+    const std::string force = " --cells 10 --damping 0.05 --force tip";
+    const json pressed = program.find("14 12 --gap -1e-3 --amplitude 1.5e-3" + force, 0);
+    CHECK(pressed["static_force"].get<double>() == Approx(1e-3));
+    CHECK(pressed["motions"][0]["residual"].get<double>() < 1e-9);
+    const auto rest = program.run("find 12 8 --gap 0" + force);
+    CHECK(rest.status == 2);
+    CHECK_THAT(rest.err, containsText("--amplitude = missing"));
+    const auto response = program.run(
+        "response --amplitude 5e-4 --from 0.8 --to 1.6 --second-stop 1e-3 --csv r.csv --figure "
+        "r.svg --map m.svg --format json" +
+        force);
+    INFO(response.err);
+    REQUIRE(response.status == 0);
+    const json answer = json::parse(response.out);
+    CHECK(answer["stops"].size() == 2);
+    const std::string table = contentOf(program.file("r.csv"));
+    CHECK_THAT(table, containsText(",both\n"));
+    CHECK_THAT(contentOf(program.file("r.svg")), containsText("second stop"));
 }
 
 TEST_CASE("cli scenes: a simulation between two stops names the stop of each contact")

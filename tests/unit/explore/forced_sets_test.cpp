@@ -17,28 +17,6 @@ using test::onePhase;
 
 namespace {
 
-/// Simulated event by event for ten periods: by how much it has moved [g].
-double driftInTenPeriods(const ForcedMotion& motion)
-{
-    const std::int64_t cells = motion.state.cells();
-    const Waves start = wavesOf(motion.state);
-    BarSimulation simulation(start, motion.damping, motion.excitation,
-                             {.mergeBelow = 0.0, .recordsTip = false});
-    simulation.advance(10.0 * static_cast<double>(motion.excitation.steps()));
-    return (stretching(simulation.waves(), cells) - stretching(start, cells)).cwiseAbs().maxCoeff();
-}
-
-/// How fast small disturbances grow, rounding among them.
-double growth(const ForcedMotion& motion)
-{
-    double most = 1.0;
-    for (const StabilityTrial& trial :
-         stabilityOf(motion, {.periods = 10, .sizes = {1e-6}, .draws = 2}).trials) {
-        most = std::max(most, trial.end / trial.start);
-    }
-    return most;
-}
-
 bool hasSimplex()
 {
     return preferred({.duals = true}) != nullptr;
@@ -77,8 +55,8 @@ TEST_CASE("forced motions, two contacts: isolated points that a dense solver con
             REQUIRE(broken.closure < 1e-8);
             REQUIRE(broken.rows < 1e-8);
         }
-        REQUIRE(driftInTenPeriods(motion) <=
-                1e-9 * std::max(1.0, amplitude(motion.state)) * growth(motion));
+        REQUIRE(test::driftInTenPeriods(motion) <=
+                1e-9 * std::max(1.0, amplitude(motion.state)) * test::growth(motion));
         ++found;
     }
     CHECK(found > 20);
@@ -170,7 +148,7 @@ TEST_CASE("forced motions without damping: what is free needs no force, the othe
                     } else {
                         const ForcedMotion motion = leastAmplitudeMotion(set);
                         REQUIRE(motion.residual <= forcedTolerance);
-                        REQUIRE(driftInTenPeriods(motion) <= 1e-9 * growth(motion));
+                        REQUIRE(test::driftInTenPeriods(motion) <= 1e-9 * test::growth(motion));
                         REQUIRE((set.leastAmplitude < 1e-9) == !autonomous.reason);
                         if (!autonomous.reason) {
                             CHECK(distanceOutside(autonomous.set,
@@ -351,7 +329,7 @@ TEST_CASE("forced motions: strains are those of the cells, step by step")
             }
             simulation.advance(0.5);
         }
-        const double size = 1e-6 * std::max(1.0, amplitude(motion.state)) * growth(motion);
+        const double size = 1e-6 * std::max(1.0, amplitude(motion.state)) * test::growth(motion);
         INFO(describe(one.schedule) << " zeta " << one.damping.ratio);
         CHECK(motion.extremes.peakCompression == Approx(compression).margin(size));
         CHECK(motion.extremes.peakTension == Approx(tension).margin(size));

@@ -127,4 +127,27 @@ inline ForcedExample randomForced(std::mt19937_64& generator, std::int64_t phase
     return one;
 }
 
+/// Simulated event by event for ten periods: by how much it has moved, in units of displacement.
+inline double driftInTenPeriods(const ForcedMotion& motion)
+{
+    const std::int64_t cells = motion.state.cells();
+    const Waves start = wavesOf(motion.state);
+    BarSimulation simulation(
+        start, motion.damping, motion.excitation,
+        {.mergeBelow = 0.0, .recordsTip = false, .stops = motion.schedule.stops});
+    simulation.advance(10.0 * static_cast<double>(motion.excitation.steps()));
+    return (stretching(simulation.waves(), cells) - stretching(start, cells)).cwiseAbs().maxCoeff();
+}
+
+/// How fast small disturbances grow, rounding among them.
+inline double growth(const ForcedMotion& motion)
+{
+    double most = 1.0;
+    for (const StabilityTrial& trial :
+         stabilityOf(motion, {.periods = 10, .sizes = {1e-6}, .draws = 2}).trials) {
+        most = std::max(most, trial.end / trial.start);
+    }
+    return most;
+}
+
 }  // namespace signorini::test

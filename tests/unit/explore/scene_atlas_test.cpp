@@ -9,6 +9,7 @@
 #include "signorini/atlas.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/find_periodic.hpp"
+#include "signorini/lumped_set.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/simulation.hpp"
 
@@ -98,6 +99,72 @@ TEST_CASE("gap <= 0: batches count families and the schedules that show them")
         CHECK(tally.grazing == 0);
         CHECK(tally.families == static_cast<std::int64_t>(promised.size()));
     }
+}
+
+TEST_CASE("second stop: tents that stay clear of it and sums decide alike, schedule by schedule")
+{
+    const int gapSign = GENERATE(1, -1);
+    std::vector<std::int8_t> signs;
+    std::int64_t barred = 0;
+    for (std::int64_t cells = 2; cells <= 7; ++cells) {
+        for (const Fraction second :
+             {Fraction{1, 1}, Fraction{6, 5}, Fraction{2, 1}, Fraction{5, 1}}) {
+            if (gapSign < 0 && second == Fraction{1, 1}) {
+                continue;
+            }
+            AtlasRange range = usualRange(cells);
+            range.gapSign = gapSign;
+            range.secondStop = second;
+            range.keepsRefuted = true;
+            AtlasTally tally;
+            for (std::int64_t batch = 0; batch < batchesOf(range); ++batch) {
+                const AtlasBatch done = decideBatch(range, batch, signs).value();
+                tally += done.tally;
+                for (const AtlasRow& row : done.rows) {
+                    const Schedule schedule{cells, phasesAt(range, row.number), stopsOf(range)};
+                    const LumpedSet set = lumpedSet(schedule);
+                    INFO(describe(schedule) << " h " << second.value());
+                    REQUIRE((row.status == Status::none) == set.absence.has_value());
+                    if (row.status == Status::found) {
+                        const LumpedShape shape = shapeOf(set);
+                        REQUIRE(row.energy.least == Approx(shape.energy.least));
+                        REQUIRE(row.dimension == shape.dimension);
+                    } else if (!decide(cells, schedule.phases.front(), signs, gapSign).reason) {
+                        barred += schedule.phases.front().stop == Stop::right ? 1 : 0;
+                    }
+                }
+            }
+            CHECK(tally.decided == 2 * range.maxContact * range.maxFree);
+            CHECK(tally.undecided == 0);
+        }
+    }
+    CHECK(barred > 10);
+}
+
+TEST_CASE("second stop: the lowest place of a family's tip is the same in all its motions")
+{
+    for (const int gapSign : {1, -1}) {
+        for (const Family& family : findFamilies(12, {.gapSign = gapSign})) {
+            const Fraction lowest = lowestTip(family, gapSign);
+            for (const std::int64_t times : {1, 3}) {
+                if (family.contactBlocks == family.blocks) {
+                    continue;
+                }
+                const Schedule schedule = scheduleOf(family, times * family.order);
+                const OnePhaseSet whole =
+                    onePhaseSet({schedule.cells, schedule.phases, {.right = gapSign}});
+                std::vector<double> spike(static_cast<std::size_t>(whole.set.count), 0.0);
+                spike.front() = whole.set.sum;
+                for (const State& state : {leastEnergyMotion(whole), motionOf(whole, spike)}) {
+                    const Schedule walked{schedule.cells, schedule.phases, {.right = gapSign}};
+                    CHECK(extremesOf(state, walked).lowestTip == Approx(lowest.value()));
+                }
+            }
+            CHECK(staysClear(family, {gapSign, Fraction{100, 1}}));
+        }
+    }
+    CHECK(lowestTip(*findFamily(4, 7, 1)) == Fraction{-2, 1});
+    CHECK_THROWS_AS(lowestTip({2, 3, 1, 0}, 0), std::invalid_argument);
 }
 
 TEST_CASE("gap < 0: modes are the other side of the period of infinite energy")
