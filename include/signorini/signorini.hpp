@@ -20,6 +20,5 @@
 #include "signorini/output.hpp"
 #include "signorini/response.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/segments.hpp"
 #include "signorini/simulation.hpp"
 #include "signorini/verification.hpp"

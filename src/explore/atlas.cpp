@@ -84,6 +84,10 @@ void validate(const AtlasRange& range)
         if (range.familiesOnly) {
             faults.add("families only", true, "false for a bar of several segments");
         }
+        if (range.secondStop) {
+            faults.add("second stop", range.secondStop->value(),
+                       "none for a bar of several segments");
+        }
         const std::int64_t most = maxSteppedSteps / maxAtlasPhases;
         if (range.maxContact + range.maxFree > most) {
             faults.add("max contact + max free", range.maxContact + range.maxFree,
@@ -109,9 +113,11 @@ void validate(const AtlasRange& range)
 
 std::string textOf(const AtlasRange& range)
 {
-    return fmt::format("{} {} {} {} {} {} {} {} {}", range.cells, range.maxContact, range.maxFree,
-                       range.maxPhases, range.maxEnergyRatio, range.keepsRefuted ? 1 : 0,
-                       range.familiesOnly ? 1 : 0, range.gapSign, textOf(range.segments));
+    const Fraction second = range.secondStop.value_or(Fraction{0, 1});  // 0: there is none
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", range.cells, range.maxContact,
+                       range.maxFree, range.maxPhases, range.maxEnergyRatio,
+                       range.keepsRefuted ? 1 : 0, range.familiesOnly ? 1 : 0, range.gapSign,
+                       second.numerator, second.denominator, textOf(range.segments));
 }
 
 AtlasRange rangeOf(std::string_view text)
@@ -137,6 +143,12 @@ AtlasRange rangeOf(std::string_view text)
     take(keepsRefuted);
     take(familiesOnly);
     take(range.gapSign);
+    Fraction second{};
+    take(second.numerator);
+    take(second.denominator);
+    if (second.numerator != 0) {
+        range.secondStop = second;
+    }
     range.keepsRefuted = keepsRefuted != 0;
     range.familiesOnly = familiesOnly != 0;
     range.segments = segmentsOf(rest);

@@ -1,3 +1,4 @@
+#include "signorini/motion.hpp"
 #include "stepped_route.hpp"
 
 #include <fmt/format.h>
@@ -10,7 +11,6 @@
 #include "faults.hpp"
 #include "infeasibility.hpp"
 #include "request.hpp"
-#include "signorini/segments.hpp"
 #include "stepped_check.hpp"
 #include "stepped_motions.hpp"
 #include "stepped_proof.hpp"

@@ -9,8 +9,8 @@
 
 #include "echo.hpp"
 #include "faults.hpp"
+#include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
-#include "signorini/segments.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {

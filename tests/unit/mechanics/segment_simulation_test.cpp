@@ -4,7 +4,7 @@
 #include <random>
 
 #include "catch.hpp"
-#include "signorini/segments.hpp"
+#include "signorini/motion.hpp"
 #include "signorini/simulation.hpp"
 #include "stepped_bar.hpp"
 #include "support.hpp"

@@ -1,3 +1,4 @@
+#include "signorini/motion.hpp"
 #include "stepped_bar.hpp"
 
 #include <cmath>
@@ -6,7 +7,6 @@
 
 #include "catch.hpp"
 #include "propagation.hpp"
-#include "signorini/segments.hpp"
 
 using namespace signorini;
 
