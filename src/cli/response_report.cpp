@@ -27,6 +27,7 @@ Json asJson(const FrequencyResponse& response, const Bar& bar)
     for (const ForcedMotion& motion : response.motions) {
         const Physical physical = physicalOf(motion.extremes, bar);
         Json one{{"schedule", phasesAsJson(motion.schedule.phases)},
+                 {"amplitude", motion.amplitude * amplitudeUnit(motion.excitation.place, bar)},
                  {"phase", motion.phase},
                  {"impulse", physical.impulse},
                  {"peak_force", physical.peakForce},
@@ -45,23 +46,31 @@ Json asJson(const FrequencyResponse& response, const Bar& bar)
 
 }  // namespace
 
+double amplitudeUnit(Excited place, const Bar& bar)
+{
+    return place == Excited::tip ? forceUnit(bar) : scales(bar).displacement;
+}
+
 std::string asText(const ResponseAnswer& answer)
 {
     const ResponseRange& range = answer.range;
+    const char* unit = range.place == Excited::tip ? "N" : "m";
+    const std::size_t wide = range.contacts > 1 ? 24 : 14;
     Text text;
-    print(text,
-          "{} motions with one contact phase at {} frequencies: N = {}, ζ = {}, {} of amplitude {} "
-          "{}{}{}\n",
-          answer.motions(), answer.frequencies.size(), range.cells, range.damping.ratio,
-          range.place == Excited::tip ? "force on the tip" : "base", answer.amplitude,
-          range.place == Excited::tip ? "N" : "m",
-          range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
-          answer.isComplete ? "" : ": interrupted, the list is not complete");
+    print(
+        text, "{} motions with {} at {} frequencies: N = {}, ζ = {}, {} of amplitude {} {}{}{}{}\n",
+        answer.motions(), range.contacts > 1 ? "one or two contacts" : "one contact phase",
+        answer.frequencies.size(), range.cells, range.damping.ratio,
+        range.place == Excited::tip ? "force on the tip" : "base", answer.amplitude, unit,
+        range.contacts > 1 ? fmt::format(", for two contacts ± {:.3g} %", 100.0 * range.band) : "",
+        range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
+        answer.isComplete ? "" : ": interrupted, the list is not complete");
     if (answer.undecided() > 0) {
         print(text, "undecided   {} schedules\n", answer.undecided());
     }
-    print(text, "\n{:<8}{:<12}{:<14}{:<14}{:<12}{:<14}{:<14}{}\n", "n", "ω/ω₁", "linear u/g",
-          "(n_c, n_f)", "phase", "impulse N s", "peak N", "stability");
+    print(text, "\n{:<8}{:<12}{:<14}{:<{}}{:<14}{:<12}{:<14}{:<14}{}\n", "n", "ω/ω₁", "linear u/g",
+          "(n_c, n_f)", wide, fmt::format("amplitude {}", unit), "phase", "impulse N s", "peak N",
+          "stability");
     for (const FrequencyResponse& response : answer.frequencies) {
         const std::string begin = fmt::format("{:<8}{:<12.6g}{:<14.6g}", response.steps,
                                               response.frequencyRatio, response.linearPeak);
@@ -69,9 +78,13 @@ std::string asText(const ResponseAnswer& answer)
             print(text, "{}{}\n", begin, response.touches ? "none" : "none: stays clear");
         }
         for (const ForcedMotion& motion : response.motions) {
-            const Phase& phase = motion.schedule.phases.front();
-            print(text, "{}{:<14}{:<12.5f}{:<14.6g}{:<14.6g}{}\n", begin,
-                  fmt::format("({}, {})", phase.contact, phase.free), motion.phase,
+            std::string phases;
+            for (const Phase& phase : motion.schedule.phases) {
+                phases +=
+                    fmt::format("{}({}, {})", phases.empty() ? "" : " ", phase.contact, phase.free);
+            }
+            print(text, "{}{:<{}}{:<14.6g}{:<12.5f}{:<14.6g}{:<14.6g}{}\n", begin, phases, wide,
+                  motion.amplitude * amplitudeUnit(range.place, answer.bar), motion.phase,
                   motion.extremes.impulse * impulseUnit(answer.bar),
                   motion.extremes.peakForce * forceUnit(answer.bar), word(motion));
         }
@@ -91,6 +104,8 @@ std::string asJson(const ResponseAnswer& answer)
              {"force", name(range.place)},
              {"amplitude", answer.amplitude},
              {"cycles", range.cycles},
+             {"contacts", range.contacts},
+             {"band", range.contacts > 1 ? Json(range.band) : Json()},
              {"frequency_ratio_range", {range.leastFrequencyRatio, range.mostFrequencyRatio}},
              {"complete", answer.isComplete},
              {"frequencies", Json::array()}});
@@ -106,21 +121,26 @@ void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
     TextFile file(path);
     file.write(
         "steps,frequency_ratio,frequency,touches,linear_peak,contact,free,phase,impulse,"
-        "peak_force,tip_lowest,stability\n");
+        "peak_force,tip_lowest,stability,amplitude,second_contact,second_free\n");
     for (const FrequencyResponse& response : answer.frequencies) {
         const std::string begin =
             fmt::format("{},{},{},{},{}", response.steps, response.frequencyRatio,
                         response.frequencyRatio / 4.0 / unit.time, response.touches ? 1 : 0,
                         response.linearPeak * unit.displacement);
         if (response.motions.empty()) {
-            file.write(begin + ",,,,,,,\n");
+            file.write(begin + ",,,,,,,,,,\n");
         }
         for (const ForcedMotion& motion : response.motions) {
-            const Phase& phase = motion.schedule.phases.front();
-            file.write(fmt::format("{},{},{},{},{},{},{},{}\n", begin, phase.contact, phase.free,
-                                   motion.phase, motion.extremes.impulse * impulseUnit(answer.bar),
+            const std::vector<Phase>& phases = motion.schedule.phases;
+            file.write(fmt::format("{},{},{},{},{},{},{},{},{},{}\n", begin, phases.front().contact,
+                                   phases.front().free, motion.phase,
+                                   motion.extremes.impulse * impulseUnit(answer.bar),
                                    motion.extremes.peakForce * forceUnit(answer.bar),
-                                   motion.extremes.lowestTip * unit.displacement, word(motion)));
+                                   motion.extremes.lowestTip * unit.displacement, word(motion),
+                                   motion.amplitude * amplitudeUnit(answer.range.place, answer.bar),
+                                   phases.size() > 1
+                                       ? fmt::format("{},{}", phases[1].contact, phases[1].free)
+                                       : std::string(",")));
         }
     }
     file.close();

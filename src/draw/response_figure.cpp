@@ -20,14 +20,23 @@ struct Sort {
     const char* title;
     const char* style;
     const char* colour;
+    std::size_t contacts;
     std::optional<Stability> stability;
 };
 
 constexpr auto sorts = std::to_array<Sort>({
-    {"repels", "one contact: repels", "pt 2 ps 0.45 lw 1", palette::contact, Stability::repels},
-    {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2", palette::faint, Stability::unclear},
-    {"attracts", "one contact: attracts", "pt 7 ps 0.7", palette::contact, Stability::attracts},
-    {"untried", "one contact", "pt 7 ps 0.6", palette::contact, std::nullopt},
+    {"repels", "one contact: repels", "pt 2 ps 0.45 lw 1", palette::contact, 1, Stability::repels},
+    {"unclear", "one contact: not clear", "pt 4 ps 0.6 lw 1.2", palette::faint, 1,
+     Stability::unclear},
+    {"attracts", "one contact: attracts", "pt 7 ps 0.7", palette::contact, 1, Stability::attracts},
+    {"untried", "one contact", "pt 7 ps 0.6", palette::contact, 1, std::nullopt},
+    {"tworepel", "two contacts: repels", "pt 12 ps 0.6 lw 1", palette::strain, 2,
+     Stability::repels},
+    {"twounclear", "two contacts: not clear", "pt 14 ps 0.6 lw 1", palette::faint, 2,
+     Stability::unclear},
+    {"twoattract", "two contacts: attracts", "pt 13 ps 0.9", palette::strain, 2,
+     Stability::attracts},
+    {"twountried", "two contacts", "pt 13 ps 0.8", palette::strain, 2, std::nullopt},
 });
 
 /// omega/omega_1, impulse, swing of each motion of one sort. \return are there any?
@@ -37,7 +46,8 @@ bool printMotions(Text& script, const Sort& sort, std::span<const FrequencyRespo
     print(script, "${} << EOD\n", sort.block);
     for (const FrequencyResponse& response : frequencies) {
         for (const ForcedMotion& motion : response.motions) {
-            if (motion.stability == sort.stability) {
+            if (motion.stability == sort.stability &&
+                motion.schedule.phases.size() == sort.contacts) {
                 any = true;
                 print(script, "{:.8g} {:.6g} {:.6g}\n", response.frequencyRatio,
                       motion.extremes.impulse, -motion.extremes.lowestTip);
@@ -68,19 +78,14 @@ void printLinear(Text& script, std::span<const FrequencyResponse> frequencies)
 /// there any?
 bool printModes(Text& script, double least, double most, std::int64_t cycles, double height)
 {
-    constexpr int samples = 160;
     bool any = false;
     print(script, "$modes << EOD\n");
-    for (const Mode& mode : findModes({.maxOrder = 15})) {
-        const double unit = 4.0 * static_cast<double>(cycles);
-        const double from = std::max(unit / most, mode.lowest.value());
-        const double to = std::min(unit / least, mode.highest.value());
+    for (const Backbone& backbone : backbonesOf(least, most, cycles)) {
         bool isDrawn = false;
-        for (int k = 0; k < samples && from < to; ++k) {
-            const double t = std::lerp(from, to, (k + 0.5) / samples);
-            const Extremes free = ModeMotion(mode, t).extremes();
-            if (-free.lowestTip <= 1.5 * height) {
-                print(script, "{:.8g} {:.6g} {:.6g}\n", unit / t, free.impulse, -free.lowestTip);
+        for (const BackbonePoint& point : backbone.points) {
+            if (-point.extremes.lowestTip <= 1.5 * height) {
+                print(script, "{:.8g} {:.6g} {:.6g}\n", point.frequencyRatio,
+                      point.extremes.impulse, -point.extremes.lowestTip);
                 isDrawn = true;
             }
         }
