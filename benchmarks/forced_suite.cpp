@@ -1,5 +1,5 @@
-// Forced and damped: the simulation against a general code, the response against marching from
-// rest.
+// Forced and damped: the simulation and codes of time steps against the motion under a harmonic
+// that is not sampled, the response against marching from rest.
 
 #include <fmt/format.h>
 
@@ -7,7 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "siconos.hpp"
+#include "harmonic_march.hpp"
+#include "moreau_jean.hpp"
 #include "signorini/response.hpp"
 #include "suites.hpp"
 #include "timing.hpp"
@@ -59,17 +60,27 @@ double tipAt(const std::vector<TipPoint>& path, double time)
     return std::lerp(from.displacement, after->displacement, std::clamp(share, 0.0, 1.0));
 }
 
-void compare(const std::vector<Sample>& samples, const std::vector<TipPoint>& reference,
-             Record& record)
+/// The state of 30 cells is the start of all.
+constexpr std::int64_t startCells = 30;
+constexpr int followed = 5;  // periods
+
+/// What time steps miss of the motion under the harmonic as it is.
+void compare(const std::vector<Sample>& samples, const ForcedMotion& motion, Record& record)
 {
+    const HarmonicMarch truth(motion.state,
+                              {.dashpot = motion.damping.eta(),
+                               .amplitude = amplitude,
+                               .phase = motion.phase,
+                               .period = forcePeriod},
+                              forcePeriod * followed);
     double squares = 0.0;
     double worst = 0.0;
     double low = 1.0;
     for (const Sample& sample : samples) {
-        const double truth = tipAt(reference, sample.time);
-        squares += (sample.tip - truth) * (sample.tip - truth);
-        worst = std::max(worst, std::abs(sample.tip - truth));
-        low = std::min(low, truth);
+        const double tip = truth.tip(sample.time);
+        squares += (sample.tip - tip) * (sample.tip - tip);
+        worst = std::max(worst, std::abs(sample.tip - tip));
+        low = std::min(low, tip);
     }
     record.figures["tip_error"] =
         std::sqrt(squares / static_cast<double>(samples.size())) / (1.0 - low);
@@ -78,26 +89,35 @@ void compare(const std::vector<Sample>& samples, const std::vector<TipPoint>& re
     record.outcome = record.figures["tip_error"] < 0.1 ? "approximate" : "wrong";
 }
 
-/// The state of 30 cells is the start of all; the harmonic in 9600 steps of L/c is the truth.
-constexpr std::int64_t startCells = 30;
-constexpr std::int64_t finest = 9600;
-constexpr int followed = 5;  // periods
+SiconosRun runOf(const ForcedMotion& motion, const State& nodes, int elements)
+{
+    return {.state = nodes,
+            .elements = elements,
+            .steps = static_cast<int>(forcePeriod * elements),
+            .period = forcePeriod,
+            .periods = followed,
+            .dashpot = motion.damping.eta(),
+            .amplitude = amplitude,
+            .phase = motion.phase};
+}
 
 void marchWithSiconos(int elements, Record& record)
 {
     const ForcedMotion motion = forcedMotionOn(startCells);
-    const TimeSteps steps = runSiconos({.state = refined(motion.state, 20),
-                                        .elements = elements,
-                                        .steps = static_cast<int>(forcePeriod * elements),
-                                        .period = forcePeriod,
-                                        .periods = followed,
-                                        .dashpot = motion.damping.eta(),
-                                        .amplitude = amplitude,
-                                        .phase = motion.phase});
+    const TimeSteps steps = runSiconos(runOf(motion, refined(motion.state, 20), elements));
     record.figures["seconds_median"] = steps.seconds;
     record.figures["seconds_best"] = steps.seconds;
     record.figures["repeats"] = 0;
-    compare(steps.samples, pathOf(motion, finest, followed), record);
+    compare(steps.samples, motion, record);
+}
+
+void marchWithElements(int elements, Record& record)
+{
+    const ForcedMotion motion = forcedMotionOn(startCells);
+    const State nodes = refined(motion.state, 20);
+    TimeSteps steps;
+    bench::record(timeOf([&] { steps = runMoreauJean(runOf(motion, nodes, elements)); }), record);
+    compare(steps.samples, motion, record);
 }
 
 void marchOurs(std::int64_t perCrossing, Record& record)
@@ -111,7 +131,7 @@ void marchOurs(std::int64_t perCrossing, Record& record)
         const double time = static_cast<double>(k) / static_cast<double>(perCrossing);
         samples.push_back({time, tipAt(path, time), 0.0});
     }
-    compare(samples, pathOf(motion, finest, followed), record);
+    compare(samples, motion, record);
 }
 
 ResponseRange responseRange(std::int64_t cells)
@@ -186,6 +206,14 @@ std::vector<Case> forcedSuite(Extent extent)
         siconos.figures["cells"] = elements;
         cases.push_back({siconos, "siconos forced",
                          [elements](Record& row) { marchWithSiconos(elements, row); }});
+    }
+    for (const int elements :
+         isFull ? std::vector<int>{50, 100, 200, 400, 800, 1600} : std::vector<int>{50}) {
+        Record stepped = identified("rivals", "forced, damped, T=3.6", "Moreau-Jean", "-",
+                                    fmt::format("{} cells {} periods", elements, followed));
+        stepped.figures["cells"] = elements;
+        cases.push_back(
+            {stepped, "", [elements](Record& row) { marchWithElements(elements, row); }});
     }
     for (const int perCrossing :
          isFull ? std::vector<int>{30, 60, 150, 300, 1200} : std::vector<int>{30}) {

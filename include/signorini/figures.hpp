@@ -127,17 +127,17 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
                       FigureFormat format, const std::string& path);
 
 /// Draws impulse on the wall and reach of the tip against the frequency of the excitation: motions
-/// with one contact phase as dots, heavy where they attract, fine where they repel (their
-/// `stability`, if it was tried), the bar without a wall as a line, and behind them the free,
-/// undamped motions of the modes, the backbones that they stand on.
-/// \throws std::invalid_argument if there is no frequency; BackendUnavailable, FileError as above.
+/// with one contact as dots, with two as diamonds, heavy where they attract, fine where they repel
+/// (their `stability`, if it was tried), the bar without a wall as a line, and behind them the
+/// free, undamped motions of the modes, the backbones that they stand on. \throws
+/// std::invalid_argument if there is no frequency; BackendUnavailable, FileError as above.
 void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
                   FigureFormat format, const std::string& path);
 
 /// Draws amplitude against frequency of the excitation: how many motions with at most one contact
 /// there are at each place, the amplitude from which the motion without contact meets the wall, and
-/// the least one of a motion with contact; between the two edges several coexist. The amplitude of
-/// the range is a line across. Errors as above.
+/// the least one of a motion with contact; between the two edges several coexist. Motions with two
+/// contacts are diamonds, the amplitude of the range is a line across. Errors as above.
 void drawResponseMap(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
                      FigureFormat format, const std::string& path);
 

@@ -33,6 +33,7 @@
 
 #include "signorini/certificate.hpp"
 #include "signorini/control.hpp"
+#include "signorini/modes.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"
@@ -177,8 +178,15 @@ struct ResponseRange {
     std::int64_t cycles = 1;           ///< [-], K; above 1: subharmonic motions
     double leastFrequencyRatio = 0.5;  ///< of the excitation, omega/omega_1 = 4 N K/n; > 0
     double mostFrequencyRatio = 2.0;   ///< >= least
-    Stops stops = {};                  ///< where the tip is held
+    /// Most contacts in a period, 1 or 2. Two leave isolated motions, each with an amplitude of its
+    /// own: listed are those whose amplitude is within `band` of the amplitude, relative.
+    std::int64_t contacts = 1;
+    double band = 0.05;  ///< [-], 0 < band < 1
+    Stops stops = {};    ///< where the tip is held; two contacts: one wall beyond a gap
 };
+
+/// Most schedules with two contacts that a range may hold, of all its n: about n^3/12 of each.
+inline constexpr double maxTwoContactSchedules = 1e9;
 
 /// Motions of one n_c, one for each amplitude of an interval.
 struct AmplitudeBranch {
@@ -189,18 +197,29 @@ struct AmplitudeBranch {
     friend bool operator==(const AmplitudeBranch&, const AmplitudeBranch&) = default;
 };
 
-/// All motions with one contact phase at one frequency, on either stop, and, where stops are at
-/// equal distances and K is odd, those with two of which the second is the first, mirrored.
+/// The motions of a schedule with two contacts: as a rule one, least and most being the same.
+struct TwoContactBranch {
+    std::array<Phase, 2> phases = {};  ///< the longer contact first
+    double least = 0.0;                ///< amplitude [EA g/L] or [g]
+    double most = 0.0;                 ///< more than the least where a class is always in contact
+
+    friend bool operator==(const TwoContactBranch&, const TwoContactBranch&) = default;
+};
+
+/// All motions at one frequency with as many contacts as were asked for, on either stop, and, where
+/// stops are at equal distances and K is odd, those with two of which the second is the first,
+/// mirrored.
 struct FrequencyResponse {
     std::int64_t steps = 0;             ///< n, of the period of the motions
     double frequencyRatio = 0.0;        ///< omega/omega_1 of the excitation
     double linearPeak = 0.0;            ///< max u(L) of the bar without stops [g]
     bool touches = false;               ///< would that motion meet a stop?
-    std::int64_t undecided = 0;         ///< numbers of contact steps that were not decided
-    std::vector<ForcedMotion> motions;  ///< by stop, ascending n_c, then impulse
-    /// Of all amplitudes, in this order, at most two for each schedule: an amplitude is met by as
-    /// many motions as there are branches that hold it.
+    std::int64_t undecided = 0;         ///< schedules that were not decided
+    std::vector<ForcedMotion> motions;  ///< by contacts, stop, ascending n_c, then impulse
+    /// One contact, of all amplitudes, in this order, at most two for each schedule: an amplitude
+    /// is met by as many motions as there are branches that hold it.
     std::vector<AmplitudeBranch> branches;
+    std::vector<TwoContactBranch> twoContacts;  ///< of all amplitudes
 };
 
 /// What a call may do beside its work.
@@ -210,11 +229,15 @@ struct ResponseControl {
 };
 
 /// The n of a range, ascending: 4NK/most <= n <= 4NK/least, n > 2K.
-/// \throws std::invalid_argument naming each field that is out of range, or if there is no such n.
+/// \throws std::invalid_argument naming each field that is out of range, if there is no such n, or
+/// if they have more than maxTwoContactSchedules.
 [[nodiscard]] std::vector<std::int64_t> stepsOf(const ResponseRange& range);
 
-/// One n of a range, every 1 <= n_c < n; each motion verified. A range is shared among threads by
-/// giving them different n. O(n^2) at most; none if it was cancelled.
+/// One n of a range, every 1 <= n_c < n, and every schedule with two contacts if they are asked
+/// for; each motion verified. A period of two contacts that is a shorter one gone through twice is
+/// left out. A range is shared among threads by giving them different n. O(n^2) at most, with two
+/// contacts O(n^4); none if it was cancelled.
+/// \throws as stepsOf, but for the number of schedules.
 [[nodiscard]] std::optional<FrequencyResponse> responseAt(const ResponseRange& range,
                                                           std::int64_t steps,
                                                           const Cancel& cancel = {});
@@ -223,6 +246,30 @@ struct ResponseControl {
 /// \throws as stepsOf.
 [[nodiscard]] std::vector<FrequencyResponse> frequencyResponse(const ResponseRange& range,
                                                                const ResponseControl& control = {});
+
+/// A free, undamped motion of a mode, at the frequency of an excitation.
+struct BackbonePoint {
+    double frequencyRatio = 0.0;  ///< omega/omega_1 of the excitation, 4K L/(cT)
+    double energyRatio = 0.0;     ///< E/E_1
+    Extremes extremes;
+};
+
+/// What forced motions with little damping follow.
+struct Backbone {
+    Mode mode;
+    std::vector<BackbonePoint> points;  ///< by descending frequency, the ends of the mode left out
+};
+
+/// Most |b| of the modes of a backbone.
+inline constexpr std::int64_t maxBackboneOrder = 15;
+
+/// The modes up to maxBackboneOrder with motions in a range of frequencies, K cycles of the
+/// excitation in a period of theirs; so many points of each, but for those that a second stop is in
+/// the way of. Without a gap a mode has one period only, and there are none. Milliseconds.
+/// \throws std::invalid_argument unless 0 < least <= most, cycles >= 1 and points >= 1.
+[[nodiscard]] std::vector<Backbone> backbonesOf(double leastFrequencyRatio,
+                                                double mostFrequencyRatio, std::int64_t cycles = 1,
+                                                const Stops& stops = {}, int points = 160);
 
 /// What to try. Each arriving wave is multiplied by 1 + a random number of at most `size`.
 struct StabilityOptions {

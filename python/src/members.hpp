@@ -138,9 +138,10 @@ SIGNORINI_MEMBERS(ForcedSet, &T::schedule, &T::damping, &T::forcing, &T::limits,
                   &T::mostAmplitude, &T::foot, &T::direction, &T::low, &T::high, &T::freeWaves,
                   &T::corners);
 SIGNORINI_MEMBERS(ResponseRange, &T::cells, &T::damping, &T::place, &T::amplitude, &T::cycles,
-                  &T::leastFrequencyRatio, &T::mostFrequencyRatio);
+                  &T::leastFrequencyRatio, &T::mostFrequencyRatio, &T::contacts, &T::band);
+SIGNORINI_MEMBERS(TwoContactBranch, &T::phases, &T::least, &T::most);
 SIGNORINI_MEMBERS(FrequencyResponse, &T::steps, &T::frequencyRatio, &T::linearPeak, &T::touches,
-                  &T::undecided, &T::motions, &T::branches);
+                  &T::undecided, &T::motions, &T::branches, &T::twoContacts);
 SIGNORINI_MEMBERS(Piece, &T::duration, &T::value);
 SIGNORINI_MEMBERS(Waves, &T::crossing, &T::a, &T::b);
 SIGNORINI_MEMBERS(ContactEvent, &T::start, &T::end, &T::impulse, &T::peakForce, &T::stop);

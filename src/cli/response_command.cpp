@@ -8,6 +8,7 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "response_report.hpp"
+#include "response_tables.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
 
@@ -65,16 +66,41 @@ void ResponseCommand::addTo(CLI::App& command)
                 "highest frequency of the excitation, ω/ω₁ (2)");
     addWhole(command, "--cycles", 1, maxForcedSteps / 2, range.cycles, "K",
              "cycles of the excitation in a period of the motion (1)");
+    addWhole(
+        command, "--contacts", 1, 2, range.contacts, "K",
+        "most contacts in a period (1); 2: every schedule with two, whose amplitude is its own");
+    addWord(command, "--band", "B",
+            "part of the amplitude by which that of two contacts may differ from it (0.05)",
+            [this](const std::string& text) {
+                band = parsePositive("--band", text, "-");
+                if (*band >= 1.0) {
+                    refuse("--band", text, "numbers > 0, below 1 [-]");
+                }
+            });
     command.add_flag("--stability", wantsStability,
                      "start beside each motion and see whether the bar comes back");
     addFile(command, "--csv", csvFile, "write a row for each motion");
     addFigure(command, "--figure", figureFile, "draw impulse and tip against frequency");
     addFigure(command, "--map", mapFile,
               "draw how many motions there are, amplitude against frequency");
+    addFile(command, "--map-csv", mapCsvFile,
+            "write a row for each schedule that has motions of any amplitude");
+    addFile(command, "--backbone-csv", backboneFile,
+            "write the free motions of the modes, the curves behind the figure");
     common.addTo(command);
     command.footer(
         "Of the periods that are n steps of L/(N c): 4 N K/n is the frequency of the excitation in "
-        "ω₁.\n--damping, --force and --amplitude are required.");
+        "ω₁.\n--damping, --force and --amplitude are required.\n"
+        "--csv: steps n, frequency_ratio ω/ω₁, frequency [Hz], touches (would the bar without a "
+        "wall meet it?), linear_peak [m], then of each motion contact, free [steps], phase [rad], "
+        "impulse [N s], peak_force [N], tip_lowest [m], stability, amplitude [N or m], "
+        "second_contact, second_free [steps]; one row without them where there is no motion.\n"
+        "--map-csv: steps, frequency_ratio, frequency, contacts (0, 1 or 2), contact, free, "
+        "second_contact, second_free, least_amplitude, most_amplitude [N or m]; no largest one: "
+        "empty. Schedules in order of contact; an amplitude has as many motions as rows hold it.\n"
+        "--backbone-csv: a4, b and family of the mode (t_c = a4 + b T), frequency_ratio and "
+        "frequency of the excitation, period_ratio cT/L, energy_ratio E/E₁, impulse, peak_force, "
+        "tip_lowest.");
 }
 
 ExitStatus ResponseCommand::run() const
@@ -100,8 +126,16 @@ ExitStatus ResponseCommand::run() const
     answer.range.place = *force.place;
     answer.range.amplitude = force.scaledAmplitude(answer.scene.bar);
     answer.range.stops = stopsOf(answer.scene);
+    if (band && range.contacts < 2) {
+        refuse("--band", fmt::format("{}", *band), "nothing without --contacts 2");
+    }
+    answer.range.band = band.value_or(range.band);
     (void)stepsOf(answer.range);
-    Outputs outputs({{"--csv", csvFile}, {"--figure", figureFile}, {"--map", mapFile}});
+    Outputs outputs({{"--csv", csvFile},
+                     {"--map-csv", mapCsvFile},
+                     {"--backbone-csv", backboneFile},
+                     {"--figure", figureFile},
+                     {"--map", mapFile}});
     {
         const Interrupt interrupt;
         Progress progress(!common.quiet, "frequencies");
@@ -113,6 +147,10 @@ ExitStatus ResponseCommand::run() const
     }
     if (answer.isComplete) {
         outputs.put("--csv", [&](const std::string& path) { writeResponseCsv(path, answer); });
+        outputs.put("--map-csv",
+                    [&](const std::string& path) { writeResponseMapCsv(path, answer); });
+        outputs.put("--backbone-csv",
+                    [&](const std::string& path) { writeBackboneCsv(path, answer); });
         outputs.put("--figure", [&](const std::string& path) {
             drawResponse(answer.frequencies, answer.range, figureFormat(figureFile), path);
         });

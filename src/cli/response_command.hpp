@@ -2,6 +2,7 @@
 /// \file
 /// signorini response
 
+#include <optional>
 #include <string>
 
 #include "arguments.hpp"
@@ -15,10 +16,13 @@ struct ResponseCommand {
     CommonOptions common;
     ForceOptions force;
     ResponseRange range;
+    std::optional<double> band;
     bool wantsStability = false;
     std::string csvFile;
     std::string figureFile;
     std::string mapFile;
+    std::string mapCsvFile;
+    std::string backboneFile;
 
     void addTo(CLI::App& command);
 

@@ -27,6 +27,7 @@ Json asJson(const FrequencyResponse& response, const Bar& bar)
     for (const ForcedMotion& motion : response.motions) {
         const Physical physical = physicalOf(motion.extremes, bar);
         Json one{{"schedule", phasesAsJson(motion.schedule.phases)},
+                 {"amplitude", motion.amplitude * amplitudeUnit(motion.excitation.place, bar)},
                  {"phase", motion.phase},
                  {"impulse", physical.impulse},
                  {"peak_force", physical.peakForce},
@@ -45,25 +46,33 @@ Json asJson(const FrequencyResponse& response, const Bar& bar)
 
 }  // namespace
 
+double amplitudeUnit(Excited place, const Bar& bar)
+{
+    return place == Excited::tip ? forceUnit(bar) : scales(bar).displacement;
+}
+
 std::string asText(const ResponseAnswer& answer)
 {
     const ResponseRange& range = answer.range;
+    const char* unit = range.place == Excited::tip ? "N" : "m";
+    const std::size_t wide = range.contacts > 1 ? 24 : 14;
     Text text;
     print(
         text,
-        "{} motions with one contact phase{} at {} frequencies: N = {}, ζ = {}, {} of amplitude {} "
-        "{}{}{}\n",
-        answer.motions(), range.stops.left ? " on each stop that is touched" : "",
-        answer.frequencies.size(), range.cells, range.damping.ratio,
-        range.place == Excited::tip ? "force on the tip" : "base", answer.amplitude,
-        range.place == Excited::tip ? "N" : "m",
+        "{} motions with {}{} at {} frequencies: N = {}, ζ = {}, {} of amplitude {} {}{}{}{}\n",
+        answer.motions(), range.contacts > 1 ? "one or two contacts" : "one contact phase",
+        range.stops.left ? " on each stop that is touched" : "", answer.frequencies.size(),
+        range.cells, range.damping.ratio, range.place == Excited::tip ? "force on the tip" : "base",
+        answer.amplitude, unit,
+        range.contacts > 1 ? fmt::format(", for two contacts ± {:.3g} %", 100.0 * range.band) : "",
         range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
         answer.isComplete ? "" : ": interrupted, the list is not complete");
     if (answer.undecided() > 0) {
         print(text, "undecided   {} schedules\n", answer.undecided());
     }
-    print(text, "\n{:<8}{:<12}{:<14}{:<14}{:<12}{:<14}{:<14}{}\n", "n", "ω/ω₁", "linear u/g",
-          "(n_c, n_f)", "phase", "impulse N s", "peak N", "stability");
+    print(text, "\n{:<8}{:<12}{:<14}{:<{}}{:<14}{:<12}{:<14}{:<14}{}\n", "n", "ω/ω₁", "linear u/g",
+          "(n_c, n_f)", wide, fmt::format("amplitude {}", unit), "phase", "impulse N s", "peak N",
+          "stability");
     for (const FrequencyResponse& response : answer.frequencies) {
         const std::string begin = fmt::format("{:<8}{:<12.6g}{:<14.6g}", response.steps,
                                               response.frequencyRatio, response.linearPeak);
@@ -71,8 +80,9 @@ std::string asText(const ResponseAnswer& answer)
             print(text, "{}{}\n", begin, response.touches ? "none" : "none: stays clear");
         }
         for (const ForcedMotion& motion : response.motions) {
-            print(text, "{}{:<14}{:<12.5f}{:<14.6g}{:<14.6g}{}\n", begin,
-                  describe(motion.schedule.phases), motion.phase,
+            print(text, "{}{:<{}}{:<14.6g}{:<12.5f}{:<14.6g}{:<14.6g}{}\n", begin,
+                  describe(motion.schedule.phases), wide,
+                  motion.amplitude * amplitudeUnit(range.place, answer.scene.bar), motion.phase,
                   motion.extremes.impulse * impulseUnit(answer.scene.bar),
                   motion.extremes.peakForce * forceUnit(answer.scene.bar), word(motion));
         }
@@ -91,6 +101,8 @@ std::string asJson(const ResponseAnswer& answer)
              {"force", name(range.place)},
              {"amplitude", answer.amplitude},
              {"cycles", range.cycles},
+             {"contacts", range.contacts},
+             {"band", range.contacts > 1 ? Json(range.band) : Json()},
              {"frequency_ratio_range", {range.leastFrequencyRatio, range.mostFrequencyRatio}},
              {"complete", answer.isComplete},
              {"frequencies", Json::array()}});
@@ -107,23 +119,28 @@ void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
     TextFile file(path);
     file.write(
         "steps,frequency_ratio,frequency,touches,linear_peak,contact,free,phase,impulse,"
-        "peak_force,tip_lowest,stability,stop\n");
+        "peak_force,tip_lowest,stability,amplitude,second_contact,second_free,stop\n");
     for (const FrequencyResponse& response : answer.frequencies) {
         const std::string begin =
             fmt::format("{},{},{},{},{}", response.steps, response.frequencyRatio,
                         response.frequencyRatio / 4.0 / unit.time, response.touches ? 1 : 0,
                         response.linearPeak * unit.displacement);
         if (response.motions.empty()) {
-            file.write(begin + ",,,,,,,,\n");
+            file.write(begin + ",,,,,,,,,,,\n");
         }
         for (const ForcedMotion& motion : response.motions) {
-            const Phase& phase = motion.schedule.phases.front();
-            file.write(fmt::format("{},{},{},{},{},{},{},{},{}\n", begin, phase.contact, phase.free,
-                                   motion.phase,
-                                   motion.extremes.impulse * impulseUnit(answer.scene.bar),
-                                   motion.extremes.peakForce * forceUnit(answer.scene.bar),
-                                   motion.extremes.lowestTip * unit.displacement, word(motion),
-                                   motion.schedule.phases.size() > 1 ? "both" : name(phase.stop)));
+            const std::vector<Phase>& phases = motion.schedule.phases;
+            const Phase& first = phases.front();
+            const bool isOnBoth = first.stop != phases.back().stop;
+            file.write(fmt::format(
+                "{},{},{},{},{},{},{},{},{},{},{}\n", begin, first.contact, first.free,
+                motion.phase, motion.extremes.impulse * impulseUnit(answer.scene.bar),
+                motion.extremes.peakForce * forceUnit(answer.scene.bar),
+                motion.extremes.lowestTip * unit.displacement, word(motion),
+                motion.amplitude * amplitudeUnit(answer.range.place, answer.scene.bar),
+                phases.size() > 1 ? fmt::format("{},{}", phases[1].contact, phases[1].free)
+                                  : std::string(","),
+                isOnBoth ? "both" : name(first.stop)));
         }
     }
     file.close();

@@ -29,6 +29,7 @@ struct Touched {
     const char* colour;
     std::size_t phases;
     Stop first;
+    Stop last;
 };
 
 constexpr auto sorts = std::to_array<Sort>({
@@ -39,9 +40,10 @@ constexpr auto sorts = std::to_array<Sort>({
 });
 
 constexpr auto touches = std::to_array<Touched>({
-    {"wall", "one contact", palette::contact, 1, Stop::right},
-    {"second", "one, on the second stop", palette::strain, 1, Stop::left},
-    {"both", "one on each stop, mirrored", palette::ink, 2, Stop::right},
+    {"wall", "one contact", palette::contact, 1, Stop::right, Stop::right},
+    {"second", "one, on the second stop", palette::strain, 1, Stop::left, Stop::left},
+    {"both", "one on each stop, mirrored", palette::ink, 2, Stop::right, Stop::left},
+    {"two", "two contacts", palette::strain, 2, Stop::right, Stop::right},
 });
 
 /// omega/omega_1, impulse, swing of each motion of one sort that touches these stops. \return are
@@ -55,7 +57,7 @@ bool printMotions(Text& script, const Touched& touched, const Sort& sort,
         for (const ForcedMotion& motion : response.motions) {
             const std::vector<Phase>& phases = motion.schedule.phases;
             if (motion.stability == sort.stability && phases.size() == touched.phases &&
-                phases.front().stop == touched.first) {
+                phases.front().stop == touched.first && phases.back().stop == touched.last) {
                 any = true;
                 print(script, "{:.8g} {:.6g} {:.6g}\n", response.frequencyRatio,
                       motion.extremes.impulse, -motion.extremes.lowestTip);
@@ -86,25 +88,14 @@ void printLinear(Text& script, std::span<const FrequencyResponse> frequencies)
 /// has one period only. \return are there any?
 bool printModes(Text& script, double least, double most, const ResponseRange& range, double height)
 {
-    constexpr int samples = 160;
     bool any = false;
     print(script, "$modes << EOD\n");
-    std::vector<Mode> modes;
-    if (range.stops.right != 0) {
-        modes = findModes({.maxOrder = 15, .gapSign = range.stops.right});
-    }
-    for (const Mode& mode : modes) {
-        const double unit = 4.0 * static_cast<double>(range.cycles);
-        const double from = std::max(unit / most, mode.lowest.value());
-        const double to = std::min(unit / least, mode.highest.value());
+    for (const Backbone& backbone : backbonesOf(least, most, range.cycles, range.stops)) {
         bool isDrawn = false;
-        for (int k = 0; k < samples && from < to; ++k) {
-            const double t = std::lerp(from, to, (k + 0.5) / samples);
-            const Extremes free = ModeMotion(mode, t).extremes();
-            const auto& second = range.stops.left;
-            const bool isFree = !second || -free.lowestTip <= second->value();
-            if (isFree && -free.lowestTip <= 1.5 * height) {
-                print(script, "{:.8g} {:.6g} {:.6g}\n", unit / t, free.impulse, -free.lowestTip);
+        for (const BackbonePoint& point : backbone.points) {
+            if (-point.extremes.lowestTip <= 1.5 * height) {
+                print(script, "{:.8g} {:.6g} {:.6g}\n", point.frequencyRatio,
+                      point.extremes.impulse, -point.extremes.lowestTip);
                 isDrawn = true;
             }
         }

@@ -109,6 +109,17 @@ void drawResponseMap(std::span<const FrequencyResponse> frequencies, const Respo
               std::isfinite(least) ? fmt::format("{:.6g}", least) : "NaN");
     }
     print(script, "EOD\n");
+    print(script, "$pairs << EOD\n");
+    bool hasPairs = false;
+    for (const FrequencyResponse& response : frequencies) {
+        for (const TwoContactBranch& branch : response.twoContacts) {
+            if (branch.least <= top) {
+                print(script, "{:.8g} {:.6g}\n", response.frequencyRatio, branch.least);
+                hasPairs = true;
+            }
+        }
+    }
+    print(script, "EOD\n");
     std::string plots;
     for (std::size_t count = 0; count < boxes.size(); ++count) {
         if (isUsed[count]) {
@@ -131,14 +142,18 @@ void drawResponseMap(std::span<const FrequencyResponse> frequencies, const Respo
           "set key outside bottom center horizontal Left reverse samplen 1.6 width 1\n"
           "plot {}$edges using 1:2 with lines lw 2 lc '{}' title 'without contact meets the wall', "
           "$edges using 1:3 with lines lw 2 dt (6,3) lc '{}' title 'with contact, the least', "
-          "{} with lines lw 1 dt (2,3) lc '{}' title 'amplitude of the response'\n",
+          "{} with lines lw 1 dt (2,3) lc '{}' title 'amplitude of the response'{}\n",
           low - margin, high + margin, top,
           range.place == Excited::tip ? (range.stops.right != 0 ? "force  [EA g/L]" : "force  [EA]")
           : range.stops.right != 0    ? "base  [g]"
                                       : "base  [L]",
           range.cycles > 1 ? fmt::format("{} cycles", range.cycles) : "a cycle",
           range.damping.ratio, range.cells, plots, palette::ink, palette::contact, range.amplitude,
-          palette::ink);
+          palette::ink,
+          hasPairs ? fmt::format(", $pairs using 1:2 with points pt 13 ps 0.4 lc '{}' title "
+                                 "'two contacts'",
+                                 palette::strain)
+                   : std::string());
     runGnuplot(fmt::to_string(script), format, 16.0, 11.0, path);
 }
 

@@ -6,6 +6,7 @@
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "portable.hpp"
+#include "two_contacts.hpp"
 
 namespace signorini {
 
@@ -20,6 +21,15 @@ void validate(const ResponseRange& range)
     faults.requireWhole("cycles", range.cycles, maxForcedSteps / 2);
     faults.requirePositive("leastFrequencyRatio", range.leastFrequencyRatio, "-");
     faults.requirePositive("mostFrequencyRatio", range.mostFrequencyRatio, "-");
+    if (range.contacts < 1 || range.contacts > 2) {
+        faults.add("contacts", range.contacts, "1 or 2");
+    }
+    if (range.contacts > 1 && range.stops != Stops{}) {
+        faults.add("contacts", range.contacts, "1 unless the gap is > 0, without a second stop");
+    }
+    if (!(range.band > 0.0 && range.band < 1.0)) {
+        faults.add("band", range.band, "numbers > 0, below 1");
+    }
     if (range.leastFrequencyRatio > range.mostFrequencyRatio) {
         faults.add("leastFrequencyRatio", range.leastFrequencyRatio,
                    fmt::format("at most {}, the largest", range.mostFrequencyRatio));
@@ -63,8 +73,17 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
         faults.throwIfAny();
     }
     std::vector<std::int64_t> all;
+    double schedules = 0.0;
     for (auto n = static_cast<std::int64_t>(first); n <= static_cast<std::int64_t>(last); ++n) {
         all.push_back(n);
+        schedules += range.contacts > 1 ? twoContactSchedules(n) : 0.0;
+    }
+    if (schedules > maxTwoContactSchedules) {
+        Faults faults;
+        faults.add("contacts: 2, schedules", schedules,
+                   fmt::format("at most {}: fewer cells, or a shorter range of frequencies",
+                               maxTwoContactSchedules));
+        faults.throwIfAny();
     }
     return all;
 }
@@ -167,6 +186,9 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
             waves.setPhases(schedule.phases);
             addMotions(response, range, schedule, shapes, waves);
         }
+    }
+    if (range.contacts > 1 && !addTwoContacts(response, range, cancel)) {
+        return std::nullopt;
     }
     return response;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <sstream>
 
 #include "program.hpp"
@@ -259,6 +261,10 @@ TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
         {"response --damping 0.1 --from 3" + force + out, "--from = 3"},
         {"response --damping 0.1 --from 9 --to 9.001 --cells 2" + force + out, "frequency ratios"},
         {"response --damping 0.1 --cycles 0" + force + out, "--cycles"},
+        {"response --damping 0.1 --contacts 3" + force + out, "--contacts = 3"},
+        {"response --damping 0.1 --band 0.1" + force + out, "--band = 0.1"},
+        {"response --damping 0.1 --contacts 2 --band 1" + force + out, "--band = 1"},
+        {"response --damping 0.1 --contacts 2" + force + out, "contacts: 2"},
         {"response --damping 0.1 --figure r.gif" + force + out, "figure"},
         {"simulate --rest", "--time"},
         {"simulate --time 1 --periods 2" + force + " --frequency 1", "--periods"},
@@ -336,4 +342,95 @@ TEST_CASE("cli response --map: amplitude against frequency")
         CHECK_THAT(contentOf(program.file("m.svg")), containsText(label));
     }
     CHECK_THAT(contentOf(program.file("r.svg")), containsText("modes"));
+}
+
+TEST_CASE("cli response --contacts 2: motions with their own amplitude, in answer and table")
+{
+    const Program program;
+    const std::string call =
+        "response --from 1.01 --to 1.02 --contacts 2 --band 0.15 --csv r.csv --map-csv m.csv" +
+        section15;
+    const json answer = parsed(program, call);
+    CHECK(answer["contacts"] == 2);
+    CHECK(answer["band"] == 0.15);
+    REQUIRE(answer["frequencies"].size() == 1);
+    CHECK(answer["frequencies"][0]["steps"] == 118);
+    const json& motions = answer["frequencies"][0]["motions"];
+    REQUIRE(motions.size() == 2);
+    CHECK(motions[0]["schedule"] == json::parse("[[2,100],[2,14]]"));
+    CHECK(motions[0]["amplitude"].get<double>() == Approx(0.2346e-3).margin(1e-7));
+    CHECK(motions[1]["amplitude"].get<double>() == Approx(0.2823e-3).margin(1e-7));
+    CHECK(parsed(program, call + " --threads 2")["frequencies"] == answer["frequencies"]);
+    CHECK_THAT(contentOf(program.file("r.csv")),
+               containsText("amplitude,second_contact,second_free") && containsText(",2,14\n"));
+    CHECK_THAT(program.run(call).out, containsText("(2, 100) (2, 14)") && containsText("± 15 %"));
+    // Each of them as find has it.
+    for (const json& motion : motions) {
+        const json one = parsed(program, "find " + motion["schedule"][0][0].dump() + " " +
+                                             motion["schedule"][0][1].dump() + " " +
+                                             motion["schedule"][1][0].dump() + " " +
+                                             motion["schedule"][1][1].dump() +
+                                             " --cells 30 --damping 0.03353713 --force tip");
+        CHECK(one["amplitude"].get<double>() ==
+              Approx(motion["amplitude"].get<double>()).epsilon(1e-9));
+        CHECK(one["motions"][0]["physical"]["impulse"].get<double>() ==
+              Approx(motion["impulse"].get<double>()).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("cli response: the map and the backbone as tables")
+{
+    const Program program;
+    const json answer = parsed(
+        program, "response --from 1.06 --to 1.16 --map-csv m.csv --backbone-csv b.csv" + section15);
+    // An amplitude has as many motions as rows hold it.
+    std::istringstream map(contentOf(program.file("m.csv")));
+    std::string line;
+    std::getline(map, line);
+    CHECK(line ==
+          "steps,frequency_ratio,frequency,contacts,contact,free,second_contact,second_free,"
+          "least_amplitude,most_amplitude");
+    std::map<int, std::size_t> motions;
+    std::map<int, int> withoutContact;
+    while (std::getline(map, line)) {
+        std::vector<std::string> cells;
+        std::istringstream row(line + ",");
+        for (std::string cell; std::getline(row, cell, ',');) {
+            cells.push_back(cell);
+        }
+        REQUIRE(cells.size() == 10);
+        const double most =
+            cells[9].empty() ? std::numeric_limits<double>::infinity() : std::stod(cells[9]);
+        const bool holds = std::stod(cells[8]) <= 2.5e-4 && 2.5e-4 <= most;
+        (cells[3] == "0" ? withoutContact[std::stoi(cells[0])] : withoutContact[-1]) += 1;
+        motions[std::stoi(cells[0])] += cells[3] == "1" && holds ? 1 : 0;
+    }
+    for (const json& frequency : answer["frequencies"]) {
+        const int n = frequency["steps"];
+        CHECK(motions[n] == frequency["motions"].size());
+        CHECK(withoutContact[n] == 1);
+    }
+    // Every row of the backbone is a motion that `mode` has.
+    std::istringstream backbone(contentOf(program.file("b.csv")));
+    std::getline(backbone, line);
+    CHECK(line ==
+          "a4,b,family,frequency_ratio,frequency,period_ratio,energy_ratio,impulse,peak_force,"
+          "tip_lowest");
+    int rows = 0;
+    while (std::getline(backbone, line)) {
+        std::istringstream row(line);
+        std::vector<std::string> cells;
+        for (std::string cell; std::getline(row, cell, ',');) {
+            cells.push_back(cell);
+        }
+        REQUIRE(cells.size() == 10);
+        CHECK(std::stod(cells[3]) * std::stod(cells[5]) == Approx(4.0));
+        if (rows++ % 100 == 0) {
+            const json mode = parsed(program, "mode " + cells[0] + " " + cells[1] + " --period " +
+                                                  cells[5] + " --quiet");
+            CHECK(mode["energy_ratio"].get<double>() == Approx(std::stod(cells[6])));
+            CHECK(mode["physical"]["impulse"].get<double>() == Approx(std::stod(cells[7])));
+        }
+    }
+    CHECK(rows > 100);
 }

@@ -65,6 +65,7 @@ CALLS = [
     ("find", "find 3 25 --segments 4:1,4:1.3"),
     ("find", "find 3 12 --segments 4:1,4:1.3:2"),
     ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2 --stability"),
+    ("response", f"response --cells 10 {FORCE} --from 1 --to 1.2 --contacts 2 --band 0.5"),
     ("response", f"response --cells 20 {FORCE} --from 1 --to 1.2 {STEEL}"),
     ("find-forced", f"find 8 72 --cells 20 {FORCE}"),
     ("find-forced", "find 8 72 --cells 20 --damping 0.05 --force base"),

@@ -117,6 +117,32 @@ TEST_CASE("simulation: the paper's case for 10,000 periods, nothing lost, nothin
     }
 }
 
+TEST_CASE("simulation: forced and damped for 10,000 periods, the energy accounts hold")
+{
+    // N = 300, rho = 0.9, a force of 0.25 EA g/L, n = 1080: section 15's bar, from rest.
+    const double steps = 1080.0;
+    BarSimulation bar(wavesAtRest(300.0), dampingOfRho(0.9),
+                      excitationOf({.amplitude = 0.25, .steps = 1080, .stepsPerCrossing = 300.0}));
+    const auto advance = [&](int periods) {
+        for (int k = 0; k < periods; ++k) {
+            bar.advance(steps);
+        }
+    };
+    advance(5'000);
+    const double tip = bar.tip();
+    const double impulse = bar.impulse();
+    const std::size_t contacts = bar.contacts().size();
+    advance(5'000);
+    const EnergyBalance balance = bar.balance();
+    CHECK(std::abs(balance.error) <= 1e-12 * balance.size);
+    CHECK(balance.size >= 1e4);  // much came and went
+    CHECK(bar.tip() == Approx(tip).margin(1e-9));
+    CHECK(bar.contacts().size() == contacts + 5'000);
+    CHECK((bar.impulse() - impulse) / 5'000.0 == Approx(1.0708).margin(5e-4));
+    CHECK(bar.time() == Approx(36'000.0).epsilon(1e-14));
+    CHECK(bar.merged() < 1e-6);
+}
+
 TEST_CASE("simulation: modes at irrational periods, off every grid")
 {
     for (const Mode& mode : findModes()) {
