@@ -14,7 +14,7 @@ INDEXED = re.compile(
     r"(?:(?<=\.\.)|(?<=\d)|(?<![\w`$/.]))"  # also n of 0..n, p of 2p
     r"([A-Za-zΑ-Ωα-ω][′']?)_(\{[^{}]+\}|[A-Za-z0-9α-ω]+)(²?)(?![a-z_`])"
 )
-ASIDE = re.compile(r"(\$\$.*?\$\$|`[^`]*`|\]\([^)]*\)|^    .*$)", re.DOTALL | re.MULTILINE)
+ASIDE = re.compile(r"(\$\$.*?\$\$|`[^`]*`|\]\([^)]*\)|^    [^\n]*$)", re.DOTALL | re.MULTILINE)
 PATTERN = re.compile(r"[+−]  +[+−]")  # a table of signs, no formula
 
 

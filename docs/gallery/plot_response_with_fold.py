@@ -12,16 +12,17 @@ import matplotlib.pyplot as plt
 
 import signorini as sg
 
-machine = {"damping": 0.02, "force": "tip", "amplitude": 2e-4, "cells": 48}
-answer = sg.response(**machine, start=0.9, to=1.4, stability=True)
+machine = sg.response(
+    damping=0.02, force="tip", amplitude=2e-4, cells=48, start=0.9, to=1.4, stability=True
+)
 axes = plt.figure().subplots()
 looks = {True: ("#0072b2", "o"), False: ("#d55e00", "x"), None: ("#999999", "+")}
 words = {True: "attracts", False: "repels", None: "unclear"}
 for stable, (colour, mark) in looks.items():
-    chosen = [(f.frequency_ratio, 1e3 * m.impulse) for f, m in answer.motions if m.stable is stable]
+    chosen = [(f.frequency_ratio, 1e3 * m.impulse) for f, m in machine.motions if m.stable is stable]
     if chosen:
         axes.plot(*zip(*chosen), mark, ms=5, color=colour, label=words[stable])
-quiet = [f.frequency_ratio for f in answer if not f.touches]
+quiet = [f.frequency_ratio for f in machine if not f.touches]
 axes.plot(quiet, [0] * len(quiet), "|", color="black", label="motion without contact")
 axes.set(xlabel="frequency ω/ω₁", ylabel="impulse on the wall [mN s] per period")
 axes.set_title("F = 0.2 mN, ζ = 0.02, N = 48")

@@ -13,11 +13,11 @@ import signorini as sg
 
 figure, (split, energy) = plt.subplots(1, 2, figsize=(9, 4.8))
 for mode in sg.modes(max_order=9):
-    period = np.linspace(*(p / q for p, q in mode.period_range), 202)[1:-1]
+    period = 1 / np.linspace(*mode.frequency_range, 202)[1:-1]  # of the bar with L/c = 1 s
     energy.plot(4 / period, mode.energy_ratio(period), color="black", lw=0.8)
 polytopes = sg.modes(phases=2, max_order=9)
 for polytope in polytopes:
-    period = np.linspace(*(p / q for p, q in polytope.period_range), 202)[1:-1]
+    period = 1 / np.linspace(*polytope.frequency_range, 202)[1:-1]
     colour, width = ("#d55e00", 2.5) if polytope.free_times else ("#0072b2", 1)
     energy.plot(4 / period, polytope.energy_ratio(period), color=colour, lw=width)
     first = [[polytope.stretches(t, s)[0] for s in polytope.slice(t)] for t in period]

@@ -7,16 +7,17 @@ pulled against the wall and let go, it hammers for ever. The simulation goes fro
 event: no time step, no law of restitution.
 """
 
+from functools import partial
+
 import matplotlib.pyplot as plt
 
 import signorini as sg
 
-force = {"damping": 0.02, "force": "tip", "amplitude": 2e-4, "frequency": 1.15}
-watch = {"periods": 200, "tip": True}
+machine = partial(sg.simulate, damping=0.02, force="tip", amplitude=2e-4, frequency=1.15)
 pulled = sg.find(50, 300, cells=100).state
 runs = {
-    "from rest": sg.simulate(cells=100, **force, **watch),
-    "pulled and let go": sg.simulate(pulled, **force, **watch),
+    "from rest": machine(cells=100, periods=200),
+    "pulled and let go": machine(pulled, periods=200),
 }
 
 figure, both = plt.subplots(2, 1, sharex=True, sharey=True, figsize=(8, 5))

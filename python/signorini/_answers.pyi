@@ -102,7 +102,7 @@ class Result(_Record):
     energy: Any  # float; None where there is no motion
     energy_ratio: Any  # float; None where there is no motion
     energy_ratio_range: Any  # (least, most); None where there is no motion
-    energy_section: Optional[EnergySection]
+    energy_section: Any  # EnergySection; None where no energy is held
     physical: Any  # Physical; None where there is no motion
     admissible: Optional[bool]
     residuals: Any  # Residuals; None where there is no motion

@@ -182,4 +182,4 @@ def test_wrong_types_are_type_errors() -> None:
     with pytest.raises(TypeError):
         sg.find(150.5, 900)  # type: ignore[call-overload]
     with pytest.raises(TypeError):
-        sg.find(150, 900, gapp=1.0)
+        sg.find(150, 900, gapp=1.0)  # type: ignore[call-overload]

@@ -55,7 +55,7 @@ extern "C" void leave(void* data)
 }
 
 /// GLPK speaks of errors, and while it works if there is somebody who may want it to end.
-extern "C" int listen(void* data, const char* text)
+extern "C" int hearGlpk(void* data, const char* text)
 {
     Rescue& rescue = *static_cast<Rescue*>(data);
     keep(rescue, text);
@@ -112,7 +112,7 @@ void setHooks(Rescue* rescue)
     static std::once_flag once;
     std::call_once(once, watchGmp);
     current = rescue;
-    glp_term_hook(rescue == nullptr ? nullptr : listen, rescue);
+    glp_term_hook(rescue == nullptr ? nullptr : hearGlpk, rescue);
     glp_error_hook(rescue == nullptr ? nullptr : leave, rescue);
 }
 
