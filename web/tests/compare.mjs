@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import vm from 'node:vm';
 
-const core = new URL('../../build/web-core/bin/', import.meta.url);
+const core = new URL('../../build/emscripten/bin/', import.meta.url);
 const native = new URL('../../build/release/bin/explorer-core', import.meta.url).pathname;
 const count = Number(process.argv[2] ?? 10000);
 
