@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "infinity.hpp"
 
 namespace signorini {
 
@@ -38,7 +39,6 @@ struct Interval {
     friend Interval operator/(Interval x, Interval y)
     {
         if (!y.isPositive() && !y.isNegative()) {
-            constexpr double infinity = std::numeric_limits<double>::infinity();
             return {-infinity, infinity};
         }
         const auto [least, most] =
@@ -62,7 +62,6 @@ struct Interval {
 private:
     static Interval widened(double low, double high)
     {
-        constexpr double infinity = std::numeric_limits<double>::infinity();
         return {std::nextafter(low, -infinity), std::nextafter(high, infinity)};
     }
 };

@@ -117,6 +117,7 @@ bool forbidsContact(const ForcedQuestion& question, std::span<const ForcedCondit
     }
     const std::vector<RationalVector> basis = combinationsWithoutFree(*rows);
     std::vector<EnclosedPlane> left;
+    left.reserve(basis.size());
     for (const RationalVector& factors : basis) {
         left.push_back({combined(factors, *rows, [](const EnclosedRow& r) { return r.plane.c; }),
                         combined(factors, *rows, [](const EnclosedRow& r) { return r.plane.s; })});

@@ -5,6 +5,7 @@
 
 #include "compensated_sum.hpp"
 #include "forced_check.hpp"
+#include "infinity.hpp"
 
 namespace signorini {
 
@@ -140,7 +141,6 @@ double ForcedWalk::worst() const
 ForcedWalk walkForced(const State& state, const Schedule& schedule, const Damping& damping,
                       const Excitation& excitation, double tolerance)
 {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     ForcedWalk seen;
     const double size = amplitude(state);
     if (!(size > 0.0) || !state.a.allFinite() || !state.b.allFinite()) {

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "infinity.hpp"
 
 namespace signorini {
-
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 Measures::Measures(const State& state, const Stops& stops)
     : halfCells(0.5 * static_cast<double>(state.cells())),

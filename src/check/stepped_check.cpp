@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "faults.hpp"
+#include "infinity.hpp"
 #include "marcher.hpp"
 #include "stepped_cells.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Where the tip is stopped [g].
 struct Places {

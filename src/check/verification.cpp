@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 
 #include "faults.hpp"
+#include "infinity.hpp"
 #include "marcher.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// (10)-(12) and (31) along a schedule.
 class Rows {

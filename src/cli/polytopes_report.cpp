@@ -28,7 +28,7 @@ std::int64_t contactSum(const ModePolytope& polytope)
 
 std::string rootAsText(const ModePolytope& polytope)
 {
-    const std::string form = linearAsText(polytope.kappa, polytope.mu);
+    std::string form = linearAsText(polytope.kappa, polytope.mu);
     if (polytope.divisor == 1) {
         return form;
     }

@@ -7,12 +7,12 @@
 namespace signorini::cli {
 
 QuestionReport::QuestionReport(AskedPeriod asked, std::int64_t cells, const FindOptions& options,
-                               const std::optional<TargetReport>& target)
+                               std::optional<TargetReport> target)
     : asked_(std::move(asked)),
       period_{cells, {{1, asked_.steps - 1}}},
       bar_(options.scene.bar),
       energyRatio_(options.energyRatio),
-      target_(target)
+      target_(std::move(target))
 {
 }
 

@@ -17,7 +17,7 @@ namespace signorini::cli {
 class QuestionReport {
 public:
     QuestionReport(AskedPeriod asked, std::int64_t cells, const FindOptions& options,
-                   const std::optional<TargetReport>& target);
+                   std::optional<TargetReport> target);
 
     /// The answer for the next set.
     void add(const PeriodicResult& result);

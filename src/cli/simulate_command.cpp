@@ -16,7 +16,7 @@ namespace signorini::cli {
 
 namespace {
 
-constexpr double longest = 1e9;  // [L/c]
+constexpr double longestTime = 1e9;  // [L/c]
 
 /// Simulates so many stretches of time, or until a signal comes, and says what came of it.
 void goOn(BarSimulation& simulation, double stretch, double total, bool isQuiet,
@@ -123,10 +123,10 @@ double SimulateCommand::stretches(double stretch, double crossing, const Bar& ba
     const double unit = scales(bar).time;
     const double total =
         periods ? static_cast<double>(*periods) : *time / unit * crossing / stretch;
-    if (!(total * stretch <= longest * crossing)) {
+    if (!(total * stretch <= longestTime * crossing)) {
         refuse(time ? "--time" : "--periods",
                time ? fmt::format("{}", *time) : fmt::format("{}", *periods),
-               fmt::format("what lasts at most {} L/c, {:.3g} s", longest, longest * unit));
+               fmt::format("what lasts at most {} L/c, {:.3g} s", longestTime, longestTime * unit));
     }
     return total;
 }

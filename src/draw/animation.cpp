@@ -17,8 +17,6 @@ namespace signorini {
 namespace {
 
 constexpr std::size_t maxFrames = 121;
-constexpr std::size_t maxNodes = 301;
-constexpr std::int64_t maxInstants = 701;
 constexpr double gapShown = 0.1;  ///< [L], the gap in the picture of the bar
 
 /// 0 ... last, at most so many, both ends among them.
@@ -74,7 +72,7 @@ public:
     explicit MotionFrames(const MotionSamples& samples)
         : samples_(samples),
           unit_(scales(samples.bar())),
-          nodes_(chosen(samples.nodes(), maxNodes)),
+          nodes_(chosen(samples.nodes(), static_cast<std::size_t>(maxNodes))),
           instants_(chosen(samples.instants(), maxFrames)),
           wall_(samples.bar().gap / unit_.displacement)
     {

@@ -20,24 +20,24 @@ namespace signorini {
 namespace {
 
 constexpr std::size_t maxMembers = 16;
-constexpr std::int64_t maxNodes = 201;
-constexpr std::int64_t maxInstants = 401;
+constexpr std::int64_t nodesOfMember = 201;
+constexpr std::int64_t instantsOfMember = 401;
 
 /// The dashes of the first, the middle and the last member, in every panel.
 constexpr std::array dashes{"dt solid", "dt (6,3)", "dt (2,2)"};
 constexpr std::array dashNames{"solid", "dashed", "dotted"};
 
 /// Points to stack, evenly, and the places among them of those drawn in full.
-struct Choice {
+struct ShownMembers {
     std::vector<std::size_t> members;
     std::vector<std::size_t> full;
 };
 
-Choice choose(const Continuum& curve)
+ShownMembers choose(const Continuum& curve)
 {
     const std::size_t last = curve.points.size() - 1;
     const std::size_t gaps = std::min(last, maxMembers - 1);
-    Choice choice;
+    ShownMembers choice;
     for (std::size_t k = 0; k <= gaps; ++k) {
         choice.members.push_back(gaps == 0 ? 0 : k * last / gaps);
     }
@@ -88,7 +88,7 @@ std::vector<double> values(const Eigen::VectorXd& vector)
     return {vector.begin(), vector.end()};
 }
 
-std::vector<Stack> stacksOf(const Continuum& curve, const Choice& choice)
+std::vector<Stack> stacksOf(const Continuum& curve, const ShownMembers& choice)
 {
     const Scales unit = scales(curve.bar);
     const auto cells = static_cast<double>(curve.schedule.cells);
@@ -159,7 +159,7 @@ const char* unitOf(Parameter parameter)
 }
 
 /// The members stacked upwards by lambda, those drawn in full in black.
-void plotStack(Text& script, const Stack& stack, const Choice& choice)
+void plotStack(Text& script, const Stack& stack, const ShownMembers& choice)
 {
     print(script, "plot ");
     for (std::size_t k = choice.members.size(); k-- > 0;) {
@@ -177,7 +177,7 @@ void plotStack(Text& script, const Stack& stack, const Choice& choice)
 }
 
 /// The paper's Fig. 2, and the force that tells orbits apart: it is the same at every start.
-void printStacks(Text& script, const Continuum& curve, const Choice& choice)
+void printStacks(Text& script, const Continuum& curve, const ShownMembers& choice)
 {
     const std::vector<Stack> stacks = stacksOf(curve, choice);
     const double low = curve.points.front().lambda;
@@ -220,8 +220,8 @@ std::pair<double, double> printField(Text& script, const Motion& motion, std::si
     const auto cells = static_cast<double>(motion.cells());
     std::pair<double, double> range{0.0, 0.0};
     print(script, "$field{} << EOD\n", number);
-    for (const std::int64_t m : evenly(motion.steps(), maxInstants)) {
-        for (const std::int64_t i : evenly(motion.cells(), maxNodes)) {
+    for (const std::int64_t m : evenly(motion.steps(), instantsOfMember)) {
+        for (const std::int64_t i : evenly(motion.cells(), nodesOfMember)) {
             const double u = motion.displacement(i, m);
             range = {std::min(range.first, u), std::max(range.second, u)};
             print(script, "{:.7g} {:.7g} {:.5g}\n", static_cast<double>(i) / cells * length,
@@ -233,7 +233,7 @@ std::pair<double, double> printField(Text& script, const Motion& motion, std::si
 }
 
 /// The paper's Fig. 3, for the members drawn in full above.
-void printMotions(Text& script, const Continuum& curve, const Choice& choice)
+void printMotions(Text& script, const Continuum& curve, const ShownMembers& choice)
 {
     const Scales scale = scales(curve.bar);
     const Unit metre = unitFor(curve.bar.length, "m");
@@ -284,7 +284,7 @@ void drawContinuum(const Continuum& curve, FigureFormat format, const std::strin
     if (curve.points.empty()) {
         throw std::invalid_argument("figure: the curve holds no motion to draw");
     }
-    const Choice choice = choose(curve);
+    const ShownMembers choice = choose(curve);
     Text script;
     print(script,
           "set multiplot\nset label 1 \"{}   ω/ω_1 = {:.5g}   E/E_1 = {:.5g}   {}, {} motions\" at "

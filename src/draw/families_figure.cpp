@@ -22,12 +22,12 @@ constexpr std::int64_t maxLabelledOrder = 16;
 constexpr std::int64_t maxDrawnOrder = 120;
 constexpr int pointsPerRung = 60;
 
-constexpr double height = 14.0;       ///< [cm], of the figure
-constexpr double bandsTop = 12.8;     ///< [cm]
-constexpr double bandsHeight = 11.4;  ///< [cm], of all panels with the gaps between them
-constexpr double bandGap = 0.3;       ///< [cm]
-constexpr double cellHeight = 0.72;   ///< [cm], two lines
-constexpr double nameHeight = 0.5;    ///< [cm], of a mode
+constexpr double figureHeight = 14.0;  ///< [cm], of the figure
+constexpr double bandsTop = 12.8;      ///< [cm]
+constexpr double bandsHeight = 11.4;   ///< [cm], of all panels with the gaps between them
+constexpr double bandGap = 0.3;        ///< [cm]
+constexpr double cellHeight = 0.72;    ///< [cm], two lines
+constexpr double nameHeight = 0.5;     ///< [cm], of a mode
 constexpr std::size_t maxNamedModes = 9;
 constexpr double longestGap = 0.3;   ///< [L/c], without a family in a panel
 constexpr double bandMargin = 0.09;  ///< [L/c]
@@ -200,7 +200,7 @@ void printCells(Text& script, std::span<const Cell> cells, const Frame& frame)
 /// Axes that all panels share, the words above and the scale of energies.
 void printAxes(Text& script, const Frame& frame, std::int64_t lastOrder, std::size_t count)
 {
-    const double bottom = (bandsTop - bandsHeight) / height;
+    const double bottom = (bandsTop - bandsHeight) / figureHeight;
     const bool isLabelled = lastOrder <= maxLabelledOrder;
     print(script,
           "set multiplot\nset border 10 lw 0.8\nset tics out nomirror scale 0.6\n"
@@ -218,7 +218,7 @@ void printAxes(Text& script, const Frame& frame, std::int64_t lastOrder, std::si
           frame.left, frame.right, niceStep(0.6 / frame.centimetres), palette::faint, count,
           lastOrder, isLabelled ? ", ν,k (or k below ν)" : "",
           palette::sequential(isLabelled ? palette::sequence.size() : palette::onPaper),
-          frame.energy, bottom, bandsHeight / height);
+          frame.energy, bottom, bandsHeight / figureHeight);
     if (lastOrder <= 2 * maxLabelledOrder) {
         print(script, "set xtics 1\n");
     }
@@ -274,7 +274,7 @@ std::string scriptFor(std::span<const Family> families, std::int64_t maxOrder)
         }
         print(script,
               "set tmargin at screen {:.6g}\nset bmargin at screen {:.6g}\nset yrange [{}:{}]\n",
-              top / height, bottom / height, band.low, band.high);
+              top / figureHeight, bottom / figureHeight, band.low, band.high);
         plotBand(script, cells.empty(), lastOrder);
         print(script, "unset label\nunset colorbox\n");
         top = bottom - bandGap;
@@ -288,7 +288,7 @@ std::string scriptFor(std::span<const Family> families, std::int64_t maxOrder)
 void drawFamilies(std::span<const Family> families, std::int64_t maxOrder, FigureFormat format,
                   const std::string& path)
 {
-    runGnuplot(scriptFor(families, maxOrder), format, 18.0, height, path);
+    runGnuplot(scriptFor(families, maxOrder), format, 18.0, figureHeight, path);
 }
 
 }  // namespace signorini

@@ -21,8 +21,6 @@ namespace signorini {
 
 namespace {
 
-constexpr std::int64_t maxNodes = 301;
-constexpr std::int64_t maxInstants = 701;
 constexpr std::int64_t maxTipInstants = 4001;
 
 /// From dimensionless numbers to those on an axis.

@@ -58,7 +58,7 @@ struct Shade {
 
 constexpr std::array<Shade, palette::fading.size()> shades{
     {{4, 4.0}, {6, 3.0}, {9, 2.2}, {15, 1.3}, {30, 0.9}, {maxFamilyOrder, 0.6}}};
-constexpr std::int64_t maxNamedOrder = 7;
+constexpr std::int64_t maxNamedFamily = 7;
 
 const Style& styleOf(const Mode& mode)
 {
@@ -95,12 +95,12 @@ void validate(std::span<const EnergyBar> bars, const FrequencyEnergyOptions& opt
 }
 
 /// The part of the plane that is drawn.
-struct Frame {
+struct Extent {
     double left = 0.9;
     double right = 1.5;
     double top = 50.0;
 
-    Frame(const FrequencyEnergyPlot& plot, const FrequencyEnergyOptions& options)
+    Extent(const FrequencyEnergyPlot& plot, const FrequencyEnergyOptions& options)
         : top(options.maxEnergyRatio)
     {
         double last = 1.4;
@@ -119,7 +119,7 @@ struct Frame {
 };
 
 /// The curve in the frame, from its highest to its lowest period. Evenly in the logarithm of E.
-void printCurve(Text& script, const Mode& mode, const Frame& frame, std::size_t points)
+void printCurve(Text& script, const Mode& mode, const Extent& frame, std::size_t points)
 {
     const auto root = [&mode](const ExactPeriod& end) {
         return static_cast<double>(mode.kappa * end.numerator - mode.mu * end.denominator) /
@@ -139,7 +139,7 @@ void printCurve(Text& script, const Mode& mode, const Frame& frame, std::size_t 
 
 /// The modes of each style, and the points where modes leave linear motions, with labels for the
 /// whole plot and for the detail, each where the other has none.
-void printModes(Text& script, std::span<const Mode> modes, const Frame& frame)
+void printModes(Text& script, std::span<const Mode> modes, const Extent& frame)
 {
     // Where curves crowd, those without a name of their own get fewer points.
     const std::size_t few =
@@ -172,7 +172,7 @@ void printModes(Text& script, std::span<const Mode> modes, const Frame& frame)
 }
 
 /// The bars of one kind, those of one column that overlap made one.
-void printBars(Text& script, std::span<const EnergyBar> bars, Contact contact, const Frame& frame)
+void printBars(Text& script, std::span<const EnergyBar> bars, Contact contact, const Extent& frame)
 {
     struct Stroke {
         double column;
@@ -204,7 +204,7 @@ void printBars(Text& script, std::span<const EnergyBar> bars, Contact contact, c
 }
 
 /// Half-lines in the shade of their order, names of the first ones, and dots.
-void printFamilies(Text& script, const FrequencyEnergyPlot& plot, const Frame& frame)
+void printFamilies(Text& script, const FrequencyEnergyPlot& plot, const Extent& frame)
 {
     const auto foot = [&frame](const Family& family) -> std::optional<std::pair<double, double>> {
         const double energy = leastEnergy(family).value();
@@ -229,7 +229,7 @@ void printFamilies(Text& script, const FrequencyEnergyPlot& plot, const Frame& f
     print(script, "$names << EOD\n");
     for (const Family& family : plot.families) {
         const auto at = foot(family);
-        if (at && family.order <= maxNamedOrder && at->second < 0.8 * frame.top) {
+        if (at && family.order <= maxNamedFamily && at->second < 0.8 * frame.top) {
             print(script, "{:.7g} {:.6g} \"{{/*0.8 ({}, {}, {})}}\"\n", at->first, at->second,
                   family.order, family.blocks, family.contactBlocks);
         }
@@ -325,7 +325,7 @@ void printPlot(Text& script, const FrequencyEnergyPlot& plot, int labelColumn)
 
 std::string scriptFor(const FrequencyEnergyPlot& plot, const FrequencyEnergyOptions& options)
 {
-    const Frame frame(plot, options);
+    const Extent frame(plot, options);
     Text script;
     print(script, "$paper << EOD\n{} 20\nEOD\n", 8.0 / 7.0);
     printModes(script, plot.modes, frame);

@@ -61,7 +61,7 @@ public:
 
 private:
     /// Leaves the file as it is read: from its beginning.
-    void write(std::string_view rest)
+    void write(std::string_view rest) const
     {
         while (!rest.empty()) {
             const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
@@ -125,6 +125,7 @@ int spawn(std::vector<std::string> words, const NamelessFile& input, const Namel
     posix_spawn_file_actions_adddup2(&actions, output.descriptor(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, messages.descriptor(), STDERR_FILENO);
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) {
         arguments.push_back(word.data());
     }

@@ -25,4 +25,8 @@ inline constexpr const char* offThePlot = "-1e9 1 \"\"\n";
 /// 0, k, 2k, ... <= last, at most about `most`: an even grid, as an image needs it.
 [[nodiscard]] std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most);
 
+/// What print shows of a motion over one figure: so many nodes and instants, at the most.
+inline constexpr std::int64_t maxNodes = 301;
+inline constexpr std::int64_t maxInstants = 701;
+
 }  // namespace signorini

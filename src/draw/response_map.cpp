@@ -28,7 +28,7 @@ constexpr std::array<Count, most + 1> counts{{{"none", "#ffffff"},
                                               {"more", palette::fading[1]}}};
 
 /// Between two amplitudes the same number of motions.
-struct Band {
+struct CountedBand {
     double from;
     double to;
     std::size_t count;
@@ -50,7 +50,8 @@ double edgeOfMotions(const FrequencyResponse& response)
     return least;
 }
 
-std::vector<Band> bandsOf(const FrequencyResponse& response, const ResponseRange& range, double top)
+std::vector<CountedBand> bandsOf(const FrequencyResponse& response, const ResponseRange& range,
+                                 double top)
 {
     // Where a motion begins or ends, by amplitude.
     std::vector<std::pair<double, int>> events{{0.0, 1}, {edgeOfContact(response, range), -1}};
@@ -59,7 +60,7 @@ std::vector<Band> bandsOf(const FrequencyResponse& response, const ResponseRange
         events.emplace_back(branch.most, -1);
     }
     std::sort(events.begin(), events.end());
-    std::vector<Band> bands;
+    std::vector<CountedBand> bands;
     int present = 0;
     double from = 0.0;
     for (const auto& [amplitude, change] : events) {
@@ -96,7 +97,7 @@ void drawResponseMap(std::span<const FrequencyResponse> frequencies, const Respo
         const double left = k > 0 ? 0.5 * (x + frequencies[k - 1].frequencyRatio) : x;
         const double right =
             k + 1 < frequencies.size() ? 0.5 * (x + frequencies[k + 1].frequencyRatio) : x;
-        for (const Band& band : bandsOf(response, range, top)) {
+        for (const CountedBand& band : bandsOf(response, range, top)) {
             print(boxes[band.count], "{:.8g} 0 {:.8g} {:.8g} {:.6g} {:.6g}\n", x,
                   std::min(left, right), std::max(left, right), band.from, band.to);
             isUsed[band.count] = true;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -102,8 +103,8 @@ void drawSimulation(const BarSimulation& simulation, const Excitation& excitatio
                                                        excitation.stepsPerCrossing
                                                  : shownTime / shownPeriods;
     const double shown = std::min(end, shownPeriods * period);
-    const Window windows[] = {{0.0, shown}, {end - shown, end}};
-    const char* const names[] = {"first", "last"};
+    const std::array<Window, 2> windows{{{0.0, shown}, {end - shown, end}}};
+    const std::array names{"first", "last"};
     Text script;
     const Stops& stops = simulation.stops();
     const double wall = stops.right;

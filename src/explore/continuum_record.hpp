@@ -13,7 +13,7 @@ namespace signorini {
 /// Verifies and keeps motions. Part of one call of traceContinuum, whose options it refers to.
 class ContinuumRecord {
 public:
-    ContinuumRecord(const Schedule& schedule, double energyRatio, const ContinuumOptions& options);
+    ContinuumRecord(const Schedule& schedule, double energyRatio, const ContinuumOptions& given);
 
     const ContinuumOptions& options;
     Demands demands;  ///< energy and strain limit, in scaled units

@@ -13,11 +13,11 @@ namespace signorini {
 
 namespace {
 
-constexpr double farAway = 1e6;        // amplitudes beyond count as infinite
-constexpr double roundOff = 1e-14;     // an amplitude that is 0
-constexpr double alike = 1e-9;         // places that differ by less are one
-constexpr std::size_t most = 200;      // corners
-constexpr double missedByMore = 1e-9;  // rows that no rounding misses by as much
+constexpr double farAway = 1e6;           // amplitudes beyond count as infinite
+constexpr double roundOff = 1e-14;        // an amplitude that is 0
+constexpr double alike = 1e-9;            // places that differ by less are one
+constexpr std::size_t mostCorners = 200;  // corners
+constexpr double missedByMore = 1e-9;     // rows that no rounding misses by as much
 
 Plane planeOf(const std::array<double, 2>& place)
 {
@@ -66,7 +66,7 @@ public:
             const Plane edge = to - from;
             const Plane out = (1.0 / sizeOf(edge)) * Plane{edge.s, -edge.c};
             const auto corner = unknowns_.isPlane ? farthest(out) : std::nullopt;
-            if (corner && corners_.size() < most &&
+            if (corner && corners_.size() < mostCorners &&
                 out.dot(planeOf(corner->place) - from) > alike * std::max(1.0, sizeOf(from))) {
                 corners_.insert(corners_.begin() + static_cast<std::ptrdiff_t>(k) + 1, *corner);
             } else {

@@ -10,7 +10,7 @@ namespace signorini {
 
 namespace {
 
-Provenance provenanceOf(const Request& request)
+Provenance closedFormProvenance(const Request& request)
 {
     Provenance how{.route = std::string(closedForm),
                    .reason = "one contact phase: exact, and without iteration",
@@ -86,7 +86,7 @@ std::optional<Claim> closedFormRoute(const Request& request)
     }
     const Stopwatch watch;
     const auto claim = [&](auto&& answer) {
-        Claim made{provenanceOf(request), std::forward<decltype(answer)>(answer)};
+        Claim made{closedFormProvenance(request), std::forward<decltype(answer)>(answer)};
         made.how.solver.seconds = request.known.seconds + watch.seconds();
         return made;
     };

@@ -71,6 +71,7 @@ Rational boundByProjection(const ClassTypes& classes, const std::vector<const Cl
         return 0;
     }
     std::vector<std::int64_t> counts;
+    counts.reserve(live.size());
     for (const ClassType* type : live) {
         counts.push_back(type->count);
     }

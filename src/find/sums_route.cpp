@@ -12,7 +12,7 @@ namespace signorini {
 
 namespace {
 
-Provenance provenanceOf(const Request& request)
+Provenance sumsProvenance(const Request& request)
 {
     Provenance how{.route = "lumped",
                    .leftOut = {"matrices of (27)-(32): steps are signed shifts",
@@ -93,7 +93,7 @@ std::optional<Claim> sumsRoute(const Request& request)
     }
     const Stopwatch watch;
     const auto claim = [&](auto&& answer) {
-        Claim made{provenanceOf(request), std::forward<decltype(answer)>(answer)};
+        Claim made{sumsProvenance(request), std::forward<decltype(answer)>(answer)};
         made.how.solver.seconds = known.seconds + watch.seconds();
         return made;
     };
@@ -132,7 +132,7 @@ std::optional<Claim> heldEnergyRoute(const Request& request)
     if (!state) {
         return std::nullopt;
     }
-    Claim claim{provenanceOf(request), std::move(*state)};
+    Claim claim{sumsProvenance(request), std::move(*state)};
     claim.how.reason +=
         "; a motion of this energy between those of least and most, as the flattest is known for "
         "one "

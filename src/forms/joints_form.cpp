@@ -65,7 +65,7 @@ private:
                              : Term{layout_.between(joint, t, k), 1.0};
     }
 
-    void addLaw(Eigen::Index determined, Row row)
+    void addLaw(Eigen::Index determined, const Row& row)
     {
         // Waves of period n/G may meet themselves: equal columns are one.
         Row merged;

@@ -9,8 +9,8 @@ namespace signorini {
 
 namespace {
 
-constexpr double negligible = 1e-12;  // of U - 1, which has singular values up to 2
-constexpr double significant = 1e-8;  // smaller ones than this leave the rank open
+constexpr double negligiblePivot = 1e-12;  // of U - 1, which has singular values up to 2
+constexpr double significant = 1e-8;       // smaller ones than this leave the rank open
 
 /// The waves of one type over n/G turns and a state, as functions of the state: one row for each
 /// r^j_k, k < turns + M_j.
@@ -105,7 +105,7 @@ std::optional<Eigen::MatrixXd> kernelBasis(const Eigen::MatrixXd& change)
     Eigen::Index rank = size;
     for (Eigen::Index k = 0; k < size; ++k) {
         const double pivot = std::abs(factors.matrixR()(k, k));
-        if (pivot <= negligible) {
+        if (pivot <= negligiblePivot) {
             rank = k;
             break;
         }

@@ -1,20 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
 #include "echo.hpp"
 #include "formulation.hpp"
+#include "infinity.hpp"
 #include "row_list.hpp"
 #include "stops.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Triplet = Eigen::Triplet<double>;
 

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <limits>
 
 #include "builders.hpp"
 #include "equations.hpp"
+#include "infinity.hpp"
 #include "row_list.hpp"
 #include "stops.hpp"
 
@@ -27,8 +27,6 @@ Row scaled(Row row, double factor)
     return row;
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 }  // namespace
 
 Formulated stateForm(const Schedule& schedule, double depth)
@@ -48,7 +46,8 @@ Formulated stateForm(const Schedule& schedule, double depth)
     // y counts in units that make the way between two stops a whole number.
     const std::int64_t unit = crossing ? crossing->factor : 1;
     const auto inUnits = [unit](const WaveSum& sum) {
-        return static_cast<double>(unit / sum.factor * sum.rhs);
+        const std::int64_t units = unit / sum.factor;  // a whole number of them
+        return static_cast<double>(units * sum.rhs);
     };
 
     RowList equal;

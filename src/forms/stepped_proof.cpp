@@ -11,7 +11,7 @@ namespace signorini {
 
 namespace {
 
-constexpr double negligible = 1e-9;  // of the largest multiplier
+constexpr double negligibleMultiplier = 1e-9;  // of the largest multiplier
 
 /// Conditions with a multiplier: of inequalities, and of bounds of prefix sums.
 std::vector<SteppedCondition> conflictOf(const SteppedProgram& posed, const SolverResult& answer)
@@ -23,7 +23,7 @@ std::vector<SteppedCondition> conflictOf(const SteppedProgram& posed, const Solv
                                  mu.size() > 0 ? mu.lpNorm<Eigen::Infinity>() : 0.0);
     std::vector<SteppedCondition> conflict;
     for (Eigen::Index k = 0; k < mu.size(); ++k) {
-        if (mu[k] > negligible * size) {
+        if (mu[k] > negligibleMultiplier * size) {
             conflict.push_back(posed.conditions[static_cast<std::size_t>(k)]);
         }
     }
@@ -31,7 +31,7 @@ std::vector<SteppedCondition> conflictOf(const SteppedProgram& posed, const Solv
         program.equalities.transpose() * y + program.inequalities.transpose() * mu;
     for (const auto& [unknown, block] : posed.prefixes) {
         const bool isFixed = program.lower[unknown] == program.upper[unknown];
-        if (!isFixed && std::abs(combined[unknown]) > negligible * size) {
+        if (!isFixed && std::abs(combined[unknown]) > negligibleMultiplier * size) {
             conflict.push_back({block, combined[unknown] > 0.0});
         }
     }

@@ -11,14 +11,14 @@ namespace signorini {
 namespace {
 
 /// Roundings of 1/rho that count as the whole number next to it.
-constexpr double rounding = 1e-12;
+constexpr double roundingOfSquares = 1e-12;
 
 double checkedRatio(const AmplitudeSet& set, double squares)
 {
     const double least = leastSquares(set);
     const double most = mostSquares(set);
-    if (set.count == 0 ||
-        !(squares >= least * (1.0 - rounding) && squares <= most * (1.0 + rounding))) {
+    if (set.count == 0 || !(squares >= least * (1.0 - roundingOfSquares) &&
+                            squares <= most * (1.0 + roundingOfSquares))) {
         throw std::invalid_argument(fmt::format(
             "sum of squares = {} is out of range: allowed {}..{}", squares, least, most));
     }
@@ -31,7 +31,7 @@ void fillSimplex(std::vector<double>& shares, double ratio)
     const auto count = static_cast<double>(shares.size());
     const double inverse = std::min(1.0 / ratio, count);
     const double whole = std::round(inverse);
-    const bool isWhole = std::abs(inverse - whole) <= rounding * inverse;
+    const bool isWhole = std::abs(inverse - whole) <= roundingOfSquares * inverse;
     const double m = isWhole ? whole : std::floor(inverse);
     const double most =
         isWhole ? 1.0 / m
@@ -67,8 +67,8 @@ std::vector<double> flattestSteps(std::int64_t count, double ratio)
     // Steps up less steps down, of d - 1: the whole number next to 1/size that has their parity.
     const std::int64_t least = count % 2 == 0 ? 1 : 2;
     const double pairs = (std::sqrt(d / ratio) - static_cast<double>(least)) / 2.0;
-    const std::int64_t net =
-        std::min(count - 1, least + 2 * std::max<std::int64_t>(0, std::llround(pairs + rounding)));
+    const std::int64_t net = std::min(
+        count - 1, least + 2 * std::max<std::int64_t>(0, std::llround(pairs + roundingOfSquares)));
     const auto j = static_cast<double>(net);
     const double square = d - 1.0 + j * j;
     const double size =

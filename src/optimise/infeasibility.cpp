@@ -145,6 +145,7 @@ struct Weighted {
 std::vector<Weighted> weighted(const std::vector<Multiplier>& multipliers)
 {
     std::vector<Weighted> rows;
+    rows.reserve(multipliers.size());
     for (const Multiplier& m : multipliers) {
         rows.push_back({m.row, Rational(m.value)});
     }
@@ -154,6 +155,7 @@ std::vector<Weighted> weighted(const std::vector<Multiplier>& multipliers)
 std::vector<Weighted> weighted(const std::vector<RationalMultiplier>& multipliers)
 {
     std::vector<Weighted> rows;
+    rows.reserve(multipliers.size());
     for (const RationalMultiplier& m : multipliers) {
         rows.push_back({m.row, Rational(m.value)});
     }

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "faults.hpp"
+#include "infinity.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 

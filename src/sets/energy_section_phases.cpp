@@ -13,11 +13,6 @@ namespace signorini {
 
 namespace {
 
-double squaresOf(const std::vector<double>& values)
-{
-    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
-
 class Phases final : public EnergySection {
 public:
     Phases(LumpedSet set, double energyRatio)
@@ -203,8 +198,8 @@ private:
         Place place;
         std::vector<double> sums;
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            const auto first = z.data() + typeOf(t).first;
-            const auto last = first + typeOf(t).count;
+            const auto* const first = z.data() + typeOf(t).first;
+            const auto* const last = first + typeOf(t).count;
             sums.push_back(std::accumulate(first, last, 0.0));
             place.classes.push_back(std::max_element(first, last) - first);
         }

@@ -1,6 +1,8 @@
 #include "forced_line.hpp"
+#include "infinity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -14,8 +16,6 @@ namespace {
 constexpr double farAway = 1e9;
 // Rows that are 0 but for rounding, relative to the largest.
 constexpr double roundOff = 3e-13;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 double size(Plane x)
 {
     return std::abs(x.c) + std::abs(x.s);
@@ -274,7 +274,7 @@ Plane ForcedWaves::tip(std::int64_t m) const
         left -= end - at;
         // Four sums at a time: each alone waits for its last addition.
         const Plane* p = p_.data();
-        Plane others[3];
+        std::array<Plane, 3> others{};
         for (; at + 4 <= end; at += 4) {
             sum = sum + p[at];
             others[0] = others[0] + p[at + 1];
@@ -311,9 +311,9 @@ template <typename Begin, typename Visit>
 bool ForcedWaves::forEachFlight(Begin begin, Visit visit) const
 {
     std::int64_t m = 0;
-    for (std::size_t k = 0; k < phases_.size(); ++k) {
-        m += phases_[k].contact;
-        const std::int64_t end = m + phases_[k].free;
+    for (const Phase& phase : phases_) {
+        m += phase.contact;
+        const std::int64_t end = m + phase.free;
         begin();
         Plane prefix;
         for (; m < end && m + 1 < steps_; ++m) {

@@ -5,6 +5,7 @@
 #include "double_description.hpp"
 #include "echo.hpp"
 #include "exact_projection.hpp"
+#include "infinity.hpp"
 #include "lumped_rows.hpp"
 #include "signorini/amplitude_set.hpp"
 #include "signorini/lumped_set.hpp"
@@ -14,7 +15,6 @@ namespace signorini {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t maxRays = 512;
 constexpr std::size_t maxTypesForVertices = 12;
 

@@ -91,7 +91,7 @@ private:
 
     /// -win: 2 is the first jump of chain 0 and whole periods, over which epsilon sums to all
     /// contact.
-    LinearForm window() const
+    [[nodiscard]] LinearForm window() const
     {
         LinearForm sum = constant(chains_.size(), 0);
         LinearForm before = sum;

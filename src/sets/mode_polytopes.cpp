@@ -65,6 +65,7 @@ public:
         std::sort(placed.begin(), placed.end(),
                   [](const auto& l, const auto& r) { return l.first < r.first; });
         std::vector<ChainJump> result;
+        result.reserve(placed.size());
         for (const auto& [step, jump] : placed) {
             result.push_back(jump);
         }

@@ -135,9 +135,9 @@ private:
     }
 
     /// The least and the most whole periods before a jump. \pre T > 0 on the cone.
-    [[nodiscard]] std::pair<std::int64_t, std::int64_t> turnsOf(const PolyhedralCone& cone,
-                                                                std::size_t chain,
-                                                                std::int64_t k) const
+    [[nodiscard]] static std::pair<std::int64_t, std::int64_t> turnsOf(const PolyhedralCone& cone,
+                                                                       std::size_t chain,
+                                                                       std::int64_t k)
     {
         std::int64_t least = std::numeric_limits<std::int64_t>::max();
         std::int64_t most = 0;

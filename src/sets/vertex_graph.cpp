@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::size_t outside = std::numeric_limits<std::size_t>::max();
 
-double squaresOf(const std::vector<double>& values)
-{
-    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
-
 /// The least |x|^2 on the segment between two points.
 double leastBetween(const std::vector<double>& from, const std::vector<double>& to)
 {

@@ -12,7 +12,7 @@ namespace signorini {
 namespace {
 
 /// How often a waiting consumer asks whether it is cancelled.
-constexpr std::chrono::milliseconds pause{20};
+constexpr std::chrono::milliseconds pauseBetweenLooks{20};
 
 }  // namespace
 
@@ -116,7 +116,7 @@ std::optional<AtlasBatch> LocalBatches::next()
         return std::nullopt;
     }
     while (!isRequested(cancel_) && !isReady()) {
-        changed_.wait_for(lock, pause);
+        changed_.wait_for(lock, pauseBetweenLooks);
     }
     if (isRequested(cancel_)) {
         return std::nullopt;

@@ -14,14 +14,13 @@
 #include <system_error>
 #include <vector>
 
+#include "infinity.hpp"
 #include "set_kind_names.hpp"
 #include "verdict_names.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Any value as text; NULL is empty.
 std::string text(const SQLite::Statement& s, int column)

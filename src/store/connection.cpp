@@ -14,7 +14,7 @@ namespace {
 constexpr std::chrono::seconds patienceOfReader{5};
 constexpr std::chrono::seconds patienceOfWriter{60};
 /// Between two looks at a locked database, and at whether to stop.
-constexpr std::chrono::milliseconds pause{10};
+constexpr std::chrono::milliseconds pauseWhileLocked{10};
 
 /// A killed writer leaves a journal that only a connection that may write can roll back. Where the
 /// file is read-only SQLite falls back to reading by itself.
@@ -52,7 +52,7 @@ int Connection::goOn(void* connection, int looks)
     if (isRequested(self.cancel_) || Clock::now() - self.start_ > self.patience_) {
         return 0;
     }
-    std::this_thread::sleep_for(pause);
+    std::this_thread::sleep_for(pauseWhileLocked);
     return 1;
 }
 

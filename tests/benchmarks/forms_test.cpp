@@ -84,11 +84,8 @@ TEST_CASE("forms: every motion of a set fulfils every form, and is read back fro
     CHECK(motions > 20);
 }
 
-TEST_CASE("forms: solvers give every form the verdict of the closed form")
+TEST_CASE("forms: solvers give every form the verdict of the closed form", "[glpk]")
 {
-    if (!findBackend("glpk-simplex").available()) {
-        return;
-    }
     const auto solver = makeSolver("glpk-simplex");
     int found = 0;
     test::forAllSchedules(3, 2, [&](const Schedule& schedule) {
@@ -115,11 +112,8 @@ TEST_CASE("forms: solvers give every form the verdict of the closed form")
     CHECK(found > 10);
 }
 
-TEST_CASE("forms: a strain limit as rows decides as a limit on single waves does")
+TEST_CASE("forms: a strain limit as rows decides as a limit on single waves does", "[glpk]")
 {
-    if (!findBackend("glpk-simplex").available()) {
-        return;
-    }
     const auto solver = makeSolver("glpk-simplex");
     const Schedule schedule{6, {{3, 18}}};
     const double least =

@@ -76,11 +76,8 @@ TEST_CASE("cli: several phases in JSON, decided without a solver library")
     CHECK_THAT(program.run("find 2 3 1 29 --cells 10").out, containsText("without force: 2"));
 }
 
-TEST_CASE("cli: undecided is exit status 3 and says why")
+TEST_CASE("cli: undecided is exit status 3 and says why", "[glpk]")
 {
-    if (!signorini::findBackend("glpk-simplex").available()) {
-        return;
-    }
     const Program program;
     const json r = program.find(
         "1500 12000 --cells 3000 --solver glpk-simplex --formulation state --time-limit 0.001", 3);

@@ -52,12 +52,17 @@ TEST_CASE("cli scenes: two stops, phases that name theirs, mirrored motions reco
     CHECK(std::filesystem::exists(program.file("f.svg")));
     CHECK(program.find("1 4 L:1 4 --cells 4 --second-stop 1e-3", 1)["certificate"]["verified"] ==
           true);
-    CHECK(program.find("1 5 L:1 5 --cells 4 --second-stop 1e-3 --solver glpk-simplex "
-                       "--formulation state",
-                       0)["route"] == "glpk-simplex on the state formulation");
     const auto refused = program.run("find 1 5 L:1 5 --cells 4");
     CHECK(refused.status == 2);
     CHECK_THAT(refused.err, containsText("the stop of phase 2 = left"));
+}
+
+TEST_CASE("cli scenes: a solver that is named decides on two stops, too", "[glpk]")
+{
+    const Program program;
+    CHECK(program.find("1 5 L:1 5 --cells 4 --second-stop 1e-3 --solver glpk-simplex "
+                       "--formulation state",
+                       0)["route"] == "glpk-simplex on the state formulation");
 }
 
 TEST_CASE("cli scenes: commands say which scenes they do not know")

@@ -7,19 +7,11 @@ using namespace signorini::test;
 
 namespace {
 
-bool canDecide()
-{
-    return signorini::findBackend("glpk-simplex").available() &&
-           signorini::findBackend("ipopt").available();
-}
-
 }  // namespace
 
-TEST_CASE("cli stepped: a motion, its segments and its cells, which are those of all segments")
+TEST_CASE("cli stepped: a motion, its segments and its cells, which are those of all segments",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const Program program;
     const json r = program.find("3 25 --segments 4:1,4:1.3", 0);
     CHECK(r["cells"] == 8);
@@ -38,11 +30,9 @@ TEST_CASE("cli stepped: a motion, its segments and its cells, which are those of
     CHECK_THAT(text.out, containsText("of the joints formulation"));
 }
 
-TEST_CASE("cli stepped: speeds make the bar longer or shorter, not the motion another one")
+TEST_CASE("cli stepped: speeds make the bar longer or shorter, not the motion another one",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const Program program;
     const json same = program.find("1 30 --segments 4:1,4:1.3", 0);
     const json fast = program.find("1 30 --segments 4:1,4:1.3:3", 0);
@@ -53,11 +43,8 @@ TEST_CASE("cli stepped: speeds make the bar longer or shorter, not the motion an
     CHECK(fast["energy"].get<double>() == Approx(2.0 * same["energy"].get<double>()));
 }
 
-TEST_CASE("cli stepped: the motion is drawn with its joints, and written")
+TEST_CASE("cli stepped: the motion is drawn with its joints, and written", "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const Program program;
     const auto drawn = program.run(
         "find 3 25 --segments 4:1,4:1.3 --figure m.svg --motion m.csv --state s.csv --quiet");

@@ -297,11 +297,9 @@ TEST_CASE("continuum: programs trace what the geometry traces")
     }
 }
 
-TEST_CASE("continuum: two phases and strain limits are traced by programs, each point verified")
+TEST_CASE("continuum: two phases and strain limits are traced by programs, each point verified",
+          "[ipopt]")
 {
-    if (!findBackend("ipopt").available()) {
-        return;
-    }
     ContinuumOptions options;
     options.points = 15;
     const Schedule two{12, {{2, 38}, {4, 40}}};

@@ -136,11 +136,9 @@ TEST_CASE("claims: an energy beyond the range by less than the tolerance is met,
     }
 }
 
-TEST_CASE("claims: a strain limit within the tolerance is met on every route, beyond it on none")
+TEST_CASE("claims: a strain limit within the tolerance is met on every route, beyond it on none",
+          "[glpk]")
 {
-    if (!has("glpk-simplex")) {
-        return;
-    }
     const Schedule schedule = onePhase(10, 5, 30);  // peak strain 2 g/L
     for (const std::string solver : {"auto", "glpk-simplex"}) {
         for (const Formulation form :

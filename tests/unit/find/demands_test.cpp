@@ -96,11 +96,8 @@ TEST_CASE("demands: a strain limit just met is met, one just missed is proved im
     }
 }
 
-TEST_CASE("demands: the same verdict in state, reduced and lumped unknowns")
+TEST_CASE("demands: the same verdict in state, reduced and lumped unknowns", "[glpk]")
 {
-    if (!has("glpk-simplex")) {
-        return;
-    }
     for (const double limit : {1.9, 2.1}) {
         for (const Formulation form :
              {Formulation::state, Formulation::reduced, Formulation::lumped}) {
@@ -231,11 +228,8 @@ TEST_CASE("demands: the nearest motion to a state far beyond all motions is on t
     }
 }
 
-TEST_CASE("demands: least peak strain and most impulse by linear programs")
+TEST_CASE("demands: least peak strain and most impulse by linear programs", "[glpk]")
 {
-    if (!has("glpk-simplex")) {
-        return;
-    }
     const Schedule schedule = onePhase(30, 15, 90);
     const auto solve = [&](Objective objective, Formulation form) {
         return findPeriodic(
@@ -255,11 +249,8 @@ TEST_CASE("demands: least peak strain and most impulse by linear programs")
     }
 }
 
-TEST_CASE("demands: most energy in closed form, and climbing vertices never exceeds it")
+TEST_CASE("demands: most energy in closed form, and climbing vertices never exceeds it", "[glpk]")
 {
-    if (!has("glpk-simplex")) {
-        return;
-    }
     const Schedule schedule = onePhase(8, 5, 23);
     const PeriodicResult most = findPeriodic(schedule, {.objective = Objective::maxEnergy});
     CHECK(most.motion->energyRatio == Approx(16.0));
@@ -271,11 +262,9 @@ TEST_CASE("demands: most energy in closed form, and climbing vertices never exce
     CHECK_THAT(most.how.reason, containsText("exact"));
 }
 
-TEST_CASE("demands: prescribed parts of the initial state are kept, contradictory ones proved so")
+TEST_CASE("demands: prescribed parts of the initial state are kept, contradictory ones proved so",
+          "[glpk]")
 {
-    if (!has("glpk-simplex")) {
-        return;
-    }
     const Schedule schedule = onePhase(8, 5, 23);
     const OnePhaseSet r = onePhaseSet(schedule);
     std::mt19937_64 generator(2);

@@ -98,12 +98,9 @@ TEST_CASE("findPeriodic: physical units scale the answer and leave E/E_1 alone")
     }
 }
 
-TEST_CASE("findPeriodic: GLPK on the paper's equations agrees on every schedule up to N = 8")
+TEST_CASE("findPeriodic: GLPK on the paper's equations agrees on every schedule up to N = 8",
+          "[glpk]")
 {
-    if (!hasGlpk()) {
-        CHECK_THROWS_AS(findPeriodic(1, 9, 3, {.solver = "glpk-simplex"}), BackendUnavailable);
-        return;
-    }
     int found = 0;
     int total = 0;
     test::forAllSchedules(8, 2, [&](const Schedule& schedule) {
@@ -128,11 +125,8 @@ TEST_CASE("findPeriodic: GLPK on the paper's equations agrees on every schedule 
     CHECK(found > 200);
 }
 
-TEST_CASE("findPeriodic: GLPK finds the paper's case and a motion of two contact phases")
+TEST_CASE("findPeriodic: GLPK finds the paper's case and a motion of two contact phases", "[glpk]")
 {
-    if (!hasGlpk()) {
-        return;
-    }
     const PeriodicResult one =
         findPeriodic(150, 900, 300, {.solver = "glpk-simplex", .formulation = Formulation::state});
     CHECK(one.status == Status::found);
@@ -149,11 +143,8 @@ TEST_CASE("findPeriodic: GLPK finds the paper's case and a motion of two contact
     CHECK(isProof(none));
 }
 
-TEST_CASE("findPeriodic: a limit leaves the question undecided")
+TEST_CASE("findPeriodic: a limit leaves the question undecided", "[glpk]")
 {
-    if (!hasGlpk()) {
-        return;
-    }
     const PeriodicResult result = findPeriodic(
         1500, 12000, 3000,
         {.solver = "glpk-simplex", .formulation = Formulation::state, .timeLimit = 1e-3});

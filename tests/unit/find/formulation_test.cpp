@@ -73,11 +73,9 @@ TEST_CASE("formulation: several phases close one by one")
     CHECK(program.upper[8 + 5] == 0.0);
 }
 
-TEST_CASE("formulation: reduced and lumped unknowns give the same verdict as the paper's own rows")
+TEST_CASE("formulation: reduced and lumped unknowns give the same verdict as the paper's own rows",
+          "[glpk]")
 {
-    if (!findBackend("glpk-simplex").available()) {
-        return;
-    }
     const auto solver = makeSolver("glpk-simplex");
     std::mt19937_64 generator(12);
     int found = 0;
@@ -112,9 +110,6 @@ TEST_CASE("formulation: a motion of least energy known for several phases")
          {Known{{4, {{1, 10}, {1, 14}}}, 16.0}, Known{{4, {{1, 12}, {1, 14}}}, 8.0},
           Known{{4, {{1, 12}, {3, 12}}}, 16.0 / 3.0}, Known{{4, {{1, 13}, {2, 12}}}, 6.0},
           Known{{5, {{1, 1}, {1, 13}}}, 50.0}}) {
-        if (!findBackend("ipopt").available()) {
-            return;
-        }
         const PeriodicResult result = findPeriodic(known.schedule);
         INFO(describe(known.schedule) << " " << result.detail);
         REQUIRE(result.status == Status::found);

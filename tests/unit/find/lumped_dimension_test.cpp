@@ -11,7 +11,6 @@
 
 using namespace signorini;
 using test::feasibleSchedule;
-using test::hasSolver;
 
 namespace {
 
@@ -111,11 +110,8 @@ private:
 
 }  // namespace
 
-TEST_CASE("lumped set: the dimension is that of brute force in class amplitudes")
+TEST_CASE("lumped set: the dimension is that of brute force in class amplitudes", "[glpk]")
 {
-    if (!hasSolver("glpk-simplex")) {
-        return;
-    }
     std::mt19937_64 generator(31);
     int varying = 0;
     for (int trial = 0; trial < 2500; ++trial) {

@@ -78,11 +78,8 @@ TEST_CASE("lumped set: one phase gives the closed form's verdict, set and energi
     CHECK(found > 200);
 }
 
-TEST_CASE("lumped set: 24,000 random schedules agree with an LP on the paper's own rows")
+TEST_CASE("lumped set: 24,000 random schedules agree with an LP on the paper's own rows", "[glpk]")
 {
-    if (!hasSolver("glpk-simplex")) {
-        return;
-    }
     const auto solver = makeSolver("glpk-simplex");
     std::mt19937_64 generator(2026);
     int found = 0;
@@ -131,11 +128,8 @@ TEST_CASE("lumped set: known points of two phases, pressing in each")
     }
 }
 
-TEST_CASE("lumped set: the least energy is that of a quadratic program")
+TEST_CASE("lumped set: the least energy is that of a quadratic program", "[ipopt]")
 {
-    if (!hasSolver("ipopt")) {
-        return;
-    }
     const auto solver = makeSolver("ipopt");
     std::mt19937_64 generator(8);
     for (int trial = 0; trial < 200; ++trial) {

@@ -233,11 +233,9 @@ TEST_CASE("nearest: several phases, the minimum of the quadratic program found b
     CHECK(compared >= 12);
 }
 
-TEST_CASE("nearest: within a strain limit a solver's motion is off by no more than it says")
+TEST_CASE("nearest: within a strain limit a solver's motion is off by no more than it says",
+          "[glpk][ipopt]")
 {
-    if (!findBackend("ipopt").available() || !findBackend("glpk-simplex").available()) {
-        return;
-    }
     int compared = 0;
     for (const Schedule& schedule : {onePhase(2, 1, 7), onePhase(4, 1, 14), onePhase(8, 5, 23)}) {
         const double least = findPeriodic(schedule).motion->physical.peakCompression / 1e-3;

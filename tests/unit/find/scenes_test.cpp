@@ -133,7 +133,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("scenes: the linear programs of all formulations agree with the exact sets")
+TEST_CASE("scenes: the linear programs of all formulations agree with the exact sets", "[glpk]")
 {
     const auto& [name, scene] = GENERATE(values<std::pair<const char*, Scene>>(
         {{"gap < 0", pressed},
@@ -160,7 +160,7 @@ TEST_CASE("scenes: the linear programs of all formulations agree with the exact 
     }
 }
 
-TEST_CASE("scenes: least energies are those of a quadratic program")
+TEST_CASE("scenes: least energies are those of a quadratic program", "[ipopt]")
 {
     const Scene scene = GENERATE(values<Scene>({pressed, between, Scene(Bar{}, 1.7e-3)}));
     std::mt19937_64 generator(19);

@@ -13,13 +13,6 @@ extern "C" {
 #include <cddlib/cdd.h>
 }
 
-/// cddlib keeps some numbers of GMP for itself: no leak of ours.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions()
-{
-    return "leak:__gmp_default_allocate\n";
-}
-
 namespace signorini::test {
 
 namespace {
@@ -129,7 +122,8 @@ bool isFeasible(const std::vector<Row>& rows, std::size_t unknowns)
         void operator()(dd_MatrixType* matrix) const { dd_FreeMatrix(matrix); }
         void operator()(dd_LPType* program) const { dd_FreeLPData(program); }
     };
-    dd_set_global_constants();
+    // It makes its constants anew at each call and forgets the old ones.
+    [[maybe_unused]] static const bool isReady = (dd_set_global_constants(), true);
     const std::unique_ptr<dd_MatrixType, Delete> matrix(dd_CreateMatrix(
         static_cast<dd_rowrange>(rows.size()), static_cast<dd_colrange>(unknowns) + 1));
     matrix->representation = dd_Inequality;

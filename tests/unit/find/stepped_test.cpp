@@ -25,12 +25,6 @@ FindOptions optionsFor(const std::vector<Segment>& segments,
     return options;
 }
 
-/// Is what decides and what minimises in this build?
-bool canDecide()
-{
-    return findBackend("glpk-simplex").available() && findBackend("ipopt").available();
-}
-
 std::int64_t cellsOf(const std::vector<ExactSegment>& parts)
 {
     std::int64_t cells = 0;
@@ -119,11 +113,9 @@ void compareWithOracle(int count, unsigned seed)
 
 }  // namespace
 
-TEST_CASE("stepped: of two halves with impedances 1 and 1.3, forty schedules exist")
+TEST_CASE("stepped: of two halves with impedances 1 and 1.3, forty schedules exist",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
     int found = 0;
     for (std::int64_t contact = 1; contact < 16; ++contact) {
@@ -151,11 +143,9 @@ TEST_CASE("stepped: of two halves with impedances 1 and 1.3, forty schedules exi
     CHECK(isolated.motion->energyRatio == Approx(9.15).margin(0.005));
 }
 
-TEST_CASE("stepped: equal impedances give the verdicts, kernels and energies of the closed form")
+TEST_CASE("stepped: equal impedances give the verdicts, kernels and energies of the closed form",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     for (const auto& [left, right] : {std::pair<std::int64_t, std::int64_t>{1, 1},
                                       {1, 2},
                                       {2, 2},
@@ -205,19 +195,14 @@ TEST_CASE("stepped: equal segments without a formulation of their own are one ba
                       containsText("cells of all segments = 300"));
 }
 
-TEST_CASE("stepped: random schedules of random bars are decided as exact linear programming does")
+TEST_CASE("stepped: random schedules of random bars are decided as exact linear programming does",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     compareWithOracle(120, 20);
 }
 
-TEST_CASE("stepped: ten thousand of them", "[.slow]")
+TEST_CASE("stepped: ten thousand of them", "[.slow][glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     compareWithOracle(10'000, 21);
 }
 
@@ -276,11 +261,8 @@ TEST_CASE("stepped: the march and the step that finds motions move the same wave
     }
 }
 
-TEST_CASE("stepped: two back ends and two forms agree on the least energy")
+TEST_CASE("stepped: two back ends and two forms agree on the least energy", "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const std::vector<Segment> parts{
         {.cells = 3}, {.cells = 1, .impedance = 0.2}, {.cells = 4, .impedance = 1.7}};
     int found = 0;
@@ -310,7 +292,8 @@ TEST_CASE("stepped: two back ends and two forms agree on the least energy")
 }
 
 TEST_CASE(
-    "stepped: an energy is held, a tip floor kept, and the most impulse is at least the least")
+    "stepped: an energy is held, a tip floor kept, and the most impulse is at least the least",
+    "[glpk][ipopt]")
 {
     const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
     FindOptions options = optionsFor(halves);
@@ -341,11 +324,8 @@ TEST_CASE(
     CHECK(isProof(none));
 }
 
-TEST_CASE("stepped: a tampered proof is none, and neither is one for another bar")
+TEST_CASE("stepped: a tampered proof is none, and neither is one for another bar", "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
     PeriodicResult none = findPeriodic(3, 12, 8, optionsFor(halves));
     REQUIRE(none.status == Status::none);
@@ -366,11 +346,8 @@ TEST_CASE("stepped: a tampered proof is none, and neither is one for another bar
     CHECK_FALSE(isProof(other));
 }
 
-TEST_CASE("stepped: fine grids cost what their steps have in common")
+TEST_CASE("stepped: fine grids cost what their steps have in common", "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const std::vector<Segment> parts{{.cells = 150}, {.cells = 150, .impedance = 1.3}};
     const std::vector<Segment> coarse{{.cells = 1}, {.cells = 1, .impedance = 1.3}};
     const PeriodicResult fine = findPeriodic(150, 900, 300, optionsFor(parts));

@@ -57,11 +57,8 @@ TEST_CASE("infeasibility: an infinite bound that the combination needs is no pro
     CHECK_FALSE(isProof(InfeasibilityProof{{{0, 1}}, {{0, 1}}}, program));
 }
 
-TEST_CASE("infeasibility: proofs are found from the duals of an elastic program")
+TEST_CASE("infeasibility: proofs are found from the duals of an elastic program", "[glpk]")
 {
-    if (!findBackend("glpk-simplex").available()) {
-        return;
-    }
     const auto solver = makeSolver("glpk-simplex");
     const auto proof = proveInfeasible(impossible(), *solver);
     REQUIRE(proof);
@@ -81,11 +78,9 @@ TEST_CASE("infeasibility: bounds that contradict a single row are found without 
     CHECK(isProof(*proof, program));
 }
 
-TEST_CASE("infeasibility: every absence of one-phase motions up to N = 5 is proved in each form")
+TEST_CASE("infeasibility: every absence of one-phase motions up to N = 5 is proved in each form",
+          "[glpk]")
 {
-    if (!findBackend("glpk-simplex").available()) {
-        return;
-    }
     const auto solver = makeSolver("glpk-simplex");
     test::forAllSchedules(5, 2, [&](const Schedule& schedule) {
         if (!onePhaseSet(schedule).reason) {
