@@ -6,7 +6,7 @@ export default defineConfig({
   timeout: 180_000,
   expect: { timeout: 30_000 },
   workers: 1,
-  reporter: 'line',
+  reporter: 'dot',
   outputDir: '../build/web-tests',
   use: {
     viewport: { width: 1280, height: 900 },

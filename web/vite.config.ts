@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { gzipSync } from 'node:zlib';
 import { defineConfig, type Plugin } from 'vite';
 
-const core = process.env.SIGNORINI_WEB_CORE ?? '../build/web-core/bin';
+const core = process.env.SIGNORINI_WEB_CORE ?? '../build/emscripten/bin';
 const palette = new URL('../src/draw/palette.hpp', import.meta.url);
 
 /** The colours of src/draw/palette.hpp, which is the one place that knows them. */
@@ -77,6 +77,7 @@ export default defineConfig({
     target: 'es2022',
     modulePreload: false,
     rollupOptions: {
+      checks: { pluginTimings: false },
       output: { format: 'iife', entryFileNames: 'explorer.js', assetFileNames: 'explorer[extname]' },
     },
   },

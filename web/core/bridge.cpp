@@ -15,7 +15,8 @@ const std::map<std::string, Reply (*)(const Request&)>& views()
     static const std::map<std::string, Reply (*)(const Request&)> table{
         {"schedule", showSchedule},     {"mode", showMode}, {"forced", showForced},
         {"simulation", showSimulation}, {"map", showMap},   {"family", showFamily},
-        {"response", showResponse},     {"file", download},
+        {"response", showResponse},     {"file", download}, {"polygons", showPolygons},
+        {"polygon", showPolygon},
     };
     return table;
 }

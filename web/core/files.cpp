@@ -38,9 +38,9 @@ Member memberOf(const Request& of, const Continuum& curve)
                     of.number("pause", curve.points.front().lambda, curve.points.back().lambda));
 }
 
-Text stateOf(const State& state)
+Text stateOf(const State& state, const Bar& of = bar)
 {
-    return textOf([&](const Text& path) { writeStateCsv(path, state, bar); });
+    return textOf([&](const Text& path) { writeStateCsv(path, state, of); });
 }
 
 Text scheduleJson(const Request& of)
@@ -58,14 +58,16 @@ Text scheduleState(const Request& of)
         return stateOf(
             memberOf(of, curveOf(of.schedule(), of.number("energy", 0.0, 1e12))).point.state);
     }
-    return stateOf(requireMotion(of).motion->state);
+    const PeriodicResult result = requireMotion(of);
+    return stateOf(result.motion->state, result.scene.bar);
 }
 
 Text scheduleMotion(const Request& of)
 {
     const PeriodicResult result = requireMotion(of);
     const Motion motion(result.motion->state, result.schedule);
-    return textOf([&](const Text& path) { writeMotionCsv(path, MotionSamples(motion, bar)); });
+    return textOf(
+        [&](const Text& path) { writeMotionCsv(path, MotionSamples(motion, result.scene)); });
 }
 
 ModeMotion modeMotion(const Request& of)
@@ -119,6 +121,9 @@ const std::map<Text, std::function<Text(const Request&)>>& files()
         {"mode.json",
          [](const Request& of) { return cli::asJson(modeOf(of), modeMotion(of), bar); }},
         {"mode.motion", modeMotionFile},
+        {"polygon.motion", polygonMotion},
+        {"polygons.json", polygonsJson},
+        {"polygons.csv", polygonsTable},
         {"forced.json", [](const Request& of) { return cli::asJson(forcedAnswer(of)); }},
         {"forced.state", forcedState},
         {"simulation.json",

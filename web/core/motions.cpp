@@ -16,8 +16,10 @@ namespace {
 
 constexpr std::int64_t mostInstants = 2401;
 
-/// u at the nodes and s on the cells, instant by instant; tip and force of the wall.
-void addMotion(Reply& reply, const State& state, const Schedule& schedule)
+/// u at the nodes and s on the cells, instant by instant; tip and force of the wall. A scene
+/// without a gap counts displacements in L: `unit` is what they are counted in, in g of the page's
+/// bar.
+void addMotion(Reply& reply, const State& state, const Schedule& schedule, double unit)
 {
     const Motion motion(state, schedule);
     const std::vector<std::int64_t> instants = thinned(motion.steps(), mostInstants);
@@ -29,20 +31,22 @@ void addMotion(Reply& reply, const State& state, const Schedule& schedule)
     for (const std::int64_t m : instants) {
         times.push_back(static_cast<double>(m) / perCrossing);
         for (std::int64_t i = 0; i <= motion.cells(); ++i) {
-            u.push_back(motion.displacement(i, m));
+            u.push_back(unit * motion.displacement(i, m));
         }
         for (std::int64_t i = 1; i <= motion.cells(); ++i) {
-            s.push_back(motion.strain(i, m));
+            s.push_back(unit * motion.strain(i, m));
         }
-        force.push_back(motion.wallForce(std::min(m, motion.steps() - 1)));
+        force.push_back(unit * motion.wallForce(std::min(m, motion.steps() - 1)));
     }
     reply.json["nodes"] = motion.cells() + 1;
     reply.add("times", times);
     reply.add("u", u);
     reply.add("s", s);
     reply.add("force", force);
-    addState(reply, state);
+    addState(reply, {unit * state.a, unit * state.b});
 }
+
+}  // namespace
 
 void addMode(Reply& reply, const ModeMotion& motion, std::int64_t cells)
 {
@@ -73,8 +77,6 @@ void addMode(Reply& reply, const ModeMotion& motion, std::int64_t cells)
     addState(reply, cellMeans(motion, cells));
 }
 
-}  // namespace
-
 void addState(Reply& reply, const State& state)
 {
     std::vector<double> x;
@@ -91,7 +93,7 @@ void addState(Reply& reply, const State& state)
 PeriodicResult found(const Request& request)
 {
     FindOptions options;
-    options.scene = bar;
+    options.scene = request.scene();
     options.energyRatio = request.positive("energy");
     return findPeriodic(request.schedule(), options);
 }
@@ -120,7 +122,7 @@ Reply showSchedule(const Request& request)
     }
     State state = result.motion->state;
     const std::optional<double> energy = request.positive("energy");
-    if (energy && schedule.phases.size() == 1 && result.set.held &&
+    if (energy && result.scene == Scene(bar) && schedule.phases.size() == 1 && result.set.held &&
         result.set.held->dimension > 0) {
         const Continuum& curve = curveOf(schedule, *energy);
         if (curve.status == Status::found && curve.parameter == Parameter::pause) {
@@ -138,7 +140,7 @@ Reply showSchedule(const Request& request)
             }
         }
     }
-    addMotion(reply, state, schedule);
+    addMotion(reply, state, schedule, scales(result.scene.bar).displacement / bar.gap);
     return reply;
 }
 

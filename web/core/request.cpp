@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -66,16 +67,32 @@ bool Request::isOn(const char* name) const
     return has(name) && at(name).is_boolean() && at(name).get<bool>();
 }
 
+Scene Request::scene() const
+{
+    constexpr double widest = 0.1;
+    Scene scene = bar;
+    if (has("gap")) {
+        scene.bar.gap = number("gap", -widest, widest);
+    }
+    if (has("second_stop")) {
+        scene.secondStop = number("second_stop", std::numeric_limits<double>::min(), widest);
+    }
+    return scene;
+}
+
 Schedule Request::schedule() const
 {
-    Schedule schedule{whole("cells", 1, mostCells), {}};
+    Schedule schedule{whole("cells", 1, mostCells), {}, stopsOf(scene())};
     const Json& phases = at("phases");
     for (const Json& phase : phases) {
-        if (!phase.is_array() || phase.size() != 2 || !phase[0].is_number_integer() ||
+        const bool isLeft = phase.is_array() && phase.size() == 3 && phase[2] == "L";
+        if (!phase.is_array() || (phase.size() != 2 && !isLeft) || !phase[0].is_number_integer() ||
             !phase[1].is_number_integer()) {
-            refuse("phases", phases, "pairs of whole numbers, contact and free steps");
+            refuse("phases", phases,
+                   "pairs of whole numbers, contact and free steps, and \"L\" at the second stop");
         }
-        schedule.phases.push_back({phase[0].get<std::int64_t>(), phase[1].get<std::int64_t>()});
+        schedule.phases.push_back({phase[0].get<std::int64_t>(), phase[1].get<std::int64_t>(),
+                                   isLeft ? Stop::left : Stop::right});
     }
     validate(schedule);
     constexpr std::int64_t mostSteps = 20;  // periods in L/c
@@ -84,6 +101,23 @@ Schedule Request::schedule() const
                fmt::format("at most {} steps on this page", mostSteps * schedule.cells));
     }
     return schedule;
+}
+
+std::vector<std::array<std::int64_t, 3>> Request::triples(const char* name, std::int64_t high) const
+{
+    const Json& rows = at(name);
+    std::vector<std::array<std::int64_t, 3>> all;
+    const auto isPart = [high](const Json& value) {
+        return value.is_number_integer() && value >= 0 && value <= high;
+    };
+    for (const Json& row : rows) {
+        if (!row.is_array() || row.size() != 3 || rows.size() > 10 ||
+            !std::all_of(row.begin(), row.end(), isPart)) {
+            refuse(name, rows, fmt::format("at most ten rows of three whole numbers 0..{}", high));
+        }
+        all.push_back({row[0], row[1], row[2]});
+    }
+    return all;
 }
 
 Request Request::part(const char* name) const

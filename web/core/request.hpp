@@ -3,6 +3,7 @@
 /// A question of the page, and the reply: JSON for what has names, and one array for all numbers
 /// that are drawn.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -36,8 +37,13 @@ public:
     [[nodiscard]] std::optional<double> positive(const char* name) const;
     [[nodiscard]] std::string word(const char* name) const;
     [[nodiscard]] bool isOn(const char* name) const;
-    /// cells and phases, [[n_c, n_f], ...].
+    /// "gap" [m] of any sign and "second_stop" [m], if they are not those of `bar`.
+    [[nodiscard]] Scene scene() const;
+    /// cells and phases, [[n_c, n_f], ...]; [n_c, n_f, "L"] touches the second stop.
     [[nodiscard]] Schedule schedule() const;
+    /// [[a, b, c], ...], at most ten rows of whole numbers 0..high.
+    [[nodiscard]] std::vector<std::array<std::int64_t, 3>> triples(const char* name,
+                                                                   std::int64_t high) const;
     [[nodiscard]] Request part(const char* name) const;
     /// The values as text, to see whether two questions are the same.
     [[nodiscard]] std::string key() const { return values_.dump(); }

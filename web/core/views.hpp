@@ -18,6 +18,8 @@ namespace signorini::web {
 [[nodiscard]] Reply showSchedule(const Request& request);
 /// A motion of a mode at any period: "contact" = 4a, "turns" = b, "period", "cells".
 [[nodiscard]] Reply showMode(const Request& request);
+/// A motion with two contacts of a polygon: "chains", "period", "split" of contact, "cells".
+[[nodiscard]] Reply showPolygon(const Request& request);
 /// A forced motion of a schedule: "damping", "place", "amplitude" [N or m], "which" 0 or 1.
 [[nodiscard]] Reply showForced(const Request& request);
 /// What the bar does from a pluck or from rest: see simulation.cpp.
@@ -25,6 +27,8 @@ namespace signorini::web {
 
 /// Families, modes and schedules that exist: "cells", "order", "energy".
 [[nodiscard]] Reply showMap(const Request& request);
+/// The polygons of motions with two contacts in (T, first contact): "order".
+[[nodiscard]] Reply showPolygons(const Request& request);
 /// The schedule of a family on a grid near the one asked for: "order", "nu", "blocks", "cells".
 [[nodiscard]] Reply showFamily(const Request& request);
 /// The next "count" frequencies of a response, from number "done" on.
@@ -54,6 +58,14 @@ struct Simulated {
 
 /// x, velocity and strain of a state, the initial values that are drawn.
 void addState(Reply& reply, const State& state);
+
+/// u at the nodes, s on the cells, force and initial state of a motion without a grid.
+void addMode(Reply& reply, const ModeMotion& motion, std::int64_t cells);
+
+// Files of polygons, see files.cpp.
+[[nodiscard]] std::string polygonMotion(const Request& request);
+[[nodiscard]] std::string polygonsJson(const Request& request);
+[[nodiscard]] std::string polygonsTable(const Request& request);
 
 /// The mode "contact", "turns". \throws std::invalid_argument if there is none.
 [[nodiscard]] Mode modeOf(const Request& request);

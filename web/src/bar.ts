@@ -59,6 +59,8 @@ export class BarView {
   magnified = 100;
   pluck: Pluck | undefined;  // shown instead of the motion while the bar is held
   share = 0;
+  gap = 1;                    // of the wall, in g of the usual bar: 0, or less where the bar at rest is pressed
+  stop: number | undefined;  // of the second stop, as far on the other side
 
   constructor(readonly canvas: HTMLCanvasElement) {
     this.context = canvas.getContext('2d')!;
@@ -122,7 +124,8 @@ export class BarView {
     }
     c.stroke();
     this.drawBar(c, left, length, unit, top, thick, ink);
-    this.drawWall(c, left + length + unit, top, thick, ink, faint);
+    this.drawWall(c, left + length + unit * this.gap, top, thick, ink, faint);
+    if (this.stop !== undefined) this.drawStop(c, left + length - unit * this.stop, top, thick, faint);
     // The tip at rest.
     c.strokeStyle = faint;
     c.setLineDash([4, 4]);
@@ -135,12 +138,12 @@ export class BarView {
     c.font = '13px system-ui, sans-serif';
     c.textAlign = 'center';
     c.textBaseline = 'bottom';
-    if (unit > 40) c.fillText('gap g', left + length + unit / 2, top - 22);
+    if (unit > 40 && this.gap > 0) c.fillText('gap g', left + length + unit / 2, top - 22);
     c.textBaseline = 'top';
     c.textAlign = 'left';
     c.fillText('clamp', left - 15, top + thick + 20);
-    c.textAlign = 'right';
-    c.fillText(`displacements × ${this.magnified}`, left + length - 8, top + thick + 20);
+    c.textAlign = 'center';
+    c.fillText(`displacements × ${this.magnified}`, left + length / 2, top + thick + 20);
   }
 
   private force(): number {
@@ -150,7 +153,7 @@ export class BarView {
 
   private drawWall(c: Drawing, x: number, top: number, thick: number, ink: string, faint: string): void {
     const force = this.force();
-    const lit = this.film ? force / this.film.mostForce : 0;
+    const lit = this.film ? Math.max(force, 0) / this.film.mostForce : 0;
     c.fillStyle = faint;
     c.fillRect(x, top - 24, 20, thick + 48);
     if (lit > 1e-9) {
@@ -181,6 +184,24 @@ export class BarView {
     c.textBaseline = 'bottom';
     c.textAlign = 'right';
     c.fillText(lit > 1e-9 ? 'wall presses' : 'wall', x + 20, top - 42);
+  }
+
+  /** The second stop holds the tip from behind: a block above the bar and one below. */
+  private drawStop(c: Drawing, x: number, top: number, thick: number, faint: string): void {
+    const lit = Math.max(-this.force(), 0) / (this.film?.mostForce ?? 1);
+    for (const y of [top - 19, top + thick + 3]) {
+      c.fillStyle = faint;
+      c.fillRect(x - 20, y, 20, 16);
+      c.globalAlpha = lit > 1e-9 ? 0.35 + 0.65 * Math.min(lit, 1) : 0;
+      c.fillStyle = palette.contact;
+      c.fillRect(x - 20, y, 20, 16);
+      c.globalAlpha = 1;
+    }
+    // The flange by which it is held.
+    const tip = this.film && !this.pluck ? this.film.displacement(this.film.nodes - 1, this.film.locate(this.share)) : this.pluck?.displacement ?? 0;
+    const { left, length } = this.frame();
+    c.fillStyle = tones().ink;
+    c.fillRect(left + length + length * gapShare * this.magnified * tip - 3, top - 18, 3, thick + 36);
   }
 
   private drawBar(c: Drawing, left: number, length: number, unit: number, top: number, thick: number, ink: string): void {

@@ -1,10 +1,12 @@
 // Sliders, lists and buttons: each changes the view and nothing else.
 
-import { commandOf, filesOf, pythonOf, responseCommand, save } from './takeaway';
-import type { ForcedMotion, Motion, ScheduleMotion, Simulation, Start } from './core';
+import { commandOf, filesOf, polygonOrder, pythonOf, responseCommand, save } from './takeaway';
+import type { ForcedMotion, Motion, Phases, ScheduleMotion, Simulation, Start } from './core';
+import { firstPolygon, PolygonControls } from './contacts';
 import { byId, input, round, shown } from './dom';
 import type { Explorer } from './explorer';
 import { pictures } from './pictures';
+import { SceneControls } from './scene';
 import { paperCase, type MapKind } from './view';
 import { controls } from './words';
 
@@ -24,11 +26,15 @@ export function periodOf(text: string): number {
 
 export class Controls {
   private start: Start = { kind: 'pluck', place: 1, displacement: -3 };
+  private readonly scene: SceneControls;
+  private readonly polygon: PolygonControls;
   private readonly last: Partial<Record<Motion['show'], Motion>> = {};
 
   constructor(private readonly explorer: Explorer) {
     this.describe();
     this.listen();
+    this.scene = new SceneControls(explorer);
+    this.polygon = new PolygonControls(explorer);
     explorer.onShown = () => this.follow();
   }
 
@@ -113,9 +119,9 @@ export class Controls {
       if (family) void this.explorer.pick({ kind: 'family', family, energy: family.least });
     };
     this.slide('energy', (share) => {
-      const [least, most] = this.answer.energy_ratio_range as [number, number];
+      const [least, most] = this.energies()!;
       const { pause: _, energy: __, ...motion } = this.motion as ScheduleMotion;
-      void this.explorer.show(share === 0 ? motion : { ...motion, energy: Math.min(round(least * (most / least) ** share, 5), most) });
+      void this.explorer.show(share === 0 && motion.gap !== 0 ? motion : { ...motion, energy: Math.min(round(least * (most / least) ** share, 5), most) });
     });
     this.slide('pause', (share) => {
       const [first, last] = this.explorer.answer!.json.pauses as [number, number];
@@ -126,6 +132,13 @@ export class Controls {
       const steps = motion.phases[0][0] + motion.phases[0][1];
       void this.explorer.show({ ...motion, phases: [[contact, steps - contact]] });
     });
+  }
+
+  /** The energies of the slider: those of the schedule, or of a moderate size where every one is met. */
+  private energies(): [number, number] | undefined {
+    if ((this.motion as ScheduleMotion).gap === 0) return this.answer.status === 'found' ? [1e-6, 1e-4] : undefined;
+    const range = this.answer.energy_ratio_range as [number, number | null] | null | undefined;
+    return range?.[1] && range[1] > range[0] ? [range[0], range[1]] : undefined;
   }
 
   private listenMode(): void {
@@ -246,6 +259,10 @@ export class Controls {
     if (kind === 'schedule') return void this.explorer.show(paperCase);
     if (kind === 'mode') return void this.explorer.show({ show: 'mode', contact: 4, turns: -1, period: Math.PI, cells: 200 });
     if (kind === 'simulation') return void this.explorer.show(this.plucked());
+    if (kind === 'polygon') {
+      this.explorer.showMap('contacts');
+      return void this.explorer.show(firstPolygon);
+    }
     const { damping, place, amplitude, cells } = this.explorer.view.forcing;
     this.explorer.showMap('response');
     const point = this.explorer.map.response.findLast((p) => p.stays >= 0 && p.frequency > 1.05);
@@ -291,6 +308,7 @@ export class Controls {
     if (map.atlas) this.fillLists();
     if (motion.show === 'schedule') this.followSchedule(motion);
     if (motion.show === 'mode') this.followMode(motion.contact, motion.turns, motion.period);
+    if (motion.show === 'polygon') this.polygon.follow(motion);
     if (motion.show === 'simulation') {
       if (motion.start.kind === 'pluck') this.start = motion.start;
       input('dashpot').value = String(motion.damping);
@@ -321,20 +339,20 @@ export class Controls {
     const family = a.family as Json | null;
     byId<HTMLSelectElement>('family').value = family ? `${family.order},${family.nu},${family.contact_blocks}` : '';
     if (byId<HTMLSelectElement>('family').selectedIndex < 0) byId<HTMLSelectElement>('family').value = '';
-    const range = a.energy_ratio_range as [number, number | null] | null;
+    const range = this.energies();
     const energy = input('energy');
-    energy.disabled = !range || !range[1] || range[1] <= range[0];
-    if (range && range[1] && range[1] > range[0]) {
-      energy.value = String(Math.log((motion.energy ?? range[0]) / range[0]) / Math.log(range[1] / range[0]));
-    }
-    byId('energy-value').textContent = a.energy_ratio ? `${shown(a.energy_ratio)}${motion.energy === undefined ? ' (the least)' : ''}` : '–';
+    energy.disabled = !range;
+    if (range) energy.value = String(Math.log((motion.energy ?? range[0]) / range[0]) / Math.log(range[1] / range[0]));
+    byId('energy-value').textContent = motion.gap === 0 ? `${motion.energy} of EA L/2: without a gap there is no E₁` : a.energy_ratio ? `${shown(a.energy_ratio)}${motion.energy === undefined ? ' (the least)' : ''}` : '–';
     const pauses = this.explorer.answer?.json.pauses as [number, number] | null | undefined;
     input('pause').disabled = !pauses || pauses[1] <= pauses[0];
     input('pause').value = String(pauses && motion.pause !== undefined ? (motion.pause - pauses[0]) / (pauses[1] - pauses[0]) : 0);
-    byId('pause-value').textContent = pauses ? `pause ${shown(motion.pause ?? pauses[0], 4)} L/c` : 'give it more energy first';
+    byId('pause-value').textContent = pauses ? `pause ${shown(motion.pause ?? pauses[0], 4)} L/c` : motion.phases.length > 1 || motion.gap !== undefined || motion.second_stop !== undefined
+      ? 'here with one wall, a gap and one contact only' : 'give it more energy first';
     const contact = input('contact');
     const [nc, nf] = motion.phases[0];
-    contact.disabled = motion.phases.length > 1 || !family;
+    this.scene.follow(motion);
+    contact.disabled = motion.phases.length > 1 || !family || motion.gap !== undefined || motion.second_stop !== undefined;
     if (family) {
       const top = nc - family.offset;
       const classes = family.amplitudes + Math.abs(family.offset);
@@ -355,8 +373,9 @@ export class Controls {
 
   private followTake(motion: Motion): void {
     const isResponse = this.explorer.view.map === 'response';
-    byId('command').textContent = commandOf(motion) + (isResponse ? `\n${responseCommand(this.explorer.view.forcing)}` : '');
-    byId('python').textContent = pythonOf(motion);
+    const nearest = this.explorer.answer?.json.nearest as Phases | undefined;
+    byId('command').textContent = commandOf(motion, nearest) + (isResponse ? `\n${responseCommand(this.explorer.view.forcing)}` : '');
+    byId('python').textContent = pythonOf(motion, nearest);
     const offer = (label: string, act: () => Promise<Blob>, file: string): HTMLButtonElement => {
       const button = Object.assign(document.createElement('button'), { textContent: label });
       button.dataset.file = file;
@@ -368,7 +387,7 @@ export class Controls {
     const { damping, place, amplitude, cells, least, most } = this.explorer.view.forcing;
     const forcing = { damping, place, amplitude, cells, least, most, stability: true };
     byId('files').replaceChildren(
-      ...filesOf(motion).map(({ label, name, file }) => offer(label, () => ask(name, motion), file)),
+      ...filesOf(motion).map(({ label, name, file }) => offer(label, () => ask(name, name.startsWith('polygons') ? { order: polygonOrder } : motion), file)),
       ...(isResponse ? [offer('Response (JSON)', () => ask('response.json', forcing), 'response.json'),
         offer('Response (CSV)', () => ask('response.csv', forcing), 'response.csv')] : []),
       offer('Families (CSV)', () => ask('families.csv', { order: 12 }), 'families.csv'));

@@ -2,13 +2,22 @@
 
 import BridgeWorker from './worker?worker&inline';
 
-export type Phases = [number, number][];
+/** Contact and free steps; 'L' touches the second stop. */
+export type Phase = [number, number, 'L'?];
+export type Phases = Phase[];
+/** Of jumps: their number, turns, and the contact whose release is the last. */
+export type Chain = [number, number, number];
 
+/** "gap" and "second_stop" [m] where they are not those of the usual bar. */
 export interface ScheduleMotion {
-  show: 'schedule'; cells: number; phases: Phases; energy?: number; pause?: number;
+  show: 'schedule'; cells: number; phases: Phases; energy?: number; pause?: number; gap?: number; second_stop?: number;
 }
 export interface ModeMotion {
   show: 'mode'; contact: number; turns: number; period: number; cells: number;
+}
+/** Two contacts in a period; split of the contact time from the shortest first contact (0) to the longest (1). */
+export interface PolygonMotion {
+  show: 'polygon'; chains: Chain[]; period: number; split: number; cells: number;
 }
 export type Place = 'tip' | 'base';
 export interface ForcedMotion {
@@ -21,7 +30,7 @@ export interface Simulation {
   steps?: number; periods?: number; place?: Place; amplitude?: number;
   from: number; span: number; frames: number;
 }
-export type Motion = ScheduleMotion | ModeMotion | ForcedMotion | Simulation;
+export type Motion = ScheduleMotion | ModeMotion | PolygonMotion | ForcedMotion | Simulation;
 
 export type Question = { show: string } & Record<string, unknown>;
 

@@ -8,9 +8,12 @@ import { byId, input, shown } from './dom';
 import { Atlas, MapView, type Pick, type ResponsePoint } from './map';
 import { showFacts } from './panels';
 import { Plot } from './plots';
+import { Polygons } from './polygons';
 import { SurfaceView } from './surface';
+import { polygonOrder } from './takeaway';
 import { asLink, fromLink, type MapKind, type View } from './view';
 
+const usualGap = 1e-3;  // [m], of the bar of the page
 const atlasQuestion = { show: 'map', cells: 300, order: 60, energy: 60 };
 
 export class Explorer {
@@ -94,6 +97,8 @@ export class Explorer {
     this.bar.film = this.film;
     this.bar.pluck = undefined;
     this.bar.magnified = this.view.magnified;
+    this.bar.gap = motion.show === 'schedule' ? (motion.gap ?? usualGap) / usualGap : 1;
+    this.bar.stop = motion.show === 'schedule' && motion.second_stop !== undefined ? motion.second_stop / usualGap : undefined;
     showFacts(motion, answer);
     if (this.film) {
       this.surface.show(this.film);
@@ -113,18 +118,21 @@ export class Explorer {
       stroke, width: 2, points: { show: false }, ...(isStepped ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
     });
     this.plots.tip.show({ x: 'time t [L/c]', y: 'tip u(L, t) [g]' }, [film.times, film.tip()], [line(ink, false)], (plot) => {
-      const y = plot.valToPos(1, 'y', true);
       plot.ctx.strokeStyle = palette.faint;
       plot.ctx.lineWidth = 2 * devicePixelRatio;
       plot.ctx.setLineDash([6, 4]);
-      plot.ctx.beginPath();
-      plot.ctx.moveTo(plot.bbox.left, y);
-      plot.ctx.lineTo(plot.bbox.left + plot.bbox.width, y);
-      plot.ctx.stroke();
+      for (const place of [this.bar.gap, ...(this.bar.stop === undefined ? [] : [-this.bar.stop])]) {
+        const y = plot.valToPos(place, 'y', true);
+        plot.ctx.beginPath();
+        plot.ctx.moveTo(plot.bbox.left, y);
+        plot.ctx.lineTo(plot.bbox.left + plot.bbox.width, y);
+        plot.ctx.stroke();
+      }
       plot.ctx.setLineDash([]);
     });
     this.plots.force.show({ x: 'time t [L/c]', y: 'force [EA g/L]' }, [film.times, film.force],
       [{ ...line(palette.contact, true), fill: `${palette.contact}33` }]);
+    byId('initial-card').hidden = !answer.has('s0');
     if (answer.has('s0')) {
       const x = answer.array('x');
       this.plots.strain.show({ x: 'place x [L]', y: 'strain s [g/L]', xRange: [0, 1] }, [x, answer.array('s0')], [line(palette.strain, true)]);
@@ -145,9 +153,12 @@ export class Explorer {
   private here(): { x: number; y: number } | undefined {
     const motion = this.view.motion;
     const a = this.answer?.json.answer as Record<string, any> | undefined;
-    if (!a) return undefined;
+    if (!a || (motion.show === 'schedule' && (motion.gap !== undefined || motion.second_stop !== undefined))) return undefined;
     if (this.view.map === 'energy' && typeof a.energy_ratio === 'number' && typeof a.frequency_ratio === 'number') {
       return { x: a.frequency_ratio, y: a.energy_ratio };
+    }
+    if (this.view.map === 'contacts' && motion.show === 'polygon') {
+      return { x: motion.period, y: (a.stretches as number[])[0] };
     }
     if (this.view.map === 'existence' && motion.show === 'schedule' && motion.phases.length === 1) {
       return { x: motion.phases[0][0] / motion.cells, y: motion.phases[0][1] / motion.cells };
@@ -169,10 +180,18 @@ export class Explorer {
     byId('map-legend').textContent = {
       energy: 'Black curves: modes, a motion for every period. Blue half-lines: families, each a continuum; a dot is their least energy. The ring is what you see.',
       existence: 'A dot for each schedule of 300 cells that has a motion: dark for little energy, bright for much; grey ones only touch the wall. Each tent is one family.',
+      contacts: 'Two contacts in a period, on no grid. Filled: polygons; at one period their motions share the contact time between both contacts as they like, with one energy. Dashed: at each period a single motion. Drag the ring.',
       response: 'A dot for each motion with one contact in a period. Full: tried, it attracts; open: it repels, or was not tried yet. Grey: without a wall the bar would stay clear of it.',
     }[kind];
     if (kind === 'response') void this.loadResponse();
+    if (kind === 'contacts' && !this.map.polygons) void this.loadPolygons();
     this.keepLink();
+  }
+
+  private async loadPolygons(): Promise<void> {
+    this.map.polygons = new Polygons(await this.library.ask({ show: 'polygons', order: polygonOrder }));
+    if (this.view.map === 'contacts') this.map.show('contacts', this.view);
+    this.onShown();
   }
 
   /** The response, at first all of it, then once more with trials of what attracts. */
@@ -218,6 +237,8 @@ export class Explorer {
     } else if (pick.kind === 'mode') {
       const [contact, turns] = pick.mode.contact;
       await this.show({ show: 'mode', contact, turns, period: Number(pick.period.toPrecision(8)), cells: 200 });
+    } else if (pick.kind === 'polygon') {
+      await this.show({ show: 'polygon', chains: pick.polygon.chains, period: pick.period, split: pick.split, cells: 200 });
     } else if (pick.kind === 'schedule') {
       await this.show({ show: 'schedule', cells: atlasQuestion.cells, phases: pick.phases });
     } else {

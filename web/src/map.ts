@@ -4,6 +4,7 @@ import type uPlot from 'uplot';
 import { asText, palette, through, tones } from './colours';
 import type { Answer, Motion, Phases } from './core';
 import { at, Plot } from './plots';
+import type { Polygons, PolygonPick } from './polygons';
 import type { Forcing, MapKind, View } from './view';
 
 export interface ModeLine {
@@ -20,6 +21,7 @@ export type Pick =
   | { kind: 'family'; family: FamilyPoint; energy: number }
   | { kind: 'mode'; mode: ModeLine; period: number }
   | { kind: 'schedule'; phases: Phases }
+  | ({ kind: 'polygon' } & PolygonPick)
   | { kind: 'response'; point: ResponsePoint };
 
 const mostEnergy = 60;
@@ -52,6 +54,7 @@ const dot = (c: CanvasRenderingContext2D, x: number, y: number, r: number): void
 export class MapView {
   readonly plot: Plot;
   atlas: Atlas | undefined;
+  polygons: Polygons | undefined;
   readonly lines: [number, number, number][] = [];      // omega/omega_1, highest tip without wall, touches
   readonly response: ResponsePoint[] = [];
   private kind: MapKind = 'energy';
@@ -64,7 +67,16 @@ export class MapView {
 
   private listen(plot: uPlot): void {
     let from: [number, number] | undefined;
-    plot.over.addEventListener('pointerdown', (event) => { from = [event.clientX, event.clientY]; });
+    plot.over.addEventListener('pointerdown', (event) => {
+      from = [event.clientX, event.clientY];
+      if (this.kind === 'contacts' && event.pointerType === 'mouse') plot.over.setPointerCapture(event.pointerId);
+    });
+    // Among polygons the point itself is dragged.
+    plot.over.addEventListener('pointermove', (event) => {
+      if (this.kind !== 'contacts' || event.buttons === 0 || !from) return;
+      const frame = plot.over.getBoundingClientRect();
+      this.pickAt(plot, event.clientX - frame.left, event.clientY - frame.top);
+    });
     plot.over.addEventListener('click', (event) => {
       if (!from || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 5) return;
       const frame = plot.over.getBoundingClientRect();
@@ -95,6 +107,11 @@ export class MapView {
 
   private pickAt(plot: uPlot, px: number, py: number): void {
     const place = (x: number, y: number): [number, number] => [plot.valToPos(x, 'x'), plot.valToPos(y, 'y')];
+    if (this.kind === 'contacts') {
+      const pick = this.polygons?.pick(plot, px, py);
+      if (pick) this.onPick({ kind: 'polygon', ...pick });
+      return;
+    }
     let best: { distance: number; pick: Pick } | undefined;
     const offer = (distance: number, pick: () => Pick): void => {
       if (!best || distance < best.distance) best = { distance, pick: pick() };
@@ -141,6 +158,7 @@ export class MapView {
       this.onPick({ kind: 'response', point: sorted[next] });
       return;
     }
+    if (this.kind === 'contacts') return this.stepPolygon(motion, direction);
     if (!this.atlas) return;
     const sorted = this.atlas.families.filter((f) => f.order <= 12).sort((a, b) => b.period - a.period);
     let now = -1;
@@ -150,6 +168,16 @@ export class MapView {
     }
     const family = sorted[now < 0 ? 0 : (now + direction + sorted.length) % sorted.length];
     this.onPick({ kind: 'family', family, energy: family.least });
+  }
+
+  private stepPolygon(motion: Motion, direction: number): void {
+    const { polygons } = this;
+    if (!polygons || polygons.all.length === 0) return;
+    const sorted = [...polygons.all.keys()].sort((a, b) => polygons.all[a].lowest - polygons.all[b].lowest);
+    const now = motion.show === 'polygon' ? sorted.indexOf(polygons.of(motion)) : -1;
+    const polygon = polygons.all[sorted[now < 0 ? 0 : (now + direction + sorted.length) % sorted.length]];
+    const period = Number((0.5 * (polygon.lowest + polygon.highest)).toPrecision(6));
+    this.onPick({ kind: 'polygon', polygon, period, split: 0.5 });
   }
 
   setHere(here: { x: number; y: number } | undefined): void {
@@ -166,6 +194,10 @@ export class MapView {
     } else if (kind === 'existence') {
       this.plot.show({ x: 'contact time t_c [L/c]', y: 'flight time t_f [L/c]', xRange: [0, 2], yRange: [0, 4], zoom: true },
         [[0, 2], [0, 4]], [{ show: false }], (plot) => this.drawExistence(plot));
+    } else if (kind === 'contacts') {
+      const { x, y } = this.polygons?.ranges() ?? { x: [0, 8], y: [0, 2] };
+      this.plot.show({ x: 'period T [L/c]', y: 'first contact [L/c]', xRange: x, yRange: y, zoom: true, isDragged: true },
+        [x, y], [{ show: false }], (plot) => this.drawContacts(plot, view.motion));
     } else {
       this.showResponse(view.forcing);
     }
@@ -255,6 +287,12 @@ export class MapView {
       c.fillRect(x - size / 2, y - size / 2, size, size);
     }
     c.globalAlpha = 1;
+    this.drawHere(plot);
+  }
+
+  private drawContacts(plot: uPlot, motion: Motion): void {
+    if (!this.polygons) return;
+    this.polygons.draw(plot, motion.show === 'polygon' ? this.polygons.of(motion) : -1);
     this.drawHere(plot);
   }
 

@@ -6,7 +6,7 @@ import { assumed } from './words';
 
 type Json = Record<string, any>;
 
-const kinds: Record<string, string> = { simplex: 'a simplex', box: 'a box', point: 'a single motion', polytope: 'a polytope' };
+const kinds: Record<string, string> = { simplex: 'a simplex', box: 'a box', point: 'a single motion', polytope: 'a polytope', cone: 'a cone' };
 const reasons: Record<string, string> = {
   'no-live-class': 'only the bar at rest repeats with this period',
   'contact-sign': 'the same wave would have to push and to pull on the wall',
@@ -18,7 +18,7 @@ const reasons: Record<string, string> = {
 export function headlineOf(motion: Motion, answer: Answer): string {
   const a = answer.json.answer as Json;
   if (motion.show === 'schedule' || motion.show === 'forced') {
-    const name = motion.phases.map(([c, f]) => `(${c}, ${f})`).join(' ');
+    const name = motion.phases.map(([c, f, stop]) => `${stop ? 'L:' : ''}(${c}, ${f})`).join(' ');
     if (a.status !== 'found') {
       return a.status === 'none' ? `No motion follows ${name} on ${motion.cells} cells: ${a.detail ?? reasons[a.reason] ?? a.reason}.`
         : `Undecided: ${a.detail}`;
@@ -27,7 +27,11 @@ export function headlineOf(motion: Motion, answer: Answer): string {
       const one = a.motions[Number(answer.json.which)];
       return `${name} on ${motion.cells} cells, shaken at ${shown(a.frequency_ratio)} ω₁: impulse ${shown(one.impulse / 1e-3, 5)} EA g/c in a period.`;
     }
-    return `${name} on ${motion.cells} cells: T = ${shown(a.period_ratio)} L/c, ω = ${shown(a.frequency_ratio, 5)} ω₁, E = ${shown(a.energy_ratio)} E₁.`;
+    return `${name} on ${motion.cells} cells: T = ${shown(a.period_ratio)} L/c, ω = ${shown(a.frequency_ratio, 5)} ω₁, E = ${a.energy_ratio === null ? `${shown(a.energy)} J` : `${shown(a.energy_ratio)} E₁`}.`;
+  }
+  if (motion.show === 'polygon') {
+    const [first, , second] = a.stretches as number[];
+    return `Two contacts of ${shown(first, 4)} and ${shown(second, 4)} L/c at T = ${shown(motion.period, 10)} L/c: ω = ${shown(a.frequency_ratio, 5)} ω₁, E = ${shown(a.energy_ratio)} E₁.`;
   }
   if (motion.show === 'mode') {
     return `Mode t_c = ${motion.contact} − ${motion.turns === -1 ? '' : -motion.turns}T at T = ${shown(motion.period, 10)} L/c: contact ${shown(a.contact_time_ratio)} L/c, E = ${shown(a.energy_ratio)} E₁.`;
@@ -49,7 +53,7 @@ function provedOf(motion: Motion, answer: Answer): string[] {
     if (set) {
       list.push(`All motions of this schedule form ${kinds[set.kind] ?? set.kind}${set.dimension > 0 ? ` of ${set.dimension} dimensions` : ''}, in closed form.`);
     }
-    if (a.energy_ratio_range) list.push(`Their energies are all from ${shown(a.energy_ratio_range[0])} to ${shown(a.energy_ratio_range[1])} E₁ on this grid.`);
+    if (a.energy_ratio_range?.[1]) list.push(`Their energies are all from ${shown(a.energy_ratio_range[0])} to ${shown(a.energy_ratio_range[1])} E₁ on this grid.`);
     if (a.energy_section) {
       list.push(`Those of this energy have dimension ${a.energy_section.dimension} and are ${a.energy_section.connected ? 'connected: each can become any other' : `in ${a.energy_section.components} parts`}.`);
     }
@@ -60,6 +64,13 @@ function provedOf(motion: Motion, answer: Answer): string[] {
     const [[p, q], [r, s]] = a.mode.period_range;
     return [`The mode has a motion for every T between ${p}/${q} and ${r}/${s} L/c, and no other one contact time 4a + bT.`,
       'For irrational T motions with one contact are isolated: no continuum.'];
+  }
+  if (motion.show === 'polygon') {
+    const [[p, q], [r, s]] = a.polytope.period_range;
+    const [least, most] = a.first_contact_range as [number, number];
+    const where = `Its type (${a.text}) has motions for every T between ${p}/${q} and ${r}/${s} L/c, with an energy that depends on T alone.`;
+    return [where, most > least ? `At this T the first contact may last anything from ${shown(least, 4)} to ${shown(most, 4)} L/c; both together always ${shown(a.contact_time_ratio, 6)} L/c.`
+      : 'For irrational T they are isolated: nothing can be shared out otherwise.'];
   }
   if (motion.show === 'forced') {
     if (a.status !== 'found') return [a.certificate?.verified ? 'That there is none is checked with numbers enclosed from both sides.' : 'Nothing.'];
@@ -109,7 +120,8 @@ function computedOf(motion: Motion, answer: Answer): [string, string][] {
     add('Balance of energy is off by', a.balance.error, 'J');
     add('Events', a.events, '');
   }
-  list.push(['Bar', 'L = 1 m, c = 1 m/s, EA = 1 N, g = 1 mm, as the command line has it']);
+  const { gap = 1e-3, second_stop: stop } = motion.show === 'schedule' ? motion : {};
+  list.push(['Bar', `L = 1 m, c = 1 m/s, EA = 1 N, g = ${shown(gap * 1000)} mm${stop === undefined ? (gap === 1e-3 ? ', as the command line has it' : '') : `, second stop at −${shown(stop * 1000)} mm`}`]);
   return list;
 }
 

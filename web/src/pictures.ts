@@ -48,6 +48,7 @@ export function pictures(explorer: Explorer): Picture[] {
   const { tip, force, strain, velocity } = explorer.plots;
   return [
     ofPlot('Map', 'map', explorer.map.plot), ofCanvas('Bar', 'bar', explorer.bar), ofCanvas('u(x, t)', 'surface', explorer.surface),
-    ofPlot('Tip', 'tip', tip), ofPlot('Force', 'force', force), ofPlot('Strain', 'strain', strain), ofPlot('Velocity', 'velocity', velocity),
+    ofPlot('Tip', 'tip', tip), ofPlot('Force', 'force', force),
+    ...(explorer.answer?.has('s0') ? [ofPlot('Strain', 'strain', strain), ofPlot('Velocity', 'velocity', velocity)] : []),
   ];
 }

@@ -11,6 +11,7 @@ export interface Axes {
   logY?: boolean;
   xRange?: [number, number]; yRange?: [number, number];
   zoom?: boolean;
+  isDragged?: boolean;  // what is drawn, so that the frame is not
   yTicks?: (value: number) => string;
 }
 
@@ -60,7 +61,7 @@ export class Plot {
     return {
       ...size,
       legend: { show: false },
-      cursor: { show: Boolean(axes.zoom), points: { show: false }, drag: { x: true, y: true, setScale: true, dist: 6 } },
+      cursor: { show: Boolean(axes.zoom), points: { show: false }, drag: { x: !axes.isDragged, y: !axes.isDragged, setScale: !axes.isDragged, dist: 6 } },
       scales: {
         x: { time: false, ...range(axes.xRange, scales?.x) },
         y: { ...(axes.logY ? { distr: 3, log: 10 } : {}), ...range(axes.yRange, scales?.y) },

@@ -99,7 +99,7 @@ export class SurfaceView {
       c.fillStyle = palette.contact;
       const step = box.width / (film.times.length - 1);
       for (let m = 0; m + 1 < film.times.length; ++m) {
-        if (film.force[m] > 1e-9) c.fillRect(leftRoom + m * step, topRoom - 6, step + 0.5, 6);
+        if (Math.abs(film.force[m]) > 1e-9) c.fillRect(leftRoom + m * step, topRoom - 6, step + 0.5, 6);
       }
       c.fillStyle = ink;
       c.textAlign = 'right';

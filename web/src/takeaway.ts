@@ -1,25 +1,39 @@
 // What the reader takes along: the command and the Python line of the same motion, files, pictures.
 
-import type { Motion } from './core';
+import type { Motion, Phase, Phases } from './core';
 import type { Forcing } from './view';
 
-const pairs = (m: { phases: [number, number][] }, between: string): string => m.phases.flat().join(between);
+const steps = (m: { phases: Phases }): string => m.phases.map(([contact, free, stop]) => `${stop ? 'L:' : ''}${contact} ${free}`).join(' ');
+const argumentsOf = (m: { phases: Phases }): string => {
+  const isPlain = m.phases.every((phase) => !phase[2]);
+  const one = ([contact, free, stop]: Phase): string => (isPlain ? `${contact}, ${free}` : `(${contact}, ${free}${stop ? ', "left"' : ''})`);
+  return m.phases.map(one).join(', ');
+};
+
+const given = (before: string, value: number | undefined): string => (value === undefined ? '' : `${before}${value}`);
+
+/** Types of two contacts are listed up to this order. */
+export const polygonOrder = 9;
 
 /** The command that gives the same motion, as the command line writes its JSON. */
-export function commandOf(motion: Motion): string {
+export function commandOf(motion: Motion, nearest?: Phases): string {
   const cells = motion.cells === 300 ? '' : ` --cells ${motion.cells}`;
   if (motion.show === 'schedule') {
     if (motion.pause !== undefined) {
-      return `signorini continuum ${pairs(motion, ' ')}${cells} --energy-ratio ${motion.energy} --member ${motion.pause} --state state.csv --format json`;
+      return `signorini continuum ${steps(motion)}${cells} --energy-ratio ${motion.energy} --member ${motion.pause} --state state.csv --format json`;
     }
-    const energy = motion.energy === undefined ? '' : ` --energy-ratio ${motion.energy}`;
-    return `signorini find ${pairs(motion, ' ')}${cells}${energy} --state state.csv --motion motion.csv --format json`;
+    const scene = given(' --gap ', motion.gap) + given(' --second-stop ', motion.second_stop) + given(' --energy-ratio ', motion.energy);
+    return `signorini find ${steps(motion)}${cells}${scene} --state state.csv --motion motion.csv --format json`;
   }
   if (motion.show === 'mode') {
     return `signorini mode ${motion.contact} ${motion.turns} --period ${motion.period}${cells} --motion motion.csv --format json`;
   }
+  if (motion.show === 'polygon') {
+    return `signorini modes --phases 2 --max-order ${polygonOrder} --csv polygons.csv --format json` +
+      (nearest ? `\nsignorini find ${steps({ phases: nearest })}${cells}  # the nearest motion on ${motion.cells} cells` : '');
+  }
   if (motion.show === 'forced') {
-    return `signorini find ${pairs(motion, ' ')}${cells} --damping ${motion.damping} --force ${motion.place} --amplitude ${motion.amplitude} --state state.csv --format json`;
+    return `signorini find ${steps(motion)}${cells} --damping ${motion.damping} --force ${motion.place} --amplitude ${motion.amplitude} --state state.csv --format json`;
   }
   const start = motion.start.kind === 'rest' ? '--rest' : '--from start.csv';
   const span = motion.steps === undefined ? `--time ${motion.crossings}`
@@ -28,24 +42,27 @@ export function commandOf(motion: Motion): string {
 }
 
 export function responseCommand(f: Forcing): string {
-  return `signorini response --damping ${f.damping} --force ${f.place} --amplitude ${f.amplitude} --from ${f.least} --to ${f.most} --cells ${f.cells} --csv response.csv --format json`;
+  return `signorini response --damping ${f.damping} --force ${f.place} --amplitude ${f.amplitude} --from ${f.least} --to ${f.most} --cells ${f.cells} --stability --csv response.csv --format json`;
 }
 
-export function pythonOf(motion: Motion): string {
+export function pythonOf(motion: Motion, nearest?: Phases): string {
   const cells = motion.cells === 300 ? '' : `, cells=${motion.cells}`;
   const head = 'import signorini\n';
   if (motion.show === 'schedule') {
     if (motion.pause !== undefined) {
-      return `${head}curve = signorini.continuum(${pairs(motion, ', ')}, energy_ratio=${motion.energy}${cells})`;
+      return `${head}curve = signorini.continuum(${argumentsOf(motion)}, energy_ratio=${motion.energy}${cells})`;
     }
-    const energy = motion.energy === undefined ? '' : `, energy_ratio=${motion.energy}`;
-    return `${head}result = signorini.find(${pairs(motion, ', ')}${energy}${cells})`;
+    const scene = given(', gap=', motion.gap) + given(', second_stop=', motion.second_stop) + given(', energy_ratio=', motion.energy);
+    return `${head}result = signorini.find(${argumentsOf(motion)}${scene}${cells})`;
   }
   if (motion.show === 'mode') {
     return `${head}motion = signorini.mode(${motion.contact}, ${motion.turns}, ${motion.period})`;
   }
+  if (motion.show === 'polygon') {
+    return nearest ? `${head}result = signorini.find(${argumentsOf({ phases: nearest })}${cells})` : `# no motion of these contacts has a period of whole steps on ${motion.cells} cells near this one`;
+  }
   if (motion.show === 'forced') {
-    return `${head}result = signorini.find(${pairs(motion, ', ')}${cells}, damping=${motion.damping}, force="${motion.place}", amplitude=${motion.amplitude})`;
+    return `${head}result = signorini.find(${argumentsOf(motion)}${cells}, damping=${motion.damping}, force="${motion.place}", amplitude=${motion.amplitude})`;
   }
   const start = motion.start.kind === 'rest' ? '' : '"start.csv", ';
   const span = motion.steps === undefined ? `time=${motion.crossings}`
@@ -62,6 +79,10 @@ export function filesOf(motion: Motion): FileOffer[] {
     return [json('schedule'), { label: 'State (CSV)', name: 'schedule.state', file: 'state.csv' },
       ...(motion.pause === undefined ? [{ label: 'Motion (CSV)', name: 'schedule.motion', file: 'motion.csv' }]
         : [{ label: 'Continuum (CSV)', name: 'schedule.continuum', file: 'continuum.csv' }])];
+  }
+  if (motion.show === 'polygon') {
+    return [json('polygons'), { label: 'Polygons (CSV)', name: 'polygons.csv', file: 'polygons.csv' },
+      { label: 'Motion (CSV)', name: 'polygon.motion', file: 'motion.csv' }];
   }
   if (motion.show === 'mode') return [json('mode'), { label: 'Motion (CSV)', name: 'mode.motion', file: 'motion.csv' }];
   if (motion.show === 'forced') return [json('forced'), { label: 'State (CSV)', name: 'forced.state', file: 'state.csv' }];

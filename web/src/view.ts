@@ -1,8 +1,9 @@
 // What is on the screen, as a link: every choice of the reader and nothing else.
 
-import type { Motion, Phases, Place, Start } from './core';
+import type { Chain, Motion, Phases, Place, Start } from './core';
 
-export type MapKind = 'energy' | 'existence' | 'response';
+export const maps = ['energy', 'existence', 'contacts', 'response'] as const;
+export type MapKind = (typeof maps)[number];
 
 /** Of the excitation: damping ratio, place, amplitude [N or m], grid and frequencies of its map. */
 export interface Forcing {
@@ -29,52 +30,48 @@ export const usual: View = {
   time: 0,
 };
 
-const phasesAsText = (phases: Phases): string => phases.map((phase) => phase.join(':')).join(',');
+export const phasesAsText = (phases: Phases): string =>
+  phases.map(([contact, free, stop]) => `${stop ? 'L:' : ''}${contact}:${free}`).join(',');
+
+type Word = string | number | undefined;
+
+/** The words of a motion in a link. */
+function wordsOf(m: Motion): Record<string, Word> {
+  switch (m.show) {
+    case 'schedule': return { phases: phasesAsText(m.phases), energy: m.energy, pause: m.pause, gap: m.gap, second_stop: m.second_stop };
+    case 'mode': return { contact: m.contact, turns: m.turns, period: m.period };
+    case 'polygon': return { chains: m.chains.map((chain) => chain.join(':')).join(','), period: m.period, split: m.split };
+    case 'forced': return { phases: phasesAsText(m.phases), which: m.which };
+    case 'simulation': return {
+      start: m.start.kind === 'rest' ? 'rest' : `${m.start.place}:${m.start.displacement}`,
+      dashpot: m.damping, crossings: m.crossings, steps: m.steps, periods: m.periods, from: m.from, span: m.span,
+    };
+  }
+}
 
 /** The part of the address behind #. */
 export function asLink(view: View): string {
-  const words = new URLSearchParams();
-  const put = (name: string, value: string | number | undefined): void => {
-    if (value !== undefined) words.set(name, String(value));
-  };
   const m = view.motion;
-  put('show', m.show);
-  put('cells', m.cells);
-  if (m.show === 'schedule') {
-    put('phases', phasesAsText(m.phases));
-    put('energy', m.energy);
-    put('pause', m.pause);
-  } else if (m.show === 'mode') {
-    put('contact', m.contact);
-    put('turns', m.turns);
-    put('period', m.period);
-  } else if (m.show === 'forced') {
-    put('phases', phasesAsText(m.phases));
-    put('which', m.which);
-  } else {
-    put('start', m.start.kind === 'rest' ? 'rest' : `${m.start.place}:${m.start.displacement}`);
-    put('dashpot', m.damping);
-    put('crossings', m.crossings);
-    put('steps', m.steps);
-    put('periods', m.periods);
-    put('from', m.from);
-    put('span', m.span);
-  }
-  put('map', view.map);
-  const f = view.forcing;
+  const { cells: grid, ...f } = view.forcing;
   const isForced = view.map === 'response' || m.show === 'forced' || (m.show === 'simulation' && m.steps !== undefined);
-  if (isForced) {
-    put('damping', f.damping);
-    put('place', f.place);
-    put('amplitude', f.amplitude);
-    put('grid', f.cells);
-    put('least', f.least);
-    put('most', f.most);
-  }
-  put('magnified', view.magnified);
-  put('pace', view.pace);
-  put('time', Number(view.time.toFixed(4)));
+  const all: Record<string, Word> = {
+    show: m.show, cells: m.cells, ...wordsOf(m), map: view.map,
+    ...(isForced ? { damping: f.damping, place: f.place, amplitude: f.amplitude, grid, least: f.least, most: f.most } : {}),
+    magnified: view.magnified, pace: view.pace, time: Number(view.time.toFixed(4)),
+  };
+  const words = new URLSearchParams(Object.entries(all).flatMap(([name, value]) => (value === undefined ? [] : [[name, String(value)]])));
   return words.toString().replaceAll('%3A', ':').replaceAll('%2C', ',');
+}
+
+/** "75:375, L:75:375". */
+export function phasesOf(text: string): Phases {
+  return text.split(',').map((word) => {
+    const found = /^\s*(L:)?(\d{1,9}):(\d{1,9})\s*$/.exec(word);
+    if (!found || Number(found[2]) < 1 || Number(found[3]) < 1) {
+      throw new Error(`phases = “${text}”: allowed contact:free steps, such as 150:900, with L: before those at a second stop`);
+    }
+    return [Number(found[2]), Number(found[3]), ...(found[1] ? ['L' as const] : [])] as Phases[number];
+  });
 }
 
 class Words {
@@ -106,14 +103,15 @@ class Words {
     if (!found) throw new Error(`${name} = “${this.text(name)}”: allowed ${allowed.join(', ')}`);
     return found;
   }
-  phases(): Phases {
-    const text = this.text('phases');
-    return text.split(',').map((pair) => {
-      const numbers = pair.split(':').map(Number);
-      if (numbers.length !== 2 || !numbers.every((n) => Number.isInteger(n) && n >= 1)) {
-        throw new Error(`phases = “${text}”: allowed contact:free steps, such as 150:900`);
+  phases(): Phases { return phasesOf(this.text('phases')); }
+  chains(): Chain[] {
+    const text = this.text('chains');
+    return text.split(',').map((row) => {
+      const numbers = row.split(':').map(Number);
+      if (numbers.length !== 3 || !numbers.every((n) => Number.isInteger(n) && n >= 0)) {
+        throw new Error(`chains = “${text}”: allowed jumps:turns:release of each contact, such as 2:1:2,2:2:1`);
       }
-      return [numbers[0], numbers[1]];
+      return [numbers[0], numbers[1], numbers[2]];
     });
   }
   start(): Start {
@@ -130,11 +128,15 @@ class Words {
 const mostCells = 1200;
 
 function motionOf(words: Words, forcing: Forcing): Motion {
-  const show = words.oneOf('show', ['schedule', 'mode', 'forced', 'simulation'] as const);
+  const show = words.oneOf('show', ['schedule', 'mode', 'polygon', 'forced', 'simulation'] as const);
   const cells = words.whole('cells', 2, mostCells);
   const some = <T>(name: string, read: () => T): T | undefined => (words.has(name) ? read() : undefined);
   if (show === 'schedule') {
     const motion: Motion = { show, cells, phases: words.phases() };
+    const gap = some('gap', () => words.number('gap', -0.1, 0.1));
+    const stop = some('second_stop', () => words.number('second_stop', 1e-6, 0.1));
+    if (gap !== undefined) motion.gap = gap;
+    if (stop !== undefined) motion.second_stop = stop;
     const energy = some('energy', () => words.number('energy', 1e-9, 1e9));
     const pause = some('pause', () => words.number('pause', 0, 1e9));
     if (energy !== undefined) motion.energy = energy;
@@ -146,6 +148,9 @@ function motionOf(words: Words, forcing: Forcing): Motion {
       show, cells, contact: words.whole('contact', 4, 40004), turns: words.whole('turns', -10001, -1),
       period: words.number('period', 1e-6, 4),
     };
+  }
+  if (show === 'polygon') {
+    return { show, cells, chains: words.chains(), period: words.number('period', 1e-6, 8), split: words.number('split', 0.001, 0.999) };
   }
   if (show === 'forced') {
     const { damping, place, amplitude } = forcing;
@@ -177,7 +182,7 @@ export function fromLink(link: string): { view: View; fault?: string } {
     read('magnified', 1, 1000);
     read('pace', 0.01, 10);
     read('time', 0, 1);
-    if (words.has('map')) view.map = words.oneOf('map', ['energy', 'existence', 'response'] as const);
+    if (words.has('map')) view.map = words.oneOf('map', maps);
     const f = view.forcing;
     if (words.has('damping')) f.damping = words.number('damping', 1e-4, 1);
     if (words.has('place')) f.place = words.oneOf('place', ['tip', 'base'] as const);

@@ -10,6 +10,8 @@ export const glossary: [string, string][] = [
   ['orbit', 'A motion, whatever the instant at which one starts to look: two motions that differ by a shift in time are one orbit.'],
   ['family', 'All motions of one period and one contact pattern, named by three whole numbers (w, ν, k): T = 2ν/w, longest contact 2k/w, and every energy from a least one upwards.'],
   ['mode', 'A curve of motions, one for each period T of an interval, rational or not, with contact time t_c = 4a + bT.'],
+  ['polygon', 'The motions with two contacts of one kind, over period and length of the first contact: contact time is shared between both as one likes.'],
+  ['second stop', 'A stop on the other side of the tip, at u(L) = −h. Contacts with it are written L:(n_c, n_f).'],
   ['continuum', 'Motions of one period and one energy that can be changed into each other without a jump: the paper’s discovery.'],
   ['grazing', 'The tip touches the wall without force: a linear motion.'],
   ['E₁', 'EA g²/(2L), the least energy with which the tip can reach the wall.'],
@@ -54,6 +56,16 @@ export const controls: Record<string, Control> = {
     title: 'Period T along a mode',
     text: 'Between the grids there is a motion for every T, also an irrational one such as π. Its contact time and energy follow from T alone.',
     formula: 't_c = 4a + bT, 1/√(E/E₁) = κT − μ, p(t) = ±h with E/E₁ = 4h².',
+  },
+  scene: {
+    title: 'What stands around the bar',
+    text: 'A gap before one wall is the paper’s case; the bar can also touch the wall at rest, be pressed on it, or swing between two stops. Bars of several segments need a solver of linear programs (GLPK) that is not in the browser: the command line finds their motions by --segments.',
+    formula: 'g > 0, g = 0, g < 0; a second stop: u(L) ≥ −h, which pushes the other way. Schedule: n_c:n_f, with L: at the second stop.',
+  },
+  polygon: {
+    title: 'Two contacts in a period',
+    text: 'Between the grids motions with two contacts fill polygons: beside the period T one may choose how the contact time is shared between both contacts. Energy and period stay as they are while you move the slider.',
+    formula: 'e_π(i) = s_i + 2k_i − m_i T, c₁ + c₂ = 2Σk − MT, 1/√(E/E₁) = κT − μ for all of them.',
   },
   damping: {
     title: 'Damping ζ',

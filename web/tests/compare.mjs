@@ -1,12 +1,13 @@
 // Ten thousand random questions, asked of the library in WebAssembly and of the same code compiled
-// by GCC: the answers agree in every bit, those of the C library's functions aside (see `isExact`).
+// by GCC: the answers agree in every bit. Where a forced motion needs a linear program, the browser,
+// which has no GLPK, says that it is undecided.
 
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import vm from 'node:vm';
 
-const core = new URL('../../build/web-core/bin/', import.meta.url);
+const core = new URL('../../build/emscripten/bin/', import.meta.url);
 const native = new URL('../../build/release/bin/explorer-core', import.meta.url).pathname;
 const count = Number(process.argv[2] ?? 10000);
 
@@ -35,6 +36,21 @@ function likely() {
   return { cells, phases: [[contact, 2 * nu * scale - contact]], energy: number(3, 6 * scale) };
 }
 const modes = [[4, -1], [8, -3], [12, -5], [4, -3], [16, -7], [16, -5]];
+/** Polygons of two contacts: their chains and periods. */
+const polygons = [
+  [[[2, 1, 2], [2, 2, 1]], 5 / 2, 8 / 3], [[[6, 3, 2], [2, 2, 1]], 3, 16 / 5], [[[10, 5, 2], [2, 2, 1]], 10 / 3, 24 / 7],
+  [[[16, 4, 2], [2, 1, 1]], 7, 36 / 5], [[[2, 3, 2], [2, 4, 1]], 9 / 8, 8 / 7],
+];
+/** Around the bar: pressed on the wall, touching it, between two stops. */
+const scenes = [
+  () => ({ ...likely(), energy: undefined, gap: -1e-3 }),
+  () => ({ ...likely(), gap: 0, energy: number(1e-6, 1e-4) }),
+  () => {
+    const scale = whole(1, 8);
+    return { cells: 4 * scale, phases: [[scale, 5 * scale], [scale, 5 * scale, 'L']], second_stop: number(2e-4, 3e-3) };
+  },
+  () => ({ cells: whole(1, 8), phases: [[whole(1, 8), whole(1, 12)], [whole(1, 8), whole(1, 12), 'L']], second_stop: 1e-3 }),
+];
 const force = () => ({ damping: number(0.005, 0.3), place: oneOf(['tip', 'base']), amplitude: number(1e-4, 1e-3) });
 
 const questions = {
@@ -50,6 +66,12 @@ const questions = {
     const [contact, turns] = oneOf(modes);
     return { show: 'mode', contact, turns, period: number(0.9 * (contact / -turns), contact / -turns), cells: whole(2, 40) };
   },
+  scene: () => ({ show: 'schedule', ...oneOf(scenes)() }),
+  polygon: () => {
+    const [chains, low, high] = oneOf(polygons);
+    return { show: 'polygon', chains, period: low + (high - low) * (0.001 + 0.998 * random()), split: 0.001 + 0.998 * random(), cells: whole(2, 40) };
+  },
+  polygons: () => ({ show: 'polygons', order: whole(1, 7) }),
   family: () => ({ show: 'family', order: whole(1, 30), nu: whole(1, 60), blocks: whole(1, 6), cells: whole(1, 300) }),
   simulation: () => ({ show: 'simulation', cells: whole(2, 40), start: { kind: 'pluck', place: number(0.05, 1), displacement: number(-5, 1) },
     damping: 0, crossings: number(1, 40), from: number(0, 8), span: number(0.5, 8), frames: whole(4, 20) }),
@@ -65,11 +87,8 @@ const questions = {
     damping: number(0.01, 0.2), crossings: 20, from: 0, span: 8, frames: 8 }),
   map: () => ({ show: 'map', cells: whole(1, 60), order: whole(1, 30), energy: number(2, 60) }),
 };
-const weights = { schedule: 40, mode: 20, family: 8, simulation: 14, file: 6, continuum: 1, forced: 6, shaken: 2, damped: 2, map: 1 };
+const weights = { schedule: 32, mode: 17, scene: 8, polygon: 6, polygons: 1, family: 7, simulation: 12, file: 5, continuum: 1, forced: 6, shaken: 2, damped: 2, map: 1 };
 const kinds = Object.entries(weights).flatMap(([kind, weight]) => Array(weight).fill(kind));
-
-/** Sines, exponentials and powers come from the C library, and two of those may differ in the last bit. */
-const isExact = (kind) => !['forced', 'shaken', 'damped', 'continuum'].includes(kind);
 
 const asked = Array.from({ length: count }, (_, k) => {
   const kind = kinds[k % kinds.length];
@@ -81,11 +100,6 @@ const context = vm.createContext({ ...globalThis, console, process, require: cre
 vm.runInContext(`${glue}\nglobalThis.createCore = createCore;`, context);
 const bridge = await context.createCore({ wasmBinary: readFileSync(new URL('core.wasm', core)) });
 const ask = (text) => bridge.ccall('signoriniAnswer', 'string', ['string'], [text]);
-const numbers = () => {
-  const at = bridge.ccall('signoriniNumbers', 'number', [], []);
-  return bridge.HEAPF64.slice(at / 8, at / 8 + bridge.ccall('signoriniCount', 'number', [], []));
-};
-
 const run = (lines, ...options) => {
   const result = spawnSync(native, options, { input: `${lines.join('\n')}\n`, maxBuffer: 2 ** 30, encoding: 'utf8' });
   if (result.status !== 0) throw new Error(`${native}: ${result.error ?? result.signal ?? result.status}`);
@@ -95,6 +109,8 @@ const run = (lines, ...options) => {
 const digests = run(asked.map((one) => one.text));
 const tally = {};
 const differing = [];
+let withoutSolver = 0;
+const lacksSolver = ({ answer }) => answer?.status === 'undecided' && /no solver of linear programs/.test(answer.detail);
 asked.forEach(({ kind, text }, k) => {
   const answer = JSON.parse(ask(text));
   const isSame = bridge.ccall('signoriniDigest', 'string', [], []) === digests[k];
@@ -102,32 +118,12 @@ asked.forEach(({ kind, text }, k) => {
   ++count.asked;
   count.answered += answer.error || answer.answer?.status === 'none' ? 0 : 1;
   count.same += isSame ? 1 : 0;
-  if (!isSame) differing.push({ kind, text });
+  if (!isSame && lacksSolver(answer)) ++withoutSolver;
+  else if (!isSame) differing.push(text);
 });
 console.table(tally);
-
-let faults = 0;
-for (const { kind, text } of differing) {
-  if (isExact(kind)) {
-    if (++faults <= 3) console.log(`differs: ${text}\n  browser ${ask(text).slice(0, 300)}\n  native  ${run([text], 'json')[0].slice(0, 300)}`);
-    continue;
-  }
-  // The last bit of a sine may show: the motion is the same to nine digits, and so is the verdict.
-  const own = JSON.parse(ask(text));
-  const other = run([text], 'json')[0];
-  const end = other.lastIndexOf('}') + 1;
-  const theirs = JSON.parse(other.slice(other.indexOf('{'), end));
-  const values = other.slice(end).trim().split(' ').filter(Boolean).map(hexadecimal);
-  const mine = numbers();
-  const size = Math.max(1, ...mine.map(Math.abs));
-  const worst = mine.reduce((most, value, i) => Math.max(most, Math.abs(value - values[i])), 0) / size;
-  if (own.answer?.status !== theirs.answer?.status || mine.length !== values.length || worst > 1e-9) {
-    if (++faults <= 3) console.log(`differs by ${worst}: ${text}`);
-  }
+for (const text of differing.slice(0, 3)) {
+  console.log(`differs: ${text}\n  browser ${ask(text).slice(0, 300)}\n  native  ${run([text], 'json')[0].slice(0, 300)}`);
 }
-function hexadecimal(word) {
-  const [, sign, lead, digits, power] = /^(-?)0x([01])\.?([0-9a-f]*)p([+-]\d+)$/.exec(word);
-  return (sign ? -1 : 1) * (Number(lead) + (digits ? parseInt(digits, 16) / 16 ** digits.length : 0)) * 2 ** Number(power);
-}
-console.log(`compare: ${asked.length} questions, ${asked.length - differing.length} answers equal in every bit, ${differing.length - faults} to nine digits, ${faults} not`);
-process.exit(faults === 0 ? 0 : 1);
+console.log(`compare: ${asked.length} questions, ${asked.length - differing.length - withoutSolver} answers equal in every bit, ${withoutSolver} undecided for want of GLPK, ${differing.length} different`);
+process.exit(differing.length === 0 ? 0 : 1);
