@@ -174,10 +174,10 @@ void describePolytope(ForcedSet& set, ForcedPolytope polytope)
 }
 
 /// Conditions that miss each other by no more than rounding meet in a point: a motion if its
-/// residual says so. \return is there one?
+/// residual says so. Without a gap it is the bar at rest. \return is there one?
 bool describeTouch(ForcedSet& set, ForcedLine line)
 {
-    if (line.blocking || !std::isfinite(line.low) || !std::isfinite(line.high)) {
+    if (line.canRest || line.blocking || !std::isfinite(line.low) || !std::isfinite(line.high)) {
         return false;
     }
     set.detail.clear();

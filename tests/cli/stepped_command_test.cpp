@@ -84,11 +84,9 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     CHECK(program.files() == 0);
 }
 
-TEST_CASE("cli stepped: a motion that was found goes on for ten periods when it is followed")
+TEST_CASE("cli stepped: a motion that was found goes on for ten periods when it is followed",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const Program program;
     const std::string bar = " --segments 4:1,4:1.3 --format json";
     const json found = program.find("3 25 --segments 4:1,4:1.3 --state s.csv", 0);
@@ -105,11 +103,9 @@ TEST_CASE("cli stepped: a motion that was found goes on for ten periods when it 
     CHECK(lines(contentOf(program.file("e.csv"))) == 1 + followed["contacts"].get<int>());
 }
 
-TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and says so")
+TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and says so",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const Program program;
     const std::string bar = " --segments 4:1,4:1.3 --damping 0.1 --force tip --format json";
     const auto run =
@@ -125,11 +121,9 @@ TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and 
     CHECK_THAT(words.out, containsText("force on the tip"));
 }
 
-TEST_CASE("cli stepped: an atlas is the same by threads and by processes, and keeps bar and proofs")
+TEST_CASE("cli stepped: an atlas is the same by threads and by processes, and keeps bar and proofs",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const Program program;
     const std::string words =
         "atlas --segments 2:1,2:1.3 --max-contact 6 --max-free 24 --all --quiet --format json "

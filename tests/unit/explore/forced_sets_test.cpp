@@ -180,7 +180,7 @@ TEST_CASE("forced motions without damping: a wall that need not push, whatever t
     const auto broken = dense.broken(motion.excitation);
     CHECK(std::abs(broken.gap) < 1e-12);
     CHECK(broken.rows < 1e-12);
-    CHECK(driftInTenPeriods(motion) < 1e-9);
+    CHECK(test::driftInTenPeriods(motion) < 1e-9);
     for (const Excited place : {Excited::tip, Excited::base}) {
         for (const std::int64_t contact : {4, 5, 6}) {
             if (contact == 4 || hasSimplex()) {

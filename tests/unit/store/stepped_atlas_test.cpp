@@ -16,11 +16,6 @@ using namespace signorini::test;
 
 namespace {
 
-bool canDecide()
-{
-    return findBackend("glpk-simplex").available() && findBackend("ipopt").available();
-}
-
 AtlasRange halves(std::int64_t contact, std::int64_t free, std::int64_t phases = 1)
 {
     AtlasRange range;
@@ -48,11 +43,9 @@ std::string textOf(const RationalProof& proof)
 
 }  // namespace
 
-TEST_CASE("stepped atlas: each row says what findPeriodic says of its schedule, with its proof")
+TEST_CASE("stepped atlas: each row says what findPeriodic says of its schedule, with its proof",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     for (const int gapSign : {1, -1}) {
         AtlasRange range = halves(6, 17);
         range.gapSign = gapSign;
@@ -95,11 +88,9 @@ TEST_CASE("stepped atlas: each row says what findPeriodic says of its schedule, 
     }
 }
 
-TEST_CASE("stepped atlas: of halves of four cells with impedances 1 and 1.3 forty schedules exist")
+TEST_CASE("stepped atlas: of halves of four cells with impedances 1 and 1.3 forty schedules exist",
+          "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     AtlasRange range = halves(15, 39);
     range.cells = 8;
     range.segments = {{.cells = 4}, {.cells = 4, .impedance = 1.3}};
@@ -118,11 +109,9 @@ TEST_CASE("stepped atlas: of halves of four cells with impedances 1 and 1.3 fort
 }
 
 TEST_CASE(
-    "stepped atlas: a database keeps the bar, its rows, and its proofs; threads change nothing")
+    "stepped atlas: a database keeps the bar, its rows, and its proofs; threads change nothing",
+    "[glpk][ipopt]")
 {
-    if (!canDecide()) {
-        return;
-    }
     const Folder folder;
     const AtlasRange range = halves(4, 10, 2);
     const std::string one = folder.file("one.sqlite");
