@@ -308,6 +308,9 @@ ExitStatus FindCommand::run() const
         status = forced.answer({common.usualCells(), parsePhases(steps), stopsOf(scene)}, common,
                                stateFile, options.strainLimit);
     } else if (question.isAsked()) {
+        if (!isUniform(scene.segments)) {
+            throw std::invalid_argument("--segments: allowed only together with NC NF");
+        }
         const AskedPeriod asked = question.on(common.usualCells(), scene.bar);
         status = answerQuestion(asked, completed(*this));
     } else {

@@ -82,7 +82,7 @@ TEST_CASE("cli: long work shows a line on a terminal, and only there")
     const std::string trace = "continuum 150 900 --energy-ratio 20 --points 20000";
     const std::string shown = shownBy(program, trace);
     CHECK_THAT(shown, containsText(" %, tracing, ") && containsText(" s left"));
-    CHECK_THAT(shownBy(program, "modes --max-order 2001"), containsText(" %, listing modes, "));
+    CHECK_THAT(shownBy(program, "modes --max-order 6001"), containsText(" %, listing modes, "));
     CHECK(shownBy(program, trace + " --quiet").find("tracing") == std::string::npos);
     CHECK(program.run(trace).err.empty());
 }

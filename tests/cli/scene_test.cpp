@@ -72,7 +72,7 @@ TEST_CASE("cli scenes: commands say which scenes they do not know")
          {"modes --second-stop 1e-3", "modes --gap 0", "modes --segments 4:1,4:1.3",
           "response --damping 0.02 --force tip --amplitude 1e-4 --segments 4:1,4:1.3",
           "find 3 7 --cells 4 --gap 0 --damping 0.02 --force tip",
-          "continuum 150 900 --energy-ratio 20 --gap 0", "simulate --rest --time 1 --segments 4:1",
+          "continuum 150 900 --energy-ratio 20 --gap 0",
           "atlas --database a.sqlite --second-stop 1e-3 --figure f.svg",
           "continuum 150 900 --energy-ratio 20 --second-stop 1e-3",
           "find 1 5 --gap 1e-3 --second-stop 0", "find 1 5 --segments 4",
