@@ -72,10 +72,10 @@ struct State {
 /// E/E_1 = (2/N) sum(a_i^2 + b_i^2); conserved by contact and free steps alike. O(N).
 [[nodiscard]] double energyRatio(const State& state);
 
-/// Of a bar of several segments (bar.hpp), with Z_i and c_i their impedances and speeds: velocity and
-/// displacement are as above, for all cells take equal times, but s = (b - a)/(c_i/c_1) [g/L] and
-/// E/E_1 = (2/N) sum (Z_i/Z_1)(a_i^2 + b_i^2), E_1 being that of a bar of the first material with the
-/// same travel time (docs/theory.md, section 19). No segments: of a uniform bar. O(N).
+/// Of a bar of several segments (bar.hpp), with Z_i and c_i their impedances and speeds: velocity
+/// and displacement are as above, for all cells take equal times, but s = (b - a)/(c_i/c_1) [g/L]
+/// and E/E_1 = (2/N) sum (Z_i/Z_1)(a_i^2 + b_i^2), E_1 being that of a bar of the first material
+/// with the same travel time (docs/theory.md, section 19). No segments: of a uniform bar. O(N).
 /// \throws std::invalid_argument unless segments and state have as many cells.
 [[nodiscard]] Eigen::VectorXd strain(const State& state, std::span<const Segment> segments);
 [[nodiscard]] double energyRatio(const State& state, std::span<const Segment> segments);

@@ -112,8 +112,8 @@ Json certificateAsJson(const ForcedAnswer& answer)
 
 ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked)
 {
-    ForcedAnswer answer{
-        std::move(set), scene, scene.bar, scales(scene.bar).displacement, asked, {}};
+    ForcedAnswer answer{std::move(set), scene, scene.bar, scales(scene.bar).displacement,
+                        asked,          {}};
     if (answer.set.forcing.place == Excited::tip) {
         answer.amplitudeUnit = forceUnit(scene.bar);
     }

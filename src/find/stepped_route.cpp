@@ -1,5 +1,5 @@
-#include "signorini/motion.hpp"
 #include "stepped_route.hpp"
+#include "signorini/motion.hpp"
 
 #include <fmt/format.h>
 

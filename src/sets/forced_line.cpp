@@ -14,7 +14,6 @@ namespace signorini {
 
 namespace {
 
-
 }  // namespace
 
 /// Writes conditions with their free amplitudes.
@@ -154,8 +153,8 @@ bool ForcedWaves::boundsHeld() const
 }
 
 /// Are the second half of the schedule and of the excitation the first, mirrored? Then so are the
-/// waves, if none has an amplitude of its own, the tip is on the other side half a period later, and half of the flights close by
-/// themselves.
+/// waves, if none has an amplitude of its own, the tip is on the other side half a period later,
+/// and half of the flights close by themselves.
 bool ForcedWaves::isMirroredMotion() const
 {
     constexpr double alike = 1e-14;

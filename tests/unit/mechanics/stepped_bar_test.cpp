@@ -1,5 +1,5 @@
-#include "signorini/motion.hpp"
 #include "stepped_bar.hpp"
+#include "signorini/motion.hpp"
 
 #include <cmath>
 #include <limits>
@@ -73,7 +73,8 @@ TEST_CASE("stepped bar: what is lost of the energy is what the dashpots of the j
         const double before = energyRatio(start, bar.segments);
         CHECK((taken > 0.0) == (dashpot > 0.0));
         // E/E_1 = (2/N) sum Z (a^2 + b^2), each step loses d v^2.
-        CHECK(energyRatio(waves.state(), bar.segments) + taken * 2.0 / 6.0 == Approx(before).epsilon(1e-12));
+        CHECK(energyRatio(waves.state(), bar.segments) + taken * 2.0 / 6.0 ==
+              Approx(before).epsilon(1e-12));
     }
 }
 
