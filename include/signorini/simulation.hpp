@@ -297,8 +297,8 @@ private:
     double same_;  ///< instants that differ by less are one
     double rho_;
     double eta_;
-    double impedance_;   ///< Z, of the last segment
-    double admittance_;  ///< 1/(Z + eta)
+    double impedance_ = 1.0;  ///< Z, of the last segment
+    double admittance_;       ///< 1/(Z + eta)
     bool recordsTip_;
     Stops stops_;
     double way_;  ///< from the wall to the second stop, like opening_; infinite: none

@@ -14,11 +14,11 @@ namespace signorini {
 namespace {
 
 /// Where the tip is stopped [g].
-struct Places {
+struct TipPlaces {
     double right;
     std::optional<double> left;
 
-    explicit Places(const Stops& stops) : right(stops.right)
+    explicit TipPlaces(const Stops& stops) : right(stops.right)
     {
         if (stops.left) {
             left = -stops.left->value();
@@ -53,7 +53,8 @@ private:
 /// One period, decided step by step.
 class OwnMarch {
 public:
-    OwnMarch(const SteppedCells& start, const State& state, const Places& stops, double tolerance)
+    OwnMarch(const SteppedCells& start, const State& state, const TipPlaces& stops,
+             double tolerance)
         : cells_(start),
           start_(state),
           stops_(stops),
@@ -135,7 +136,7 @@ private:
 
     SteppedCells cells_;
     const State& start_;
-    Places stops_;
+    TipPlaces stops_;
     double half_;
     double size_;
     double tolerance_;
@@ -152,7 +153,7 @@ private:
 
 /// (30)-(32) along the schedule.
 Residuals walk(SteppedCells cells, const State& state, const Schedule& schedule,
-               const Places& stops, std::vector<bool>& pressing, double tolerance)
+               const TipPlaces& stops, std::vector<bool>& pressing, double tolerance)
 {
     Residuals worst;
     const double size = cells.size();
@@ -207,7 +208,7 @@ SteppedVerification verifyStepped(const State& state, const Schedule& schedule,
                                   std::span<const Segment> segments, double tolerance)
 {
     validate(schedule);
-    const Places stops(schedule.stops);
+    const TipPlaces stops(schedule.stops);
     requireCells(state, schedule, segments);
     const SteppedCells cells(segments, state);
     SteppedVerification result;

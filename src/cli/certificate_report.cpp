@@ -12,7 +12,7 @@ namespace signorini::cli {
 namespace {
 
 constexpr std::string_view none = "\"certificate\":null";
-constexpr std::size_t pieceSize = 1U << 16U;  ///< characters
+constexpr std::size_t longestPiece = 1U << 16U;  ///< characters
 
 class Writer {
 public:
@@ -81,7 +81,7 @@ private:
             printValue(text, m.value);
             text.push_back(']');
             comma = ",";
-            if (text.size() > pieceSize) {
+            if (text.size() > longestPiece) {
                 flush();
             }
         }

@@ -81,7 +81,6 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
       same_(sameInstant * start.crossing),
       rho_(damping.rho()),
       eta_(damping.eta()),
-      impedance_(1.0),
       admittance_(1.0 / (1.0 + damping.eta())),
       recordsTip_(options.recordsTip),
       stops_(options.stops),
