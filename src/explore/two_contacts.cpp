@@ -117,7 +117,7 @@ private:
 
     /// u(L, 0) = g needs the sign that the other rows have. Waves that are always in contact have
     /// to press by so much that R >= 0, which only lowers u(L, 0).
-    bool staysAway() const
+    [[nodiscard]] bool staysAway() const
     {
         if (sign_ == 0.0) {
             return false;

@@ -245,7 +245,8 @@ TEST_CASE("forced scenes: without a gap motions scale with the amplitude, and re
 
 TEST_CASE(
     "response with two stops: motions on either stop are mirror images, and there are "
-    "symmetric ones")
+    "symmetric ones",
+    "[glpk]")
 {
     ResponseRange range;
     range.cells = 10;
