@@ -11,7 +11,7 @@ namespace signorini::cli {
 
 namespace {
 
-constexpr std::string_view none = "\"certificate\":null";
+constexpr std::string_view none = R"("certificate":null)";
 constexpr std::size_t longestPiece = 1U << 16U;  ///< characters
 
 class Writer {
@@ -21,7 +21,7 @@ public:
     void operator()(const FarkasCertificate& c) const
     {
         begin("paper");
-        write_(fmt::format(",\"gap\":{},\"size\":{}", c.gap, c.size));
+        write_(fmt::format(R"(,"gap":{},"size":{})", c.gap, c.size));
         list("periodicity", c.periodicity);
         list("pressure", c.pressure);
         list("penetration", c.penetration);
@@ -38,7 +38,7 @@ public:
     {
         const double floor = proof.tipFloor - proof.tolerance;
         begin(name(Formulation::joints));
-        write_(",\"tip_floor\":" + (std::isfinite(floor) ? Json(floor) : Json()).dump());
+        write_(R"(,"tip_floor":)" + (std::isfinite(floor) ? Json(floor) : Json()).dump());
         lists(proof.multipliers);
     }
 
@@ -74,7 +74,7 @@ private:
             write_({text.data(), text.size()});
             text.clear();
         };
-        print(text, ",\"{}\":[", key);
+        print(text, R"(,"{}":[)", key);
         std::string_view comma;
         for (const auto& m : rows) {
             print(text, "{}[{},", comma, m.row);
@@ -92,7 +92,7 @@ private:
     static void printValue(Text& text, std::int64_t value) { print(text, "{}", value); }
     static void printValue(Text& text, const std::string& fraction)
     {
-        print(text, "\"{}\"", fraction);
+        print(text, R"("{}")", fraction);
     }
 
     const WriteText& write_;

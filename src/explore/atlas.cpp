@@ -1,13 +1,13 @@
 #include "signorini/atlas.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <stdexcept>
 
 #include "faults.hpp"
 #include "segments_text.hpp"
 #include "stepped_bar.hpp"
 #include "stepped_blocks.hpp"
+#include "text.hpp"
 
 namespace signorini {
 
@@ -125,13 +125,10 @@ AtlasRange rangeOf(std::string_view text)
     AtlasRange range;
     std::string_view rest = text;
     const auto take = [&](auto& value) {
-        const char* end = rest.data() + rest.size();
-        const auto [stop, error] = std::from_chars(rest.data(), end, value);
-        if (error != std::errc{} || stop == end || *stop != ' ') {
+        if (!takeNumberBefore(rest, ' ', value)) {
             throw std::invalid_argument(
                 fmt::format("range = {}: allowed what textOf writes", text));
         }
-        rest.remove_prefix(static_cast<std::size_t>(stop - rest.data()) + 1);
     };
     int keepsRefuted = 0;
     int familiesOnly = 0;

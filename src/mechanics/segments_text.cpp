@@ -2,27 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <stdexcept>
 
+#include "text.hpp"
+
 namespace signorini {
-
-namespace {
-
-/// Takes a number and the mark after it, if there is more, from the front of a text.
-template <typename Number>
-bool take(std::string_view& text, Number& value, char mark)
-{
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop == end || *stop != mark) {
-        return false;
-    }
-    text.remove_prefix(static_cast<std::size_t>(stop - text.data()) + 1);
-    return true;
-}
-
-}  // namespace
 
 std::string textOf(std::span<const Segment> segments)
 {
@@ -40,8 +24,10 @@ std::vector<Segment> segmentsOf(std::string_view text)
     const std::string ended = text.empty() ? "" : std::string(text) + ',';
     for (std::string_view rest = ended; !rest.empty();) {
         Segment segment;
-        if (!take(rest, segment.cells, ':') || !take(rest, segment.impedance, ':') ||
-            !take(rest, segment.speed, ':') || !take(rest, segment.dashpot, ',')) {
+        if (!takeNumberBefore(rest, ':', segment.cells) ||
+            !takeNumberBefore(rest, ':', segment.impedance) ||
+            !takeNumberBefore(rest, ':', segment.speed) ||
+            !takeNumberBefore(rest, ',', segment.dashpot)) {
             throw std::invalid_argument(
                 fmt::format("segments = {}: allowed cells:impedance:speed:dashpot,...", text));
         }
