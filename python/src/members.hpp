@@ -119,7 +119,8 @@ SIGNORINI_MEMBERS(AtlasEntry, &T::schedule, &T::row, &T::family);
 SIGNORINI_MEMBERS(AtlasTally, &T::decided, &T::pressing, &T::grazing, &T::refuted, &T::undecided,
                   &T::families);
 SIGNORINI_MEMBERS(AtlasRange, &T::cells, &T::maxContact, &T::maxFree, &T::maxPhases,
-                  &T::maxEnergyRatio, &T::keepsRefuted, &T::familiesOnly, &T::gapSign);
+                  &T::maxEnergyRatio, &T::keepsRefuted, &T::familiesOnly, &T::gapSign, &T::segments,
+                  &T::secondStop);
 SIGNORINI_MEMBERS(AtlasRun, &T::id, &T::range, &T::nextBatch, &T::batches, &T::tally, &T::seconds);
 SIGNORINI_MEMBERS(Damping, &T::ratio);
 SIGNORINI_MEMBERS(Excitation, &T::place, &T::values, &T::stepsPerCrossing);
@@ -138,7 +139,8 @@ SIGNORINI_MEMBERS(ForcedSet, &T::schedule, &T::damping, &T::forcing, &T::limits,
                   &T::mostAmplitude, &T::foot, &T::direction, &T::low, &T::high, &T::freeWaves,
                   &T::corners);
 SIGNORINI_MEMBERS(ResponseRange, &T::cells, &T::damping, &T::place, &T::amplitude, &T::cycles,
-                  &T::leastFrequencyRatio, &T::mostFrequencyRatio, &T::contacts, &T::band);
+                  &T::leastFrequencyRatio, &T::mostFrequencyRatio, &T::contacts, &T::band,
+                  &T::stops);
 SIGNORINI_MEMBERS(TwoContactBranch, &T::phases, &T::least, &T::most);
 SIGNORINI_MEMBERS(FrequencyResponse, &T::steps, &T::frequencyRatio, &T::linearPeak, &T::touches,
                   &T::undecided, &T::motions, &T::branches, &T::twoContacts);

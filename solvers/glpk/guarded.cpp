@@ -107,8 +107,17 @@ void watchGmp()
     }
 }
 
+/// GLPK keeps an environment for each thread that calls it; this one goes with its thread.
+struct Environment {
+    Environment() = default;
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+    ~Environment() { glp_free_env(); }
+};
+
 void setHooks(Rescue* rescue)
 {
+    [[maybe_unused]] static thread_local const Environment environment;
     static std::once_flag once;
     std::call_once(once, watchGmp);
     current = rescue;
