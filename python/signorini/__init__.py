@@ -35,6 +35,8 @@ from ._tables import Table
 if TYPE_CHECKING:
     from types import ModuleType
 
+    from . import plot as plot
+
 __all__ = [
     "Atlas", "AtlasFamily", "AtlasRun", "AtlasSchedule", "BackendUnavailable",
     "Bar", "Continuum", "ContinuumPoint", "Damping", "Drive", "EnergyBalance",
