@@ -49,6 +49,7 @@ class ProgramProof(_Proof):
     inequalities: list[tuple[int, int]]
 
 class SteppedProof(_Proof):
+    tip_floor: Optional[float]
     equalities: list[tuple[int, str]]
     inequalities: list[tuple[int, str]]
 
@@ -333,7 +334,7 @@ class Damping(_Record):
 
 class ForcedMotion(_Record):
     schedule: Schedule
-    amplitude: Optional[float]
+    amplitude: float
     phase: float
     impulse: float
     peak_force: float
@@ -352,6 +353,9 @@ class ForcedResult(_Record):
     cells: int
     schedule: Schedule
     bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
     damping: Damping
     force: str
     cycles: int
@@ -379,10 +383,15 @@ class ForcedFrequency(_Record):
 class ResponseData(_Record):
     cells: int
     bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
     damping: Damping
     force: str
     amplitude: float
     cycles: int
+    contacts: int
+    band: Optional[float]
     frequency_ratio_range: tuple[float, float]
     frequencies: list[ForcedFrequency]
 

@@ -89,7 +89,8 @@ def response(*, damping: float, force: str, amplitude: float,
     data = _core.response(damping, force, amplitude, start, to, cycles, cells,
                           stability, threads, units, listener(progress))
     head = {key: getattr(data, key) for key in (
-        "cells", "bar", "damping", "force", "amplitude", "cycles",
+        "cells", "bar", "stops", "segments", "static_force", "damping",
+        "force", "amplitude", "cycles", "contacts", "band",
         "frequency_ratio_range")}
     rows = data.frequencies
     missed = any(at.undecided for at in rows)

@@ -42,7 +42,10 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
     units = bar_of(bar, bar_options)
     rows = _core.families(max_order, max_energy_ratio, units,
                           listener(progress))
-    return Table("families", rows, bar=units, complete=True,
+    scene = _core.Scene(units)
+    return Table("families", rows, bar=units, stops=scene.stops,
+                 segments=scene.segments, static_force=scene.static_force,
+                 complete=True,
                  max_order=max_order, max_energy_ratio=max_energy_ratio,
                  count=len(rows))
 

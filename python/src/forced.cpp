@@ -9,6 +9,7 @@
 #include "force.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
+#include "scene.hpp"
 #include "signorini/response.hpp"
 
 namespace signorini::python {
@@ -46,12 +47,9 @@ void addMotionOf(py::module_& module)
     record
         .key(
             "schedule", [](const MotionOf& m) { return m.value.schedule; }, "Contact and flight.")
-        .keyIfAny(
-            "amplitude",
-            [amplitude](const MotionOf& m) {
-                return m.isOfResponse ? py::object(py::none()) : py::float_(amplitude(m));
-            },
-            "Of the excitation [N] or [m]; of a response it is the response's.")
+        .key(
+            "amplitude", [amplitude](const MotionOf& m) { return amplitude(m); },
+            "Of the excitation [N] or [m].")
         .key(
             "phase", [](const MotionOf& m) { return m.value.phase; },
             "Of the excitation at the start of contact [rad].")
@@ -153,6 +151,15 @@ void addAnswer(py::module_& module)
             "schedule", [](const ForcedAnswer& a) { return a.set.schedule; }, "Asked about.")
         .key(
             "bar", [](const ForcedAnswer& a) { return a.bar; }, "Asked about.")
+        .key(
+            "stops", [](const ForcedAnswer& a) { return stopsIn(Scene(a.bar)); },
+            "[{\"side\", \"place\" [m]}, ...].")
+        .key(
+            "segments", [](const ForcedAnswer&) { return std::vector<Segment>{}; },
+            "[Segment, ...].")
+        .key(
+            "static_force", [](const ForcedAnswer& a) { return staticForce(Scene(a.bar)); },
+            "What the bar at rest presses on the wall with [N].")
         .key(
             "damping",
             [](const ForcedAnswer& a) {

@@ -101,6 +101,14 @@ void addCertificates(py::module_& module)
         .key(
             "rows", [](const SteppedProof&) { return nameOf(Formulation::joints); }, "\"joints\".")
         .key(
+            "tip_floor",
+            [](const SteppedProof& p) {
+                const double floor = p.tipFloor - p.tolerance;
+                return std::isfinite(floor) ? py::object(py::float_(floor))
+                                            : py::object(py::none());
+            },
+            "[g], that the proof rests on, or None.")
+        .key(
             "equalities", [](const SteppedProof& p) { return pairs(p.multipliers.equalities); },
             "[(row, \"p/q\"), ...].")
         .key(

@@ -6,6 +6,7 @@
 #include "force.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
+#include "scene.hpp"
 #include "share_work.hpp"
 #include "signorini/response.hpp"
 
@@ -75,6 +76,15 @@ void addRecords(py::module_& module)
         .key(
             "bar", [](const ResponseAnswer& a) { return a.bar; }, "Asked about.")
         .key(
+            "stops", [](const ResponseAnswer& a) { return stopsIn(Scene(a.bar)); },
+            "[{\"side\", \"place\" [m]}, ...].")
+        .key(
+            "segments", [](const ResponseAnswer&) { return std::vector<Segment>{}; },
+            "[Segment, ...].")
+        .key(
+            "static_force", [](const ResponseAnswer& a) { return staticForce(Scene(a.bar)); },
+            "What the bar at rest presses on the wall with [N].")
+        .key(
             "damping",
             [](const ResponseAnswer& a) {
                 return Of<Damping>{a.range.damping, a.bar};
@@ -91,6 +101,16 @@ void addRecords(py::module_& module)
             "[N] or [m].")
         .key(
             "cycles", [](const ResponseAnswer& a) { return a.range.cycles; }, "K.")
+        .key(
+            "contacts", [](const ResponseAnswer& a) { return a.range.contacts; },
+            "Most contacts in a period.")
+        .key(
+            "band",
+            [](const ResponseAnswer& a) {
+                return a.range.contacts > 1 ? py::object(py::float_(a.range.band))
+                                            : py::object(py::none());
+            },
+            "How far amplitudes of two contacts may lie from the amplitude, relative, or None.")
         .key(
             "frequency_ratio_range",
             [](const ResponseAnswer& a) {
