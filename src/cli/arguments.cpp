@@ -257,20 +257,20 @@ Bar CommonOptions::bar() const
 
 Bar CommonOptions::barOfAnyGap() const
 {
-    if (secondStop_ || !segments_.empty()) {
+    const Scene scene = sceneOfOneBar();
+    if (scene.secondStop) {
         throw std::invalid_argument(
-            fmt::format("{}: allowed only where this command knows such scenes: find, simulate, {}",
-                        secondStop_ ? "--second-stop" : "--segments",
-                        secondStop_ ? "response, families, atlas" : "atlas"));
+            "--second-stop: allowed only where this command knows such scenes: find, simulate, "
+            "response, families, atlas");
     }
-    return givenBar();
+    return scene.bar;
 }
 
 Scene CommonOptions::sceneOfOneBar() const
 {
     if (!segments_.empty()) {
         throw std::invalid_argument(
-            "--segments: allowed only where this command knows such scenes: find, without a force");
+            "--segments: allowed only where this command knows such scenes: find, simulate, atlas");
     }
     return scene();
 }

@@ -18,8 +18,8 @@ const char* unitOf(const ForcedAnswer& answer)
 
 std::string amplitudesOf(const ForcedAnswer& answer)
 {
-    const double most = answer.set.mostAmplitude * answer.amplitudeUnit;
-    return fmt::format("{:.6g} … {} {}", answer.set.leastAmplitude * answer.amplitudeUnit,
+    const double most = answer.set.mostAmplitude * answer.amplitudeUnit();
+    return fmt::format("{:.6g} … {} {}", answer.set.leastAmplitude * answer.amplitudeUnit(),
                        std::isfinite(most) ? fmt::format("{:.6g}", most) : "∞", unitOf(answer));
 }
 
@@ -78,20 +78,6 @@ Json asJson(const std::vector<ForcedCondition>& conflict)
     return rows;
 }
 
-Json asJson(const ForcedMotion& motion, const ForcedAnswer& answer)
-{
-    const Physical physical = physicalOf(motion.extremes, answer.bar);
-    return {{"schedule", phasesAsJson(motion.schedule.phases)},
-            {"amplitude", motion.amplitude * answer.amplitudeUnit},
-            {"phase", motion.phase},
-            {"impulse", physical.impulse},
-            {"peak_force", physical.peakForce},
-            {"tip_lowest", physical.tipLowest},
-            {"physical", physicalAsJson(physical)},
-            {"admissible", physical.isAdmissible()},
-            {"residual", motion.residual}};
-}
-
 /// \pre there is no motion.
 Json certificateAsJson(const ForcedAnswer& answer)
 {
@@ -112,11 +98,7 @@ Json certificateAsJson(const ForcedAnswer& answer)
 
 ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked)
 {
-    ForcedAnswer answer{std::move(set), scene, scene.bar, scales(scene.bar).displacement,
-                        asked,          {}};
-    if (answer.set.forcing.place == Excited::tip) {
-        answer.amplitudeUnit = forceUnit(scene.bar);
-    }
+    ForcedAnswer answer{std::move(set), scene, scene.bar, asked, {}};
     if (answer.set.status != Status::found) {
         return answer;
     }
@@ -124,7 +106,7 @@ ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> a
         answer.motions = {leastAmplitudeMotion(answer.set)};
         return answer;
     }
-    const double amplitude = *asked / answer.amplitudeUnit;
+    const double amplitude = *asked / answer.amplitudeUnit();
     answer.motions = motionsOfAmplitude(answer.set, amplitude);
     if (answer.motions.empty()) {
         answer.exclusion = exclusionOf(answer.set, amplitude);
@@ -136,10 +118,7 @@ ForcedAnswer answerOf(const SteppedForced& forced, const Scene& scene, std::opti
 {
     Bar bar = firstMaterial(scene);
     bar.young.reset();  // it is known of the first segment only
-    ForcedAnswer answer{forced.set(), scene, bar, bar.gap, asked, {}};
-    if (answer.set.forcing.place == Excited::tip) {
-        answer.amplitudeUnit = forceUnit(bar);
-    }
+    ForcedAnswer answer{forced.set(), scene, bar, asked, {}};
     if (answer.set.status != Status::found) {
         return answer;
     }
@@ -147,7 +126,7 @@ ForcedAnswer answerOf(const SteppedForced& forced, const Scene& scene, std::opti
         answer.motions = {forced.leastAmplitude()};
         return answer;
     }
-    const double amplitude = *asked / answer.amplitudeUnit;
+    const double amplitude = *asked / answer.amplitudeUnit();
     answer.motions = forced.ofAmplitude(amplitude);
     if (answer.motions.empty()) {
         answer.exclusion = AmplitudeExclusion{amplitude, {}, false};
@@ -169,7 +148,7 @@ std::string asText(const ForcedAnswer& answer)
     }
     for (const ForcedMotion& motion : answer.motions) {
         print(text, "motion      amplitude {:.6g} {}, phase {:.6g} rad, residual {:.2g}\n{}",
-              motion.amplitude * answer.amplitudeUnit, unitOf(answer), motion.phase,
+              motion.amplitude * answer.amplitudeUnit(), unitOf(answer), motion.phase,
               motion.residual, asText(physicalOf(motion.extremes, answer.bar)));
     }
     if (set.reason) {
@@ -209,11 +188,11 @@ std::string asJson(const ForcedAnswer& answer)
     addScene(answer.scene, json);
     if (set.status == Status::found) {
         // JSON has no infinity: a ray prints null.
-        json["amplitude_range"] = {set.leastAmplitude * answer.amplitudeUnit,
-                                   set.mostAmplitude * answer.amplitudeUnit};
+        json["amplitude_range"] = {set.leastAmplitude * answer.amplitudeUnit(),
+                                   set.mostAmplitude * answer.amplitudeUnit()};
     }
     for (const ForcedMotion& motion : answer.motions) {
-        json["motions"].push_back(asJson(motion, answer));
+        json["motions"].push_back(asJson(motion, answer.bar));
     }
     if (!answer.motions.empty()) {
         json["amplitude"] = json["motions"].back()["amplitude"];

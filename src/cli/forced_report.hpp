@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "force_report.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/response.hpp"
 #include "stepped_forced.hpp"
@@ -17,11 +18,16 @@ struct ForcedAnswer {
     ForcedSet set;
     Scene scene;
     Bar bar;                            ///< whose scales the answer has
-    double amplitudeUnit = 1.0;         ///< [N] or [m]
     std::optional<double> asked;        ///< [N] or [m]
     std::vector<ForcedMotion> motions;  ///< by ascending impulse
     /// Where the set has motions, but none of the amplitude.
     std::optional<AmplitudeExclusion> exclusion = {};
+
+    /// What an amplitude of 1 is [N] or [m].
+    [[nodiscard]] double amplitudeUnit() const
+    {
+        return cli::amplitudeUnit(set.forcing.place, bar);
+    }
 
     [[nodiscard]] Status status() const
     {

@@ -25,17 +25,8 @@ Json asJson(const FrequencyResponse& response, const Bar& bar)
               {"undecided", response.undecided},
               {"motions", Json::array()}};
     for (const ForcedMotion& motion : response.motions) {
-        const Physical physical = physicalOf(motion.extremes, bar);
-        Json one{{"schedule", phasesAsJson(motion.schedule.phases)},
-                 {"amplitude", motion.amplitude * amplitudeUnit(motion.excitation.place, bar)},
-                 {"phase", motion.phase},
-                 {"impulse", physical.impulse},
-                 {"peak_force", physical.peakForce},
-                 {"tip_lowest", physical.tipLowest},
-                 {"physical", physicalAsJson(physical)},
-                 {"admissible", physical.isAdmissible()},
-                 {"residual", motion.residual},
-                 {"stable", nullptr}};
+        Json one = cli::asJson(motion, bar);
+        one["stable"] = nullptr;
         if (motion.stability.value_or(Stability::unclear) != Stability::unclear) {
             one["stable"] = *motion.stability == Stability::attracts;
         }
@@ -45,11 +36,6 @@ Json asJson(const FrequencyResponse& response, const Bar& bar)
 }
 
 }  // namespace
-
-double amplitudeUnit(Excited place, const Bar& bar)
-{
-    return place == Excited::tip ? forceUnit(bar) : scales(bar).displacement;
-}
 
 std::string asText(const ResponseAnswer& answer)
 {

@@ -43,9 +43,6 @@ struct ResponseAnswer {
     }
 };
 
-/// What an amplitude of 1 is [N] or [m].
-[[nodiscard]] double amplitudeUnit(Excited place, const Bar& bar);
-
 /// Several lines for people, with a final newline.
 [[nodiscard]] std::string asText(const ResponseAnswer& answer);
 

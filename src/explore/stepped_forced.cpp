@@ -4,17 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "faults.hpp"
 #include "forced_case.hpp"
+#include "infinity.hpp"
 #include "stepped_blocks.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double leastPivot = 1e-10;  // of 1 - W; below it the waves are anyone's guess
 constexpr double parallel = 1e-12;    // rows with a smaller part along the line do not cut it
 

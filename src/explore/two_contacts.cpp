@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "forced_case.hpp"
+#include "forced_cut.hpp"
 
 namespace signorini {
 
@@ -13,11 +14,6 @@ namespace {
 constexpr double nearlyZero = 1e-9;
 /// [steps]; a flight of one step closes if the tip rests in it: that is a contact.
 constexpr std::int64_t shortestFlight = 2;
-
-double size(Plane x)
-{
-    return std::abs(x.c) + std::abs(x.s);
-}
 
 /// The schedules of one n, one after the other.
 class Sweep {

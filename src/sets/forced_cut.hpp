@@ -3,9 +3,9 @@
 /// A line in the plane of excitations while rows cut it.
 
 #include <cmath>
-#include <limits>
 
 #include "forced_line.hpp"
+#include "infinity.hpp"
 
 namespace signorini {
 
@@ -90,8 +90,6 @@ public:
 private:
     // Amplitudes beyond this many times the least one of the line count as infinite.
     static constexpr double farAway = 1e9;
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-
     ForcedLine line_;
     bool isPlane_;
     double far_ = 0.0;

@@ -29,11 +29,6 @@ Excited placeOf(const Request& request)
     return *place;
 }
 
-double amplitudeUnit(Excited place)
-{
-    return place == Excited::tip ? cli::forceUnit(bar) : bar.gap;
-}
-
 double amplitudeOf(const Request& request)
 {
     return request.number("amplitude", 1e-9, mostAmplitude);
@@ -146,10 +141,11 @@ Course courseOf(const Request& request)
                   0.0};
     if (request.has("steps")) {
         const Excited place = placeOf(request);
-        course.excitation = excitationOf({.place = place,
-                                          .amplitude = amplitudeOf(request) / amplitudeUnit(place),
-                                          .steps = request.whole("steps", 3, 100 * cells),
-                                          .stepsPerCrossing = perCrossing});
+        course.excitation =
+            excitationOf({.place = place,
+                          .amplitude = amplitudeOf(request) / cli::amplitudeUnit(place, bar),
+                          .steps = request.whole("steps", 3, 100 * cells),
+                          .stepsPerCrossing = perCrossing});
         course.stretch = static_cast<double>(course.excitation.steps());
         course.total = static_cast<double>(request.whole("periods", 1, 2000));
     } else {
