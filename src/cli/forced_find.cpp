@@ -9,6 +9,7 @@
 #include "forced_report.hpp"
 #include "report.hpp"
 #include "stepped_bar.hpp"
+#include "stepped_forced.hpp"
 #include "stops.hpp"
 
 namespace signorini::cli {

@@ -5,6 +5,7 @@
 #include "force_report.hpp"
 #include "report.hpp"
 #include "stepped_bar.hpp"
+#include "stepped_forced.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {

@@ -9,7 +9,10 @@
 #include "force_report.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/response.hpp"
-#include "stepped_forced.hpp"
+
+namespace signorini {
+class SteppedForced;
+}
 
 namespace signorini::cli {
 

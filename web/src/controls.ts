@@ -287,16 +287,19 @@ export class Controls {
     put('dashpot-value', shown(Number(input('dashpot').value), 3));
   }
 
-  /** What is shown has changed: sliders, lists, links and files follow. */
+  /**
+   * What is shown has changed: sliders, lists, links and files follow. Other answers may come before
+   * that to the last question: the kind chosen stays.
+   */
   private follow(): void {
-    const { view, map, answer } = this.explorer;
+    const { asked, view, map, answer } = this.explorer;
     const { motion } = view;
     this.last[motion.show] = motion;
     const check = (name: string, value: string): void => {
       const radio = document.querySelector<HTMLInputElement>(`input[name="${name}"][value="${value}"]`);
       if (radio) radio.checked = true;
     };
-    check('kind', motion.show);
+    check('kind', asked.show);
     check('map', view.map);
     for (const part of document.querySelectorAll<HTMLElement>('[data-kind]')) part.hidden = part.dataset.kind !== motion.show;
     input('pace').value = String(Math.log10(view.pace));

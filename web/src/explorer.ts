@@ -18,6 +18,8 @@ const atlasQuestion = { show: 'map', cells: 300, order: 60, energy: 60 };
 
 export class Explorer {
   view: View;
+  /** The motion last asked for: the one in `view`, once it is on the screen or refused. */
+  asked: Motion;
   answer: Answer | undefined;
   film: Film | undefined;
   isPlaying = !matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -37,6 +39,7 @@ export class Explorer {
 
   constructor(readonly library: Library) {
     this.view = this.read(location.hash);
+    this.asked = this.view.motion;
     this.map = new MapView(byId('map'), (pick) => void this.pick(pick));
     addEventListener('hashchange', () => this.follow(location.hash));
     requestAnimationFrame((now) => this.frame(now));
@@ -70,6 +73,7 @@ export class Explorer {
 
   /** Asks the library and shows what it answers; a fault becomes a sentence. */
   show(motion: Motion, keepsTime = false): Promise<void> {
+    this.asked = motion;
     return this.motions.run(async () => {
       try {
         const answer = await this.library.ask(motion as unknown as Question);
@@ -89,6 +93,8 @@ export class Explorer {
           this.film = new Film(answer);
           this.showAnswer(this.view.motion, answer);
         }
+        if (this.asked === motion) this.asked = this.view.motion;
+        this.onShown();
       }
     });
   }
