@@ -63,9 +63,7 @@ constexpr Capabilities simplex{.detectsInfeasibility = true,
                                .iterationLimit = true,
                                .timeLimit = true,
                                .cancel = true};
-constexpr Capabilities exact{
-    .detectsInfeasibility = true, .duals = true, .iterationLimit = true, .timeLimit = true};
-constexpr Capabilities interior{.duals = true};
+constexpr Capabilities interior{.duals = true, .cancel = true};
 constexpr Capabilities local{.quadraticObjective = true,
                              .energyEquality = true,
                              .iterationLimit = true,
@@ -101,7 +99,7 @@ std::span<const Backend> backends()
                 .library = "GLPK",
                 .option = "SIGNORINI_WITH_GLPK",
                 .purpose = "linear programs by the simplex method in rational numbers",
-                .can = exact,
+                .can = simplex,
                 .version = glpkVersion,
                 .make = glpkExact},
         Backend{.name = "ipopt",

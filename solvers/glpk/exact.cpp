@@ -44,16 +44,16 @@ private:
     {
         SolverResult result;
         Stopwatch watch;
-        Problem problem;
+        Problem problem(options.cancel);
         fill(problem, program);
         glp_smcp settings = quietSettings(options);
         result.setupSeconds = watch.restart();
 
         int code = 0;
-        problem.run([&](glp_prob* p) { code = solveExactly(p, settings, watch); });
-        result.solveSeconds = watch.seconds();
-
-        readSimplex(code, problem.get(), program, result);
+        const auto solve = [&](glp_prob* p) { code = solveExactly(p, settings, watch); };
+        if (finishes(problem, solve, watch, result)) {
+            readSimplex(code, problem.get(), program, result);
+        }
         return result;
     }
 };

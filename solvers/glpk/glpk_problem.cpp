@@ -157,7 +157,7 @@ glp_smcp quietSettings(const SolverOptions& options)
 {
     glp_smcp settings;
     glp_init_smcp(&settings);
-    settings.msg_lev = GLP_MSG_OFF;
+    settings.msg_lev = options.cancel ? GLP_MSG_ON : GLP_MSG_OFF;
     if (options.iterationLimit > 0) {
         settings.it_lim = clampToInt(static_cast<double>(options.iterationLimit));
     }

@@ -2,6 +2,7 @@
 /// \file
 /// What the three GLPK back ends share: handing a program over, reading verdict and point back.
 
+#include "common/stopwatch.hpp"
 #include "glpk/guarded.hpp"
 #include "solver.hpp"
 
@@ -17,10 +18,26 @@ struct Verdict {
     const char* detail;
 };
 
+/// Runs `call`, see Problem::run, and notes its time from the start of `watch`. False if it was
+/// cancelled, as the result then says.
+template <typename Call>
+[[nodiscard]] bool finishes(Problem& problem, Call call, const Stopwatch& watch,
+                            SolverResult& result)
+{
+    try {
+        problem.run(call);
+    } catch (const Cancelled&) {
+        result.status = SolverStatus::cancelled;
+        result.detail = "cancelled";
+    }
+    result.solveSeconds = watch.seconds();
+    return result.status != SolverStatus::cancelled;
+}
+
 /// The meaning of what glp_simplex or glp_exact returned, and of glp_get_status after a 0.
 [[nodiscard]] Verdict simplexVerdict(int code, glp_prob* problem);
 
-/// Of the simplex methods: silent, within the limits.
+/// Of the simplex methods: within the limits, and silent unless somebody may cancel.
 [[nodiscard]] glp_smcp quietSettings(const SolverOptions& options);
 
 /// Reads n values and the multipliers of p + q rows, where `value` and `dual` are GLPK's accessors

@@ -34,6 +34,7 @@ struct Rescue {
     std::array<char, 400> words;
     std::size_t size;
     const Cancel* cancel;
+    int blocks;  ///< of GMP, since the last look at `cancel`
     bool isCancelled;
 };
 
@@ -54,15 +55,20 @@ extern "C" void leave(void* data)
     std::longjmp(static_cast<Rescue*>(data)->place, 1);  // NOLINT(cert-err52-cpp): see the header
 }
 
+void leaveIfCancelled(Rescue& rescue)
+{
+    if (rescue.cancel != nullptr && isRequested(*rescue.cancel)) {
+        rescue.isCancelled = true;
+        leave(&rescue);
+    }
+}
+
 /// GLPK speaks of errors, and while it works if there is somebody who may want it to end.
 extern "C" int hearGlpk(void* data, const char* text)
 {
     Rescue& rescue = *static_cast<Rescue*>(data);
     keep(rescue, text);
-    if (rescue.cancel != nullptr && isRequested(*rescue.cancel)) {
-        rescue.isCancelled = true;
-        leave(data);
-    }
+    leaveIfCancelled(rescue);
     return 1;  // nothing goes to the terminal
 }
 
@@ -79,8 +85,15 @@ thread_local Rescue* current = nullptr;
     std::abort();
 }
 
+/// GLPK's exact method says nothing for seconds; blocks for its rationals are asked for all the
+/// time.
 extern "C" void* allocateForGmp(std::size_t size)
 {
+    constexpr int blocksOfALook = 4096;
+    if (current != nullptr && ++current->blocks == blocksOfALook) {
+        current->blocks = 0;
+        leaveIfCancelled(*current);
+    }
     void* block = std::malloc(size);
     return block != nullptr ? block : (endGmp(), nullptr);
 }
@@ -164,6 +177,7 @@ void Problem::attempt(void (*call)(void*, glp_prob*), void* data)
     rescue.size = 0;
     rescue.words[0] = '\0';
     rescue.cancel = cancel_;
+    rescue.blocks = 0;
     rescue.isCancelled = false;
     setHooks(&rescue);
     glp_term_out(cancel_ != nullptr ? GLP_ON : GLP_OFF);

@@ -97,16 +97,18 @@ private:
         if (condensed.decided) {
             return *condensed.decided;
         }
-        Problem problem;
+        Problem problem(options.cancel);
         fill(problem, condensed.program);
         glp_iptcp settings;
         glp_init_iptcp(&settings);
-        settings.msg_lev = GLP_MSG_OFF;
+        settings.msg_lev = options.cancel ? GLP_MSG_ALL : GLP_MSG_OFF;
         result.setupSeconds = watch.restart();
 
         int code = 0;
-        problem.run([&code, &settings](glp_prob* p) { code = glp_interior(p, &settings); });
-        result.solveSeconds = watch.seconds();
+        const auto solve = [&](glp_prob* p) { code = glp_interior(p, &settings); };
+        if (!finishes(problem, solve, watch, result)) {
+            return result;
+        }
 
         Verdict verdict = interiorVerdict(code, problem.get());
         if (verdict.status == SolverStatus::optimal || code == GLP_EINSTAB) {

@@ -34,7 +34,6 @@ private:
         Problem problem(options.cancel);
         fill(problem, program);
         glp_smcp settings = quietSettings(options);
-        settings.msg_lev = options.cancel ? GLP_MSG_ON : GLP_MSG_OFF;
         settings.out_frq = pivotsOfALook;
         settings.presolve = glp_get_num_rows(problem.get()) > fewRows ? GLP_ON : GLP_OFF;
         settings.tol_bnd = std::min(defaultTolerance, toleranceShare * options.tolerance);
@@ -42,17 +41,10 @@ private:
         result.setupSeconds = watch.restart();
 
         int code = 0;
-        try {
-            problem.run([&code, &settings](glp_prob* p) { code = glp_simplex(p, &settings); });
-        } catch (const Cancelled&) {
-            result.solveSeconds = watch.seconds();
-            result.status = SolverStatus::cancelled;
-            result.detail = "cancelled";
-            return result;
+        const auto solve = [&code, &settings](glp_prob* p) { code = glp_simplex(p, &settings); };
+        if (finishes(problem, solve, watch, result)) {
+            readSimplex(code, problem.get(), program, result);
         }
-        result.solveSeconds = watch.seconds();
-
-        readSimplex(code, problem.get(), program, result);
         return result;
     }
 };

@@ -33,7 +33,7 @@ byId('copy-link').onclick = async () => {
 };
 
 function showTheme(): void {
-  byId('theme').setAttribute('aria-pressed', String(isDark()));
+  byId('theme').textContent = isDark() ? 'Light' : 'Dark';
   explorer.recolour();
 }
 byId('theme').onclick = () => {
@@ -49,6 +49,6 @@ for (const link of document.querySelectorAll<HTMLElement>('[data-skip]')) {
   };
 }
 
-byId('theme').setAttribute('aria-pressed', String(isDark()));
+byId('theme').textContent = isDark() ? 'Light' : 'Dark';
 explorer.setPlaying(explorer.isPlaying);
 void explorer.begin();
