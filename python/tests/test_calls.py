@@ -154,6 +154,7 @@ def interrupted(work: Callable[[], object]) -> float:
     lambda: sg.response(damping=0.02, force="tip", amplitude=2e-4, cells=900),
     lambda: sg.simulate(damping=0.0, force="tip", amplitude=2e-4,
                         frequency=1.1, time=1e6),
+    lambda: sg.find(40000, 1040000, cells=300000, damping=0.03, force="tip"),
 ])
 def test_control_c_ends_a_call_within_a_tenth_of_a_second(
         work: Callable[[], object]) -> None:
@@ -174,6 +175,9 @@ def threads_of_this_process() -> int:
     pytest.param(lambda: sg.find(15000, 90000, cells=30000, objective="any",
                                  formulation="state", solver="glpk-simplex"),
                  marks=needs("glpk-simplex")),
+    pytest.param(lambda: sg.find(15000, 90000, cells=30000, objective="any",
+                                 formulation="state", solver="glpk-exact"),
+                 marks=needs("glpk-exact")),
     pytest.param(lambda: sg.continuum(150, 900, energy_ratio=20, seed=1,
                                       engine="ipopt"), marks=needs("ipopt")),
 ])
