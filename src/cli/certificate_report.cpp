@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "energy_bound.hpp"
 #include "report.hpp"
+#include "stepped_bar.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {
@@ -118,6 +120,40 @@ void writeAnswer(const Json& answer, const PeriodicResult& result, const WriteTe
     write(text.substr(0, value));
     writeCertificate(*result.absence, write);
     write(text.substr(place + none.size()));
+}
+
+std::optional<Json> energyCertificate(const PeriodicResult& result, const FindOptions& options)
+{
+    const auto* exclusion =
+        result.absence ? std::get_if<EnergyExclusion>(&result.absence->proof) : nullptr;
+    const bool isLimited = std::isfinite(options.strainLimit) || std::isfinite(options.tipFloor);
+    if (isLimited || !result.set.energy || !isUniform(result.scene.segments) ||
+        (!result.motion && exclusion == nullptr)) {
+        return std::nullopt;
+    }
+    const auto proof = leastEnergyProof(result.schedule);
+    if (!proof) {
+        return std::nullopt;
+    }
+    constexpr double rounding = 1e-12;
+    Json json{{"kind", "energy-range"},
+              {"verified",
+               exclusion != nullptr
+                   ? exclusion->isVerified
+                   : exceedEnergy(result.schedule, result.set.energy->least * (1.0 - rounding))},
+              {"rows", name(Formulation::lumped)}};
+    if (exclusion != nullptr) {
+        json["energy_ratio"] = exclusion->energyRatio;
+    }
+    const auto list = [&json](const char* key, const std::vector<RationalMultiplier>& rows) {
+        json[key] = Json::array();
+        for (const RationalMultiplier& m : rows) {
+            json[key].push_back({m.row, m.value});
+        }
+    };
+    list("equalities", proof->equalities);
+    list("inequalities", proof->inequalities);
+    return json;
 }
 
 }  // namespace signorini::cli

@@ -4,6 +4,7 @@
 /// memory should hold twice. docs/certificates.md says what each number means.
 
 #include <functional>
+#include <optional>
 #include <string_view>
 
 #include "json.hpp"
@@ -18,5 +19,10 @@ void writeCertificate(const Absence& absence, const WriteText& write);
 
 /// An answer, whose certificate is null, as one line with the certificate of its absence in place.
 void writeAnswer(const Json& answer, const PeriodicResult& result, const WriteText& write);
+
+/// What proves the least energy of a set with a gap, and what an energy to hold misses; nothing
+/// where the answer keeps a further limit, or where no multipliers are known.
+[[nodiscard]] std::optional<Json> energyCertificate(const PeriodicResult& result,
+                                                    const FindOptions& options);
 
 }  // namespace signorini::cli

@@ -125,10 +125,18 @@ public:
         } else if (motion_.areWanted()) {
             say("no motion to write, so no file was written");
         }
-        if (result.absence) {
+        const auto energies =
+            proof_.areWanted() ? energyCertificate(result, words_.options) : std::nullopt;
+        if (result.absence || energies) {
             proof_.put("--certificate", [&](const std::string& path) {
                 TextFile file(path);
-                writeAnswer(answer, result, [&](std::string_view text) { file.write(text); });
+                if (energies) {
+                    Json proved = answer;
+                    proved["certificate"] = *energies;
+                    file.write(asLine(proved));
+                } else {
+                    writeAnswer(answer, result, [&](std::string_view text) { file.write(text); });
+                }
                 file.close();
             });
             proof_.commit();
@@ -235,7 +243,9 @@ void FindCommand::addTo(CLI::App& command)
                      "start beside the motion, undamped and with a damping ratio of 0.001");
     addAnimation(command, animationFile);
     addFile(command, "--certificate", certificateFile,
-            "where there is no motion, write the proof, for tools/check-certificate", "FILE.json");
+            "write the proof that there is no motion, or of the least energy, for "
+            "tools/check-certificate",
+            "FILE.json");
     common.addTo(command);
 }
 

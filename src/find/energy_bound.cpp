@@ -62,31 +62,45 @@ Rational boundByGap(const std::vector<const ClassType*>& live, const Schedule& s
     return square.is_zero() ? Rational(0) : Rational(wanted * wanted / square);
 }
 
-/// The combination that the exact projection leaves, evaluated on the rows of the program.
-Rational boundByProjection(const ClassTypes& classes, const std::vector<const ClassType*>& live)
+bool isWithinReach(const Schedule& folded, std::size_t live)
 {
-    const Program program = formulate(classes.schedule, Formulation::lumped).program;
+    constexpr std::int64_t mostSteps = 10'000'000;  // of the delay sequence in memory
+    return live <= maxLiveTypes && steps(folded) <= mostSteps;
+}
+
+/// The rows that hold the nearest point, by their number among equalities and then inequalities;
+/// empty without such a point.
+std::vector<WeightedRow> rowsOfLeast(const Program& program,
+                                     const std::vector<const ClassType*>& live)
+{
     const auto rows = ProgramRows::of(program);
     if (!rows) {
-        return 0;
+        return {};
     }
     std::vector<std::int64_t> counts;
     counts.reserve(live.size());
     for (const ClassType* type : live) {
         counts.push_back(type->count);
     }
-    const Projection nearest = project(*rows, RationalVector(live.size()), counts);
+    Projection nearest = project(*rows, RationalVector(live.size()), counts);
     if (!nearest.isFeasible) {
-        return 0;
+        return {};
     }
+    std::erase_if(nearest.rows, [&program](const WeightedRow& held) {  // S >= 0: readers know
+        return held.row.tag >= program.equalities.rows() + program.inequalities.rows();
+    });
+    return std::move(nearest.rows);
+}
+
+/// The combination that the exact projection leaves, evaluated on the rows of the program.
+Rational boundByProjection(const ClassTypes& classes, const std::vector<const ClassType*>& live)
+{
+    const Program program = formulate(classes.schedule, Formulation::lumped).program;
     RationalVector c(live.size());
     Rational value = 0;
-    for (const auto& [row, weight] : nearest.rows) {
+    for (const auto& [row, weight] : rowsOfLeast(program, live)) {
         const std::int64_t k = row.tag;
         const std::int64_t p = program.equalities.rows();
-        if (k >= p + program.inequalities.rows()) {
-            continue;  // S >= 0: dualBound knows
-        }
         const bool isEquality = k < p;
         if (!isEquality && weight < 0) {
             return 0;
@@ -125,9 +139,36 @@ bool exceedEnergy(const Schedule& schedule, double energyRatio)
     if (boundByGap(live, classes.schedule) > wanted) {
         return true;
     }
-    constexpr std::int64_t mostSteps = 10'000'000;  // of the delay sequence in memory
-    return live.size() <= maxLiveTypes && steps(classes.schedule) <= mostSteps &&
+    return isWithinReach(classes.schedule, live.size()) &&
            boundByProjection(classes, live) > wanted;
+}
+
+std::optional<RationalProof> leastEnergyProof(const Schedule& schedule)
+{
+    const ClassTypes classes = classTypes(schedule);
+    const auto live = liveTypesOf(classes);
+    if (!isWithinReach(classes.schedule, live.size()) || isCone(schedule.stops)) {
+        return std::nullopt;
+    }
+    const Program program = formulate(classes.schedule, Formulation::lumped).program;
+    std::vector<WeightedRow> held = rowsOfLeast(program, live);
+    if (held.empty()) {
+        return std::nullopt;
+    }
+    std::sort(held.begin(), held.end(), [](const WeightedRow& left, const WeightedRow& right) {
+        return left.row.tag < right.row.tag;
+    });
+    // Rows of the projection say >=, those of the program = and <=.
+    RationalProof proof;
+    const std::int64_t equalities = program.equalities.rows();
+    for (const auto& [row, weight] : held) {
+        if (row.tag < equalities) {
+            proof.equalities.push_back({row.tag, Rational(-weight).str()});
+        } else {
+            proof.inequalities.push_back({row.tag - equalities, weight.str()});
+        }
+    }
+    return proof;
 }
 
 bool stayBelowEnergy(const Schedule& schedule, double energyRatio, double strainLimit)

@@ -4,7 +4,9 @@
 /// shares nothing with the closed form and the projection that find them.
 
 #include <limits>
+#include <optional>
 
+#include "signorini/certificate.hpp"
 #include "signorini/schedule.hpp"
 
 namespace signorini {
@@ -18,6 +20,15 @@ namespace signorini {
 /// one phase; several need their multipliers found first. False if nothing is proved, also where
 /// rows or unknowns are more than exact arithmetic can take. O(rows).
 [[nodiscard]] bool exceedEnergy(const Schedule& schedule, double energyRatio);
+
+/// Multipliers of the rows of formulate(schedule, Formulation::lumped), those of inequalities >= 0,
+/// that add up to r . S <= q < 0. By the inequality of Cauchy and Schwarz then
+///
+///     sum S^2/d  >=  q^2 / sum d r^2,     positive r on S >= 0 left out,
+///
+/// and this is the least there is. Empty where there is no motion, without a gap, or where rows or
+/// unknowns are more than exact arithmetic can take. O(rows).
+[[nodiscard]] std::optional<RationalProof> leastEnergyProof(const Schedule& schedule);
 
 /// Is every motion's E/E_1 proved to stay below the ratio? One phase only: z >= 0 and sum z = S
 /// give sum z^2 <= S^2; on the box of a grazing set squares are largest at its corners, which are

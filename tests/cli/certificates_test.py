@@ -12,9 +12,12 @@ import copy
 import importlib.machinery
 import importlib.util
 import json
+import pathlib
 import random
+import sqlite3
 import subprocess
 import sys
+import tempfile
 from fractions import Fraction
 
 
@@ -136,6 +139,90 @@ def check_scenes(options, checker, draw):
     return proved, refused
 
 
+def spoilt_energies(answer, draw):
+    """The answer with one change after which its energies are not proved, or not those claimed."""
+    answer = copy.deepcopy(answer)
+    certificate, (least, most) = answer["certificate"], answer["energy_ratio_range"]
+    ways = ["least", "drop"] + (["most", "unbounded"] if most is not None else [])
+    if answer["status"] == "found":
+        ways.append("state")
+    elif most is None or most > 1.001 * least:
+        ways.append("wanted")
+    way = draw.choice(ways)
+    if way == "least":
+        answer["energy_ratio_range"][0] = least * draw.choice([1 - 1e-9, 1 + 1e-9])
+    elif way == "most":
+        answer["energy_ratio_range"][1] = most * draw.choice([1 - 1e-9, 1 + 1e-9])
+    elif way == "unbounded":  # a claim less
+        answer["energy_ratio_range"] = [least * 2, None]
+    elif way == "wanted":
+        certificate["energy_ratio"] = 1.0005 * least
+    elif way == "state":
+        answer["objective"] = draw.choice(["min-energy", "max-energy"])
+        answer["energy_ratio"] = (least if answer["objective"] == "min-energy" else most or 1)
+        answer["energy_ratio"] *= draw.choice([1 - 1e-6, 1 + 1e-6])
+    else:
+        certificate["equalities"] = []
+    return answer, way
+
+
+def existing(options, folder):
+    """Words of calls about schedules that have motions, from atlases."""
+    calls = []
+    for number, (scene, words) in enumerate([
+            (["--cells", "30"], []), (["--cells", "7", "--gap", "-1e-3"], []),
+            (["--cells", "3"], ["--phases", "2"]),
+            (["--cells", "6"], ["--phases", "2", "--max-contact", "4"]),
+            (["--cells", "3", "--gap", "-1e-3"], ["--phases", "2"]),
+            (["--cells", "2", "--second-stop", "1.5e-3"], ["--phases", "2"])]):
+        path = folder / f"atlas{number}.sqlite"
+        subprocess.run([options.program, "atlas", "--quiet", "--database", str(path), *scene, *words],
+                       stdout=subprocess.DEVNULL, check=True)
+        base = sqlite3.connect(path)
+        rows = base.execute("SELECT phases FROM schedules WHERE status = 'found' ORDER BY rowid")
+        calls.append([[word for phase in phases.split(",") for word in phase.rsplit(":", 1)] + scene
+                      for phases, in rows])
+        base.close()
+    return calls
+
+
+def check_all_energies(options, checker, draw):
+    """Least and most energies of random schedules; how many hold, how many spoilt ones are refused."""
+    proved = refused = several = most_known = beyond = 0
+    with tempfile.TemporaryDirectory() as name:
+        path = pathlib.Path(name) / "proof.json"
+        calls = existing(options, path.parent)
+        while proved < options.count:
+            demand = draw.choice([[], [], ["--objective", "max-energy"],
+                                  ["--energy-ratio", repr(draw.choice([1.01, 300]))]])
+            path.unlink(missing_ok=True)
+            words = ["find", *draw.choice(draw.choice(calls)), *demand, "--solver", "closed-form",
+                     "--quiet", "--certificate", str(path)]
+            subprocess.run([options.program, *words], stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL, check=False)
+            if not path.exists():
+                continue  # an energy or an end that the closed form does not know
+            answer = json.loads(path.read_text(encoding="utf-8"))
+            try:
+                checker.check(answer)
+            except checker.NoProof as why:
+                if "not known to this checker" in str(why):
+                    continue
+                sys.exit(f"{' '.join(words)}: {why}")
+            proved += 1
+            certificate = answer["certificate"]
+            several += len(certificate["equalities"]) + len(certificate["inequalities"]) > 1
+            most_known += answer["energy_ratio_range"][1] is not None
+            beyond += answer["status"] == "none"
+            bad, what = spoilt_energies(answer, draw)
+            try:
+                sys.exit(f"{' '.join(words)}: spoilt ({what}): {checker.check(bad)}")
+            except checker.NoProof:
+                refused += 1
+    return (f"{proved} proofs hold, {several} of several rows, {most_known} with the most energy, "
+            f"{beyond} of no motion of an energy; {refused} spoilt ones are refused")
+
+
 def random_call(draw, is_stepped):
     """Words of the program about a random schedule."""
     scene = draw.choice([[], ["--gap", "-1e-3"], ["--gap", "0", "--energy", "1"]])
@@ -194,6 +281,7 @@ def main():
     check_many(options, checker, draw, is_stepped=False)
     print("scenes: {} proofs hold, {} of others are refused".format(
         *check_scenes(options, checker, draw)))
+    print("energies:", check_all_energies(options, checker, draw))
     listed = json.loads(subprocess.run(
         [options.program, "find", "3", "25", "--segments", "4:1,4:1.3", "--format", "json"],
         capture_output=True, check=False).stdout or "null")

@@ -266,7 +266,7 @@ TEST_CASE("cli: without a motion no file is written, and old ones stay")
     CHECK(program.files() == 1);
 }
 
-TEST_CASE("cli: --certificate is the answer with all of its proof, and there is none of a motion")
+TEST_CASE("cli: --certificate is the answer with all of its proof, of a motion that of its energy")
 {
     const Program program;
     CHECK(program.run("find 2 4 --cells 2 --certificate proof.json --state s.csv").status == 1);
@@ -282,8 +282,16 @@ TEST_CASE("cli: --certificate is the answer with all of its proof, and there is 
 
     const auto found = program.run("find 5 23 --cells 8 --certificate other.json --state s.csv");
     CHECK(found.status == 0);
-    CHECK_THAT(found.err, containsText("no proof to write"));
-    CHECK(program.files() == 2);
+    const json energies = json::parse(contentOf(program.file("other.json")))["certificate"];
+    CHECK(energies["kind"] == "energy-range");
+    CHECK(energies["verified"] == true);
+    CHECK(energies["equalities"].size() == 1);
+    CHECK(program.files() == 3);
+    const auto limited =
+        program.run("find 5 23 --cells 8 --strain-limit 1 --certificate limited.json");
+    CHECK(limited.status == 0);
+    CHECK_THAT(limited.err, containsText("no proof to write"));
+    CHECK(program.files() == 3);
     CHECK(program.run("find 5 23 --cells 8 --certificate s.csv --state s.csv").status == 2);
     CHECK(program.run("find --period 7/2 --certificate p.json").status == 2);
     // A list longer than a piece in which it is written.
