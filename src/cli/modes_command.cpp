@@ -171,6 +171,10 @@ ExitStatus ModesCommand::run() const
 {
     // Several contacts are known for a gap > 0.
     const Bar bar = phases == 1 ? common.barOfAnyGap() : common.bar();
+    if (phases > 1 && maxOrder && *maxOrder > maxPolytopeOrder) {
+        refuse("--max-order", fmt::format("{}", *maxOrder),
+               fmt::format("whole numbers 1..{} with several contacts", maxPolytopeOrder));
+    }
     ModeBounds all = bounds;
     all.maxOrder = maxOrder.value_or(usualOrder(phases));
     all.maxPeriod = maxPeriod.value_or(std::max(8.0, 4.0 * static_cast<double>(phases)));
