@@ -143,9 +143,11 @@ class Held:
         for (_, _, bound, sort, c), (*_, s) in rows[1:]:
             # c C + s S <= bound, or = bound
             here = c * self.foot[0] + s * self.foot[1]
-            self.cut(bound - here, c * way[0] + s * way[1])
+            slope = c * way[0] + s * way[1]
+            size = math.hypot(c, s)
+            self.cut(bound - here, slope, size)
             if sort == "=":
-                self.cut(here - bound, -(c * way[0] + s * way[1]))
+                self.cut(here - bound, -slope, size)
 
     def response(self, answer, phase):
         """Rows (phase, step, bound, sort, coefficient) of an excitation of amplitude 1."""
@@ -168,10 +170,10 @@ class Held:
         self.isKnown = False
         return []
 
-    def cut(self, room, slope):
-        """slope t <= room."""
-        if abs(slope) <= 1e-11:
-            if room < -1e-11 * GAP:
+    def cut(self, room, slope, size):
+        """slope t <= room, of a row of this size: all of it, or nothing, where it is parallel."""
+        if abs(slope) <= 1e-9 * size:
+            if room < -1e-9 * (GAP + size * math.hypot(*self.foot)):
                 self.high = -math.inf
         elif slope > 0:
             self.high = min(self.high, room / slope)
