@@ -16,6 +16,10 @@
 /// several whose vertices are known), it decides before any solver does. Where only finitely many
 /// motions have the energy, the answer lists them.
 ///
+/// Without a gap, and with one stop, motions are a convex cone without lines, and those of one
+/// energy E = E/E_1 EA L/2 are its cut by a sphere: always connected, and the great circle between
+/// two of them stays in it. So there geometry traces every schedule.
+///
 /// Each point is verified before it is kept. A curve takes 16 N bytes per point.
 
 #include <cstdint>
@@ -46,7 +50,10 @@ namespace trace {
 /// energy but for cells covered in part. No two members are the same but for a shift in time, and
 /// in units of time the curve is the same on every grid, to within a cell. At energies that
 /// only a pulse of less than two cells has, the second pulse is a smaller one. Where motions do not
-/// differ in one simplex of amplitudes: a path between two members of the solver's choice.
+/// differ in one simplex of amplitudes, nor in several of one size and fixed sums, which then all
+/// carry the same pulses: a path between two members of the solver's choice.
+/// Without a gap the impulse is free: the curve holds that of pulses which together take half the
+/// contact, and where three or more classes cannot share it goes along the arc between two members.
 struct SplitPulse {};
 /// A path between two motions.
 struct Path {
@@ -54,7 +61,7 @@ struct Path {
     State to;
 };
 /// From a motion this way for half a great circle of the set's sphere, sliding along the faces it
-/// meets. Only the part of `direction` along the set counts. By geometry only.
+/// meets. Only the part of `direction` along the set counts. By geometry only, and with a gap.
 struct Walk {
     State from;
     State direction;
@@ -75,8 +82,8 @@ using Trace =
 
 /// What a curve is to do beyond staying in the set.
 struct ContinuumOptions {
-    /// Unit of the strain limit and of peak strains; the sign of its gap is that of the schedule.
-    Bar bar = {};
+    /// Unit of strain limit and peak strains, and where the stops are; a uniform bar.
+    Scene scene = {};
     /// [-], 2..1e6, of a curve or a sample. Programs keep more where the resolution asks for it.
     std::int64_t points = 201;
     Trace trace = {};  ///< the split pulse, if nothing is said
@@ -128,7 +135,7 @@ struct Continuum {
     /// [sqrt(E/E_1)], of a curve: the largest distance of neighbours, in the norm of the energy.
     std::optional<double> resolution;
     Schedule schedule;
-    Bar bar;
+    Scene scene;
     double energyRatio = 0.0;                ///< E/E_1 asked for
     std::optional<EnergyRange> energyRange;  ///< over the whole set, if known
     std::int64_t dimension = -1;         ///< of the motions of this energy; -1: none or not known
@@ -161,7 +168,8 @@ struct Member {
 [[nodiscard]] Member memberAt(const Continuum& curve, double lambda);
 
 /// `count` motions spread over the whole set at one energy, the same for the same seed:
-/// hit-and-run. One contact phase. Empty if no motion has this energy. \throws
+/// hit-and-run; without a gap independent draws. One contact phase. Empty if no motion has this
+/// energy. \throws
 /// std::invalid_argument on invalid input.
 [[nodiscard]] std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio,
                                                std::int64_t count, std::uint64_t seed = 1);

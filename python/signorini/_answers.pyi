@@ -126,7 +126,8 @@ class Result(_Record):
 
 class ContinuumPoint(_Record):
     lambda_: float
-    energy_ratio: float
+    energy: float
+    energy_ratio: Optional[float]
     residual: float
     peak_strain: float
     physical: Physical
@@ -140,10 +141,14 @@ class Continuum(_Record):
     cells: int
     schedule: Schedule
     bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
     period: float
     period_ratio: float
     frequency_ratio: float
-    energy_ratio: float
+    energy: float
+    energy_ratio: Optional[float]
     connected: Optional[bool]
     components: Optional[int]
     dimension: Optional[int]

@@ -8,7 +8,7 @@ from . import _core
 from ._core import Bar, Continuum, ForcedResult, Result, Scene, State
 from ._progress import Progress, listener
 from ._question import Question, ask
-from ._words import Number, Segments, Steps, bar_of, scene_of, state_of
+from ._words import Number, Segments, Steps, scene_of, state_of
 
 
 if TYPE_CHECKING:
@@ -171,8 +171,10 @@ def find(
                       tolerance, time_limit)
 
 
-def continuum(*schedule: Steps, energy_ratio: float, cells: int | None = None,
-              bar: Bar | None = None, points: int = 201,
+def continuum(*schedule: Steps, energy_ratio: float | None = None,
+              energy: float | None = None, cells: int | None = None,
+              bar: Bar | None = None, scene: Scene | None = None,
+              second_stop: float | None = None, points: int = 201,
               start: State | str | None = None, to: State | str | None = None,
               direction: State | str | None = None, seed: int | None = None,
               sample: bool = False, engine: str = "auto",
@@ -185,12 +187,17 @@ def continuum(*schedule: Steps, energy_ratio: float, cells: int | None = None,
     ----------
     *schedule : int, pairs of int, or Schedule
         n_c, n_f of each contact phase in turn.
-    energy_ratio : float
-        E/E_1 of every motion.
+    energy, energy_ratio : float, optional
+        Of every motion, one of them: in J, or in E_1. Without a gap there is
+        no E_1: in J.
     cells : int, optional
         N, cells of the bar (300).
     bar : Bar, optional
         What units mean in SI; or its parameters as keywords, `length=`, ...
+    scene : Scene, optional
+        In place of `bar` and `second_stop`; without segments.
+    second_stop : float, optional
+        h [m]: a stop at u(L) = -h. Phases on it are (n_c, n_f, "left").
     points : int
         Motions along the curve.
     start, to, direction : State or file name, optional
@@ -222,8 +229,9 @@ def continuum(*schedule: Steps, energy_ratio: float, cells: int | None = None,
     BackendUnavailable
         If no solver of this build can do what is asked.
     """
-    units = bar_of(bar, bar_options)
-    return _core.continuum(schedule, cells, units, energy_ratio, points,
+    whole = scene_of(scene, bar, second_stop, None, bar_options)
+    units = whole.bar
+    return _core.continuum(schedule, cells, whole, energy_ratio, energy, points,
                            state_of(start, units, cells),
                            state_of(to, units, cells),
                            state_of(direction, units, cells), seed,

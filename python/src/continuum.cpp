@@ -7,6 +7,7 @@
 #include "faults.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
+#include "scene.hpp"
 #include "signorini/continuum.hpp"
 
 namespace signorini::python {
@@ -38,7 +39,13 @@ PointOf pointOf(const Shared& curve, std::size_t at)
 
 Physical physicalOf(const PointOf& p)
 {
-    return signorini::physicalOf(extremesOf(p.point->state, p.curve->schedule), p.curve->bar);
+    return signorini::physicalOf(extremesOf(p.point->state, p.curve->schedule), p.curve->scene.bar);
+}
+
+/// Without a gap there is no E_1.
+bool hasUnit(const Continuum& curve)
+{
+    return curve.scene.bar.gap != 0.0;
 }
 
 /// No motions have no dimension.
@@ -66,8 +73,17 @@ void addPoint(py::module_& module)
             "lambda", [](const PointOf& p) { return p.point->lambda; },
             "Where on the curve; `parameter` says what it is.")
         .key(
-            "energy_ratio", [](const PointOf& p) { return p.point->energyRatio; },
-            "E/E_1, recomputed.")
+            "energy",
+            [](const PointOf& p) {
+                return p.point->energyRatio * scales(p.curve->scene.bar).energy;
+            },
+            "E [J], recomputed.")
+        .key(
+            "energy_ratio",
+            [](const PointOf& p) {
+                return hasUnit(*p.curve) ? py::cast(p.point->energyRatio) : py::object(py::none());
+            },
+            "E/E_1; None without a gap.")
         .key(
             "residual", [](const PointOf& p) { return p.point->residual; },
             "The largest of its residuals, recomputed.")
@@ -86,14 +102,14 @@ void addPoint(py::module_& module)
             "state",
             [](const PointOf& p) {
                 return StateOf{std::shared_ptr<const State>(p.point, &p.point->state),
-                               p.curve->bar};
+                               p.curve->scene.bar};
             },
             "At t = 0: a State.")
         .def_property_readonly(
             "motion",
             [](const PointOf& p) {
                 return GridMotion{std::shared_ptr<const State>(p.point, &p.point->state),
-                                  p.curve->schedule, Scene(p.curve->bar)};
+                                  p.curve->schedule, p.curve->scene};
             },
             "The field over one period: a Motion.")
         .def("__repr__", [](const PointOf& p) {
@@ -120,9 +136,19 @@ A sequence of ContinuumPoint; each was verified before it was kept.
         .key(
             "schedule", [](const Continuum& c) { return c.schedule; }, "Asked about.")
         .key(
-            "bar", [](const Continuum& c) { return c.bar; }, "Asked about.")
+            "bar", [](const Continuum& c) { return c.scene.bar; }, "Asked about.")
         .key(
-            "period", [](const Continuum& c) { return period(c.schedule) * scales(c.bar).time; },
+            "stops", [](const Continuum& c) { return stopsIn(c.scene); },
+            "[{\"side\", \"place\" [m]}, ...].")
+        .key(
+            "segments", [](const Continuum& c) { return c.scene.segments; },
+            "[], as a stepped bar has no continua.")
+        .key(
+            "static_force", [](const Continuum& c) { return staticForce(c.scene); },
+            "What the bar at rest presses on the wall with [N].")
+        .key(
+            "period",
+            [](const Continuum& c) { return period(c.schedule) * scales(c.scene.bar).time; },
             "T [s].")
         .key(
             "period_ratio", [](const Continuum& c) { return period(c.schedule); }, "c T/L.")
@@ -130,7 +156,14 @@ A sequence of ContinuumPoint; each was verified before it was kept.
             "frequency_ratio", [](const Continuum& c) { return frequencyRatio(c.schedule); },
             "omega/omega_1.")
         .key(
-            "energy_ratio", [](const Continuum& c) { return c.energyRatio; }, "E/E_1 asked for.")
+            "energy", [](const Continuum& c) { return c.energyRatio * scales(c.scene.bar).energy; },
+            "E asked for [J].")
+        .key(
+            "energy_ratio",
+            [](const Continuum& c) {
+                return hasUnit(c) ? py::cast(c.energyRatio) : py::object(py::none());
+            },
+            "E/E_1 asked for; None without a gap.")
         .key(
             "connected", [](const Continuum& c) { return orNone(c.connected); },
             "Can the ends, or all motions of this energy, be joined?")
@@ -146,7 +179,9 @@ A sequence of ContinuumPoint; each was verified before it was kept.
         .key(
             "energy_ratio_range",
             [](const Continuum& c) {
-                return orNone(c.energyRange, [](const EnergyRange& r) { return boundsOf(r); });
+                return hasUnit(c)
+                           ? orNone(c.energyRange, [](const EnergyRange& r) { return boundsOf(r); })
+                           : py::object(py::none());
             },
             "(least, most) E/E_1 of the whole set.")
         .key(
@@ -237,16 +272,21 @@ Trace traceOf(const std::optional<StateOf>& start, const std::optional<StateOf>&
     return trace::Walk{*start->value, *direction->value};
 }
 
-Continuum continuum(const py::tuple& words, std::optional<std::int64_t> cells, const Bar& bar,
-                    double energyRatio, std::int64_t points, const std::optional<StateOf>& start,
+Continuum continuum(const py::tuple& words, std::optional<std::int64_t> cells, const Scene& scene,
+                    std::optional<double> energyRatio, std::optional<double> energy,
+                    std::int64_t points, const std::optional<StateOf>& start,
                     const std::optional<StateOf>& to, const std::optional<StateOf>& direction,
                     std::optional<std::uint64_t> seed, bool sample, const std::string& engine,
                     std::optional<double> strainLimit, double resolution, double tolerance,
                     const py::object& progress)
 {
     const Schedule schedule = scheduleOf(words, cells);
+    if (energyRatio.has_value() == energy.has_value()) {
+        throw std::invalid_argument("energy, energy_ratio: allowed exactly one of them");
+    }
+    const double ratio = energyRatio ? *energyRatio : *energy / scales(scene.bar).energy;
     ContinuumOptions options;
-    options.bar = bar;
+    options.scene = scene;
     options.points = points;
     options.trace = traceOf(start, to, direction, seed, sample);
     options.solver = solverOfEngine(engine);
@@ -257,7 +297,7 @@ Continuum continuum(const py::tuple& words, std::optional<std::int64_t> cells, c
         [=](const Wires& wires) mutable {
             options.cancel = wires.cancel;
             options.progress = wires.progress;
-            return traceContinuum(schedule, energyRatio, options);
+            return traceContinuum(schedule, ratio, options);
         },
         progress);
 }

@@ -108,7 +108,7 @@ SIGNORINI_MEMBERS(PeriodicResult, &T::status, &T::detail, &T::schedule, &T::scen
 SIGNORINI_MEMBERS(ContinuumPoint, &T::lambda, &T::state, &T::energyRatio, &T::residual,
                   &T::peakStrain);
 SIGNORINI_MEMBERS(Continuum, &T::status, &T::detail, &T::reason, &T::connected, &T::components,
-                  &T::resolution, &T::schedule, &T::bar, &T::energyRatio, &T::energyRange,
+                  &T::resolution, &T::schedule, &T::scene, &T::energyRatio, &T::energyRange,
                   &T::dimension, &T::solver, &T::parameter, &T::family, &T::points, &T::orbits);
 SIGNORINI_MEMBERS(AtlasFamily, &T::id, &T::cells, &T::family, &T::top, &T::steps, &T::kind,
                   &T::dimension, &T::energy, &T::schedules);

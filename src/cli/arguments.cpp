@@ -261,7 +261,7 @@ Bar CommonOptions::barOfAnyGap() const
     if (scene.secondStop) {
         throw std::invalid_argument(
             "--second-stop: allowed only where this command knows such scenes: find, simulate, "
-            "response, families, atlas");
+            "response, families, atlas, continuum");
     }
     return scene.bar;
 }

@@ -25,6 +25,19 @@ namespace {
 
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
 
+/// [E_1], whichever way it was given.
+double energyOf(const ContinuumCommand& call, const Bar& bar)
+{
+    if (call.energy && call.energyRatio) {
+        throw std::invalid_argument("--energy clashes with --energy-ratio: allowed one of them");
+    }
+    if (!call.energy && !call.energyRatio) {
+        throw std::invalid_argument(
+            "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
+    }
+    return call.energy ? *call.energy / scales(bar).energy : *call.energyRatio;
+}
+
 Trace traceOf(const ContinuumCommand& call, const Bar& bar)
 {
     const int ends = (call.toFile.empty() ? 0 : 1) + (call.directionFile.empty() ? 0 : 1);
@@ -55,8 +68,8 @@ Trace traceOf(const ContinuumCommand& call, const Bar& bar)
 ContinuumOptions completed(const ContinuumCommand& call)
 {
     ContinuumOptions options = call.options;
-    options.bar = call.common.barOfAnyGap();
-    options.trace = traceOf(call, options.bar);
+    options.scene = call.common.sceneOfOneBar();
+    options.trace = traceOf(call, options.scene.bar);
     return options;
 }
 
@@ -78,7 +91,8 @@ void ContinuumCommand::addTo(CLI::App& command)
     command.add_option("steps", steps, "contact and free steps of each phase")
         ->type_name("NC NF ...");
     addPositive(command, "--energy-ratio", "E_1", energyRatio, "X",
-                "E/E_1 of every motion; required");
+                "E/E_1 of every motion; this or");
+    addPositive(command, "--energy", "J", energy, "J", "their energy in joules");
     addWhole(command, "--points", 2, maxContinuumPoints, options.points, "M",
              "motions along the curve (201)");
     addFile(command, "--from", fromFile, "state to start from, as find --state writes it");
@@ -106,11 +120,10 @@ void ContinuumCommand::addTo(CLI::App& command)
 
 ExitStatus ContinuumCommand::run() const
 {
-    const Schedule schedule{common.usualCells(), parsePhases(steps)};
-    if (!energyRatio) {
-        throw std::invalid_argument("--energy-ratio is missing: allowed finite numbers > 0 [E_1]");
-    }
+    Schedule schedule{common.usualCells(), parsePhases(steps)};
     ContinuumOptions request = completed(*this);
+    const double ratio = energyOf(*this, request.scene.bar);
+    schedule.stops = stopsOf(request.scene);
     validate(schedule);
     if (member.has_value() == stateFile.empty()) {
         throw std::invalid_argument("--member and --state: allowed both or neither");
@@ -124,7 +137,7 @@ ExitStatus ContinuumCommand::run() const
     request.cancel = interrupt->cancel();
     std::optional<Progress> progress(std::in_place, !common.quiet, "tracing");
     request.progress = [&progress](double done, double total) { progress->show(done, total); };
-    const Continuum curve = traceContinuum(schedule, *energyRatio, request);
+    const Continuum curve = traceContinuum(schedule, ratio, request);
     progress.reset();
     interrupt.reset();
     std::optional<Member> chosen;
@@ -133,7 +146,7 @@ ExitStatus ContinuumCommand::run() const
             chosen = memberAt(curve, *member);
         }
         outputs.put("--state", [&](const std::string& path) {
-            writeStateCsv(path, chosen->point.state, request.bar);
+            writeStateCsv(path, chosen->point.state, request.scene.bar);
         });
         outputs.put("--csv", [&](const std::string& path) { writeContinuumCsv(path, curve); });
         outputs.put("--figure", [&](const std::string& path) {

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// signorini continuum NC NF [NC NF ...] --energy-ratio X
+/// signorini continuum NC NF [NC NF ...] --energy-ratio X | --energy J
 
 #include <cstdint>
 #include <optional>
@@ -17,6 +17,7 @@ struct ContinuumCommand {
     CommonOptions common;
     std::vector<std::string> steps;
     std::optional<double> energyRatio;
+    std::optional<double> energy;  ///< [J]
     ContinuumOptions options;
     bool sample = false;
     std::optional<std::uint64_t> seed;

@@ -28,11 +28,22 @@ std::string orbitsAsText(const Continuum& curve)
                        curve.orbits, curve.orbits == 1 ? "" : "s");
 }
 
-const char* unitOf(Parameter parameter)
+/// Without a gap there is no E_1: energies are in joules.
+bool hasUnit(const Continuum& curve)
 {
-    switch (parameter) {
+    return curve.scene.bar.gap != 0.0;
+}
+
+double joules(double energyRatio, const Continuum& curve)
+{
+    return energyRatio * scales(curve.scene.bar).energy;
+}
+
+const char* unitOf(const Continuum& curve)
+{
+    switch (curve.parameter) {
         case Parameter::arcLength:
-            return " [√E₁]";
+            return hasUnit(curve) ? " [√E₁]" : " [√(EA L/2)]";
         case Parameter::pause:
             return " between the two pulses of force [L/c]";
         case Parameter::number:
@@ -45,7 +56,8 @@ Json asJson(const ContinuumPoint& point, const Continuum& curve)
 {
     const Physical physical = physicalOf(point, curve);
     return {{"lambda", point.lambda},
-            {"energy_ratio", point.energyRatio},
+            {"energy", joules(point.energyRatio, curve)},
+            {"energy_ratio", hasUnit(curve) ? Json(point.energyRatio) : Json()},
             {"residual", point.residual},
             {"peak_strain", point.peakStrain},
             {"physical", physicalAsJson(physical)},
@@ -56,15 +68,18 @@ Json asJson(const ContinuumPoint& point, const Continuum& curve)
 
 Physical physicalOf(const ContinuumPoint& point, const Continuum& curve)
 {
-    return signorini::physicalOf(extremesOf(point.state, curve.schedule), curve.bar);
+    return signorini::physicalOf(extremesOf(point.state, curve.schedule), curve.scene.bar);
 }
 
 std::string asText(const Continuum& curve, const std::optional<Member>& member)
 {
-    std::string text = fmt::format("{:<12}{}, E = {:.10g} E₁, {} motions by the {} engine\n",
-                                   name(curve.status), describe(curve.schedule), curve.energyRatio,
-                                   curve.points.size(), engineOf(curve));
-    if (curve.energyRange) {
+    const std::string energy = hasUnit(curve)
+                                   ? fmt::format("{:.10g} E₁", curve.energyRatio)
+                                   : fmt::format("{:.10g} J", joules(curve.energyRatio, curve));
+    std::string text =
+        fmt::format("{:<12}{}, E = {}, {} motions by the {} engine\n", name(curve.status),
+                    describe(curve.schedule), energy, curve.points.size(), engineOf(curve));
+    if (curve.energyRange && hasUnit(curve)) {
         text += fmt::format("range       {:.10g} … {:.10g} E₁\n", curve.energyRange->least,
                             curve.energyRange->most);
     }
@@ -87,8 +102,8 @@ std::string asText(const Continuum& curve, const std::optional<Member>& member)
             most = std::max(most, point.peakStrain);
         }
         text += fmt::format("curve       {}, λ = {}{} from {:.6g} to {:.6g}\n", curve.family,
-                            name(curve.parameter), unitOf(curve.parameter),
-                            curve.points.front().lambda, curve.points.back().lambda);
+                            name(curve.parameter), unitOf(curve), curve.points.front().lambda,
+                            curve.points.back().lambda);
         text += fmt::format("orbits      {}\n", orbitsAsText(curve));
         if (curve.resolution) {
             text +=
@@ -117,11 +132,11 @@ std::string asJson(const Continuum& curve, const std::optional<Member>& member)
     json.update(Json{{"status", name(curve.status)},
                      {"cells", curve.schedule.cells},
                      {"schedule", phasesAsJson(curve.schedule.phases)},
-                     {"bar", barAsJson(curve.bar)},
-                     {"period", period(curve.schedule) * scales(curve.bar).time},
+                     {"period", period(curve.schedule) * scales(curve.scene.bar).time},
                      {"period_ratio", period(curve.schedule)},
                      {"frequency_ratio", frequencyRatio(curve.schedule)},
-                     {"energy_ratio", curve.energyRatio},
+                     {"energy", joules(curve.energyRatio, curve)},
+                     {"energy_ratio", hasUnit(curve) ? Json(curve.energyRatio) : Json()},
                      {"connected", nullptr},
                      {"components", nullptr},
                      {"dimension", nullptr},
@@ -133,6 +148,7 @@ std::string asJson(const Continuum& curve, const std::optional<Member>& member)
                      {"reason", nullptr},
                      {"orbits", curve.orbits},
                      {"points", Json::array()}});
+    addScene(curve.scene, json);
     if (curve.connected) {
         json["connected"] = *curve.connected;
     }
@@ -142,7 +158,7 @@ std::string asJson(const Continuum& curve, const std::optional<Member>& member)
     if (hasDimension(curve)) {
         json["dimension"] = curve.dimension;
     }
-    if (curve.energyRange) {
+    if (curve.energyRange && hasUnit(curve)) {
         json["energy_ratio_range"] = {curve.energyRange->least, curve.energyRange->most};
     }
     if (curve.resolution) {

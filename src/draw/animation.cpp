@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "axes.hpp"
 #include "gnuplot.hpp"
 #include "palette.hpp"
 #include "signorini/figures.hpp"
@@ -64,6 +65,22 @@ void begin(Text& script, const std::string& title)
 void end(Text& script)
 {
     print(script, "unset multiplot\nunset label 1\nunset object\nunset key\n");
+}
+
+/// What the axes of a frame say, in the scales of the bar.
+struct AxisNames {
+    const char* displacement;
+    const char* fields;
+    const char* force;
+};
+
+AxisNames axisNames(double gap)
+{
+    if (gap == 0.0) {
+        return {"L", "s,  v/c", "R/EA"};
+    }
+    return gap > 0.0 ? AxisNames{"g", "s L/g,  v L/(c g)", "R L/(EA g)"}
+                     : AxisNames{"|g|", "s L/|g|,  v L/(c |g|)", "R L/(EA |g|)"};
 }
 
 /// x/L, s L/g, v L/(c g), u/g of one instant.
@@ -143,18 +160,14 @@ private:
             "set yrange {}\nset ylabel 'displacement  u/{}'\n"
             "plot {} with lines lw 1 dt (4,4) lc 'black', {} with lines lw 1 dt (4,4) lc 'black', "
             "$frame using 1:4 with lines lw 2 lc 'black'\n",
-            tip_.text(),
-            wall_ > 0.0   ? "g"
-            : wall_ < 0.0 ? "|g|"
-                          : "L",
-            wall_, second_.value_or(wall_));
+            tip_.text(), axisNames(wall_).displacement, wall_, second_.value_or(wall_));
         panel(script, 0.12, 0.41);
         print(script,
-              "set yrange {}\nset ylabel 's L/g,  v L/(c g)'\nset format x '%g'\n"
+              "set yrange {0}\nset ylabel '{1}'\nset format x '%g'\n"
               "set xlabel 'position  x/L'\nset key top right horizontal Left reverse samplen 1.5\n"
-              "plot $frame using 1:2 with fsteps lw 4 lc '{}' title 'strain', "
-              "$frame using 1:3 with fsteps lw 2 lc '{}' title 'velocity'\n",
-              fields_.text(), palette::strain, palette::velocity);
+              "plot $frame using 1:2 with fsteps lw 4 lc '{2}' title 'strain', "
+              "$frame using 1:3 with fsteps lw 2 lc '{3}' title 'velocity'\n",
+              fields_.text(), axisNames(wall_).fields, palette::strain, palette::velocity);
         end(script);
     }
 
@@ -173,8 +186,16 @@ private:
 class CurveFrames {
 public:
     explicit CurveFrames(const Continuum& curve)
-        : curve_(curve), members_(chosen(curve.points.size(), maxFrames))
+        : curve_(curve),
+          members_(chosen(curve.points.size(), maxFrames)),
+          wall_(curve.scene.bar.gap / scales(curve.scene.bar).displacement),
+          second_(wall_)
     {
+        if (const auto& stop = curve.scene.secondStop) {
+            second_ = -*stop / scales(curve.scene.bar).displacement;
+        }
+        tip_.see(wall_);
+        tip_.see(second_);
         for (const std::size_t k : members_) {
             const State& state = curve.points[k].state;
             const Motion motion(state, curve.schedule);
@@ -226,36 +247,40 @@ private:
     void printFrame(Text& script, const ContinuumPoint& point) const
     {
         printData(script, point.state);
-        begin(script, fmt::format("{}, E/E_1 = {:.5g}:   λ = {:.4g} ({})", curve_.family,
-                                  curve_.energyRatio, point.lambda, name(curve_.parameter)));
+        begin(script, fmt::format("{}, {}:   λ = {:.4g} ({})", curve_.family,
+                                  energyLabel(curve_.scene.bar, curve_.energyRatio), point.lambda,
+                                  name(curve_.parameter)));
         panel(script, 0.72, 0.92);
         print(script,
-              "set xrange [0:{}]\nset yrange {}\nset ylabel 'R L/(EA g)'\nset format x ''\n"
+              "set xrange [0:{}]\nset yrange {}\nset ylabel '{}'\nset format x ''\n"
               "set xlabel ''\nset key top right Left reverse samplen 1.5\n"
               "plot $time using 1:2 with fillsteps fillcolor '{}' fillstyle solid noborder "
-              "title 'force on the wall'\n"
+              "title 'force on the {}'\n"
               "unset key\n",
-              period_, force_.text(), palette::contact);
+              period_, force_.text(), axisNames(wall_).force, palette::contact,
+              curve_.scene.secondStop ? "stops, of the second below 0" : "wall");
         panel(script, 0.48, 0.68);
         print(script,
-              "set yrange {}\nset ylabel 'u(L,t)/g'\nset format x '%g'\n"
+              "set yrange {}\nset ylabel 'u(L,t)/{}'\nset format x '%g'\n"
               "set xlabel 'time  t c/L' offset 0,0.6\n"
-              "plot 1 with lines lw 1 dt (4,4) lc 'black', $time using 1:3 with lines lw 2 lc "
-              "'black'\n",
-              tip_.text());
+              "plot {} with lines lw 1 dt (4,4) lc 'black', {} with lines lw 1 dt (4,4) lc "
+              "'black', $time using 1:3 with lines lw 2 lc 'black'\n",
+              tip_.text(), axisNames(wall_).displacement, wall_, second_);
         panel(script, 0.11, 0.35);
         print(script,
-              "set xrange [0:1]\nset yrange {}\nset ylabel 's L/g,  v L/(c g)'\n"
+              "set xrange [0:1]\nset yrange {0}\nset ylabel '{1}'\n"
               "set xlabel 'position  x/L  at t = 0'\n"
               "set key top right horizontal Left reverse samplen 1.5\n"
-              "plot $bar using 1:2 with fsteps lw 4 lc '{}' title 'strain', "
-              "$bar using 1:3 with fsteps lw 2 lc '{}' title 'velocity'\n",
-              fields_.text(), palette::strain, palette::velocity);
+              "plot $bar using 1:2 with fsteps lw 4 lc '{2}' title 'strain', "
+              "$bar using 1:3 with fsteps lw 2 lc '{3}' title 'velocity'\n",
+              fields_.text(), axisNames(wall_).fields, palette::strain, palette::velocity);
         end(script);
     }
 
     const Continuum& curve_;
     std::vector<std::size_t> members_;
+    double wall_;          ///< u(L) there
+    double second_;        ///< at the second stop, or at the wall
     double period_ = 0.0;  ///< [L/c], of the folded schedule
     Range force_;
     Range tip_;

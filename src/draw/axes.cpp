@@ -47,6 +47,12 @@ std::string withUnit(double value, const std::string& base)
     return fmt::format("{:.4g} {}", value * unit.factor, unit.name);
 }
 
+std::string energyLabel(const Bar& bar, double energyRatio)
+{
+    return bar.gap == 0.0 ? "E = " + withUnit(energyRatio * scales(bar).energy, "J")
+                          : fmt::format("E/E_1 = {:.5g}", energyRatio);
+}
+
 double niceStep(double least)
 {
     const double power = std::pow(10.0, std::floor(std::log10(least)));

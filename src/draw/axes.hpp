@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "signorini/bar.hpp"
+
 namespace signorini {
 
 /// A unit of engineers: a value in SI times `factor` is in it.
@@ -18,6 +20,9 @@ struct Unit {
 
 /// 0.001, "m" -> "1 mm"; 0.001, "" -> "1·10^{-3}".
 [[nodiscard]] std::string withUnit(double value, const std::string& base);
+
+/// "E/E_1 = 20", or without a gap, where there is no E_1, "E = 2 mJ".
+[[nodiscard]] std::string energyLabel(const Bar& bar, double energyRatio);
 
 /// The least of 1, 2, 5 times a power of ten that is not below `least` > 0.
 [[nodiscard]] double niceStep(double least);

@@ -90,21 +90,21 @@ std::vector<double> values(const Eigen::VectorXd& vector)
 
 std::vector<Stack> stacksOf(const Continuum& curve, const ShownMembers& choice)
 {
-    const Scales unit = scales(curve.bar);
+    const Scales unit = scales(curve.scene.bar);
     const auto cells = static_cast<double>(curve.schedule.cells);
-    const Unit metre = unitFor(curve.bar.length, "m");
+    const Unit metre = unitFor(curve.scene.bar.length, "m");
     Schedule folded = curve.schedule;
     fold(folded);
     const Unit second = unitFor(period(folded) * unit.time, "s");
     const std::string position = fmt::format("position  x  [{}]", metre.name);
-    const double dx = curve.bar.length * metre.factor / cells;
+    const double dx = curve.scene.bar.length * metre.factor / cells;
     std::vector<Stack> stacks{
         {"force",
-         "force of the wall",
+         curve.scene.secondStop ? "force of the stops" : "force of the wall",
          fmt::format("time  t  [{}]", second.name),
          palette::contact,
          unit.time * second.factor / cells,
-         curve.bar.axialStiffness * unit.strain,
+         curve.scene.bar.axialStiffness * unit.strain,
          "N",
          {}},
         {"strain", "strain  s(x, 0)", position, palette::strain, dx, unit.strain, "", {}},
@@ -145,11 +145,11 @@ void printProfile(Text& script, const Stack& stack, std::size_t k, double base, 
     print(script, "EOD\n");
 }
 
-const char* unitOf(Parameter parameter)
+const char* unitOf(const Continuum& curve)
 {
-    switch (parameter) {
+    switch (curve.parameter) {
         case Parameter::arcLength:
-            return "arc length λ [√E_1]";
+            return curve.scene.bar.gap != 0.0 ? "arc length λ [√E_1]" : "arc length λ [√(EA L/2)]";
         case Parameter::pause:
             return "pause λ between the pulses [L/c]";
         case Parameter::number:
@@ -188,7 +188,7 @@ void printStacks(Text& script, const Continuum& curve, const ShownMembers& choic
           "set border lw 0.8\nset tics out nomirror scale 0.6\nunset key\n"
           "set yrange [{}:{}]\nset tmargin at screen 0.90\nset bmargin at screen 0.54\n"
           "set ylabel '{}'\n",
-          low - 1.5 * step, high + 2.6 * step, unitOf(curve.parameter));
+          low - 1.5 * step, high + 2.6 * step, unitOf(curve));
     double left = 0.105;
     for (const Stack& stack : stacks) {
         const double size = stack.largest();
@@ -235,9 +235,12 @@ std::pair<double, double> printField(Text& script, const Motion& motion, std::si
 /// The paper's Fig. 3, for the members drawn in full above.
 void printMotions(Text& script, const Continuum& curve, const ShownMembers& choice)
 {
-    const Scales scale = scales(curve.bar);
-    const Unit metre = unitFor(curve.bar.length, "m");
-    const Unit deflection = unitFor(scale.displacement, "m");
+    const Scales scale = scales(curve.scene.bar);
+    const Unit metre = unitFor(curve.scene.bar.length, "m");
+    const ContinuumPoint& first = curve.points.front();
+    const double reach =
+        curve.scene.bar.gap != 0.0 ? 1.0 : -extremesOf(first.state, curve.schedule).lowestTip;
+    const Unit deflection = unitFor(scale.displacement * reach, "m");
     const Unit second = unitFor(period(curve.schedule) * scale.time, "s");
     const double time = scale.time * second.factor;
     double lowest = 0.0;
@@ -246,8 +249,9 @@ void printMotions(Text& script, const Continuum& curve, const ShownMembers& choi
     for (std::size_t k = 0; k < choice.full.size(); ++k) {
         const ContinuumPoint& point = curve.points[choice.members[choice.full[k]]];
         const Motion motion(point.state, curve.schedule);
-        const auto [low, high] = printField(script, motion, k, curve.bar.length * metre.factor,
-                                            time, scale.displacement * deflection.factor);
+        const auto [low, high] =
+            printField(script, motion, k, curve.scene.bar.length * metre.factor, time,
+                       scale.displacement * deflection.factor);
         lowest = std::min(lowest, low);
         highest = std::max(highest, high);
         end = static_cast<double>(motion.steps()) / static_cast<double>(motion.cells()) * time;
@@ -259,8 +263,9 @@ void printMotions(Text& script, const Continuum& curve, const ShownMembers& choi
         "set xlabel 'position  x  [{}]'\nset xtics {}\nset cblabel 'displacement  u(x, t)  [{}]'\n"
         "set ylabel 'time  t  [{}]'\nset format y '%g'\nunset colorbox\n",
         palette::sequential(), lowest * scale.displacement * deflection.factor,
-        highest * scale.displacement * deflection.factor, curve.bar.length * metre.factor, end,
-        metre.name, niceStep(curve.bar.length * metre.factor / 3.0), deflection.name, second.name);
+        highest * scale.displacement * deflection.factor, curve.scene.bar.length * metre.factor,
+        end, metre.name, niceStep(curve.scene.bar.length * metre.factor / 3.0), deflection.name,
+        second.name);
     double left = 0.105;
     for (std::size_t k = 0; k < choice.full.size(); ++k, left += 0.265) {
         const ContinuumPoint& point = curve.points[choice.members[choice.full[k]]];
@@ -287,10 +292,10 @@ void drawContinuum(const Continuum& curve, FigureFormat format, const std::strin
     const ShownMembers choice = choose(curve);
     Text script;
     print(script,
-          "set multiplot\nset label 1 \"{}   ω/ω_1 = {:.5g}   E/E_1 = {:.5g}   {}, {} motions\" at "
+          "set multiplot\nset label 1 \"{}   ω/ω_1 = {:.5g}   {}   {}, {} motions\" at "
           "screen 0.5,0.97 center\n",
-          describe(curve.schedule), frequencyRatio(curve.schedule), curve.energyRatio, curve.family,
-          curve.points.size());
+          describe(curve.schedule), frequencyRatio(curve.schedule),
+          energyLabel(curve.scene.bar, curve.energyRatio), curve.family, curve.points.size());
     printStacks(script, curve, choice);
     printMotions(script, curve, choice);
     print(script, "unset multiplot\n");

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
+#include "continuum_cone.hpp"
 #include "continuum_geometric.hpp"
 #include "continuum_programs.hpp"
 #include "continuum_record.hpp"
@@ -11,6 +13,7 @@
 #include "faults.hpp"
 #include "names.hpp"
 #include "solver.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -28,14 +31,13 @@ constexpr auto parameterNames = std::to_array<Named<Parameter>>({
 void validate(const Schedule& schedule, double energyRatio, const ContinuumOptions& options)
 {
     signorini::validate(schedule);
-    signorini::validate(options.bar);
     Faults faults;
     if (!(energyRatio > 0.0 && std::isfinite(energyRatio))) {
         faults.add("energyRatio", energyRatio, "finite numbers > 0");
     }
-    if (options.bar.gap == 0.0) {
-        faults.add("gap", 0.0,
-                   "a gap > 0 or < 0: without one the motions of an energy are a part of a sphere");
+    if (!options.scene.segments.empty()) {
+        faults.add("segments", fmt::format("{} given", options.scene.segments.size()),
+                   "none: motions of a stepped bar share no amplitudes of classes");
     }
     if (options.points < 2 || options.points > maxContinuumPoints) {
         faults.add("points", options.points, fmt::format("2..{}", maxContinuumPoints));
@@ -62,10 +64,19 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
     faults.throwIfAny();
 }
 
+/// One contact phase, and one stop.
+bool isClosedForm(const Schedule& schedule)
+{
+    return schedule.phases.size() == 1 && !schedule.stops.left;
+}
+
 std::unique_ptr<EnergySection> sectionOf(const Schedule& schedule, double energyRatio)
 {
-    return schedule.phases.size() == 1 ? sectionOfOnePhase(schedule, energyRatio)
-                                       : sectionOfPhases(schedule, energyRatio);
+    if (isCone(schedule.stops)) {
+        return sectionOfCone(schedule, energyRatio);
+    }
+    return isClosedForm(schedule) ? sectionOfOnePhase(schedule, energyRatio)
+                                  : sectionOfPhases(schedule, energyRatio);
 }
 
 /// One call of traceContinuum: what theory knows first, then a solver.
@@ -80,7 +91,7 @@ public:
     {
         record_.requireMotion("from", record_.from());
         record_.requireMotion("to", record_.to());
-        section_ = sectionOf(result_.schedule, record_.energy());
+        findSection();
         describeSet();
         result_.solver = chosenSolver();
         if (!hasMotion() || areApart()) {
@@ -88,6 +99,10 @@ public:
         }
         if (isFinite()) {
             listIsolated(record_, *section_);
+        } else if (cone_ != nullptr) {
+            traceInCone(record_, *cone_);
+        } else if (isOfAnySize()) {
+            record_.stop("motions of any size, but so many phases that exact arithmetic ends");
         } else if (result_.solver == closedForm) {
             traceGeometrically(record_, *section_);
         } else {
@@ -100,12 +115,23 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isOnePhase() const { return result_.schedule.phases.size() == 1; }
+    [[nodiscard]] bool isOfAnySize() const { return isCone(result_.schedule.stops); }
     [[nodiscard]] bool isLimited() const { return std::isfinite(record_.demands.strainLimit); }
 
     /// Some motion has this energy, for certain and without a limit.
     [[nodiscard]] bool isInRange() const { return section_ && section_->facts().components != 0; }
     [[nodiscard]] bool isFinite() const { return isInRange() && section_->facts().isFinite; }
+
+    void findSection()
+    {
+        if (isOfAnySize()) {
+            auto cone = sectionOfCone(result_.schedule, record_.energy());
+            cone_ = cone.get();
+            section_ = std::move(cone);
+        } else {
+            section_ = sectionOf(result_.schedule, record_.energy());
+        }
+    }
 
     /// Drops a limit that no motion of this energy reaches, and says what holds without a limit.
     void describeSet()
@@ -142,14 +168,20 @@ private:
     [[nodiscard]] bool isGeometric() const
     {
         if (!section_) {
-            return isOnePhase();
+            return isClosedForm(result_.schedule);
         }
         const SectionFacts& facts = section_->facts();
         if (!isInRange() || facts.isFinite) {
             return true;  // nothing to trace
         }
+        if (cone_ != nullptr) {
+            return true;
+        }
         if (isLimited() || !facts.simplex) {
             return false;
+        }
+        if (facts.isShared) {
+            return std::holds_alternative<trace::SplitPulse>(options_.trace);
         }
         return facts.isWhole || std::holds_alternative<trace::Sample>(options_.trace) ||
                (facts.simplex->ratio <= 0.5 && isOneSigned(record_.from()) &&
@@ -160,6 +192,11 @@ private:
     {
         const bool mayBeGeometric = isGeometric();
         const bool isAutomatic = options_.solver == automatic;
+        if (isOfAnySize() && (isLimited() || (!isAutomatic && options_.solver != closedForm))) {
+            throw std::invalid_argument(
+                "engine or strain limit: allowed only auto|geometric (solver auto|closed-form) and "
+                "a limit that no motion of this energy reaches where the gap is 0");
+        }
         const bool needsGeometry = std::holds_alternative<trace::Sample>(options_.trace) ||
                                    std::holds_alternative<trace::Walk>(options_.trace);
         const bool wantsPrograms = !isAutomatic && options_.solver != closedForm;
@@ -191,8 +228,9 @@ private:
             return true;
         }
         FindOptions find;
-        find.scene = options_.bar;
-        find.strainLimit = record_.demands.strainLimit;
+        find.scene = options_.scene;
+        find.strainLimit =
+            isOfAnySize() ? std::numeric_limits<double>::infinity() : record_.demands.strainLimit;
         find.energyRatio = record_.energy();
         find.tolerance = options_.tolerance;
         find.cancel = options_.cancel;
@@ -252,6 +290,7 @@ private:
     ContinuumRecord record_;
     Continuum& result_;
     std::unique_ptr<EnergySection> section_;
+    const ConeSection* cone_ = nullptr;  ///< the section, where motions have any size
     State member_;
 };
 
@@ -265,9 +304,10 @@ std::string_view name(Parameter parameter)
 Continuum traceContinuum(const Schedule& schedule, double energyRatio,
                          const ContinuumOptions& options)
 {
-    validate(schedule, energyRatio, options);
+    signorini::validate(options.scene);
     Schedule placed = schedule;
-    placed.stops = stopsOf(options.bar);
+    placed.stops = stopsOf(options.scene);
+    validate(placed, energyRatio, options);
     Continuum curve = Tracing(placed, energyRatio, options).run();
     curve.orbits = countOrbits(curve);
     return curve;
@@ -292,7 +332,7 @@ Member memberAt(const Continuum& curve, double lambda)
         return {*nearest, nearest->lambda == lambda};
     }
     ContinuumOptions options;
-    options.bar = curve.bar;
+    options.scene = curve.scene;
     ContinuumRecord record(curve.schedule, curve.energyRatio, options);
     if (!keepSplitPulse(record, *sectionOf(curve.schedule, curve.energyRatio), lambda)) {
         throw std::runtime_error(record.result.detail);
@@ -312,6 +352,14 @@ std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, s
     }
     std::vector<State> motions;
     if (whole.reason) {
+        return motions;
+    }
+    if (whole.set.kind == SetKind::cone) {
+        const auto section = sectionOfCone(schedule, energyRatio);
+        std::mt19937_64 generator(seed);
+        for (std::int64_t k = 0; k < count; ++k) {
+            motions.push_back(section->draw(generator));
+        }
         return motions;
     }
     const EnergyRange range = energyRange(whole);

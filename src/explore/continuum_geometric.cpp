@@ -6,6 +6,7 @@
 #include <random>
 
 #include "faults.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -52,39 +53,6 @@ void walk(ContinuumRecord& record, const EnergySection& section, const trace::Wa
     record.finish();
 }
 
-/// What is to be said of the split pulse where it is not what its name says.
-std::string remarkOn(const EnergySection& section)
-{
-    if (!section.facts().isWhole) {
-        return "the pulses are those of the wave: where motions only graze, the wall feels no "
-               "force";
-    }
-    if (section.facts().simplex->ratio > 0.5) {
-        return "at this energy less than two cells carry force, so a pulse cannot be cut: the "
-               "curve "
-               "stays in the component with the large pulse first; a finer grid has more";
-    }
-    return "";
-}
-
-void splitPulse(ContinuumRecord& record, const EnergySection& section)
-{
-    const SphereSection simplex = *section.facts().simplex;
-    record.result.parameter = Parameter::pause;
-    record.result.family =
-        simplex.ratio <= 0.5 ? "split pulse" : "pulse of one cell and a smaller one";
-    const double longest =
-        PulsePair(simplex).longestPause() / static_cast<double>(record.result.schedule.cells);
-    for (std::int64_t k = 0; k < record.options.points; ++k) {
-        const double share =
-            static_cast<double>(k) / static_cast<double>(record.options.points - 1);
-        if (record.isCancelled() || !keepSplitPulse(record, section, share * longest)) {
-            return;
-        }
-    }
-    record.finish(remarkOn(section));
-}
-
 void tracePath(ContinuumRecord& record, const EnergySection& section,
                const std::vector<double>& from, const std::vector<double>& to, const char* family)
 {
@@ -118,6 +86,28 @@ void joinRandomMembers(ContinuumRecord& record, const EnergySection& section, st
     tracePath(record, section, from, to, "path between two random members");
 }
 
+/// What is to be said of the split pulse where it is not what its name says.
+std::string remarkOn(const ContinuumRecord& record, const EnergySection& section)
+{
+    if (isCone(record.result.schedule.stops)) {
+        return "without a gap the impulse is free: the curve holds that of pulses which together "
+               "take half the contact";
+    }
+    if (section.facts().isShared) {
+        return "every contact of the curve carries the same pulses, at two stops mirrored; a path "
+               "between two motions leaves this family";
+    }
+    if (!section.facts().isWhole) {
+        return "the pulses are those of the wave: where motions only graze, the wall feels no "
+               "force";
+    }
+    if (section.facts().simplex->ratio > 0.5) {
+        return "at this energy less than two cells carry force, so a pulse cannot be cut: the "
+               "curve stays in the component with the large pulse first; a finer grid has more";
+    }
+    return "";
+}
+
 struct GeometricTrace {
     ContinuumRecord& record;
     const EnergySection& section;
@@ -140,6 +130,24 @@ struct GeometricTrace {
 };
 
 }  // namespace
+
+void splitPulse(ContinuumRecord& record, const EnergySection& section)
+{
+    const SphereSection simplex = *section.facts().simplex;
+    record.result.parameter = Parameter::pause;
+    record.result.family =
+        simplex.ratio <= 0.5 ? "split pulse" : "pulse of one cell and a smaller one";
+    const double longest =
+        PulsePair(simplex).longestPause() / static_cast<double>(record.result.schedule.cells);
+    for (std::int64_t k = 0; k < record.options.points; ++k) {
+        const double share =
+            static_cast<double>(k) / static_cast<double>(record.options.points - 1);
+        if (record.isCancelled() || !keepSplitPulse(record, section, share * longest)) {
+            return;
+        }
+    }
+    record.finish(remarkOn(record, section));
+}
 
 std::string wordsForApart(const EnergySection& section, const std::vector<double>& from,
                           const std::vector<double>& to)

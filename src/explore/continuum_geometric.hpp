@@ -14,6 +14,9 @@ void traceGeometrically(ContinuumRecord& record, const EnergySection& section);
 /// Keeps the split pulse with this pause [L/c]; false if the trace ends there.
 bool keepSplitPulse(ContinuumRecord& record, const EnergySection& section, double pause);
 
+/// The split pulse in that simplex.
+void splitPulse(ContinuumRecord& record, const EnergySection& section);
+
 /// Why no curve joins two members of one simplex, given as shares with different dominant ones.
 [[nodiscard]] std::string wordsForApart(const EnergySection& section,
                                         const std::vector<double>& from,

@@ -36,18 +36,18 @@ ContinuumRecord::ContinuumRecord(const Schedule& schedule, double energyRatio,
                                  const ContinuumOptions& given)
     : options(given)
 {
-    demands.strainLimit = options.strainLimit / scales(options.bar).strain;
+    demands.strainLimit = options.strainLimit / scales(options.scene.bar).strain;
     demands.energyRatio = energyRatio;
     validate(demands, schedule);
     result.schedule = schedule;
-    result.bar = options.bar;
+    result.scene = options.scene;
     result.energyRatio = energyRatio;
     result.detail.clear();
 }
 
 double ContinuumRecord::peakStrainOf(const State& state) const
 {
-    return extremesOf(state, result.schedule).peakCompression * scales(options.bar).strain;
+    return extremesOf(state, result.schedule).peakCompression * scales(options.scene.bar).strain;
 }
 
 const State* ContinuumRecord::from() const

@@ -35,9 +35,10 @@ void requireSize(const Request& request)
         const bool touchesBoth =
             std::any_of(schedule.phases.begin(), schedule.phases.end(),
                         [](const Phase& phase) { return phase.stop == Stop::left; });
-        if (!touchesBoth) {
+        if (!touchesBoth && !options.energyRatio) {
             faults.add("schedule", describe(schedule),
-                       "those with a contact on the second stop where the gap is 0");
+                       "those with a contact on the second stop where the gap is 0 and no energy sets "
+                       "the size");
         }
         faults.throwIfAny();
         return;

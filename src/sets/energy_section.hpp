@@ -13,8 +13,10 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <random>
 #include <vector>
 
+#include "signorini/lumped_set.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/schedule.hpp"
@@ -35,6 +37,8 @@ struct SectionFacts {
     /// (`isWhole` false) are: then in shares z/S.
     std::optional<SphereSection> simplex;
     bool isWhole = true;
+    /// The simplex is one of pulses that several types share: for the split pulse alone.
+    bool isShared = false;
     double unit = 0.0;  ///< length of a share of 1 in the norm of the energy
 };
 
@@ -65,14 +69,31 @@ protected:
     SectionFacts facts_;
 };
 
+/// The motions of one energy without a gap: a convex cone cut by a sphere.
+class ConeSection : public EnergySection {
+public:
+    /// A member at random. O(N + blocks).
+    [[nodiscard]] virtual State draw(std::mt19937_64& generator) const = 0;
+};
+
+/// Of any number of contact phases, where there is no gap and no second stop; there facts().simplex
+/// are motions that share one impulse. Null if there is one of them, the schedule has no motion, or
+/// exact arithmetic cannot reach it.
+[[nodiscard]] std::unique_ptr<ConeSection> sectionOfCone(const Schedule& schedule,
+                                                         double energyRatio);
+
 /// Of one contact phase, decided in rational numbers. Null if the schedule has no motion.
 [[nodiscard]] std::unique_ptr<EnergySection> sectionOfOnePhase(const Schedule& schedule,
                                                                double energyRatio);
 
-/// Of several contact phases, decided in double precision with a rounding of 1e-13. Null if the
-/// schedule has no motion, or exact arithmetic cannot reach it.
+/// Of several contact phases or two stops, decided in double precision with a rounding of 1e-13.
+/// Null if the schedule has no motion, or exact arithmetic cannot reach it.
 [[nodiscard]] std::unique_ptr<EnergySection> sectionOfPhases(const Schedule& schedule,
                                                              double energyRatio);
+
+/// The set that decides several phases, two stops or a cone. Empty if it has no motion, or exact
+/// arithmetic cannot reach it.
+[[nodiscard]] std::optional<LumpedSet> reachableSet(const Schedule& schedule);
 
 /// How many of the motions of one energy hang together, of one contact phase.
 struct Connectivity {

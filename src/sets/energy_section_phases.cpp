@@ -6,7 +6,6 @@
 
 #include "echo.hpp"
 #include "energy_section.hpp"
-#include "signorini/lumped_set.hpp"
 #include "vertex_graph.hpp"
 
 namespace signorini {
@@ -103,8 +102,8 @@ public:
         std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
             for (std::int64_t j = 0; j < typeOf(t).count; ++j) {
-                const double share = t == *spread_ ? shares[static_cast<std::size_t>(j)]
-                                                   : 1.0 / static_cast<double>(typeOf(t).count);
+                const double share = isSpread(t) ? shares[static_cast<std::size_t>(j)]
+                                                 : 1.0 / static_cast<double>(typeOf(t).count);
                 z[static_cast<std::size_t>(typeOf(t).first + j)] = share * sums()[t];
             }
         }
@@ -170,6 +169,7 @@ private:
             }
         }
         if (!spread_) {
+            findSharedPulses();
             return;
         }
         double others = 0.0;
@@ -188,6 +188,42 @@ private:
         facts_.unit =
             sum * std::sqrt(energyOf(1.0, set_.classes.schedule.cells, set_.classes.window));
         facts_.largestWave = std::min(facts_.largestWave, largest);
+    }
+
+    /// Types of equal width with sums that are the same for all motions can carry the same pulse,
+    /// at two stops the mirrored one: sum z^2 = rho sum S^2 + sum S^2/d of the others.
+    void findSharedPulses()
+    {
+        double shared = 0.0;
+        double others = 0.0;
+        std::int64_t count = 0;
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            const ClassType& type = typeOf(t);
+            if (type.kind == TypeKind::pressing && type.count > 2 && sums()[t] > 0.0) {
+                if (count != 0 && type.count != count) {
+                    return;
+                }
+                count = type.count;
+                shared += sums()[t] * sums()[t];
+                spread_ = spread_.value_or(t);
+            } else {
+                others += sums()[t] * sums()[t] / static_cast<double>(type.count);
+            }
+        }
+        const double ratio = (squares() - others) / shared;
+        if (spread_ && ratio <= 0.5 && ratio * static_cast<double>(count) >= 1.0) {
+            facts_.simplex = SphereSection{count, ratio};
+            facts_.isWhole = false;
+            facts_.isShared = true;
+        }
+    }
+
+    /// Does a type carry what the shares say?
+    [[nodiscard]] bool isSpread(std::size_t live) const
+    {
+        return live == *spread_ ||
+               (facts_.isShared && typeOf(live).kind == TypeKind::pressing &&
+                typeOf(live).count == typeOf(*spread_).count && sums()[live] > 0.0);
     }
 
     /// Where an ascent leads: each sum into its largest class, then straight to the vertex to which
@@ -264,21 +300,27 @@ private:
 
 }  // namespace
 
-std::unique_ptr<EnergySection> sectionOfPhases(const Schedule& schedule, double energyRatio)
+std::optional<LumpedSet> reachableSet(const Schedule& schedule)
 {
     if (blockCount(schedule) > maxBlocks) {
-        return nullptr;
+        return std::nullopt;
     }
     ClassTypes classes = classTypes(schedule);
     if (liveTypeCount(classes) > maxLiveTypes) {
-        return nullptr;
+        return std::nullopt;
     }
     try {
         LumpedSet set = lumpedSetOf(std::move(classes));
-        return set.absence ? nullptr : std::make_unique<Phases>(std::move(set), energyRatio);
+        return set.absence ? std::nullopt : std::optional(std::move(set));
     } catch (const std::overflow_error&) {
-        return nullptr;  // a proof of absence beyond 64 bits
+        return std::nullopt;  // a proof of absence beyond 64 bits
     }
+}
+
+std::unique_ptr<EnergySection> sectionOfPhases(const Schedule& schedule, double energyRatio)
+{
+    auto set = reachableSet(schedule);
+    return set ? std::make_unique<Phases>(std::move(*set), energyRatio) : nullptr;
 }
 
 }  // namespace signorini

@@ -6,7 +6,7 @@ namespace signorini {
 
 void writeContinuumCsv(const std::string& path, const Continuum& curve)
 {
-    const double unit = scales(curve.bar).strain;
+    const double unit = scales(curve.scene.bar).strain;
     TextFile file(path);
     file.write("lambda");
     for (const char wave : {'a', 'b'}) {

@@ -57,6 +57,47 @@ TEST_CASE("cli scenes: two stops, phases that name theirs, mirrored motions reco
     CHECK_THAT(refused.err, containsText("the stop of phase 2 = left"));
 }
 
+TEST_CASE("cli scenes: continua without a gap, in joules, and between two stops")
+{
+    const Program program;
+    const auto traced = [&program](const std::string& arguments) {
+        const auto outcome = program.run("continuum " + arguments + " --format json --quiet");
+        INFO(arguments << "\n" << outcome.err);
+        REQUIRE(outcome.status == 0);
+        return json::parse(outcome.out);
+    };
+    const json cone = traced("12 36 --cells 16 --gap 0 --energy 2e-6 --points 7 --csv k.csv");
+    CHECK(cone["energy"].get<double>() == Approx(2e-6));
+    CHECK(cone["energy_ratio"].is_null());
+    CHECK(cone["energy_ratio_range"].is_null());
+    CHECK(cone["connected"] == true);
+    CHECK(cone["dimension"] == 11);
+    CHECK(cone["orbits"] == 7);
+    for (const json& point : cone["points"]) {
+        CHECK(point["energy"].get<double>() == Approx(2e-6).epsilon(1e-12));
+        CHECK(point["energy_ratio"].is_null());
+    }
+    CHECK(lines(contentOf(program.file("k.csv"))) == 8);
+
+    const json stops = traced("6 36 --cells 12 --second-stop 4e-3 --energy-ratio 8 --points 7");
+    CHECK(stops["stops"][1]["place"] == -4e-3);
+    CHECK(stops["engine"] == "geometric");
+    CHECK(stops["points"].size() == 7);
+    CHECK(stops["energy_ratio"] == 8.0);
+
+    CHECK(program.run("continuum 3 8 --cells 4 --gap 0 --energy 2e-6").status == 1);
+    CHECK(program.run("continuum 6 36 --cells 12 --energy-ratio 8 --energy 1").status == 2);
+    // The ends of an arc are written and read back in the unit of a bar without a gap.
+    REQUIRE(program.run("find 12 36 --cells 16 --gap 0 --energy 2e-6 --state to.csv").status == 0);
+    REQUIRE(program
+                .run("continuum 12 36 --cells 16 --gap 0 --energy 2e-6 --member 0 --state "
+                     "from.csv")
+                .status == 0);
+    CHECK(traced("12 36 --cells 16 --gap 0 --energy 2e-6 --from from.csv --to to.csv "
+                 "--points 5")["points"]
+              .size() == 5);
+}
+
 TEST_CASE("cli scenes: a solver that is named decides on two stops, too", "[glpk]")
 {
     const Program program;
@@ -72,9 +113,8 @@ TEST_CASE("cli scenes: commands say which scenes they do not know")
          {"modes --second-stop 1e-3", "modes --gap 0", "modes --segments 4:1,4:1.3",
           "response --damping 0.02 --force tip --amplitude 1e-4 --segments 4:1,4:1.3",
           "find 3 7 --cells 4 --gap 0 --damping 0.02 --force tip",
-          "continuum 150 900 --energy-ratio 20 --gap 0",
           "atlas --database a.sqlite --second-stop 1e-3 --figure f.svg",
-          "continuum 150 900 --energy-ratio 20 --second-stop 1e-3",
+          "continuum 150 900 --energy-ratio 20 --segments 4:1,4:1.3",
           "find 1 5 --gap 1e-3 --second-stop 0", "find 1 5 --segments 4",
           "find 1 5 --gap -2e-3 --second-stop 1e-3"}) {
         const auto outcome = program.run(call);

@@ -102,7 +102,7 @@ const Continuum& curveOf(const Schedule& schedule, double energyRatio)
 {
     static Continuum kept;
     if (kept.points.empty() || !(kept.schedule == schedule) || kept.energyRatio != energyRatio) {
-        kept = traceContinuum(schedule, energyRatio, {.bar = bar});
+        kept = traceContinuum(schedule, energyRatio, {.scene = bar});
     }
     return kept;
 }

@@ -264,8 +264,10 @@ TEST_CASE("continuum: wrong use is named")
         containsText("direction = a malformed state"));
     options = {};
     options.solver = "closed-form";
+    options.trace = trace::RandomPath{};
     CHECK_THROWS_WITH(traceContinuum({12, {{2, 38}, {4, 40}}}, 12.0, options),
                       containsText("solver closed-form"));
+    options.trace = trace::SplitPulse{};
     options.solver = "glpk-simplex";
     CHECK_THROWS_WITH(traceContinuum(paper, 20.0, options), containsText("solver = glpk-simplex"));
     options.solver = "oracle";

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Does a schedule have a motion? The answer of a linear program that is written down here, step by
-/// step from the waves, and solved by GLPK: it shares no code with the library.
+/// Does a schedule have a motion, and what is its set? Rows that are written down here, step by
+/// step from the waves, for GLPK to solve and for others to list: no code of the library.
 
 #include <glpk.h>
 
@@ -23,6 +23,12 @@ struct SignedIndex {
 /// Rows over the 2N waves p_0, p_1, ... that arrive first.
 class OracleRows {
 public:
+    struct Row {
+        std::vector<double> values;
+        int kind;  ///< GLP_FX, GLP_LO or GLP_UP
+        double rhs;
+    };
+
     explicit OracleRows(const Schedule& schedule)
         : size_(static_cast<std::size_t>(2 * schedule.cells))
     {
@@ -114,13 +120,9 @@ public:
         return failed == 0 && status == GLP_OPT;
     }
 
-private:
-    struct Row {
-        std::vector<double> values;
-        int kind;
-        double rhs;
-    };
+    [[nodiscard]] const std::vector<Row>& rows() const { return rows_; }
 
+private:
     void add(std::vector<double> values, int kind, double rhs)
     {
         rows_.push_back({std::move(values), kind, rhs});
