@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "infinity.hpp"
 
@@ -75,6 +76,13 @@ Marcher::Marcher(const Measures& measures, double tolerance)
 const std::vector<Turn>& Marcher::take(const Arrivals& arrivals)
 {
     turns_.clear();
+    takeAll(arrivals);
+    return turns_;
+}
+
+/// All at once if they do the same to the tip, else each half, and a few one by one.
+void Marcher::takeAll(const Arrivals& arrivals)
+{
     const double room = opening_.value();
     const double roomBehind = measures_.crossing - room;
     CompensatedSum after = opening_;
@@ -90,10 +98,15 @@ const std::vector<Turn>& Marcher::take(const Arrivals& arrivals)
         hold(Stop::right, arrivals.count(), true);
     } else if (isPressedThroughout(roomBehind, -arrivals.high())) {
         hold(Stop::left, arrivals.count(), true);
+    } else if (arrivals.isLong()) {
+        const auto [first, last] = arrivals.halves();
+        takeAll(first);
+        if (!isAtFault()) {
+            takeAll(last);
+        }
     } else {
         takeEach(arrivals);
     }
-    return turns_;
 }
 
 /// Is the tip at a stop, and are all pushes on it stronger than what would be needed to be there?
@@ -104,6 +117,12 @@ bool Marcher::isPressedThroughout(double room, double weakest) const
 
 void Marcher::takeEach(const Arrivals& arrivals)
 {
+    std::int64_t flown = 0;
+    const auto flyThem = [&] {
+        if (flown > 0) {
+            fly(std::exchange(flown, 0));
+        }
+    };
     for (std::int64_t k = 0; k < arrivals.count(); ++k) {
         const double p = arrivals.at(k);
         const Stop ahead = p > 0.0 ? Stop::right : Stop::left;
@@ -114,17 +133,20 @@ void Marcher::takeEach(const Arrivals& arrivals)
         // Rounding may make p exceed the room of a tip that lands just now: it is at the wall
         // before the step only if that is nearer than landing.
         if (wouldPass && room <= atWall_ && room < 0.5 * push) {
+            flyThem();
             hold(ahead, 1, push > pressing_);
             continue;
         }
         if (wouldPass && push - room > atWall_) {
+            flyThem();
             march_.firstFault = step_;
             march_.residual = (push - room) / measures_.halfCells;
             return;
         }
         opening_.add(-p);
-        fly(1);
+        ++flown;
     }
+    flyThem();
 }
 
 void Marcher::fly(std::int64_t count)

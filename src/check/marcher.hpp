@@ -61,6 +61,7 @@ public:
 private:
     void fly(std::int64_t count);
     void hold(Stop stop, std::int64_t count, bool pressed);
+    void takeAll(const Arrivals& arrivals);
     void takeEach(const Arrivals& arrivals);
     [[nodiscard]] bool isPressedThroughout(double room, double weakest) const;
     void add(bool isHeld, std::int64_t count);

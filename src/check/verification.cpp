@@ -51,6 +51,12 @@ public:
             see(prefix_.value());
             return;
         }
+        if (arrivals.isLong()) {
+            const auto [first, last] = arrivals.halves();
+            flight(first);
+            flight(last);
+            return;
+        }
         for (std::int64_t k = 0; k < arrivals.count(); ++k) {
             prefix_.add(arrivals.at(k));
             see(prefix_.value());

@@ -52,6 +52,14 @@ Arrivals::Arrivals(const double* first, std::int64_t count, bool isReversed, boo
     sum_.add(sum, isNegated ? -1.0 : 1.0);
 }
 
+std::pair<Arrivals, Arrivals> Arrivals::halves() const
+{
+    const std::int64_t earlier = count_ / 2;
+    const std::int64_t later = count_ - earlier;
+    return {{first_ + (isReversed_ ? later : 0), earlier, isReversed_, isNegated_},
+            {first_ + (isReversed_ ? 0 : earlier), later, isReversed_, isNegated_}};
+}
+
 Echo::Echo(const State& state) : state_(&state), cells_(state.cells()), runs_{{false, 2 * cells_}}
 {
     requireWaves(state);

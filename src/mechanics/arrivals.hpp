@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 #include "compensated_sum.hpp"
 #include "signorini/motion.hpp"
@@ -32,6 +33,10 @@ public:
     }
     /// All of them together.
     [[nodiscard]] const CompensatedSum& sum() const { return sum_; }
+    /// Where nothing can be said of all of them: is it quicker to ask of each half than of each?
+    [[nodiscard]] bool isLong() const { return count_ > 32; }
+    /// The earlier half and the later one. O(count).
+    [[nodiscard]] std::pair<Arrivals, Arrivals> halves() const;
 
 private:
     const double* first_;

@@ -65,6 +65,12 @@ public:
             deepest_ = std::min(deepest_, prefix_.value());
             return;
         }
+        if (arrivals.isLong()) {
+            const auto [first, last] = arrivals.halves();
+            flight(first);
+            flight(last);
+            return;
+        }
         for (std::int64_t k = 0; k < arrivals.count(); ++k) {
             const double p = arrivals.at(k);
             prefix_.add(p);
