@@ -101,6 +101,41 @@ def work_precision(table: Table, path: Path) -> str:
             "the paper's unknowns (sy); wrong claims are not drawn")
 
 
+def scenes(table: Table, path: Path) -> str:
+    """Error of least energy against time, beyond the paper's scene."""
+    figure, panels = _figure(3, 4.2, 4.6)
+    for axes, (suite, family, title) in zip(panels, (
+            ("accuracy", "D ", "D, g < 0"), ("accuracy", "E ", "E, two stops"),
+            ("stepped", "F N", "F, stepped"))):
+        rows = where(table, lambda r: r.suite == suite
+                     and r.case.startswith(family)
+                     and r.setting.startswith(("least energy", "min-energy"))
+                     and r.outcome in ("right", "inaccurate")
+                     and not math.isnan(r.figure("error"))
+                     and (r.is_ours or r.formulation
+                          in ("reduced", "kernel", "joints")))
+        cells = _headline_cells(rows)
+        rows = where(rows, lambda r: r.figure("cells") == cells)
+        for who, form in dict.fromkeys((r.back_end, r.formulation) for r in rows):
+            mine = where(rows, lambda r: (r.back_end, r.formulation)
+                         == (who, form))
+            look = style_of(who)
+            if form in ("kernel", "joints"):
+                look.update(label=f"{who}, {form}",
+                            ls="-" if form == "kernel" else "--")
+            axes.loglog(*zip(*((r.figure("seconds_median"),
+                                max(r.figure("error"), SMALLEST))
+                               for r in mine)), **look)
+        axes.set_title(f"{title}, N = {cells:.0f}", fontsize="medium")
+        axes.set_xlabel("time [s]")
+        axes.set_ylim(SMALLEST / 3, 1e-9)
+    panels[0].set_ylabel("error (0 is drawn at $10^{-17}$)")
+    _one_legend(figure, panels)
+    _finish(figure, path)
+    return ("Error of the motion of least energy against time in amplitudes "
+            "(D, E) and in kernel and joints (F), one point per tolerance")
+
+
 def performance_profile(table: Table, path: Path) -> str:
     """Share of cases done right against time."""
     figure, panels = _figure(2, 5.2, 4.8)
@@ -243,7 +278,7 @@ def draw(table: Table, folder: Path) -> list[tuple[str, str]]:
     wanted = [(has("accuracy"), work_precision),
               (has("accuracy"), performance_profile),
               (has("scaling"), scaling), (programs, leaving_out),
-              (has("rivals"), rivals)]
+              (has("rivals"), rivals), (has("stepped"), scenes)]
     drawn = []
     for is_wanted, function in wanted:
         if is_wanted:

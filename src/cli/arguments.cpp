@@ -260,8 +260,8 @@ Bar CommonOptions::barOfAnyGap() const
     const Scene scene = sceneOfOneBar();
     if (scene.secondStop) {
         throw std::invalid_argument(
-            "--second-stop: allowed only where this command knows such scenes: find, simulate, "
-            "response, families, atlas, continuum");
+            "--second-stop: allowed with find, continuum, simulate, response, families and atlas; "
+            "modes are curves of one wall, and families lists what of them a second stop leaves");
     }
     return scene.bar;
 }
