@@ -31,6 +31,7 @@
 #include <string_view>
 #include <vector>
 
+#include "signorini/bar.hpp"
 #include "signorini/certificate.hpp"
 #include "signorini/control.hpp"
 #include "signorini/modes.hpp"
@@ -183,6 +184,9 @@ struct ResponseRange {
     std::int64_t contacts = 1;
     double band = 0.05;  ///< [-], 0 < band < 1
     Stops stops = {};    ///< where the tip is held; two contacts: one wall beyond a gap
+    /// Of the bar, clamp first, N cells in all; empty: a uniform bar. Segments that differ: one wall
+    /// beyond a gap, one contact. The frequency is in omega_1 of the first material.
+    std::vector<Segment> segments = {};
 };
 
 /// Most schedules with two contacts that a range may hold, of all its n: about n^3/12 of each.
@@ -236,7 +240,9 @@ struct ResponseControl {
 /// One n of a range, every 1 <= n_c < n, and every schedule with two contacts if they are asked
 /// for; each motion verified. A period of two contacts that is a shorter one gone through twice is
 /// left out. A range is shared among threads by giving them different n. O(n^2) at most, with two
-/// contacts O(n^4); none if it was cancelled.
+/// contacts O(n^4); none if it was cancelled. Of segments that differ all n_c share one sequence of
+/// Toeplitz systems; schedules whose waves the steps in flight fix no better than rounding are
+/// counted as undecided.
 /// \throws as stepsOf, but for the number of schedules.
 [[nodiscard]] std::optional<FrequencyResponse> responseAt(const ResponseRange& range,
                                                           std::int64_t steps,

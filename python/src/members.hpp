@@ -140,7 +140,7 @@ SIGNORINI_MEMBERS(ForcedSet, &T::schedule, &T::damping, &T::forcing, &T::limits,
                   &T::corners);
 SIGNORINI_MEMBERS(ResponseRange, &T::cells, &T::damping, &T::place, &T::amplitude, &T::cycles,
                   &T::leastFrequencyRatio, &T::mostFrequencyRatio, &T::contacts, &T::band,
-                  &T::stops);
+                  &T::stops, &T::segments);
 SIGNORINI_MEMBERS(TwoContactBranch, &T::phases, &T::least, &T::most);
 SIGNORINI_MEMBERS(FrequencyResponse, &T::steps, &T::frequencyRatio, &T::linearPeak, &T::touches,
                   &T::undecided, &T::motions, &T::branches, &T::twoContacts);

@@ -63,8 +63,8 @@ ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const do
     return motion;
 }
 
-std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine& line,
-                                        double amplitude)
+std::vector<ForcedMotion> motionsOnLine(const ForcedLine& line, double amplitude,
+                                        const std::function<ForcedMotion(double t)>& motionAt)
 {
     const double offset = portable::hypot(line.foot.c, line.foot.s);
     const double squares = (amplitude - offset) * (amplitude + offset);
@@ -73,7 +73,7 @@ std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine&
         const double away = std::sqrt(squares);
         for (const double t : {-away, away}) {
             if (t >= line.low && t <= line.high && (motions.empty() || away > 0.0)) {
-                motions.push_back(forcedMotion(all, line.at(t)));
+                motions.push_back(motionAt(t));
             }
         }
     }
@@ -81,6 +81,36 @@ std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine&
         return x.extremes.impulse < y.extremes.impulse;
     });
     return motions;
+}
+
+std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine& line,
+                                        double amplitude)
+{
+    return motionsOnLine(line, amplitude, [&](double t) { return forcedMotion(all, line.at(t)); });
+}
+
+void addBranches(FrequencyResponse& response, std::int64_t contact, const ForcedLine& line)
+{
+    const double offset = portable::hypot(line.foot.c, line.foot.s);
+    const auto add = [&](double from, double to) {
+        if (from <= to && !(line.canRest && to <= 0.0)) {
+            response.branches.push_back(
+                {contact, portable::hypot(offset, from), portable::hypot(offset, to)});
+        }
+    };
+    add(std::max(-line.high, 0.0), -line.low);
+    add(std::max(line.low, 0.0), line.high);
+}
+
+void addBelievable(FrequencyResponse& response, std::vector<ForcedMotion> motions)
+{
+    for (ForcedMotion& motion : motions) {
+        if (motion.residual <= forcedTolerance) {
+            response.motions.push_back(std::move(motion));
+        } else {
+            ++response.undecided;
+        }
+    }
 }
 
 }  // namespace signorini

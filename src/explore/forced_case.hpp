@@ -2,6 +2,7 @@
 /// \file
 /// What forced motions of one schedule and the response share.
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,8 +29,19 @@ struct ForcedCase {
 [[nodiscard]] ForcedMotion forcedMotion(const ForcedCase& all, Plane place,
                                         std::span<const double> free = {});
 
-/// The motions of one amplitude on what is left of the line, by ascending impulse. O(n).
+/// The motions of one amplitude on what is left of the line, by ascending impulse.
+[[nodiscard]] std::vector<ForcedMotion> motionsOnLine(
+    const ForcedLine& line, double amplitude,
+    const std::function<ForcedMotion(double t)>& motionAt);
+
+/// The same of a uniform bar. O(n).
 [[nodiscard]] std::vector<ForcedMotion> motionsOnLine(const ForcedCase& all, const ForcedLine& line,
                                                       double amplitude);
+
+/// The amplitudes on what is left of a line. On both sides of the foot they grow along it.
+void addBranches(FrequencyResponse& response, std::int64_t contact, const ForcedLine& line);
+
+/// Motions whose residual says so; the others count as undecided.
+void addBelievable(FrequencyResponse& response, std::vector<ForcedMotion> motions);
 
 }  // namespace signorini

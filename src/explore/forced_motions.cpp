@@ -256,7 +256,9 @@ void decide(ForcedSet& set, Solved& solved)
         }
     }
     if (set.freeWaves > 0) {
-        ForcedPolytope polytope = forcedPolytope(waves, solved.isPlane(), solved.waveLimit());
+        ForcedPolytope polytope = forcedPolytope(
+            waves.rows(solved.waveLimit()),
+            {solved.isPlane(), static_cast<std::int64_t>(waves.freeClasses().size())});
         set.detail = polytope.detail;
         if (polytope.conflict) {
             explainAbsence(set, std::move(*polytope.conflict), solved.question());
@@ -351,18 +353,7 @@ std::vector<ForcedMotion> motionsOfAmplitude(const ForcedSet& set, double amplit
     if (amplitude < set.leastAmplitude || amplitude > set.mostAmplitude) {
         return {};
     }
-    // On the way from the nearest place to the farthest amplitudes grow: |x + s way| = amplitude.
-    const auto [c, s] = nearestPlace(set.corners);
-    const auto [farC, farS] = farthestPlace(set.corners);
-    const Plane from{c, s};
-    const Plane way = Plane{farC, farS} - from;
-    const double squares = way.dot(way);
-    const double half = from.dot(way);
-    const double lack = (amplitude - set.leastAmplitude) * (amplitude + set.leastAmplitude);
-    const double along =
-        squares > 0.0 ? (std::sqrt(half * half + squares * lack) - half) / squares : 0.0;
-    const Plane place = from + std::clamp(along, 0.0, 1.0) * way;
-    return {solved.at({place.c, place.s})};
+    return {solved.at(placeOfAmplitude(set.corners, amplitude))};
 }
 
 AmplitudeExclusion exclusionOf(const ForcedSet& set, double amplitude)

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "backend_choice.hpp"
-#include "forced_form.hpp"
 #include "portable.hpp"
 
 namespace signorini {
@@ -36,9 +35,9 @@ double cross(Plane x, Plane y)
 
 class Search {
 public:
-    Search(const ForcedWaves& waves, bool isPlane, double waveLimit, const Solver& solver)
-        : rows_(waves.rows(waveLimit)),
-          unknowns_{isPlane, static_cast<std::int64_t>(waves.freeClasses().size())},
+    Search(std::vector<ForcedRow> rows, const ForcedUnknowns& unknowns, const Solver& solver)
+        : rows_(std::move(rows)),
+          unknowns_(unknowns),
           solver_(solver),
           program_(forcedProgram(rows_, unknowns_, farAway))
     {
@@ -203,7 +202,7 @@ double nearestOn(Plane from, Plane to)
 
 }  // namespace
 
-ForcedPolytope forcedPolytope(const ForcedWaves& waves, bool isPlane, double waveLimit)
+ForcedPolytope forcedPolytope(std::vector<ForcedRow> rows, const ForcedUnknowns& unknowns)
 {
     const auto solver = simplexWithDuals();
     if (!solver) {
@@ -211,7 +210,7 @@ ForcedPolytope forcedPolytope(const ForcedWaves& waves, bool isPlane, double wav
                 .conflict = {},
                 .corners = {}};
     }
-    return Search(waves, isPlane, waveLimit, *solver).run();
+    return Search(std::move(rows), unknowns, *solver).run();
 }
 
 ForcedCorner meanAt(const std::vector<ForcedCorner>& corners, std::array<double, 2> place)
@@ -275,6 +274,21 @@ std::array<double, 2> farthestPlace(const std::vector<ForcedCorner>& corners)
                                 return sizeOf(planeOf(x.place)) < sizeOf(planeOf(y.place));
                             })
         ->place;
+}
+
+std::array<double, 2> placeOfAmplitude(const std::vector<ForcedCorner>& corners, double amplitude)
+{
+    // On the way from the nearest place to the farthest amplitudes grow: |x + s way| = amplitude.
+    const Plane from = planeOf(nearestPlace(corners));
+    const Plane way = planeOf(farthestPlace(corners)) - from;
+    const double squares = way.dot(way);
+    const double half = from.dot(way);
+    const double least = sizeOf(from);
+    const double lack = (amplitude - least) * (amplitude + least);
+    const double along =
+        squares > 0.0 ? (std::sqrt(half * half + squares * lack) - half) / squares : 0.0;
+    const Plane place = from + std::clamp(along, 0.0, 1.0) * way;
+    return {place.c, place.s};
 }
 
 }  // namespace signorini

@@ -4,11 +4,11 @@
 /// amplitudes of those that nothing damps.
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "forced_form.hpp"
 #include "forced_line.hpp"
 #include "signorini/response.hpp"
 
@@ -24,9 +24,9 @@ struct ForcedPolytope {
 };
 
 /// Finds the polygon of all (C, S), corner by corner, each the farthest in some direction.
-/// `isPlane` false: one shape, S = 0. A few programs for each corner.
-[[nodiscard]] ForcedPolytope forcedPolytope(const ForcedWaves& waves, bool isPlane,
-                                            double waveLimit);
+/// A few programs for each corner.
+[[nodiscard]] ForcedPolytope forcedPolytope(std::vector<ForcedRow> rows,
+                                            const ForcedUnknowns& unknowns);
 
 /// The mean of corners that lies at a place of their polygon. O(corners).
 [[nodiscard]] ForcedCorner meanAt(const std::vector<ForcedCorner>& corners,
@@ -35,5 +35,8 @@ struct ForcedPolytope {
 /// The places of least and of largest amplitude. \pre there is a corner. O(corners).
 [[nodiscard]] std::array<double, 2> nearestPlace(const std::vector<ForcedCorner>& corners);
 [[nodiscard]] std::array<double, 2> farthestPlace(const std::vector<ForcedCorner>& corners);
+/// A place of this amplitude on the way from the nearest to the farthest.
+[[nodiscard]] std::array<double, 2> placeOfAmplitude(const std::vector<ForcedCorner>& corners,
+                                                     double amplitude);
 
 }  // namespace signorini

@@ -6,6 +6,8 @@
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "portable.hpp"
+#include "stepped_bar.hpp"
+#include "stepped_response.hpp"
 #include "two_contacts.hpp"
 
 namespace signorini {
@@ -40,20 +42,12 @@ void validate(const ResponseRange& range)
     faults.throwIfAny();
     signorini::validate(range.damping);
     signorini::validate(Schedule{range.cells, {{1, 1}}, range.stops});
-}
-
-/// On both sides of the foot amplitudes grow along the line.
-void addBranches(FrequencyResponse& response, std::int64_t contact, const ForcedLine& line)
-{
-    const double offset = portable::hypot(line.foot.c, line.foot.s);
-    const auto add = [&](double from, double to) {
-        if (from <= to && !(line.canRest && to <= 0.0)) {
-            response.branches.push_back(
-                {contact, portable::hypot(offset, from), portable::hypot(offset, to)});
-        }
-    };
-    add(std::max(-line.high, 0.0), -line.low);
-    add(std::max(line.low, 0.0), line.high);
+    if (!range.segments.empty()) {
+        requireCells(steppedBar(range.segments), range.cells);
+    }
+    if (!isUniform(range.segments)) {
+        requireStepped(range);
+    }
 }
 
 }  // namespace
@@ -65,11 +59,12 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
     const double first = std::max(
         {std::ceil(unit / range.mostFrequencyRatio), 2.0, 2.0 * static_cast<double>(range.cycles)});
     const double last = std::floor(unit / range.leastFrequencyRatio);
-    if (!(first <= last && last <= static_cast<double>(maxForcedSteps))) {
+    const std::int64_t most = isUniform(range.segments) ? maxForcedSteps : maxSteppedResponse;
+    if (!(first <= last && last <= static_cast<double>(most))) {
         Faults faults;
         faults.add("frequency ratios",
                    fmt::format("{}..{}", range.leastFrequencyRatio, range.mostFrequencyRatio),
-                   fmt::format("4NK/n for some whole n, 2K < n <= {}", maxForcedSteps));
+                   fmt::format("4NK/n for some whole n, 2K < n <= {}", most));
         faults.throwIfAny();
     }
     std::vector<std::int64_t> all;
@@ -148,13 +143,7 @@ void addMotions(FrequencyResponse& response, const ResponseRange& range, const S
         addBranches(response, contact, line);
         motions = motionsOnLine({schedule, range.damping, shapes, waves}, line, range.amplitude);
     }
-    for (ForcedMotion& motion : motions) {
-        if (motion.residual <= forcedTolerance) {
-            response.motions.push_back(std::move(motion));
-        } else {
-            ++response.undecided;
-        }
-    }
+    addBelievable(response, std::move(motions));
 }
 
 }  // namespace
@@ -163,6 +152,9 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
                                             const Cancel& cancel)
 {
     validate(range);
+    if (!isUniform(range.segments)) {
+        return steppedResponseAt(range, steps, cancel);
+    }
     const std::vector<Excitation> shapes =
         shapesOf({range.place, range.cycles, {}}, range.cells, steps);
     ForcedWaves waves(range.cells, range.damping.rho(), shapes, range.stops);

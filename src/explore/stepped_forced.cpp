@@ -9,6 +9,7 @@
 #include "forced_case.hpp"
 #include "infinity.hpp"
 #include "stepped_blocks.hpp"
+#include "stepped_walk.hpp"
 
 namespace signorini {
 
@@ -28,34 +29,6 @@ State stateOf(const Eigen::VectorXd& x)
 {
     const Eigen::Index cells = x.size() / 2;
     return {x.head(cells), x.tail(cells)};
-}
-
-/// The value of a wave in the middle of each cell, in the order of its pieces.
-Eigen::VectorXd inCells(const std::vector<Piece>& pieces, std::int64_t cells)
-{
-    Eigen::VectorXd values(cells);
-    std::size_t piece = 0;
-    double end = pieces.front().duration;
-    for (std::int64_t k = 0; k < cells; ++k) {
-        while (end < static_cast<double>(k) + 0.5 && piece + 1 < pieces.size()) {
-            end += pieces[++piece].duration;
-        }
-        values[k] = pieces[piece].value;
-    }
-    return values;
-}
-
-/// Where the bar is after a period that decides contact by itself, relative to where it was.
-double changeOf(const ForcedMotion& motion, const SteppedBar& bar)
-{
-    BarSimulation own(wavesOf(motion.state), motion.damping, motion.excitation,
-                      {.mergeBelow = {}, .segments = bar.segments});
-    own.advance(static_cast<double>(motion.excitation.steps()));
-    const Waves after = own.waves();
-    const double change =
-        std::max((inCells(after.a, bar.cells).reverse() - motion.state.a).lpNorm<Eigen::Infinity>(),
-                 (inCells(after.b, bar.cells) - motion.state.b).lpNorm<Eigen::Infinity>());
-    return change / amplitude(motion.state);
 }
 
 }  // namespace
@@ -92,30 +65,12 @@ SteppedForced::SteppedForced(const Schedule& schedule, const Scene& scene, const
     }
     faults.throwIfAny();
     shapes_ = shapesOf(forcing, bar_.cells, n);
-    for (const Phase& phase : schedule.phases) {
-        isContact_.insert(isContact_.end(), static_cast<std::size_t>(phase.contact), true);
-        isContact_.insert(isContact_.end(), static_cast<std::size_t>(phase.free), false);
-    }
+    isContact_ = contactsOf(schedule);
     if (!solve()) {
         set_.detail = "hardly anything damps some waves: 1 - W is singular but for rounding";
         return;
     }
     cut(watch());
-}
-
-double SteppedForced::tipSpeed(double p, double force) const
-{
-    const double z = bar_.segments.back().impedance;
-    return (2.0 * z * p + force) / (z + set_.damping.eta());
-}
-
-Ends SteppedForced::endsOf(bool isContact, const Excitation& excitation, std::int64_t m) const
-{
-    const double z = bar_.segments.back().impedance;
-    const double eta = set_.damping.eta();
-    return {.reflected = isContact ? -1.0 : (z - eta) / (z + eta),
-            .pulled = isContact ? 0.0 : excitation.force(m) / (z + eta),
-            .baseVelocity = excitation.baseVelocity(m)};
 }
 
 /// (1 - W) x_i = f_i. False if W leaves a wave as it is.
@@ -124,7 +79,8 @@ bool SteppedForced::solve()
     const auto carried = [this](const State& start, const Excitation& excitation) {
         SteppedWaves waves(bar_, start);
         for (std::size_t m = 0; m < isContact_.size(); ++m) {
-            waves.step(endsOf(isContact_[m], excitation, static_cast<std::int64_t>(m)));
+            waves.step(endsOf(bar_, set_.damping, isContact_[m], excitation,
+                              static_cast<std::int64_t>(m)));
         }
         return stacked(waves.state());
     };
@@ -161,9 +117,9 @@ Plane SteppedForced::watch()
             const auto at = static_cast<std::int64_t>(m);
             const double p = waves.arriving();
             steps_[m].push.*part = 2.0 * bar_.segments.back().impedance * p + shape.force(at);
-            tip += isContact_[m] ? 0.0 : tipSpeed(p, shape.force(at)) / cells;
+            tip += isContact_[m] ? 0.0 : tipSpeed(bar_, set_.damping, p, shape.force(at)) / cells;
             steps_[m].tip.*part = tip;
-            waves.step(endsOf(isContact_[m], shape, at));
+            waves.step(endsOf(bar_, set_.damping, isContact_[m], shape, at));
         }
     }
     return {first[0], first[1]};
@@ -234,21 +190,9 @@ void SteppedForced::cut(Plane gap)
 ForcedMotion SteppedForced::at(double t) const
 {
     const Plane place{set_.foot[0] + t * set_.direction[0], set_.foot[1] + t * set_.direction[1]};
-    ForcedMotion motion;
-    motion.schedule = set_.schedule;
-    motion.damping = set_.damping;
-    motion.amplitude = std::hypot(place.c, place.s);
-    motion.phase = std::atan2(place.s, place.c);
-    motion.excitation = {shapes_.front().place, {}, static_cast<double>(bar_.cells)};
-    for (std::size_t m = 0; m < shapes_.front().values.size(); ++m) {
-        motion.excitation.values.push_back(place.c * shapes_.front().values[m] +
-                                           place.s * shapes_.back().values[m]);
-    }
-    motion.state = {place.c * states_[0].a + place.s * states_[1].a,
-                    place.c * states_[0].b + place.s * states_[1].b};
-    walk(motion);
-    motion.residual = std::max(motion.residual, changeOf(motion, bar_));
-    return motion;
+    return steppedMotion({bar_, set_.schedule, set_.damping, shapes_}, place,
+                         {place.c * states_[0].a + place.s * states_[1].a,
+                          place.c * states_[0].b + place.s * states_[1].b});
 }
 
 ForcedMotion SteppedForced::leastAmplitude() const
@@ -258,80 +202,11 @@ ForcedMotion SteppedForced::leastAmplitude() const
 
 std::vector<ForcedMotion> SteppedForced::ofAmplitude(double amplitude) const
 {
-    const double foot = std::hypot(set_.foot[0], set_.foot[1]);
-    std::vector<ForcedMotion> motions;
-    if (amplitude >= foot) {
-        const double away = std::sqrt((amplitude - foot) * (amplitude + foot));
-        for (const double t : {-away, away}) {
-            if (t >= set_.low && t <= set_.high && (motions.empty() || away > 0.0)) {
-                motions.push_back(at(t));
-            }
-        }
-    }
-    std::sort(motions.begin(), motions.end(), [](const ForcedMotion& x, const ForcedMotion& y) {
-        return x.extremes.impulse < y.extremes.impulse;
-    });
-    return motions;
-}
-
-/// What one period of the schedule reaches, and how far it breaks what it is to keep.
-void SteppedForced::walk(ForcedMotion& motion) const
-{
-    Extremes& seen = motion.extremes;
-    const auto cells = static_cast<double>(bar_.cells);
-    const double z = bar_.segments.back().impedance;
-    const double size = amplitude(motion.state);
-    seen.period = period(set_.schedule);
-    SteppedWaves waves(bar_, motion.state);
-    State now = motion.state;
-    double tip = motion.excitation.baseDisplacement(0) + displacement(now)[bar_.cells - 1];
-    seen.lowestTip = tip;
-    double worst = std::abs(tip - 1.0);
-    // In a segment a wave meets, in its cell and on its way to the next, those that come.
-    const auto see = [&seen](double a, double b, double speed) {
-        seen.peakCompression = std::max(seen.peakCompression, (a - b) / speed);
-        seen.peakTension = std::max(seen.peakTension, (b - a) / speed);
-    };
-    for (std::size_t m = 0; m < isContact_.size(); ++m) {
-        const auto at = static_cast<std::int64_t>(m);
-        const double force = motion.excitation.force(at);
-        const double p = waves.arriving();
-        const double push = 2.0 * z * p + force;
-        if (isContact_[m]) {
-            worst = std::max(worst, -push / size);
-            seen.peakForce = std::max(seen.peakForce, push);
-            seen.impulse += push / cells;
-            seen.contactTime += push > forcedTolerance * size ? 1.0 / cells : 0.0;
-        } else {
-            const double v = tipSpeed(p, force);
-            tip += v / cells;
-            worst = std::max(worst, tip - 1.0);
-            seen.lowestTip = std::min(seen.lowestTip, tip);
-            if (const bool lands = m + 1 == isContact_.size() || isContact_[m + 1]; lands) {
-                worst = std::max(worst, std::abs(tip - 1.0));
-                seen.approachSpeed = std::max(seen.approachSpeed, v);
-            }
-        }
-        waves.step(endsOf(isContact_[m], motion.excitation, at));
-        const State next = waves.state();
-        Eigen::Index first = 0;
-        for (const Segment& segment : bar_.segments) {
-            const Eigen::Index last = first + segment.cells - 1;
-            for (Eigen::Index k = first; k <= last; ++k) {
-                see(now.a[k], now.b[k], segment.speed);
-                if (k < last) {
-                    see(now.a[k], now.b[k + 1], segment.speed);
-                }
-            }
-            see(next.a[first], now.b[first], segment.speed);
-            see(now.a[last], next.b[last], segment.speed);
-            first = last + 1;
-        }
-        now = next;
-    }
-    const double change = std::max((now.a - motion.state.a).lpNorm<Eigen::Infinity>(),
-                                   (now.b - motion.state.b).lpNorm<Eigen::Infinity>());
-    motion.residual = std::max(worst, change / size);
+    ForcedLine line;
+    line.foot = {set_.foot[0], set_.foot[1]};
+    line.low = set_.low;
+    line.high = set_.high;
+    return motionsOnLine(line, amplitude, [this](double t) { return at(t); });
 }
 
 }  // namespace signorini

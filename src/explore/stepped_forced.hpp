@@ -44,13 +44,10 @@ private:
         Plane tip;   ///< u(L) at its end
     };
 
-    [[nodiscard]] Ends endsOf(bool isContact, const Excitation& excitation, std::int64_t m) const;
-    [[nodiscard]] double tipSpeed(double p, double force) const;
     [[nodiscard]] bool solve();
     [[nodiscard]] Plane watch();
     void cut(Plane gap);
     void bound(Plane row, double limit, bool isEquality);
-    void walk(ForcedMotion& motion) const;
 
     SteppedBar bar_;
     ForcedSet set_;

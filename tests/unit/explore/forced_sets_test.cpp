@@ -103,7 +103,7 @@ TEST_CASE("forced motions: closed form and linear programs leave the same of a l
         ForcedWaves waves(one.schedule.cells, one.damping.rho(), shapes);
         waves.setPhases(one.schedule.phases);
         const ForcedPolytope polytope =
-            forcedPolytope(waves, true, std::numeric_limits<double>::infinity());
+            forcedPolytope(waves.rows(std::numeric_limits<double>::infinity()), {true, 0});
         INFO(polytope.detail);
         if (set.status == Status::none) {
             CHECK(polytope.conflict);
