@@ -284,6 +284,7 @@ struct StabilityOptions {
     std::int64_t draws = 2;                    ///< disturbances of each size
     std::uint64_t seed = 1;                    ///< of the first
     double mergeBelow = 1e-10;                 ///< SimulationOptions::mergeBelow
+    std::vector<Segment> segments = {};        ///< SimulationOptions::segments
     Cancel cancel = {};
 };
 

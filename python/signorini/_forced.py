@@ -10,7 +10,7 @@ from ._core import (Bar, ForcedFrequency, ForcedMotion, Scene, Simulation,
                     State, Waves)
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import bar_of, scene_of, state_of
+from ._words import Segments, scene_of, state_of
 
 
 class Response(Table[ForcedFrequency]):
@@ -47,8 +47,10 @@ class Response(Table[ForcedFrequency]):
 
 def response(*, damping: float, force: str, amplitude: float,
              start: float = 0.5, to: float = 2.0, cycles: int = 1,
-             cells: int = 300, stability: bool = False, threads: int = 1,
-             bar: Bar | None = None, progress: Progress = None,
+             cells: int | None = None, stability: bool = False,
+             threads: int = 1, bar: Bar | None = None,
+             scene: Scene | None = None, second_stop: float | None = None,
+             segments: Segments | None = None, progress: Progress = None,
              **bar_options: float) -> Response:
     """List every forced motion with one contact, for all periods of a range.
 
@@ -65,14 +67,20 @@ def response(*, damping: float, force: str, amplitude: float,
         ``--from`` and ``--to``).
     cycles : int
         Of the excitation in a period of the motion.
-    cells : int
-        N, cells of the bar.
+    cells : int, optional
+        N, cells of the bar: those of all segments, or 300.
     stability : bool
         Start beside each motion and see whether the bar comes back.
     threads : int
         To share the work.
     bar : Bar, optional
         What units mean in SI; or its parameters as keywords, `length=`, ...
+    scene : Scene, optional
+        In place of `bar`, `second_stop` and `segments`.
+    second_stop : float, optional
+        h [m]: a stop at u(L) = -h.
+    segments : list of Segment, or of their parameters, optional
+        (cells, impedance, speed, dashpot) of each, clamp first.
     progress : callable of (done, total), bool or tqdm bar, optional
 
     Returns
@@ -85,9 +93,11 @@ def response(*, damping: float, force: str, amplitude: float,
     ValueError
         If an argument is out of its range, in the library's words.
     """
-    units = bar_of(bar, bar_options)
+    whole = scene_of(scene, bar, second_stop, segments, bar_options)
+    if cells is None:
+        cells = sum(part.cells for part in whole.segments) or 300
     data = _core.response(damping, force, amplitude, start, to, cycles, cells,
-                          stability, threads, units, listener(progress))
+                          stability, threads, whole, listener(progress))
     head = {key: getattr(data, key) for key in (
         "cells", "bar", "stops", "segments", "static_force", "damping",
         "force", "amplitude", "cycles", "contacts", "band",

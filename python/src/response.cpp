@@ -9,6 +9,8 @@
 #include "scene.hpp"
 #include "share_work.hpp"
 #include "signorini/response.hpp"
+#include "stepped_bar.hpp"
+#include "stops.hpp"
 
 namespace signorini::python {
 
@@ -25,15 +27,16 @@ struct Members<FrequencyOf> {
 /// A response.
 struct ResponseAnswer {
     ResponseRange range;
-    Bar bar;
+    Scene scene;
+    Bar bar;  ///< what units mean: of the first material
     std::vector<FrequencyResponse> frequencies;
     bool wantsStability = false;
 };
 template <>
 struct Members<ResponseAnswer> {
     static constexpr auto list =
-        std::tuple{&ResponseAnswer::range, &ResponseAnswer::bar, &ResponseAnswer::frequencies,
-                   &ResponseAnswer::wantsStability};
+        std::tuple{&ResponseAnswer::range, &ResponseAnswer::scene, &ResponseAnswer::bar,
+                   &ResponseAnswer::frequencies, &ResponseAnswer::wantsStability};
 };
 
 namespace {
@@ -74,15 +77,14 @@ void addRecords(py::module_& module)
         .key(
             "cells", [](const ResponseAnswer& a) { return a.range.cells; }, "N.")
         .key(
-            "bar", [](const ResponseAnswer& a) { return a.bar; }, "Asked about.")
+            "bar", [](const ResponseAnswer& a) { return a.scene.bar; }, "Asked about.")
         .key(
-            "stops", [](const ResponseAnswer& a) { return stopsIn(Scene(a.bar)); },
+            "stops", [](const ResponseAnswer& a) { return stopsIn(a.scene); },
             "[{\"side\", \"place\" [m]}, ...].")
         .key(
-            "segments", [](const ResponseAnswer&) { return std::vector<Segment>{}; },
-            "[Segment, ...].")
+            "segments", [](const ResponseAnswer& a) { return a.scene.segments; }, "[Segment, ...].")
         .key(
-            "static_force", [](const ResponseAnswer& a) { return staticForce(Scene(a.bar)); },
+            "static_force", [](const ResponseAnswer& a) { return staticForce(a.scene); },
             "What the bar at rest presses on the wall with [N].")
         .key(
             "damping",
@@ -131,8 +133,13 @@ void addRecords(py::module_& module)
 
 ResponseAnswer response(double damping, const std::string& force, double amplitude, double least,
                         double most, std::int64_t cycles, std::int64_t cells, bool stability,
-                        std::int64_t threads, const Bar& bar, const py::object& progress)
+                        std::int64_t threads, const Scene& scene, const py::object& progress)
 {
+    validate(scene);
+    Bar bar = firstMaterial(scene);
+    if (!isUniform(scene.segments)) {
+        bar.young.reset();  // it is known of the first segment only
+    }
     const Excited place = placeOf(force);
     ResponseAnswer answer{{.cells = cells,
                            .damping = {damping},
@@ -140,7 +147,10 @@ ResponseAnswer response(double damping, const std::string& force, double amplitu
                            .amplitude = amplitude / amplitudeUnit(place, bar),
                            .cycles = cycles,
                            .leastFrequencyRatio = least,
-                           .mostFrequencyRatio = most},
+                           .mostFrequencyRatio = most,
+                           .stops = stopsOf(scene),
+                           .segments = scene.segments},
+                          scene,
                           bar,
                           {},
                           stability};
@@ -154,6 +164,7 @@ ResponseAnswer response(double damping, const std::string& force, double amplitu
             std::vector<std::optional<FrequencyResponse>> responses(steps.size());
             StabilityOptions options;
             options.cancel = wires.cancel;
+            options.segments = answer.range.segments;
             const auto serve = [&](std::size_t k) {
                 responses[k] = responseAt(answer.range, steps[k], wires.cancel);
                 if (responses[k] && answer.wantsStability) {

@@ -108,3 +108,23 @@ def test_simulations_between_stops_agree(program: Program) -> None:
                       frequency=1.05, periods=40, cells=16, second_stop=1e-3)
     alike(program("simulate", *words), run.to_dict())
     assert {"left", "right"} == set(run.contact_stop)
+
+
+def test_response_of_a_stepped_bar(program: Program) -> None:
+    options: dict[str, Any] = {"damping": 0.05, "force": "tip",
+                               "amplitude": 4e-4}
+    parts = [(4, 1.0), (4, 1.3)]
+    ours = sg.response(segments=parts, start=0.9, to=1.2, **options)
+    assert ours.cells == 8 and len(ours.segments) == 2
+    assert len(ours.motions) > 5
+    words = [word for key, value in options.items()
+             for word in (f"--{key}", value)]
+    said = program("response", *words, "--segments", "4:1,4:1.3",
+                   "--from", 0.9, "--to", 1.2)
+    alike(said, ours.to_dict())
+    same = sg.response(scene=sg.Scene(segments=[sg.Segment(*part)
+                                                for part in parts]),
+                       start=0.9, to=1.2, **options)
+    assert same == ours
+    with pytest.raises(ValueError, match="a second stop"):
+        sg.response(segments=parts, second_stop=1e-3, **options)

@@ -270,7 +270,9 @@ Scene CommonOptions::sceneOfOneBar() const
 {
     if (!segments_.empty()) {
         throw std::invalid_argument(
-            "--segments: allowed only where this command knows such scenes: find, simulate, atlas");
+            "--segments: allowed only where this command knows such scenes: find, simulate, "
+            "response, "
+            "atlas");
     }
     return scene();
 }

@@ -11,6 +11,7 @@
 #include "response_tables.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -25,6 +26,7 @@ std::optional<FrequencyResponse> responseOf(const ResponseRange& range, std::int
     }
     StabilityOptions options;
     options.cancel = cancel;
+    options.segments = range.segments;
     for (ForcedMotion& motion : response->motions) {
         if (wantsStability) {
             motion.stability = stabilityOf(motion, options).stability;
@@ -53,6 +55,16 @@ void work(ResponseAnswer& answer, bool wantsStability, std::int64_t threads, con
         }
     }
     answer.isComplete = answer.frequencies.size() == steps.size();
+}
+
+/// What units mean.
+Bar unitsOf(const Scene& scene)
+{
+    Bar bar = firstMaterial(scene);
+    if (!isUniform(scene.segments)) {
+        bar.young.reset();  // it is known of the first segment only
+    }
+    return bar;
 }
 
 }  // namespace
@@ -105,7 +117,8 @@ void ResponseCommand::addTo(CLI::App& command)
 
 ExitStatus ResponseCommand::run() const
 {
-    ResponseAnswer answer{range, common.sceneOfOneBar(), 0.0, {}};
+    const Scene scene = common.scene();
+    ResponseAnswer answer{range, scene, unitsOf(scene), 0.0, {}};
     if (!force.ratio || !(force.damping().rho() < 1.0)) {
         refuse("--damping", force.ratio ? fmt::format("{}", *force.ratio) : "missing",
                "numbers > 0 [-] with exp(-πζ) < 1");
@@ -124,8 +137,14 @@ ExitStatus ResponseCommand::run() const
     answer.range.cells = common.usualCells();
     answer.range.damping = force.damping();
     answer.range.place = *force.place;
-    answer.range.amplitude = force.scaledAmplitude(answer.scene.bar);
+    answer.range.amplitude = force.scaledAmplitude(answer.bar);
     answer.range.stops = stopsOf(answer.scene);
+    answer.range.segments = scene.segments;
+    if (!isUniform(scene.segments) && !backboneFile.empty()) {
+        refuse("--backbone-csv", backboneFile,
+               "nothing for a bar of several segments: its modes "
+               "are not known");
+    }
     if (band && range.contacts < 2) {
         refuse("--band", fmt::format("{}", *band), "nothing without --contacts 2");
     }

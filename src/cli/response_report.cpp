@@ -2,6 +2,7 @@
 
 #include "force_report.hpp"
 #include "report.hpp"
+#include "segments_text.hpp"
 #include "signorini/output.hpp"
 #include "text.hpp"
 
@@ -53,6 +54,9 @@ std::string asText(const ResponseAnswer& answer)
         range.contacts > 1 ? fmt::format(", for two contacts ± {:.3g} %", 100.0 * range.band) : "",
         range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
         answer.isComplete ? "" : ": interrupted, the list is not complete");
+    if (!answer.scene.segments.empty()) {
+        print(text, "segments    {}\n", textOf(answer.scene.segments));
+    }
     if (answer.undecided() > 0) {
         print(text, "undecided   {} schedules\n", answer.undecided());
     }
@@ -68,9 +72,9 @@ std::string asText(const ResponseAnswer& answer)
         for (const ForcedMotion& motion : response.motions) {
             print(text, "{}{:<{}}{:<14.6g}{:<12.5f}{:<14.6g}{:<14.6g}{}\n", begin,
                   describe(motion.schedule.phases), wide,
-                  motion.amplitude * amplitudeUnit(range.place, answer.scene.bar), motion.phase,
-                  motion.extremes.impulse * impulseUnit(answer.scene.bar),
-                  motion.extremes.peakForce * forceUnit(answer.scene.bar), word(motion));
+                  motion.amplitude * amplitudeUnit(range.place, answer.bar), motion.phase,
+                  motion.extremes.impulse * impulseUnit(answer.bar),
+                  motion.extremes.peakForce * forceUnit(answer.bar), word(motion));
         }
     }
     return fmt::to_string(text);
@@ -83,7 +87,7 @@ std::string asJson(const ResponseAnswer& answer)
     json.update(
         Json{{"status", name(answer.status())},
              {"cells", range.cells},
-             {"damping", dampingAsJson(range.damping, answer.scene.bar)},
+             {"damping", dampingAsJson(range.damping, answer.bar)},
              {"force", name(range.place)},
              {"amplitude", answer.amplitude},
              {"cycles", range.cycles},
@@ -94,14 +98,14 @@ std::string asJson(const ResponseAnswer& answer)
              {"frequencies", Json::array()}});
     addScene(answer.scene, json);
     for (const FrequencyResponse& response : answer.frequencies) {
-        json["frequencies"].push_back(asJson(response, answer.scene.bar));
+        json["frequencies"].push_back(asJson(response, answer.bar));
     }
     return asLine(json);
 }
 
 void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
 {
-    const Scales unit = scales(answer.scene.bar);
+    const Scales unit = scales(answer.bar);
     TextFile file(path);
     file.write(
         "steps,frequency_ratio,frequency,touches,linear_peak,contact,free,phase,impulse,"
@@ -120,10 +124,10 @@ void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
             const bool isOnBoth = first.stop != phases.back().stop;
             file.write(fmt::format(
                 "{},{},{},{},{},{},{},{},{},{},{}\n", begin, first.contact, first.free,
-                motion.phase, motion.extremes.impulse * impulseUnit(answer.scene.bar),
-                motion.extremes.peakForce * forceUnit(answer.scene.bar),
+                motion.phase, motion.extremes.impulse * impulseUnit(answer.bar),
+                motion.extremes.peakForce * forceUnit(answer.bar),
                 motion.extremes.lowestTip * unit.displacement, word(motion),
-                motion.amplitude * amplitudeUnit(answer.range.place, answer.scene.bar),
+                motion.amplitude * amplitudeUnit(answer.range.place, answer.bar),
                 phases.size() > 1 ? fmt::format("{},{}", phases[1].contact, phases[1].free)
                                   : std::string(","),
                 isOnBoth ? "both" : name(first.stop)));

@@ -14,6 +14,7 @@ namespace signorini::cli {
 struct ResponseAnswer {
     ResponseRange range;
     Scene scene;
+    Bar bar;                                     ///< what units mean: of the first material
     double amplitude = 0.0;                      ///< [N] or [m]
     std::vector<FrequencyResponse> frequencies;  ///< motions without their states
     bool isComplete = true;

@@ -12,8 +12,8 @@ namespace signorini::cli {
 
 void writeResponseMapCsv(const std::string& path, const ResponseAnswer& answer)
 {
-    const Scales unit = scales(answer.scene.bar);
-    const double force = amplitudeUnit(answer.range.place, answer.scene.bar);
+    const Scales unit = scales(answer.bar);
+    const double force = amplitudeUnit(answer.range.place, answer.bar);
     TextFile file(path);
     file.write(
         "steps,frequency_ratio,frequency,contacts,contact,free,second_contact,second_free,"
@@ -42,7 +42,7 @@ void writeResponseMapCsv(const std::string& path, const ResponseAnswer& answer)
 
 void writeBackboneCsv(const std::string& path, const ResponseAnswer& answer)
 {
-    const Scales unit = scales(answer.scene.bar);
+    const Scales unit = scales(answer.bar);
     const ResponseRange& range = answer.range;
     TextFile file(path);
     file.write(
@@ -55,8 +55,8 @@ void writeBackboneCsv(const std::string& path, const ResponseAnswer& answer)
                                    backbone.mode.b, familyName(backbone.mode), point.frequencyRatio,
                                    point.frequencyRatio / 4.0 / unit.time, point.extremes.period,
                                    point.energyRatio,
-                                   point.extremes.impulse * impulseUnit(answer.scene.bar),
-                                   point.extremes.peakForce * forceUnit(answer.scene.bar),
+                                   point.extremes.impulse * impulseUnit(answer.bar),
+                                   point.extremes.peakForce * forceUnit(answer.bar),
                                    point.extremes.lowestTip * unit.displacement));
         }
     }

@@ -8,6 +8,7 @@
 #include "gnuplot.hpp"
 #include "palette.hpp"
 #include "signorini/figures.hpp"
+#include "stepped_bar.hpp"
 #include "text.hpp"
 
 namespace signorini {
@@ -90,7 +91,11 @@ bool printModes(Text& script, double least, double most, const ResponseRange& ra
 {
     bool any = false;
     print(script, "$modes << EOD\n");
-    for (const Backbone& backbone : backbonesOf(least, most, range.cycles, range.stops)) {
+    // Known of a uniform bar.
+    const std::vector<Backbone> backbones =
+        isUniform(range.segments) ? backbonesOf(least, most, range.cycles, range.stops)
+                                  : std::vector<Backbone>{};
+    for (const Backbone& backbone : backbones) {
         bool isDrawn = false;
         for (const BackbonePoint& point : backbone.points) {
             if (-point.extremes.lowestTip <= 1.5 * height) {
@@ -125,11 +130,24 @@ double heightOf(std::span<const FrequencyResponse> frequencies, const ResponseRa
     return 1.08 * most;
 }
 
+/// "150:1, 150:1.3": cells and impedance of each; the first of many.
+std::string segmentsOf(const ResponseRange& range)
+{
+    constexpr std::size_t most = 4;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(most, range.segments.size()); ++k) {
+        const Segment& segment = range.segments[k];
+        text += fmt::format("{}{}:{:.4g}", k == 0 ? "" : ", ", segment.cells,
+                            segment.impedance / range.segments.front().impedance);
+    }
+    return text + (range.segments.size() > most ? ", …" : "");
+}
+
 std::string titleOf(const ResponseRange& range)
 {
     const bool hasUnit = range.stops.right != 0;
     return fmt::format(
-        "{} of amplitude {:.4g} {},  ζ = {:.4g},  N = {}{}{}",
+        "{} of amplitude {:.4g} {},  ζ = {:.4g},  N = {}{}{}{}",
         range.place == Excited::tip ? "force on the tip" : "base moving", range.amplitude,
         range.place == Excited::tip ? (hasUnit ? "EA g/L" : "EA")
         : hasUnit                   ? "g"
@@ -139,7 +157,8 @@ std::string titleOf(const ResponseRange& range)
         : hasUnit             ? ""
                               : ",  g = 0",
         range.cycles > 1 ? fmt::format(",  period of {} cycles of the excitation", range.cycles)
-                         : "");
+                         : "",
+        isUniform(range.segments) ? "" : ",  segments " + segmentsOf(range));
 }
 
 }  // namespace
@@ -191,10 +210,13 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
           "set tmargin at screen 0.92\nset bmargin at screen 0.54\nset format x ''\n"
           "set ylabel 'impulse  [EA {}/c]'\nset yrange [0:{}]\n"
           "set key top left reverse Left samplen 2 spacing 1.1\n"
-          "plot {}NaN with lines lw 2 lc '{}' title 'no contact', "
+          "plot $linear using 1:(-1) with lines notitle, {}NaN with lines lw 2 lc '{}' title 'no "
+          "contact', "
           "NaN with lines lw 1.5 dt (6,3) lc '{}' title 'no stop in its way'{}\n",
           palette::grid, least - margin, most + margin, titleOf(range), unit,
-          pushed > 0.0 ? fmt::format("{:.4g}", 1.15 * pushed) : std::string("*"),
+          pushed > 0.0 ? fmt::format("{:.4g}", 1.15 * pushed)
+          : hasModes   ? "*"
+                       : "1",
           hasModes ? fmt::format("$modes using 1:2 with lines lw 5 lc '{}' title 'modes: free, "
                                  "undamped', ",
                                  palette::fading.back())

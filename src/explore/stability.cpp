@@ -7,6 +7,7 @@
 #include "faults.hpp"
 #include "names.hpp"
 #include "signorini/response.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini {
 
@@ -108,7 +109,8 @@ StabilityResult stabilityOf(const Course& course, const StabilityOptions& option
     const SimulationOptions settings{
         .mergeBelow = course.damping.ratio > 0.0 ? std::optional(options.mergeBelow) : std::nullopt,
         .recordsTip = false,
-        .stops = course.stops};
+        .stops = course.stops,
+        .segments = isUniform(options.segments) ? std::vector<Segment>{} : options.segments};
     const Waves undisturbed = wavesOf(course.state);
     const Eigen::VectorXd still = stretching(undisturbed, cells);
     StabilityResult result;

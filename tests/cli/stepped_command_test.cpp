@@ -79,8 +79,12 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --gap -1e-3", "gap");
     refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --strain-limit 1",
             "--strain-limit");
-    refuses("response --damping 0.1 --force tip --amplitude 1e-4 --segments 4:1,4:1.3",
-            "--segments");
+    const std::string response = "response --damping 0.1 --force tip --amplitude 1e-4 --segments ";
+    refuses(response + "4:1,4:1.3 --gap -1e-3", "gap <= 0");
+    refuses(response + "4:1,4:1.3 --second-stop 1e-3", "a second stop");
+    refuses(response + "4:1,4:1.3 --contacts 2", "contacts = 2");
+    refuses(response + "4:1,4:1.3 --cells 9", "cells of all segments = 8");
+    refuses(response + "4:1,4:1.3 --backbone-csv b.csv", "--backbone-csv");
     CHECK(program.files() == 0);
 }
 
@@ -119,6 +123,61 @@ TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and 
     const auto words = program.run("find 6 26 --segments 4:1,4:1.3 --damping 0.1 --force tip");
     CHECK((words.status == 0 || words.status == 3));
     CHECK_THAT(words.out, containsText("force on the tip"));
+}
+
+TEST_CASE("cli stepped: the response says what find says of each schedule, in all its files",
+          "[glpk][ipopt]")
+{
+    const Program program;
+    const std::string words =
+        " --segments 4:1,4:1.3:2 --damping 0.05 --force tip --amplitude 4e-4 --young 1e9 "
+        "--density 1e9 --area 1e-9 --quiet --format json";
+    const auto run = program.run(
+        "response --from 0.9 --to 1.2 --stability --threads 2 --csv r.csv --map-csv m.csv "
+        "--figure r.svg --map m.svg" +
+        words);
+    INFO(run.err);
+    REQUIRE(run.status == 0);
+    const json answer = json::parse(run.out);
+    CHECK(answer["cells"] == 8);
+    CHECK(answer["segments"].size() == 2);
+    int motions = 0;
+    for (const json& frequency : answer["frequencies"]) {
+        CHECK(frequency["undecided"] == 0);
+        for (const json& motion : frequency["motions"]) {
+            ++motions;
+            CHECK(motion["residual"].get<double>() < 1e-9);
+            CHECK(motion["physical"]["peak_stress"].is_null());
+            const auto phase = motion["schedule"][0].get<std::vector<int>>();
+            const auto found = program.run("find " + std::to_string(phase[0]) + " " +
+                                           std::to_string(phase[1]) + words);
+            REQUIRE(found.status == 0);
+            const json known = json::parse(found.out);
+            int same = 0;
+            for (const json& other : known["motions"]) {
+                same += other["impulse"].get<double>() ==
+                                    Approx(motion["impulse"].get<double>()).epsilon(1e-7) &&
+                                other["physical"]["peak_compression"].get<double>() ==
+                                    Approx(motion["physical"]["peak_compression"].get<double>())
+                                        .epsilon(1e-7)
+                            ? 1
+                            : 0;
+            }
+            CHECK(same == 1);
+        }
+    }
+    CHECK(motions >= 5);
+    CHECK(lines(contentOf(program.file("r.csv"))) > motions);
+    CHECK(lines(contentOf(program.file("m.csv"))) > motions);
+    CHECK_THAT(contentOf(program.file("r.svg")), containsText("4:1, 4:1.3"));
+    CHECK(fs::file_size(program.file("m.svg")) > 1000);
+    // There is a figure also where nothing meets the wall.
+    const auto clear = program.run(
+        "response --segments 4:1,4:1.3 --damping 0.05 --force tip --amplitude 1e-9 --figure "
+        "clear.svg --quiet");
+    INFO(clear.err);
+    CHECK(clear.status == 0);
+    CHECK(fs::file_size(program.file("clear.svg")) > 1000);
 }
 
 TEST_CASE("cli stepped: an atlas is the same by threads and by processes, and keeps bar and proofs",
