@@ -13,7 +13,7 @@ namespace signorini {
 namespace {
 
 constexpr double farAway = 1e6;           // amplitudes beyond count as infinite
-constexpr double roundOff = 1e-14;        // an amplitude that is 0
+constexpr double vanishing = 1e-14;       // an amplitude that is 0
 constexpr double alike = 1e-9;            // places that differ by less are one
 constexpr std::size_t mostCorners = 200;  // corners
 constexpr double missedByMore = 1e-9;     // rows that no rounding misses by as much
@@ -132,7 +132,7 @@ private:
         }
         const Eigen::VectorXd x = polished(answer.x);
         const auto free = x.tail(unknowns_.free);
-        const auto place = [&x](Eigen::Index k) { return std::abs(x[k]) < roundOff ? 0.0 : x[k]; };
+        const auto place = [&x](Eigen::Index k) { return std::abs(x[k]) < vanishing ? 0.0 : x[k]; };
         return ForcedCorner{{place(0), unknowns_.isPlane ? place(1) : 0.0},
                             {free.begin(), free.end()}};
     }
