@@ -160,6 +160,8 @@ public:
     [[nodiscard]] double displacement(std::size_t node, std::size_t instant) const;   ///< [m]
     [[nodiscard]] double velocity(std::size_t node, std::size_t instant) const;       ///< [m/s]
     [[nodiscard]] double strain(std::size_t node, std::size_t instant) const;         ///< [-]
+    /// EA s, with EA that of the node's segment [N].
+    [[nodiscard]] double force(std::size_t node, std::size_t instant) const;
 
 private:
     using Field = std::function<double(std::size_t node, std::size_t instant)>;
@@ -170,6 +172,7 @@ private:
     Field displacement_;  ///< in scaled units, like the others
     Field velocity_;
     Field strain_;
+    std::vector<double> stiffness_;  ///< EA at each node, relative to the first segment
 };
 
 /// time, x, displacement, velocity, strain; instant by instant; [s], [m], [m], [m/s], [-].

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "printing.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini {
 
@@ -100,9 +101,7 @@ void writeBar(const std::string& path, const MotionSamples& samples, std::size_t
     strip.scalars("velocity",
                   [&](std::size_t cell) { return samples.velocity(cell + 1, instant); });
     strip.scalars("strain", [&](std::size_t cell) { return samples.strain(cell + 1, instant); });
-    strip.scalars("force", [&](std::size_t cell) {
-        return inUnit(samples.strain(cell + 1, instant), samples.bar().axialStiffness);
-    });
+    strip.scalars("force", [&](std::size_t cell) { return samples.force(cell + 1, instant); });
     strip.close("CellData");
     strip.open("Points");
     strip.vectors("points", -half, half,
@@ -153,6 +152,23 @@ std::string inXml(const std::string& text)
     return result;
 }
 
+/// EA of the cell that ends at each node, relative to the first: Z = EA/c.
+std::vector<double> stiffnessAt(const std::vector<std::int64_t>& nodes,
+                                const std::vector<Segment>& segments)
+{
+    const SteppedBar bar = steppedBar(segments);
+    std::vector<double> values;
+    std::size_t segment = 0;
+    std::int64_t end = bar.segments.front().cells;
+    for (const std::int64_t node : nodes) {
+        while (node > end && segment + 1 < bar.segments.size()) {
+            end += bar.segments[++segment].cells;
+        }
+        values.push_back(bar.segments[segment].impedance * bar.segments[segment].speed);
+    }
+    return values;
+}
+
 }  // namespace
 
 MotionSamples::MotionSamples(const Motion& motion, const Scene& scene, std::int64_t mostInstants)
@@ -173,6 +189,9 @@ MotionSamples::MotionSamples(const Motion& motion, const Scene& scene, std::int6
     strain_ = [&motion, nodes, instants](std::size_t i, std::size_t m) {
         return motion.strain(std::max<std::int64_t>(nodes[i], 1), instants[m]);
     };
+    if (!isUniform(scene.segments)) {
+        stiffness_ = stiffnessAt(nodes, scene.segments);
+    }
 }
 
 MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int64_t cells,
@@ -209,6 +228,12 @@ MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int6
 double MotionSamples::displacement(std::size_t node, std::size_t instant) const
 {
     return inUnit(displacement_(node, instant), scales(bar()).displacement);
+}
+
+double MotionSamples::force(std::size_t node, std::size_t instant) const
+{
+    const double relative = stiffness_.empty() ? 1.0 : stiffness_[node];
+    return inUnit(strain(node, instant), bar().axialStiffness * relative);
 }
 
 double MotionSamples::velocity(std::size_t node, std::size_t instant) const

@@ -208,6 +208,39 @@ TEST_CASE("output: the state file holds SI values that read back exactly")
     CHECK(rows[6][5] == Approx(1e-6).epsilon(1e-14));
 }
 
+TEST_CASE("output: the force in a bar of several segments is that of each one's own EA")
+{
+    const std::vector<Segment> segments{{.cells = 2}, {.cells = 3, .impedance = 1.3}};
+    // At rest under pressure one force runs through all of them.
+    const Eigen::VectorXd pressed{{0.65, 0.65, 0.5, 0.5, 0.5}};
+    const State state{pressed, -pressed};
+    const Schedule schedule{5, {{6, 4}}};
+    const Motion motion(state, schedule, segments);
+    Bar bar;
+    bar.axialStiffness = 200.0;
+    const MotionSamples samples(motion, Scene{bar, std::nullopt, segments});
+    for (std::size_t node = 0; node <= 5; ++node) {
+        CHECK(samples.force(node, 0) == Approx(-1.3 * 200.0 * 1e-3).epsilon(1e-14));
+    }
+    // Z v = EA s/c in every wave: a single one in each cell of the second segment.
+    const Motion waves({Eigen::VectorXd::Zero(5), Eigen::VectorXd{{0.0, 0.0, 1.0, 0.0, 0.0}}},
+                       schedule, segments);
+    const MotionSamples other(waves, Scene{bar, std::nullopt, segments});
+    CHECK(other.force(3, 0) == Approx(1.3 * 200.0 * 1e-3).epsilon(1e-14));
+    CHECK(other.strain(3, 0) == Approx(1e-3).epsilon(1e-14));
+    const Folder folder;
+    fs::create_directory(folder.file("series"));
+    writeMotionSeries(folder.file("m.pvd"), folder.file("series"), "series", samples);
+    const std::string cells = contentOf(folder.file("series/bar_0000.vtu"));
+    const std::size_t begin = cells.find("Name=\"force\"");
+    std::istringstream values(cells.substr(cells.find('>', begin) + 1));
+    for (int cell = 0; cell < 5; ++cell) {
+        double value = 0.0;
+        values >> value;
+        CHECK(value == Approx(-0.26).epsilon(1e-14));
+    }
+}
+
 TEST_CASE("output: motion files hold every node and instant of a small case")
 {
     const Folder folder;
