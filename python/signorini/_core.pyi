@@ -82,11 +82,13 @@ class Schedule:
 
 class State:
     def __init__(self, a: ArrayLike, b: ArrayLike,
-                 bar: Optional[Bar] = ...) -> None: ...
+                 bar: Optional[Bar] = ...,
+                 segments: Sequence[Segment] = ...) -> None: ...
     def __len__(self) -> int: ...
     def to_dict(self) -> dict[str, list[float]]: ...
     cells: int
     bar: Bar
+    segments: list[Segment]
     a: Array
     b: Array
     x: Array

@@ -150,6 +150,10 @@ def find(
     if damping is not None or force is not None:
         if damping is None or force is None:
             raise ValueError("damping, force: allowed only together")
+        if whole.segments or second_stop is not None \
+                or scene is not None and len(whole.stops) > 1:
+            raise ValueError("segments, second_stop: allowed only without "
+                             "damping and force")
         return _core.find_forced(schedule, cells, units, damping, force,
                                  amplitude, cycles, strain_limit)
     if amplitude is not None or cycles != 1:

@@ -87,8 +87,12 @@ class Table(Sequence[R], Generic[R]):
 
     def to_dict(self) -> dict[str, Any]:
         """The same as a dictionary, with the keys of the program's JSON."""
-        head = {key: value.to_dict() if hasattr(value, "to_dict") else value
-                for key, value in self._head.items()}
+        def plain(value: Any) -> Any:
+            if isinstance(value, list):
+                return [plain(one) for one in value]
+            return value.to_dict() if hasattr(value, "to_dict") else value
+
+        head = {key: plain(value) for key, value in self._head.items()}
         return {**head, self._name: [row.to_dict() for row in self._rows]}
 
     def frame(self) -> Any:

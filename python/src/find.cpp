@@ -212,7 +212,10 @@ frequencies in omega_1.
             "state",
             [](const Shared& a) -> py::object {
                 const auto& motion = a->result.motion;
-                return motion ? py::cast(part(a, motion->state, a->result.scene.bar)) : py::none();
+                return motion ? py::cast(StateOf{std::shared_ptr<const State>(a, &motion->state),
+                                                 firstMaterial(a->result.scene),
+                                                 a->result.scene.segments})
+                              : py::none();
             },
             "At t = 0, the start of the first contact: a State, or None.")
         .def_property_readonly(

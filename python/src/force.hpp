@@ -21,11 +21,12 @@ struct MotionOf {
     ForcedMotion value;
     Bar bar;
     bool isOfResponse = false;  ///< or of one schedule: other keys
+    std::vector<Segment> segments = {};
 };
 template <>
 struct Members<MotionOf> {
     static constexpr auto list =
-        std::tuple{&MotionOf::value, &MotionOf::bar, &MotionOf::isOfResponse};
+        std::tuple{&MotionOf::value, &MotionOf::bar, &MotionOf::isOfResponse, &MotionOf::segments};
 };
 
 }  // namespace signorini::python

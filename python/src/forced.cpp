@@ -87,7 +87,10 @@ void addMotionOf(py::module_& module)
             "tip_lowest_ratio", [](const MotionOf& m) { return m.value.extremes.lowestTip; }, "[g]")
         .def_property_readonly(
             "state",
-            [](const std::shared_ptr<MotionOf>& m) { return part(m, m->value.state, m->bar); },
+            [](const std::shared_ptr<MotionOf>& m) {
+                return StateOf{std::shared_ptr<const State>(m, &m->value.state), m->bar,
+                               m->segments};
+            },
             "At the start of contact: a State.");
 }
 

@@ -11,6 +11,18 @@ namespace signorini::python {
 
 namespace {
 
+/// Of waves in a cell, 1..N, relative to the first segment.
+double speedOf(const std::vector<Segment>& segments, std::int64_t cell)
+{
+    for (const Segment& segment : segments) {
+        if (cell <= segment.cells) {
+            return segment.speed / segments.front().speed;
+        }
+        cell -= segment.cells;
+    }
+    return 1.0;
+}
+
 /// The motion of a grid on x [L] and t [L/c].
 struct OnGrid {
     const Motion& field;
@@ -157,7 +169,7 @@ ValueError
         .def_property_readonly(
             "state",
             [](const GridMotion& m) {
-                return StateOf{m.state, m.bar};
+                return StateOf{m.state, m.bar, m.scene.segments};
             },
             "At t = 0.")
         .def_property_readonly(
@@ -243,11 +255,11 @@ ValueError
                 state->b.resize(field.cells());
                 for (std::int64_t cell = 1; cell <= field.cells(); ++cell) {
                     const double v = field.velocity(cell, step);
-                    const double s = field.strain(cell, step);
+                    const double s = field.strain(cell, step) * speedOf(m.scene.segments, cell);
                     state->a[cell - 1] = (v - s) / 2.0;
                     state->b[cell - 1] = (v + s) / 2.0;
                 }
-                return StateOf{state, m.bar};
+                return StateOf{state, m.bar, m.scene.segments};
             },
             py::arg("step"), "The state right after t_m.")
         .def("__repr__", [](const GridMotion& m) {

@@ -18,10 +18,12 @@ namespace signorini::python {
 struct FrequencyOf {
     FrequencyResponse value;
     Bar bar;
+    std::vector<Segment> segments;
 };
 template <>
 struct Members<FrequencyOf> {
-    static constexpr auto list = std::tuple{&FrequencyOf::value, &FrequencyOf::bar};
+    static constexpr auto list =
+        std::tuple{&FrequencyOf::value, &FrequencyOf::bar, &FrequencyOf::segments};
 };
 
 /// A response.
@@ -68,7 +70,7 @@ void addRecords(py::module_& module)
             [](const FrequencyOf& f) {
                 std::vector<MotionOf> list;
                 for (const ForcedMotion& motion : f.value.motions) {
-                    list.push_back({motion, f.bar, true});
+                    list.push_back({motion, f.bar, true, f.segments});
                 }
                 return list;
             },
@@ -124,7 +126,7 @@ void addRecords(py::module_& module)
             [](const ResponseAnswer& a) {
                 std::vector<FrequencyOf> list;
                 for (const FrequencyResponse& response : a.frequencies) {
-                    list.push_back({response, a.bar});
+                    list.push_back({response, a.bar, a.scene.segments});
                 }
                 return list;
             },

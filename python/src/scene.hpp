@@ -14,15 +14,17 @@
 
 namespace signorini::python {
 
-/// A state, shared with the answer it is part of, and the bar that gives it units.
-using StateOf = Of<std::shared_ptr<const State>>;
-
-/// A state that is part of what `owner` holds.
-template <typename Owner>
-[[nodiscard]] StateOf part(const std::shared_ptr<Owner>& owner, const State& state, const Bar& bar)
-{
-    return {std::shared_ptr<const State>(owner, &state), bar};
-}
+/// A state, shared with the answer it is part of, and what gives it units: a uniform bar, that of
+/// the first material, and its segments.
+struct StateOf {
+    std::shared_ptr<const State> value;
+    Bar bar;
+    std::vector<Segment> segments = {};
+};
+template <>
+struct Members<StateOf> {
+    static constexpr auto list = std::tuple{&StateOf::value, &StateOf::bar, &StateOf::segments};
+};
 
 /// [{"side": ..., "place": [m]}, ...], as the program's JSON has them.
 [[nodiscard]] py::list stopsIn(const Scene& scene);

@@ -4,6 +4,7 @@
 #include "faults.hpp"
 #include "scene.hpp"
 #include "signorini/output.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::python {
 
@@ -37,6 +38,30 @@ py::array_t<double> array(const Eigen::VectorXd& values, double unit)
     return filled(values.size(), [&](std::int64_t k) { return values[k] * unit; });
 }
 
+/// x_1 ... x_N in cells of the first segment.
+Eigen::VectorXd cellEnds(const StateOf& s)
+{
+    Eigen::VectorXd ends(s.value->cells());
+    if (s.segments.empty()) {
+        ends.setLinSpaced(1.0, static_cast<double>(ends.size()));
+        return ends;
+    }
+    Eigen::Index k = 0;
+    double x = 0.0;
+    for (const Segment& segment : s.segments) {
+        for (std::int64_t cell = 0; cell < segment.cells; ++cell) {
+            x += segment.speed / s.segments.front().speed;
+            ends[k++] = x;
+        }
+    }
+    return ends;
+}
+
+Eigen::VectorXd strainOf(const StateOf& s)
+{
+    return s.segments.empty() ? strain(*s.value) : strain(*s.value, s.segments);
+}
+
 }  // namespace
 
 void addState(py::module_& module)
@@ -51,7 +76,9 @@ Parameters
 a, b : array_like, shape (N,)
     Right- and left-going wave [g/L].
 bar : Bar, optional
-    What the units mean in SI.
+    What the units mean in SI: of the first material, where there are segments.
+segments : list of Segment, optional
+    What the bar is made of, clamp first.
 
 Raises
 ------
@@ -61,14 +88,22 @@ ValueError
     record.more()
         .def(py::init([](const py::array_t<double, py::array::forcecast>& a,
                          const py::array_t<double, py::array::forcecast>& b,
-                         const std::optional<Bar>& bar) {
-                 return StateOf{stateOf(a, b), bar.value_or(Bar{})};
+                         const std::optional<Bar>& bar, const std::vector<Segment>& segments) {
+                 StateOf state{stateOf(a, b), bar.value_or(Bar{}), segments};
+                 if (!segments.empty()) {
+                     requireCells(steppedBar(segments), state.value->cells());
+                 }
+                 return state;
              }),
-             py::arg("a"), py::arg("b"), py::arg("bar") = py::none())
+             py::arg("a"), py::arg("b"), py::arg("bar") = py::none(),
+             py::arg("segments") = std::vector<Segment>{})
         .def_property_readonly(
             "cells", [](const StateOf& s) { return s.value->cells(); }, "N.")
         .def_property_readonly(
             "bar", [](const StateOf& s) { return s.bar; }, "Its units.")
+        .def_property_readonly(
+            "segments", [](const StateOf& s) { return s.segments; },
+            "[Segment, ...]; none of a uniform bar.")
         .def_property_readonly(
             "a",
             [](const StateOf& s) {
@@ -86,9 +121,7 @@ ValueError
         .def_property_readonly(
             "x",
             [](const StateOf& s) {
-                const double cell = s.bar.length / static_cast<double>(s.value->cells());
-                return filled(s.value->cells(),
-                              [cell](std::int64_t k) { return static_cast<double>(k + 1) * cell; });
+                return array(cellEnds(s), s.bar.length / static_cast<double>(s.value->cells()));
             },
             "x_1 ... x_N [m], where each cell ends.")
         .def_property_readonly(
@@ -96,8 +129,7 @@ ValueError
             [](const StateOf& s) { return array(velocity(*s.value), scales(s.bar).velocity); },
             "v on each cell [m/s].")
         .def_property_readonly(
-            "strain",
-            [](const StateOf& s) { return array(strain(*s.value), scales(s.bar).strain); },
+            "strain", [](const StateOf& s) { return array(strainOf(s), scales(s.bar).strain); },
             "s on each cell [-], tension > 0.")
         .def_property_readonly(
             "displacement",
@@ -109,26 +141,39 @@ ValueError
             "velocity_ratio", [](const StateOf& s) { return array(velocity(*s.value), 1.0); },
             "v on each cell [c g/L], a + b.")
         .def_property_readonly(
-            "strain_ratio", [](const StateOf& s) { return array(strain(*s.value), 1.0); },
-            "s on each cell [g/L], b - a.")
+            "strain_ratio", [](const StateOf& s) { return array(strainOf(s), 1.0); },
+            "s on each cell [g/L], b - a over its relative speed.")
         .def_property_readonly(
             "displacement_ratio",
             [](const StateOf& s) { return array(displacement(*s.value), 1.0); },
             "u at x_1 ... x_N [g].")
         .def_property_readonly(
-            "energy_ratio", [](const StateOf& s) { return energyRatio(*s.value); }, "E/E_1.")
+            "energy_ratio", [](const StateOf& s) { return energyRatio(*s.value, s.segments); },
+            "E/E_1.")
         .def_property_readonly(
-            "energy", [](const StateOf& s) { return energyRatio(*s.value) * scales(s.bar).energy; },
+            "energy",
+            [](const StateOf& s) {
+                return energyRatio(*s.value, s.segments) * scales(s.bar).energy;
+            },
             "E [J].")
         .def(
             "refined",
             [](const StateOf& s, std::int64_t factor) {
-                return StateOf{std::make_shared<const State>(refined(*s.value, factor)), s.bar};
+                StateOf fine{std::make_shared<const State>(refined(*s.value, factor)), s.bar,
+                             s.segments};
+                for (Segment& segment : fine.segments) {
+                    segment.cells *= factor;
+                }
+                return fine;
             },
             py::arg("factor"), "The same state on `factor` times as many cells.")
         .def(
             "write",
             [](const StateOf& s, const std::string& path) {
+                if (!haveOneSpeed(s.segments)) {
+                    throw std::invalid_argument(
+                        "segments: allowed only with one speed where a state is written");
+                }
                 OutputFiles files;
                 writeStateCsv(files.stage(path), *s.value, s.bar);
                 files.commit();
@@ -140,8 +185,8 @@ ValueError
             "read",
             [](const std::string& path, const std::optional<Bar>& bar, std::int64_t cells) {
                 const Bar units = bar.value_or(Bar{});
-                return StateOf{std::make_shared<const State>(readState(path, units, cells).state),
-                               units};
+                return StateOf{
+                    std::make_shared<const State>(readState(path, units, cells).state), units, {}};
             },
             py::arg("path"), py::arg("bar") = py::none(), py::arg("cells") = usualCells,
             "A state from a file: one that `write` wrote, or measurements, put onto so many cells.")
@@ -158,7 +203,7 @@ ValueError
         .def("__len__", [](const StateOf& s) { return s.value->cells(); })
         .def("__repr__", [](const StateOf& s) {
             return fmt::format("State(cells={}, energy_ratio={:.10g})", s.value->cells(),
-                               energyRatio(*s.value));
+                               energyRatio(*s.value, s.segments));
         });
 }
 

@@ -126,5 +126,36 @@ def test_response_of_a_stepped_bar(program: Program) -> None:
                                                 for part in parts]),
                        start=0.9, to=1.2, **options)
     assert same == ours
+    _, motion = ours.motions[0]
+    assert len(motion.state.segments) == 2
+    assert motion.state.displacement_ratio[-1] == pytest.approx(1, abs=1e-9)
     with pytest.raises(ValueError, match="a second stop"):
         sg.response(segments=parts, second_stop=1e-3, **options)
+
+
+def test_state_of_a_stepped_bar_knows_its_segments() -> None:
+    parts = [(4, 1.0), (4, 1.3, 2.0)]
+    found = sg.find(3, 25, cells=8, segments=parts)
+    state = found.state
+    assert [part.cells for part in state.segments] == [4, 4]
+    assert state.energy_ratio == pytest.approx(found.energy_ratio, rel=1e-12)
+    assert state.energy == pytest.approx(found.energy, rel=1e-12)
+    # The tip ends where the bar does; a cell of twice the speed is twice as
+    # long, and stretches half as much.
+    assert state.x[-1] == pytest.approx(found.bar.length, rel=1e-12)
+    assert state.x[7] - state.x[6] == pytest.approx(2 * state.x[0], rel=1e-12)
+    cells = [right - left for left, right
+             in zip([0.0, *state.x[:-1]], state.x)]
+    stretched = sum(s * cell for s, cell in zip(state.strain, cells))
+    assert stretched == pytest.approx(state.displacement[-1], rel=1e-12)
+    later = found.motion.state_at(28)
+    assert later.a == pytest.approx(state.a, abs=1e-9)
+    assert later.energy_ratio == pytest.approx(state.energy_ratio, rel=1e-9)
+    fine = state.refined(3)
+    assert fine.energy_ratio == pytest.approx(state.energy_ratio, rel=1e-12)
+    with pytest.raises(ValueError, match="one speed"):
+        state.write("nowhere.csv")
+    with pytest.raises(ValueError, match="cells of all segments"):
+        sg.State([1.0], [1.0], segments=state.segments)
+    with pytest.raises(ValueError, match="segments, second_stop"):
+        sg.find(6, 28, cells=8, segments=parts, damping=0.05, force="tip")
