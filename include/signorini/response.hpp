@@ -184,8 +184,8 @@ struct ResponseRange {
     std::int64_t contacts = 1;
     double band = 0.05;  ///< [-], 0 < band < 1
     Stops stops = {};    ///< where the tip is held; two contacts: one wall beyond a gap
-    /// Of the bar, clamp first, N cells in all; empty: a uniform bar. Segments that differ: one wall
-    /// beyond a gap, one contact. The frequency is in omega_1 of the first material.
+    /// Of the bar, clamp first, N cells in all; empty: a uniform bar. Segments that differ: one
+    /// wall beyond a gap, one contact. The frequency is in omega_1 of the first material.
     std::vector<Segment> segments = {};
 };
 
