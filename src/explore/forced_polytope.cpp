@@ -143,10 +143,13 @@ private:
     {
         constexpr double met = 1e-5;
         const Eigen::VectorXd below = program_.inequalities * x - program_.inequalityRhs;
-        const double size = std::max(1.0, x.cwiseAbs().maxCoeff());
+        // Of each row: an amplitude that stands for infinity makes no other row look met.
+        const Eigen::VectorXd size =
+            (program_.inequalities.cwiseAbs() * x.cwiseAbs() + program_.inequalityRhs.cwiseAbs())
+                .cwiseMax(1.0);
         std::vector<Eigen::Index> active;
         for (Eigen::Index row = 0; row < below.size(); ++row) {
-            if (below[row] > -met * size) {
+            if (below[row] > -met * size[row]) {
                 active.push_back(row);
             }
         }

@@ -118,6 +118,29 @@ TEST_CASE("forced scenes, one contact: an independent program agrees, motions re
     }
 }
 
+TEST_CASE("forced scenes: waves that are always held bear any amplitude where the bar is pressed")
+{
+    if (!hasSimplex()) {
+        return;
+    }
+    // A corner that stands for infinity once made rows look met that were not.
+    Count count;
+    for (const std::int64_t contact : {8, 10, 12, 13, 19}) {
+        const Schedule schedule{10, {{contact, 20 - contact}}, {.right = -1}};
+        compare({.schedule = schedule, .damping = {0.02}, .forcing = {}}, count);
+        const ForcedSet set = forcedMotions(schedule, {0.02}, {});
+        REQUIRE(set.status == Status::found);
+        for (const double amplitude : {0.1, 2.0}) {
+            const auto motions = motionsOfAmplitude(set, amplitude);
+            REQUIRE_FALSE(motions.empty());
+            CHECK(motions.front().residual <= forcedTolerance);
+            CHECK(test::driftInTenPeriods(motions.front()) < 1e-9);
+        }
+    }
+    CHECK(count.found == 5);
+    CHECK(count.near == 0);
+}
+
 TEST_CASE("forced scenes, two contacts, each on its stop: an independent program agrees")
 {
     if (!hasSimplex()) {
