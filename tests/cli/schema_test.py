@@ -93,6 +93,8 @@ CALLS = [
     ("response", f"response --cells 10 --gap -1e-3 {FORCE} --from 1 --to 1.2 --stability"),
     ("response", f"response --cells 10 --gap 0 {FORCE} --from 1 --to 1.2"),
     ("response", f"response --cells 10 --second-stop 1e-3 {FORCE} --from 1 --to 1.2"),
+    ("response", f"response --segments 4:1,4:1.3 {FORCE} --from 1 --to 1.2 --stability"),
+    ("find-forced", "find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip"),
     ("families", "families --second-stop 1.5e-3"),
     ("atlas", "atlas --database {}/d.sqlite --cells 4 --phases 2 --max-contact 3 --max-free 6"
               " --second-stop 1e-3"),
