@@ -36,9 +36,10 @@ void requireSize(const Request& request)
             std::any_of(schedule.phases.begin(), schedule.phases.end(),
                         [](const Phase& phase) { return phase.stop == Stop::left; });
         if (!touchesBoth && !options.energyRatio) {
-            faults.add("schedule", describe(schedule),
-                       "those with a contact on the second stop where the gap is 0 and no energy sets "
-                       "the size");
+            faults.add(
+                "schedule", describe(schedule),
+                "those with a contact on the second stop where the gap is 0 and no energy sets "
+                "the size");
         }
         faults.throwIfAny();
         return;

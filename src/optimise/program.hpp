@@ -48,8 +48,9 @@ void validate(const Program& program);
 [[nodiscard]] double objective(const Program& program, const Eigen::VectorXd& x);
 
 /// The size of the problem's own unit: no x with max |x_i| below it meets rows, bounds and energy.
-/// That is the largest of |right side| / sum |coefficients| of the rows, of the |bounds| that 0 does
-/// not meet, and of sqrt(value / sum weights) of the energy; 1 if 0 meets them all. O(entries).
+/// That is the largest of |right side| / sum |coefficients| of the rows, of the |bounds| that 0
+/// does not meet, and of sqrt(value / sum weights) of the energy; 1 if 0 meets them all.
+/// O(entries).
 [[nodiscard]] double naturalSize(const Program& program);
 
 /// The largest violation of any row or bound at x, each divided by the larger of |right side| and

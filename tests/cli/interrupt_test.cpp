@@ -32,7 +32,8 @@ std::string shownBy(const Program& program, const std::string& arguments)
 TEST_CASE("cli: Ctrl-C ends a search by a solver that can be stopped with status 3 and words")
 {
     for (const auto& [call, seconds] :
-         {std::pair{slowCall("6000", "ipopt --objective min-energy"), "1"},
+         {std::pair{slowCall("60000", "glpk-exact"), "1"},
+          std::pair{slowCall("6000", "ipopt --objective min-energy"), "1"},
           std::pair{slowCall("800", "nlopt-auglag --energy-ratio 20 --tolerance 1e-12"), "0.3"}}) {
         const Program program;
         const std::string interrupted = "timeout --preserve-status -s INT ";
@@ -59,7 +60,7 @@ TEST_CASE("cli: Ctrl-C ends a program whose solver cannot be stopped, and leaves
     const Program program;
     const auto start = std::chrono::steady_clock::now();
     const auto outcome =
-        program.run(slowCall("60000", "glpk-exact"), "timeout --preserve-status -s INT 1");
+        program.run(slowCall("60000", "glpk-interior"), "timeout --preserve-status -s INT 1");
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     INFO(outcome.out << outcome.err);
     CHECK(outcome.status == 128 + SIGINT);
