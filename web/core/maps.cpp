@@ -100,7 +100,8 @@ KeptResponse& responseFor(const Request& request)
               range.leastFrequencyRatio, range.mostFrequencyRatio, wantsStability})
             .dump();
     if (kept().key != key) {
-        kept() = {key, stepsOf(range), {range, bar, bar, request.number("amplitude", 0.0, 10.0), {}}};
+        kept() = {
+            key, stepsOf(range), {range, bar, bar, request.number("amplitude", 0.0, 10.0), {}}};
     }
     return kept();
 }
