@@ -21,7 +21,7 @@ struct RightEnd {
     std::vector<double> arriving;
     std::vector<double> leaving;
 
-    [[nodiscard]] double at(const std::vector<double>& wave, std::int64_t m) const
+    [[nodiscard]] static double at(const std::vector<double>& wave, std::int64_t m)
     {
         const auto n = static_cast<std::int64_t>(wave.size());
         return wave[static_cast<std::size_t>((m % n + n) % n)];
@@ -136,8 +136,8 @@ private:
         for (std::size_t i = bar_.segments.size(); i-- > 0;) {
             const Segment& segment = bar_.segments[i];
             for (std::int64_t k = 0; k < segment.cells; ++k, --last) {
-                state.a[last] = end.at(end.arriving, k);
-                state.b[last] = end.at(end.leaving, -1 - k);
+                state.a[last] = RightEnd::at(end.arriving, k);
+                state.b[last] = RightEnd::at(end.leaving, -1 - k);
             }
             end = i > 0 ? end.beyond(bar_.segments[i - 1], segment) : end;
         }
