@@ -131,7 +131,8 @@ TEST_CASE("stepped response: every motion goes on by itself for ten periods")
     CHECK(motions > 5);
 }
 
-TEST_CASE("stepped response: no schedule of a range is missed, says a linear program of its own")
+TEST_CASE("stepped response: no schedule of a range is missed, says a linear program of its own",
+          "[glpk]")
 {
     const auto segments =
         GENERATE(std::vector<Segment>{{.cells = 2}, {.cells = 3, .impedance = 1.3}},
