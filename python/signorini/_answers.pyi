@@ -127,7 +127,7 @@ class Result(_Record):
 class ContinuumPoint(_Record):
     lambda_: float
     energy: float
-    energy_ratio: Optional[float]
+    energy_ratio: Any  # float; None without a gap
     residual: float
     peak_strain: float
     physical: Physical
@@ -148,7 +148,7 @@ class Continuum(_Record):
     period_ratio: float
     frequency_ratio: float
     energy: float
-    energy_ratio: Optional[float]
+    energy_ratio: Any  # float; None without a gap
     connected: Optional[bool]
     components: Optional[int]
     dimension: Optional[int]

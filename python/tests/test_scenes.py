@@ -158,4 +158,5 @@ def test_state_of_a_stepped_bar_knows_its_segments() -> None:
     with pytest.raises(ValueError, match="cells of all segments"):
         sg.State([1.0], [1.0], segments=state.segments)
     with pytest.raises(ValueError, match="segments, second_stop"):
-        sg.find(6, 28, cells=8, segments=parts, damping=0.05, force="tip")
+        sg.find(6, 28, cells=8, segments=parts,  # type: ignore[call-overload]
+                damping=0.05, force="tip")

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the commands of docs/numbers.md and looks for what they are said to show.
 
-    numbers.py --program SIGNORINI [--only REGEX] [--slow]
+    quoted_numbers.py --program SIGNORINI [--only REGEX] [--slow]
 
 A row of its tables: figures as they are quoted, the pages that quote them, a command, what it shows.
 Each figure has to stand on each of the pages, and what the command writes has to hold each text of the
