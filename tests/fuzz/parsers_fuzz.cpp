@@ -41,12 +41,13 @@ void readsState(std::string_view text)
     require(!read.how.empty());
 }
 
+/// The sign of a dashpot is for the scene to check.
 void requireSegments(const std::vector<Segment>& segments)
 {
     for (const Segment& segment : segments) {
         require(segment.cells >= 1 && segment.impedance > 0.0 && segment.speed > 0.0 &&
-                segment.dashpot >= 0.0 && std::isfinite(segment.impedance) &&
-                std::isfinite(segment.speed) && std::isfinite(segment.dashpot));
+                std::isfinite(segment.impedance) && std::isfinite(segment.speed) &&
+                std::isfinite(segment.dashpot));
     }
     require(segmentsOf(textOf(segments)) == segments);
 }
