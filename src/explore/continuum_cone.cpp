@@ -5,6 +5,7 @@
 #include <random>
 
 #include "continuum_geometric.hpp"
+#include "continuum_record.hpp"
 #include "faults.hpp"
 
 namespace signorini {
@@ -18,7 +19,7 @@ public:
     Arc(const State& from, const State& to) : from_(from), to_(to)
     {
         const double radius = std::sqrt(energyRatio(from_));
-        const double chord = std::sqrt(energyRatio({to_.a - from_.a, to_.b - from_.b}));
+        const double chord = energyDistance(to_, from_);
         angle_ = 2.0 * std::asin(std::min(1.0, 0.5 * chord / radius));
         length_ = radius * angle_;
     }

@@ -13,12 +13,6 @@ namespace signorini {
 
 namespace {
 
-/// Distance of two states in the norm of the energy.
-double distance(const State& first, const State& second)
-{
-    return std::sqrt(energyRatio({first.a - second.a, first.b - second.b}));
-}
-
 /// Of the bits: equal states have equal ones.
 std::size_t hashOf(const State& state)
 {
@@ -31,6 +25,11 @@ std::size_t hashOf(const State& state)
 }
 
 }  // namespace
+
+double energyDistance(const State& first, const State& second)
+{
+    return std::sqrt(energyRatio({first.a - second.a, first.b - second.b}));
+}
 
 ContinuumRecord::ContinuumRecord(const Schedule& schedule, double energyRatio,
                                  const ContinuumOptions& given)
@@ -113,7 +112,8 @@ bool ContinuumRecord::keep(double lambda, State state)
 
 bool ContinuumRecord::keepNext(State state)
 {
-    const double step = result.points.empty() ? 0.0 : distance(result.points.back().state, state);
+    const double step =
+        result.points.empty() ? 0.0 : energyDistance(result.points.back().state, state);
     const double reached = result.points.empty() ? 0.0 : result.points.back().lambda;
     return keep(reached + step, std::move(state));
 }
@@ -142,7 +142,8 @@ void ContinuumRecord::finish(std::string detail)
     }
     double largest = 0.0;
     for (std::size_t k = 1; k < result.points.size(); ++k) {
-        largest = std::max(largest, distance(result.points[k - 1].state, result.points[k].state));
+        largest =
+            std::max(largest, energyDistance(result.points[k - 1].state, result.points[k].state));
     }
     result.resolution = largest / std::sqrt(energy());
 }

@@ -10,6 +10,9 @@
 
 namespace signorini {
 
+/// Of two states in the norm of the energy, sqrt(E/E_1).
+[[nodiscard]] double energyDistance(const State& first, const State& second);
+
 /// Verifies and keeps motions. Part of one call of traceContinuum, whose options it refers to.
 class ContinuumRecord {
 public:

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 #include "faults.hpp"
 #include "forced_case.hpp"
@@ -163,13 +164,8 @@ void describeLine(ForcedSet& set, const ForcedLine& line)
 
 void describePolytope(ForcedSet& set, ForcedPolytope polytope)
 {
+    std::tie(set.leastAmplitude, set.mostAmplitude) = amplitudesOf(polytope);
     set.corners = std::move(polytope.corners);
-    const auto amplitude = [](const std::array<double, 2>& x) {
-        return portable::hypot(x[0], x[1]);
-    };
-    set.leastAmplitude = amplitude(nearestPlace(set.corners));
-    set.mostAmplitude = polytope.isBounded ? amplitude(farthestPlace(set.corners))
-                                           : std::numeric_limits<double>::infinity();
     set.kind = ForcedKind::polytope;
 }
 

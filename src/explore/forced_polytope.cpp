@@ -6,6 +6,7 @@
 #include <span>
 
 #include "backend_choice.hpp"
+#include "infinity.hpp"
 #include "portable.hpp"
 
 namespace signorini {
@@ -203,6 +204,15 @@ double nearestOn(Plane from, Plane to)
     return squares > 0.0 ? std::clamp(-from.dot(way) / squares, 0.0, 1.0) : 0.0;
 }
 
+Plane farthestPlace(const std::vector<ForcedCorner>& corners)
+{
+    return planeOf(std::max_element(corners.begin(), corners.end(),
+                                    [](const ForcedCorner& x, const ForcedCorner& y) {
+                                        return sizeOf(planeOf(x.place)) < sizeOf(planeOf(y.place));
+                                    })
+                       ->place);
+}
+
 }  // namespace
 
 ForcedPolytope forcedPolytope(std::vector<ForcedRow> rows, const ForcedUnknowns& unknowns)
@@ -270,20 +280,17 @@ std::array<double, 2> nearestPlace(const std::vector<ForcedCorner>& corners)
     return isInside && area > alike * squares ? std::array{0.0, 0.0} : std::array{best.c, best.s};
 }
 
-std::array<double, 2> farthestPlace(const std::vector<ForcedCorner>& corners)
+std::pair<double, double> amplitudesOf(const ForcedPolytope& polytope)
 {
-    return std::max_element(corners.begin(), corners.end(),
-                            [](const ForcedCorner& x, const ForcedCorner& y) {
-                                return sizeOf(planeOf(x.place)) < sizeOf(planeOf(y.place));
-                            })
-        ->place;
+    return {sizeOf(planeOf(nearestPlace(polytope.corners))),
+            polytope.isBounded ? sizeOf(farthestPlace(polytope.corners)) : infinity};
 }
 
 std::array<double, 2> placeOfAmplitude(const std::vector<ForcedCorner>& corners, double amplitude)
 {
     // On the way from the nearest place to the farthest amplitudes grow: |x + s way| = amplitude.
     const Plane from = planeOf(nearestPlace(corners));
-    const Plane way = planeOf(farthestPlace(corners)) - from;
+    const Plane way = farthestPlace(corners) - from;
     const double squares = way.dot(way);
     const double half = from.dot(way);
     const double least = sizeOf(from);

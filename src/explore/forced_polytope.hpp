@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "forced_form.hpp"
@@ -32,9 +33,10 @@ struct ForcedPolytope {
 [[nodiscard]] ForcedCorner meanAt(const std::vector<ForcedCorner>& corners,
                                   std::array<double, 2> place);
 
-/// The places of least and of largest amplitude. \pre there is a corner. O(corners).
+/// The place of least amplitude. \pre there is a corner. O(corners).
 [[nodiscard]] std::array<double, 2> nearestPlace(const std::vector<ForcedCorner>& corners);
-[[nodiscard]] std::array<double, 2> farthestPlace(const std::vector<ForcedCorner>& corners);
+/// Least and largest amplitude. \pre there is a corner. O(corners).
+[[nodiscard]] std::pair<double, double> amplitudesOf(const ForcedPolytope& polytope);
 /// A place of this amplitude on the way from the nearest to the farthest.
 [[nodiscard]] std::array<double, 2> placeOfAmplitude(const std::vector<ForcedCorner>& corners,
                                                      double amplitude);

@@ -8,7 +8,6 @@
 #include "forced_case.hpp"
 #include "forced_polytope.hpp"
 #include "growing_contact.hpp"
-#include "portable.hpp"
 #include "stepped_walk.hpp"
 
 namespace signorini {
@@ -97,12 +96,7 @@ private:
             response_.undecided += found.conflict ? 0 : 1;
             return;
         }
-        const auto sizeOf = [](const std::array<double, 2>& x) {
-            return portable::hypot(x[0], x[1]);
-        };
-        const double least = sizeOf(nearestPlace(found.corners));
-        const double most = found.isBounded ? sizeOf(farthestPlace(found.corners))
-                                            : std::numeric_limits<double>::infinity();
+        const auto [least, most] = amplitudesOf(found);
         response_.branches.push_back({waves_.contact(), least, most});
         if (least <= range_.amplitude && range_.amplitude <= most) {
             const ForcedCorner corner =

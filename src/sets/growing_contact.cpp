@@ -175,32 +175,40 @@ void GrowingContact::grow()
     }
 }
 
+/// Steps of contact of a residue are n_c/G, rounded up in the first n_c mod G residues.
+std::int64_t GrowingContact::freeBefore(std::int64_t residue) const
+{
+    const std::int64_t held = contact_ / residues_;
+    const std::int64_t longer = std::min(residue, contact_ % residues_);
+    return longer * std::max<std::int64_t>(held + 1 - fixed_, 0) +
+           (residue - longer) * std::max<std::int64_t>(held - fixed_, 0);
+}
+
 std::int64_t GrowingContact::freeOf(std::int64_t residue) const
 {
-    const std::int64_t held = (contact_ - residue + residues_ - 1) / residues_;
-    return std::max<std::int64_t>(held - fixed_, 0);
+    return freeBefore(residue + 1) - freeBefore(residue);
 }
 
 std::int64_t GrowingContact::freePushes() const
 {
-    std::int64_t all = 0;
-    for (std::int64_t j = 0; j < residues_; ++j) {
-        all += freeOf(j);
+    return freeBefore(residues_);
+}
+
+template <typename Action>
+void GrowingContact::forEachFree(std::int64_t m, Action action) const
+{
+    const std::int64_t residue = m % residues_;
+    const auto first = static_cast<std::size_t>(freeBefore(residue));
+    for (std::int64_t q = 0; q < std::min(freeOf(residue), m / residues_ + 1); ++q) {
+        action(first + static_cast<std::size_t>(q),
+               freePush_[static_cast<std::size_t>(m / residues_ - q)]);
     }
-    return all;
 }
 
 double GrowingContact::freePush(std::int64_t m, std::span<const double> free) const
 {
-    std::size_t first = 0;
-    for (std::int64_t j = 0; j < m % residues_; ++j) {
-        first += static_cast<std::size_t>(freeOf(j));
-    }
     double sum = 0.0;
-    for (std::int64_t q = 0; q < std::min(freeOf(m % residues_), m / residues_ + 1); ++q) {
-        sum += free[first + static_cast<std::size_t>(q)] *
-               freePush_[static_cast<std::size_t>(m / residues_ - q)];
-    }
+    forEachFree(m, [&](std::size_t k, double value) { sum += free[k] * value; });
     return sum;
 }
 
@@ -293,32 +301,23 @@ std::vector<ForcedRow> GrowingContact::rows() const
         gap.free.emplace_back(k, pressed);
     }
     rows.push_back(std::move(gap));
-    const double nothing = roundOff * scale();
+    const double most = scale();
+    const double nothing = roundOff * most;
     const auto put = [&](ForcedRow row) {
         row.plane = size(row.plane) > nothing ? row.plane : Plane{};
         if (size(row.plane) > 0.0 || !row.free.empty()) {
             rows.push_back(std::move(row));
         }
     };
-    std::vector<std::size_t> firstOf;
-    std::size_t next = 0;
-    for (std::int64_t j = 0; j < residues_; ++j) {
-        firstOf.push_back(next);
-        next += static_cast<std::size_t>(freeOf(j));
-    }
     for (std::int64_t m = 0; m < contact_; ++m) {
-        const std::int64_t residue = m % residues_;
         ForcedRow row{{ForcedRule::pressure, m}, false, push(m), {}, 0.0};
-        for (std::int64_t q = 0; q < std::min(freeOf(residue), m / residues_ + 1); ++q) {
-            const double value = freePush_[static_cast<std::size_t>(m / residues_ - q)];
+        forEachFree(m, [&row](std::size_t k, double value) {
             if (value != 0.0) {
-                row.free.emplace_back(
-                    firstOf[static_cast<std::size_t>(residue)] + static_cast<std::size_t>(q),
-                    value);
+                row.free.emplace_back(k, value);
             }
-        }
+        });
         put(std::move(row));
-        if (m / residues_ >= fixed_ && size(speed(m)) > stillMoving * scale()) {
+        if (m / residues_ >= fixed_ && size(speed(m)) > stillMoving * most) {
             rows.push_back({{ForcedRule::work, m}, true, speed(m), {}, 0.0});
         }
     }

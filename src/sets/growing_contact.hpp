@@ -48,7 +48,7 @@ public:
     /// u(L, 0) [g]. O(n_c).
     [[nodiscard]] Plane tip() const;
 
-    /// Pushes of any size that move the tip nowhere. O(G).
+    /// Pushes of any size that move the tip nowhere.
     [[nodiscard]] std::int64_t freePushes() const;
     /// What they add to R, with these sizes.
     [[nodiscard]] double freePush(std::int64_t m, std::span<const double> free) const;
@@ -72,7 +72,12 @@ private:
     void setKernels();
     void lengthen(std::int64_t contact);
     void setFree(std::int64_t contact, std::vector<double> push);
+    /// Free pushes of a residue, and of those before it, which are numbered first.
     [[nodiscard]] std::int64_t freeOf(std::int64_t residue) const;
+    [[nodiscard]] std::int64_t freeBefore(std::int64_t residue) const;
+    /// action(k, R of free push k = 1) for those that press in step m.
+    template <typename Action>
+    void forEachFree(std::int64_t m, Action action) const;
     [[nodiscard]] Plane highestTip() const;
     /// Of numbers that are 0 but for rounding.
     [[nodiscard]] double scale() const;
