@@ -1,35 +1,19 @@
 // Continua without a gap, and between two stops: sets are listed by cddlib from rows in the 2N
 // waves, and every member runs through a march that is written here.
 
-#include <gmp.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <vector>
 
 #include "catch.hpp"
+#include "cddlib.hpp"
 #include "scene_oracle.hpp"
 #include "signorini/continuum.hpp"
 #include "support.hpp"
 
-#define GMPRATIONAL
-extern "C" {
-#include <cddlib/setoper.h>
-// Needs what setoper.h defines.
-#include <cddlib/cdd.h>
-}
-
 using namespace signorini;
-
-/// cddlib keeps some numbers of GMP for itself when it converts a polyhedron: no leak of ours.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions()
-{
-    return "leak:__gmp_default_allocate\n";
-}
 
 namespace {
 
@@ -45,17 +29,9 @@ double squaresOf(const Point& point)
 /// The vertices of all motions, in the waves p_0, p_1, ... that arrive first.
 std::vector<Point> verticesOf(const Schedule& schedule)
 {
-    struct Delete {
-        void operator()(dd_MatrixType* matrix) const { dd_FreeMatrix(matrix); }
-        void operator()(dd_PolyhedraType* polyhedron) const { dd_FreePolyhedra(polyhedron); }
-    };
-    dd_set_global_constants();
     const auto rows = test::OracleRows(schedule).rows();
     const auto unknowns = rows.front().values.size();
-    const std::unique_ptr<dd_MatrixType, Delete> input(dd_CreateMatrix(
-        static_cast<dd_rowrange>(rows.size()), static_cast<dd_colrange>(unknowns) + 1));
-    input->representation = dd_Inequality;
-    input->numbtype = dd_Rational;
+    const test::CddMatrix input = test::cddRows(rows.size(), unknowns);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const double sign = rows[k].kind == GLP_UP ? -1.0 : 1.0;
         mpq_set_d(input->matrix[k][0], -sign * rows[k].rhs);
@@ -66,11 +42,7 @@ std::vector<Point> verticesOf(const Schedule& schedule)
             set_addelem(input->linset, static_cast<long>(k) + 1);
         }
     }
-    dd_ErrorType error = dd_NoError;
-    const std::unique_ptr<dd_PolyhedraType, Delete> polyhedron(
-        dd_DDMatrix2Poly(input.get(), &error));
-    REQUIRE(error == dd_NoError);
-    const std::unique_ptr<dd_MatrixType, Delete> output(dd_CopyGenerators(polyhedron.get()));
+    const test::CddMatrix output = test::cddGenerators(input);
     REQUIRE(set_card(output->linset) == 0);
     std::vector<Point> vertices;
     for (dd_rowrange k = 0; k < output->rowsize; ++k) {

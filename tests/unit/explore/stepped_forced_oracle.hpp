@@ -4,8 +4,6 @@
 /// the 2N waves of its cells and in (C, S), written down here cell by cell and solved by GLPK: it
 /// shares no code with the library.
 
-#include <glpk.h>
-
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
@@ -14,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "forced_program.hpp"
 #include "signorini/response.hpp"
 
 namespace signorini::test {
@@ -23,7 +22,11 @@ public:
     /// A harmonic of one cycle; eta of the dashpot at the tip, impedances relative to the first.
     SteppedForcedOracle(const Schedule& schedule, std::span<const Segment> segments, double eta,
                         Excited place)
-        : cells_(schedule.cells), columns_(2 * cells_ + 2), eta_(eta), place_(place)
+        : cells_(schedule.cells),
+          columns_(2 * cells_ + 2),
+          eta_(eta),
+          place_(place),
+          program_(columns_, 1e-10)
     {
         for (std::size_t i = 0; i < segments.size(); ++i) {
             for (std::int64_t k = 0; k < segments[i].cells; ++k) {
@@ -44,39 +47,34 @@ public:
         for (std::size_t k = 0; k < a_.size(); ++k) {
             tip += (b_[k] - a_[k]) / static_cast<double>(cells_);
         }
-        add(tip, 1.0, true);
+        program_.add(tip, 1.0, true);
         for (std::int64_t m = 0; m < steps_; ++m) {
             const bool isHeld = m < phase.contact;
             const Vector p = a_.back();
             const double z = impedance_.back();
             const Vector force = forceOf(m);
             if (isHeld) {
-                add(2.0 * z * p + force, 0.0, false);
+                program_.add(2.0 * z * p + force, 0.0, false);
             } else if (m + 1 < steps_) {
                 tip += (2.0 * z * p + force) / ((z + eta_) * static_cast<double>(cells_));
-                add(-tip, -1.0, false);
+                program_.add(-tip, -1.0, false);
             }
             advance(m, isHeld, force);
         }
         for (std::size_t k = 0; k < a_.size(); ++k) {
-            add(a_[k] - startA[k], 0.0, true);
-            add(b_[k] - startB[k], 0.0, true);
+            program_.add(a_[k] - startA[k], 0.0, true);
+            program_.add(b_[k] - startB[k], 0.0, true);
         }
     }
 
     /// By how much inequalities have to be missed; NaN: the equalities contradict each other.
-    [[nodiscard]] double leastMissed() const { return solve(0.0, 0.0, true); }
+    [[nodiscard]] double leastMissed() const { return program_.leastMissed(); }
 
     /// The largest c C + s S, with |C|, |S| <= 1e4.
-    [[nodiscard]] double farthest(double c, double s) const { return solve(c, s, false); }
+    [[nodiscard]] double farthest(double c, double s) const { return program_.farthest(c, s, 1e4); }
 
 private:
     using Vector = Eigen::VectorXd;
-    struct Row {
-        Vector values;
-        double least;
-        bool isEqual;
-    };
 
     [[nodiscard]] double baseAngle(std::int64_t m) const
     {
@@ -118,58 +116,6 @@ private:
         b_ = std::move(b);
     }
 
-    void add(Vector values, double least, bool isEqual)
-    {
-        const double size = std::max(values.cwiseAbs().maxCoeff(), 1e-12);
-        // What is 0 but for rounding is 0.
-        values = (values.array().abs() < 1e-13 * std::max(1.0, size)).select(0.0, values);
-        rows_.push_back({values / size, least / size, isEqual});
-    }
-
-    [[nodiscard]] double solve(double c, double s, bool mayMiss) const
-    {
-        glp_prob* lp = glp_create_prob();
-        const auto count = static_cast<int>(columns_);
-        glp_add_cols(lp, count + 1);
-        for (int column = 1; column <= count; ++column) {
-            const bool isBounded = !mayMiss && column > count - 2;
-            glp_set_col_bnds(lp, column, isBounded ? GLP_DB : GLP_FR, -1e4, 1e4);
-        }
-        glp_set_col_bnds(lp, count + 1, mayMiss ? GLP_LO : GLP_FX, 0.0, 0.0);
-        glp_add_rows(lp, static_cast<int>(rows_.size()));
-        for (std::size_t k = 0; k < rows_.size(); ++k) {
-            const Row& row = rows_[k];
-            std::vector<int> columns{0};
-            std::vector<double> values{0.0};
-            for (int column = 1; column <= count; ++column) {
-                if (row.values[column - 1] != 0.0) {
-                    columns.push_back(column);
-                    values.push_back(row.values[column - 1]);
-                }
-            }
-            if (mayMiss && !row.isEqual) {
-                columns.push_back(count + 1);
-                values.push_back(1.0);
-            }
-            const int number = static_cast<int>(k) + 1;
-            glp_set_mat_row(lp, number, static_cast<int>(columns.size()) - 1, columns.data(),
-                            values.data());
-            glp_set_row_bnds(lp, number, row.isEqual ? GLP_FX : GLP_LO, row.least, row.least);
-        }
-        glp_set_obj_dir(lp, mayMiss ? GLP_MIN : GLP_MAX);
-        glp_set_obj_coef(lp, count - 1, c);
-        glp_set_obj_coef(lp, count, s);
-        glp_set_obj_coef(lp, count + 1, mayMiss ? 1.0 : 0.0);
-        glp_smcp settings;
-        glp_init_smcp(&settings);
-        settings.msg_lev = GLP_MSG_OFF;
-        settings.tol_bnd = 1e-10;
-        const bool isSolved = glp_simplex(lp, &settings) == 0 && glp_get_status(lp) == GLP_OPT;
-        const double best = isSolved ? glp_get_obj_val(lp) : NAN;
-        glp_delete_prob(lp);
-        return best;
-    }
-
     std::int64_t cells_;
     Eigen::Index columns_;
     double eta_;
@@ -179,7 +125,7 @@ private:
     std::vector<double> dashpot_;
     std::vector<Vector> a_;
     std::vector<Vector> b_;
-    std::vector<Row> rows_;
+    ForcedProgram program_;
 };
 
 }  // namespace signorini::test

@@ -2,39 +2,23 @@
 
 #include "double_description.hpp"
 
-#include <gmp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <memory>
 #include <optional>
 #include <random>
 #include <set>
 #include <string>
 
 #include "catch.hpp"
+#include "cddlib.hpp"
 #include "formulation.hpp"
 #include "listed_rows.hpp"
 #include "program_rows.hpp"
 #include "signorini/schedule.hpp"
 
-#define GMPRATIONAL
-extern "C" {
-#include <cddlib/setoper.h>
-// Needs what setoper.h defines.
-#include <cddlib/cdd.h>
-}
-
 using namespace signorini;
 using test::ListedRows;
-
-/// cddlib keeps some numbers of GMP for itself when it converts a polyhedron: no leak of ours.
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions()
-{
-    return "leak:__gmp_default_allocate\n";
-}
 
 namespace {
 
@@ -72,16 +56,8 @@ GeneratorSet asSet(const Generators& generators)
 /// What cddlib says. Empty if the polyhedron contains lines: then generators are not unique.
 std::optional<GeneratorSet> oracle(const std::vector<ExactRow>& rows, std::size_t unknowns)
 {
-    struct Delete {
-        void operator()(dd_MatrixType* matrix) const { dd_FreeMatrix(matrix); }
-        void operator()(dd_PolyhedraType* polyhedron) const { dd_FreePolyhedra(polyhedron); }
-    };
-    dd_set_global_constants();
     const auto columns = static_cast<dd_colrange>(unknowns) + 1;
-    const std::unique_ptr<dd_MatrixType, Delete> input(
-        dd_CreateMatrix(static_cast<dd_rowrange>(rows.size()), columns));
-    input->representation = dd_Inequality;
-    input->numbtype = dd_Rational;
+    const test::CddMatrix input = test::cddRows(rows.size(), unknowns);
     for (std::size_t k = 0; k < rows.size(); ++k) {
         mpq_set_si(input->matrix[k][0], -rows[k].rhs, 1);
         for (std::size_t i = 0; i < unknowns; ++i) {
@@ -91,11 +67,7 @@ std::optional<GeneratorSet> oracle(const std::vector<ExactRow>& rows, std::size_
             set_addelem(input->linset, static_cast<long>(k) + 1);
         }
     }
-    dd_ErrorType error = dd_NoError;
-    const std::unique_ptr<dd_PolyhedraType, Delete> polyhedron(
-        dd_DDMatrix2Poly(input.get(), &error));
-    REQUIRE(error == dd_NoError);
-    const std::unique_ptr<dd_MatrixType, Delete> output(dd_CopyGenerators(polyhedron.get()));
+    const test::CddMatrix output = test::cddGenerators(input);
     if (set_card(output->linset) > 0) {
         return std::nullopt;
     }
