@@ -26,6 +26,7 @@ namespace signorini::test {
 
 struct DeleteCdd {
     void operator()(dd_MatrixType* matrix) const { dd_FreeMatrix(matrix); }
+    void operator()(dd_LPType* program) const { dd_FreeLPData(program); }
     void operator()(dd_PolyhedraType* polyhedron) const { dd_FreePolyhedra(polyhedron); }
 };
 using CddMatrix = std::unique_ptr<dd_MatrixType, DeleteCdd>;
@@ -34,7 +35,8 @@ using CddMatrix = std::unique_ptr<dd_MatrixType, DeleteCdd>;
 /// linset.
 inline CddMatrix cddRows(std::size_t rows, std::size_t unknowns)
 {
-    dd_set_global_constants();
+    // It makes its constants anew at each call and forgets the old ones.
+    [[maybe_unused]] static const bool isReady = (dd_set_global_constants(), true);
     CddMatrix matrix(
         dd_CreateMatrix(static_cast<dd_rowrange>(rows), static_cast<dd_colrange>(unknowns) + 1));
     matrix->representation = dd_Inequality;

@@ -1,17 +1,6 @@
 #include "stepped_oracle.hpp"
 
-#include <gmp.h>
-
-#include <memory>
-
-#include "catch.hpp"
-
-#define GMPRATIONAL
-extern "C" {
-#include <cddlib/setoper.h>
-// Needs what setoper.h defines.
-#include <cddlib/cdd.h>
-}
+#include "cddlib.hpp"
 
 namespace signorini::test {
 
@@ -118,16 +107,7 @@ struct Row {
 
 bool isFeasible(const std::vector<Row>& rows, std::size_t unknowns)
 {
-    struct Delete {
-        void operator()(dd_MatrixType* matrix) const { dd_FreeMatrix(matrix); }
-        void operator()(dd_LPType* program) const { dd_FreeLPData(program); }
-    };
-    // It makes its constants anew at each call and forgets the old ones.
-    [[maybe_unused]] static const bool isReady = (dd_set_global_constants(), true);
-    const std::unique_ptr<dd_MatrixType, Delete> matrix(dd_CreateMatrix(
-        static_cast<dd_rowrange>(rows.size()), static_cast<dd_colrange>(unknowns) + 1));
-    matrix->representation = dd_Inequality;
-    matrix->numbtype = dd_Rational;
+    const CddMatrix matrix = cddRows(rows.size(), unknowns);
     matrix->objective = dd_LPmax;
     const auto put = [](mpq_t& to, const Rational& value) {
         REQUIRE(mpq_set_str(to, value.str().c_str(), 10) == 0);
@@ -142,7 +122,7 @@ bool isFeasible(const std::vector<Row>& rows, std::size_t unknowns)
         }
     }
     dd_ErrorType error = dd_NoError;
-    const std::unique_ptr<dd_LPType, Delete> program(dd_Matrix2LP(matrix.get(), &error));
+    const std::unique_ptr<dd_LPType, DeleteCdd> program(dd_Matrix2LP(matrix.get(), &error));
     REQUIRE(error == dd_NoError);
     REQUIRE(dd_LPSolve(program.get(), dd_DualSimplex, &error));
     REQUIRE(error == dd_NoError);
