@@ -206,8 +206,10 @@ def scaling(table: Table) -> str:
                       seconds(most), number(most / floor[last])
                       if last in floor else "–"])
     return ("## Scaling\n\ntime = factor · N^exponent, least squares in "
-            "logarithms over the right cases; *floor* is the time at the "
-            "largest N over that of writing 2N doubles.\n\n" +
+            "logarithms over the right cases with N ≤ "
+            f"{tables.MOST_CELLS_IN_CACHE:,}, whose state stays in the "
+            "cache; *floor* is the time at the largest N over that of writing "
+            "2N doubles.\n\n" +
             grid(["what", "exponent", "N", "time at the smallest",
                   "at the largest", "floor"], lines))
 

@@ -34,8 +34,9 @@ public:
     std::vector<Case> build()
     {
         const std::vector<std::int64_t> large =
-            isFull_ ? std::vector<std::int64_t>{300, 3'000, 30'000, 300'000, 3'000'000}
-                    : std::vector<std::int64_t>{300, 3'000, 30'000};
+            isFull_
+                ? std::vector<std::int64_t>{300, 1'000, 3'000, 10'000, 30'000, 300'000, 3'000'000}
+                : std::vector<std::int64_t>{300, 3'000, 30'000};
         for (const std::int64_t cells : large) {
             addOwn(cells);
         }

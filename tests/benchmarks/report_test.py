@@ -25,6 +25,9 @@ def row(case: str, who: str, outcome: str, time: float, **more: float
 def test_exponents() -> None:
     points = [(n, 3.0 * n * n) for n in (1.0, 10.0, 100.0)]
     assert tables.power_law(points) == pytest.approx(2.0)
+    # Caches and page faults beyond are not the work's exponent.
+    jump = [*points, (1e5, 1e13), (1e6, 1e18)]
+    assert tables.power_law(jump) == pytest.approx(2.0)
     assert math.isnan(tables.power_law([(1.0, 1.0)]))
 
 

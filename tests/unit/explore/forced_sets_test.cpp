@@ -112,10 +112,9 @@ TEST_CASE("forced motions: closed form and linear programs leave the same of a l
         REQUIRE_FALSE(polytope.conflict);
         REQUIRE(polytope.isBounded == (set.kind != ForcedKind::ray));
         if (polytope.isBounded && set.mostAmplitude < 100.0) {
-            const auto near = nearestPlace(polytope.corners);
-            const auto far = farthestPlace(polytope.corners);
-            CHECK(std::hypot(near[0], near[1]) == Approx(set.leastAmplitude).epsilon(1e-6));
-            CHECK(std::hypot(far[0], far[1]) == Approx(set.mostAmplitude).epsilon(1e-6));
+            const auto [least, most] = amplitudesOf(polytope);
+            CHECK(least == Approx(set.leastAmplitude).epsilon(1e-6));
+            CHECK(most == Approx(set.mostAmplitude).epsilon(1e-6));
             ++compared;
         }
     }
