@@ -63,53 +63,70 @@ export function asLink(view: View): string {
   return words.toString().replaceAll('%3A', ':').replaceAll('%2C', ',');
 }
 
+const mostLetters = 60;
+
+/** A word of a stranger, to be quoted. */
+const shortened = (text: string): string => (text.length > mostLetters ? `${text.slice(0, mostLetters)}…` : text);
+
+/** NaN for what is no number in full: no empty word, no other base than ten; and no -0. */
+const numberIn = (text: string | undefined): number => (/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text ?? '') ? Number(text) + 0 : NaN);
+
 /** "75:375, L:75:375". */
 export function phasesOf(text: string): Phases {
   return text.split(',').map((word) => {
     const found = /^\s*(L:)?(\d{1,9}):(\d{1,9})\s*$/.exec(word);
     if (!found || Number(found[2]) < 1 || Number(found[3]) < 1) {
-      throw new Error(`phases = “${text}”: allowed contact:free steps, such as 150:900, with L: before those at a second stop`);
+      throw new Error(`phases = “${shortened(text)}”: allowed contact:free steps, such as 150:900, with L: before those at a second stop`);
     }
     return [Number(found[2]), Number(found[3]), ...(found[1] ? ['L' as const] : [])] as Phases[number];
   });
 }
 
 class Words {
+  private readonly known = new Set<string>();
+
   constructor(private readonly words: URLSearchParams) {}
 
   has(name: string): boolean {
+    this.known.add(name);
     return this.words.has(name);
   }
   text(name: string): string {
+    this.known.add(name);
     return this.words.get(name) ?? '';
+  }
+  /** Names that nobody asked for, or that are there twice. */
+  left(): string[] {
+    const names = [...this.words.keys()];
+    return [...new Set(names)].filter((name) => !this.known.has(name) || names.indexOf(name) < names.lastIndexOf(name));
   }
   number(name: string, low: number, high: number): number {
     const text = this.text(name);
-    const value = Number(text);
-    if (text.trim() === '' || !(value >= low && value <= high)) {
-      throw new Error(`${name} = “${text}”: allowed numbers ${low} to ${high}`);
+    const value = numberIn(text);
+    if (!(value >= low && value <= high)) {
+      throw new Error(`${name} = “${shortened(text)}”: allowed numbers ${low} to ${high}`);
     }
     return value;
   }
   whole(name: string, low: number, high: number): number {
     const value = this.number(name, low, high);
     if (!Number.isInteger(value)) {
-      throw new Error(`${name} = “${this.text(name)}”: allowed whole numbers ${low} to ${high}`);
+      throw new Error(`${name} = “${shortened(this.text(name))}”: allowed whole numbers ${low} to ${high}`);
     }
     return value;
   }
   oneOf<Word extends string>(name: string, allowed: readonly Word[]): Word {
     const found = allowed.find((word) => word === this.text(name));
-    if (!found) throw new Error(`${name} = “${this.text(name)}”: allowed ${allowed.join(', ')}`);
+    if (!found) throw new Error(`${name} = “${shortened(this.text(name))}”: allowed ${allowed.join(', ')}`);
     return found;
   }
   phases(): Phases { return phasesOf(this.text('phases')); }
   chains(): Chain[] {
     const text = this.text('chains');
     return text.split(',').map((row) => {
-      const numbers = row.split(':').map(Number);
-      if (numbers.length !== 3 || !numbers.every((n) => Number.isInteger(n) && n >= 0)) {
-        throw new Error(`chains = “${text}”: allowed jumps:turns:release of each contact, such as 2:1:2,2:2:1`);
+      const numbers = row.split(':').map(numberIn);
+      if (numbers.length !== 3 || !numbers.every((n) => Number.isSafeInteger(n) && n >= 0)) {
+        throw new Error(`chains = “${shortened(text)}”: allowed jumps:turns:release of each contact, such as 2:1:2,2:2:1`);
       }
       return [numbers[0], numbers[1], numbers[2]];
     });
@@ -117,9 +134,10 @@ class Words {
   start(): Start {
     const text = this.text('start');
     if (text === 'rest') return { kind: 'rest' };
-    const [place, displacement] = text.split(':').map(Number);
-    if (!(place >= 0.05 && place <= 1 && displacement >= -20 && displacement <= 1)) {
-      throw new Error(`start = “${text}”: allowed rest, or place:displacement such as 1:-3`);
+    const parts = text.split(':');
+    const [place, displacement] = parts.map(numberIn);
+    if (parts.length !== 2 || !(place >= 0.05 && place <= 1 && displacement >= -20 && displacement <= 1)) {
+      throw new Error(`start = “${shortened(text)}”: allowed rest, or place:displacement such as 1:-3`);
     }
     return { kind: 'pluck', place, displacement };
   }
@@ -171,6 +189,12 @@ function motionOf(words: Words, forcing: Forcing): Motion {
   return simulation;
 }
 
+/** What of a link was passed over, as a sentence. */
+function passedOver(names: string[]): string {
+  const listed = names.slice(0, 5).map((name) => `“${shortened(name)}”`).join(', ');
+  return `Of the link this was ignored, as it is unknown here or there twice: ${listed}${names.length > 5 ? ', …' : ''}.`;
+}
+
 /** The view of a link, and a sentence where a part of it was not understood. */
 export function fromLink(link: string): { view: View; fault?: string } {
   const words = new Words(new URLSearchParams(link.replace(/^#/, '')));
@@ -189,9 +213,10 @@ export function fromLink(link: string): { view: View; fault?: string } {
     if (words.has('amplitude')) f.amplitude = words.number('amplitude', 1e-9, 10);
     if (words.has('grid')) f.cells = words.whole('grid', 4, mostCells);
     if (words.has('least')) f.least = words.number('least', 0.1, 10);
-    if (words.has('most')) f.most = words.number('most', f.least, 10);
+    f.most = words.has('most') ? words.number('most', f.least, 10) : Math.max(f.least, f.most);
     if (words.has('show')) view.motion = motionOf(words, f);
-    return { view };
+    const left = words.left();
+    return left.length === 0 ? { view } : { view, fault: passedOver(left) };
   } catch (fault) {
     return {
       view: structuredClone(usual),

@@ -1,0 +1,159 @@
+// Addresses of strangers, without a page: whatever stands behind #, a view comes of it whose every
+// number is allowed, and a sentence where something was passed over. The same in every run.
+
+import { isDeepStrictEqual } from 'node:util';
+import { expect, test } from '@playwright/test';
+import type { Phases } from '../src/core';
+import { type View, asLink, fromLink, maps, usual } from '../src/view';
+
+let seed = 19;
+/** Mulberry32. */
+function random(): number {
+  seed = (seed + 0x6d2b79f5) | 0;
+  let t = Math.imul(seed ^ (seed >>> 15), 1 | seed);
+  t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t;
+  return ((t ^ (t >>> 14)) >>> 0) / 2 ** 32;
+}
+const whole = (low: number, high: number): number => low + Math.floor(random() * (high - low + 1));
+const number = (low: number, high: number): number => Math.min(high, Math.max(low, Number((low + random() * (high - low)).toPrecision(whole(1, 17)))));
+const oneOf = <T>(list: readonly T[]): T => list[whole(0, list.length - 1)];
+const encoded = (text: string): string => encodeURIComponent(text.replace(/[\ud800-\udfff]/g, ''));
+const many = <T>(least: number, most: number, make: () => T): T[] => Array.from({ length: whole(least, most) }, make);
+
+const phases = (): Phases => many(1, 3, () => [whole(1, 999), whole(1, 9999), ...(random() < 0.3 ? ['L' as const] : [])] as Phases[number]);
+
+/** Any motion that a link can have. */
+function motion(forcing: View['forcing']): View['motion'] {
+  const cells = whole(2, 1200);
+  const { damping, place, amplitude } = forcing;
+  return oneOf([
+    () => ({ show: 'schedule' as const, cells, phases: phases(), ...(random() < 0.5 ? { energy: number(1e-9, 1e9), ...(random() < 0.5 ? { pause: number(0, 9) } : {}) } : {}),
+      ...(random() < 0.3 ? { gap: number(-0.1, 0.1) } : {}), ...(random() < 0.3 ? { second_stop: number(1e-6, 0.1) } : {}) }),
+    () => ({ show: 'mode' as const, cells, contact: whole(4, 40004), turns: whole(-10001, -1), period: number(1e-6, 4) }),
+    () => ({ show: 'polygon' as const, cells, period: number(1e-6, 8), split: number(0.001, 0.999),
+      chains: many(1, 3, () => [whole(0, 99), whole(0, 99), whole(0, 3)] as [number, number, number]) }),
+    () => ({ show: 'forced' as const, cells, phases: phases(), damping, place, amplitude, which: whole(0, 1) }),
+    () => ({ show: 'simulation' as const, cells, damping: number(0, 1), from: number(0, 1e6), span: number(0.1, 100), frames: 60,
+      start: random() < 0.5 ? { kind: 'rest' as const } : { kind: 'pluck' as const, place: number(0.05, 1), displacement: number(-20, 1) },
+      ...(random() < 0.5 ? { crossings: number(0.1, 1000) } : { steps: whole(3, 100 * cells), periods: whole(1, 2000), place, amplitude }) }),
+  ])() as View['motion'];
+}
+
+function anyView(): View {
+  const least = number(0.1, 5);
+  const forcing = { damping: number(1e-4, 1), place: oneOf(['tip', 'base'] as const), amplitude: number(1e-9, 10), cells: whole(4, 1200), least, most: number(least, 10) };
+  const view: View = { motion: motion(forcing), map: oneOf(maps), forcing: structuredClone(usual.forcing),
+    magnified: number(1, 1000), pace: number(0.01, 10), time: Number(random().toFixed(4)) };
+  if (view.map === 'response' || view.motion.show === 'forced' || (view.motion.show === 'simulation' && view.motion.steps !== undefined)) view.forcing = forcing;
+  return view;
+}
+
+const odd = ['', ' ', '0', '-0', '-1', '1', '1.5', 'NaN', 'Infinity', '-Infinity', '1e999', '1e-999', '0x10', '0b1', '1_0', '1,5', '٣', '9'.repeat(400), '1e3', '+2',
+  'null', 'undefined', '__proto__', 'constructor', 'toString', '<b>', '%', '%zz', '%E0%A4%A', '\0', '\ud800', '150:900', 'L:1:1', '1:1:', '::', ':', '2:1:2', '2::1', '1:', 'rest',
+  'mode', 'schedule', 'tip', 'x'.repeat(100_000)];
+const names = ['show', 'cells', 'phases', 'energy', 'pause', 'gap', 'second_stop', 'contact', 'turns', 'period', 'chains', 'split', 'which', 'start', 'dashpot', 'crossings', 'steps',
+  'periods', 'from', 'span', 'map', 'damping', 'place', 'amplitude', 'grid', 'least', 'most', 'magnified', 'pace', 'time', 'dance', '__proto__', 'hasOwnProperty', ''];
+
+/** One to three things that happen to links. */
+function damaged(link: string): string {
+  for (let k = whole(1, 3); k > 0; --k) {
+    const words = link.split('&');
+    const at = whole(0, words.length - 1);
+    const cut = whole(0, link.length);
+    link = oneOf([
+      () => words.with(at, `${words[at].split('=')[0]}=${oneOf(odd)}`).join('&'),
+      () => words.with(at, `${words[at].split('=')[0]}=${encoded(oneOf(odd))}`).join('&'),
+      () => words.with(at, `${oneOf(names)}=${words[at].split('=')[1] ?? ''}`).join('&'),
+      () => [...words, `${oneOf(names)}=${oneOf(odd)}`].join('&'),
+      () => words.toSpliced(at, 1).join('&'),
+      () => [...words, words[at]].join('&'),
+      () => link.slice(0, cut),
+      () => link.slice(0, cut) + String.fromCharCode(whole(0, random() < 0.5 ? 127 : 0xffff)) + link.slice(cut + whole(0, 1)),
+      () => link.slice(0, cut) + oneOf(odd) + link.slice(cut),
+      () => encoded(link),
+    ])();
+  }
+  return link;
+}
+
+/** Every number and word of a view, tested by what this test knows of their ranges. */
+function requireAllowed({ motion: m, forcing: f, ...view }: View): void {
+  const inside = (value: number | undefined, low: number, high: number): void => {
+    if (value !== undefined && !(value >= low && value <= high)) throw new Error(`${value} is not in ${low} … ${high}`);
+  };
+  const wholeInside = (value: number | undefined, low: number, high: number): void => {
+    inside(value, low, high);
+    if (value !== undefined && !Number.isSafeInteger(value)) throw new Error(`${value} is not whole`);
+  };
+  inside(view.magnified, 1, 1000);
+  inside(view.pace, 0.01, 10);
+  inside(view.time, 0, 1);
+  if (!maps.includes(view.map)) throw new Error(view.map);
+  inside(f.damping, 1e-4, 1);
+  inside(f.amplitude, 1e-9, 10);
+  inside(f.most, f.least, 10);
+  wholeInside(f.cells, 4, 1200);
+  wholeInside(m.cells, 2, 1200);
+  if (m.show === 'schedule' || m.show === 'forced') {
+    for (const [contact, free, stop] of m.phases) {
+      wholeInside(contact, 1, 1e9);
+      wholeInside(free, 1, 1e9);
+      if (stop !== undefined && stop !== 'L') throw new Error(String(stop));
+    }
+  }
+  if (m.show === 'schedule') {
+    inside(m.gap, -0.1, 0.1);
+    inside(m.second_stop, 1e-6, 0.1);
+    inside(m.energy, 1e-9, 1e9);
+    inside(m.pause, 0, 1e9);
+  } else if (m.show === 'mode') {
+    wholeInside(m.contact, 4, 40004);
+    wholeInside(m.turns, -10001, -1);
+    inside(m.period, 1e-6, 4);
+  } else if (m.show === 'polygon') {
+    m.chains.flat().forEach((part) => wholeInside(part, 0, Number.MAX_SAFE_INTEGER));
+    inside(m.period, 1e-6, 8);
+    inside(m.split, 0.001, 0.999);
+  } else if (m.show === 'simulation') {
+    inside(m.damping, 0, 1);
+    inside(m.from, 0, 1e6);
+    inside(m.span, 0.1, 100);
+    inside(m.crossings, 0.1, 1000);
+    wholeInside(m.steps, 3, 100 * m.cells);
+    wholeInside(m.periods, 1, 2000);
+    if (m.start.kind === 'pluck') {
+      inside(m.start.place, 0.05, 1);
+      inside(m.start.displacement, -20, 1);
+    }
+  }
+}
+
+test('links: three thousand views come back as they were', () => {
+  for (let k = 0; k < 3000; ++k) {
+    const view = anyView();
+    const link = asLink(view);
+    const again = fromLink(`#${link}`);
+    if (!isDeepStrictEqual(again, { view })) expect(again, link).toEqual({ view });
+  }
+});
+
+test('links: twenty thousand damaged ones give a view that is allowed, and a sentence', () => {
+  const tally = { followed: 0, ignored: 0, refused: 0 };
+  for (let k = 0; k < 20_000; ++k) {
+    const link = damaged(asLink(anyView()));
+    const { view, fault } = fromLink(link);
+    requireAllowed(view);
+    const isIgnored = fault?.startsWith('Of the link this was ignored') ?? false;
+    ++tally[fault === undefined ? 'followed' : isIgnored ? 'ignored' : 'refused'];
+    if (fault === undefined || isIgnored) {
+      const again = fromLink(asLink(view));
+      if (again.fault !== undefined || asLink(again.view) !== asLink(view) || !isDeepStrictEqual(again.view.motion, view.motion)) {
+        expect(again, link.slice(0, 500)).toEqual({ view });
+      }
+    } else if (!isDeepStrictEqual(view, usual) || !/^The link could not be followed: [a-z_]+ = “[^]*”: allowed /.test(fault!)) {
+      expect({ view, fault }, link.slice(0, 500)).toEqual({ view: usual });
+    }
+    if ((fault ?? '').length > 700) throw new Error(`${fault!.length} letters: ${fault!.slice(0, 500)}`);
+  }
+  for (const count of Object.values(tally)) expect(count).toBeGreaterThan(500);
+});
