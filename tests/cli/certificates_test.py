@@ -268,57 +268,6 @@ def check_all_energies(options, checker, draw):
             f"{beyond} of no motion of an energy; {refused} spoilt ones are refused")
 
 
-def spiked(checker, call, place, share, path):
-    """Writes a state of the schedule with that share of the sum in one amplitude, the others equal."""
-    cells, contact, free = call
-    sums = checker.Sums(cells, [[contact, free]], ["right"], {"right": 1})
-    corner = checker.Energies(sums).corners[0][0]
-    (first, signs), width = *sums.signs.items(), sums.widths[0]
-    waves = [0.0] * (2 * cells)
-    for u in range(2 * cells):
-        residue = u % len(sums.stop) % sums.classes - first
-        if 0 <= residue < width:
-            z = share if residue == place else (1 - share) / (width - 1)
-            waves[u] = 1e-3 * float(corner) * z * signs[(u - residue) % len(sums.stop)]
-    rows = [f"{(i + 0.5) / cells!r},{waves[cells - 1 - i]!r},{-waves[cells + i]!r}"
-            for i in range(cells)]
-    path.write_text("x,a,b\n" + "\n".join(rows) + "\n", encoding="utf-8")
-    squares = share ** 2 + (1 - share) ** 2 / (width - 1)
-    return 4 / sums.classes * float(corner) ** 2 * squares
-
-
-def check_apart(options, checker, draw):
-    """Pairs of motions that no curve joins; how many are shown to be apart, how many that are not are
-    refused."""
-    apart = load(str(pathlib.Path(options.checker).parent / "check-apart"))
-    shown = refused = 0
-    with tempfile.TemporaryDirectory() as name:
-        one, two = pathlib.Path(name) / "one.csv", pathlib.Path(name) / "two.csv"
-        for _ in range(options.count // 10):
-            cells = 2 * draw.randint(2, 20)
-            call = cells, cells // 2, 3 * cells
-            places = draw.sample(range(cells // 2), 2)
-            share = draw.uniform(0.72, 0.95)  # its square is more than 1/2
-            for path, place in zip((one, two), places):
-                energy = spiked(checker, call, place, share, path)
-            words = [options.program, "continuum", str(call[1]), str(call[2]), "--cells", str(cells),
-                     "--energy-ratio", repr(energy), "--from", str(one), "--format", "json",
-                     "--points", "3"]
-            answer = json.loads(subprocess.run([*words, "--to", str(two)], capture_output=True,
-                                               check=False).stdout)
-            if answer["connected"] is not False:
-                sys.exit(f"{' '.join(words)}: {answer['connected']}")
-            apart.check(answer, one, two)
-            shown += 1
-            low = dict(answer, energy_ratio=energy / 2)
-            for bad, end in ((answer, one), (low, two), (dict(answer, connected=True), two)):
-                try:
-                    sys.exit(f"{' '.join(words)}: {apart.check(bad, one, end)}")
-                except apart.NoProof:
-                    refused += 1
-    return shown, refused
-
-
 def random_call(draw, is_stepped):
     """Words of the program about a random schedule."""
     scene = draw.choice([[], ["--gap", "-1e-3"], ["--gap", "0", "--energy", "1"]])
@@ -371,8 +320,6 @@ def main():
         *check_scenes(options, checker, draw)))
     print("lifted to the paper's rows: {} proofs hold, {} spoilt ones are refused".format(
         *check_lifted(options, checker, draw)))
-    print("continua: {} pairs are apart, {} others are refused".format(
-        *check_apart(options, checker, draw)))
     print("energies:", check_all_energies(options, checker, draw))
     listed = json.loads(subprocess.run(
         [options.program, "find", "3", "25", "--segments", "4:1,4:1.3", "--format", "json"],
