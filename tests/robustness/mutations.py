@@ -93,10 +93,10 @@ def run(build, test, names, mutant=0, met="", limit=600.0):
         resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 2))
 
     chosen = build / f"cases-{os.getpid()}.txt"
-    chosen.write_text("\n".join(names) + "\n", encoding="utf-8")
+    chosen.write_text("".join(re.sub(r"([\\,\[])", r"\\\1", name) + "\n" for name in names), encoding="utf-8")
     try:
         status = subprocess.run(
-            [build / "bin" / test, "-a", "-f", chosen], cwd=build, timeout=30 * limit, check=False,
+            [build / "bin" / test, "-a", "-w", "NoTests", "-f", chosen], cwd=build, timeout=30 * limit, check=False,
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             preexec_fn=limits, env=os.environ | {"SIGNORINI_MUTANT": str(mutant), "RC_PARAMS": "seed=1",
                                                  "SIGNORINI_MUTANTS_RUN": str(met)}).returncode
