@@ -3,8 +3,8 @@
 
 atlases_test.py PROGRAM CHECKER [--cells N]
 
-Atlases of all grids up to N cells, of a gap, none and one that presses, of one contact and two; and
-none passes any more when one number of it is changed, or one row taken away.
+Atlases of all grids up to N cells, of a gap, none and one that presses, of one contact and two, with
+one stop and with two; and none passes any more when one number of it is changed, or one row taken away.
 """
 import argparse
 import pathlib
@@ -50,6 +50,22 @@ def checked(checker, path):
     return call.returncode == 0, call.stdout
 
 
+def spoil(checker, path, draw):
+    """One change after another, each of which has to be refused; how many."""
+    for what, change, status in SPOILT:
+        bad = shutil.copy(path, path.with_name("spoilt.sqlite"))
+        base = sqlite3.connect(bad)
+        rows = base.execute("SELECT rowid FROM schedules WHERE status = ? AND "
+                            "(energy_ratio_max IS NOT NULL OR reason IS NOT NULL) ORDER BY rowid",
+                            (status,)).fetchall()
+        changed = base.execute(change.format(draw.choice(rows)[0])).rowcount
+        base.commit()
+        base.close()
+        if changed != 1 or checked(checker, bad)[0]:
+            sys.exit(f"spoilt ({what}), and still taken for complete")
+    return len(SPOILT)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("program")
@@ -64,6 +80,11 @@ def main():
         ranges += [["--cells", "2", "--phases", "3", "--max-free", "4"],
                    ["--cells", "5", "--max-free", "47", "--max-contact", "23"],
                    ["--cells", "6", "--max-energy-ratio", "5"]]
+        for place in ("1.1e-3", "2e-3", "3.3e-3"):
+            ranges += [["--cells", str(n), "--second-stop", place] for n in (1, 2, 3, 7)]
+            ranges += [["--cells", "2", "--phases", "2", "--second-stop", place],
+                       ["--cells", "3", "--phases", "2", "--max-contact", "3", "--max-free", "7",
+                        "--second-stop", place]]
         decided = 0
         for words in ranges:
             for gap in ([], ["--gap", "-1e-3"], ["--gap", "0"]):
@@ -73,18 +94,11 @@ def main():
                 if not holds:
                     sys.exit(f"{' '.join(words + gap)}: {text}")
                 decided += int(text.split(":")[3].split()[0])
-        path = made(options.program, folder, ["--cells", "4"])
-        for what, change, status in SPOILT:
-            bad = shutil.copy(path, folder / "spoilt.sqlite")
-            base = sqlite3.connect(bad)
-            rows = base.execute("SELECT rowid FROM schedules WHERE status = ? ORDER BY rowid",
-                                (status,)).fetchall()
-            changed = base.execute(change.format(draw.choice(rows)[0])).rowcount
-            base.commit()
-            base.close()
-            if changed != 1 or checked(options.checker, bad)[0]:
-                sys.exit(f"spoilt ({what}), and still taken for complete")
-    print(f"{decided} schedules are as the atlases say; {len(SPOILT)} spoilt ones are refused")
+        spoilt = 0
+        for words in (["--cells", "4"], ["--cells", "4", "--second-stop", "1.5e-3"],
+                      ["--cells", "4", "--second-stop", "1.5e-3", "--gap", "-1e-3"]):
+            spoilt += spoil(options.checker, made(options.program, folder, words), draw)
+    print(f"{decided} schedules are as the atlases say; {spoilt} spoilt ones are refused")
 
 
 if __name__ == "__main__":
