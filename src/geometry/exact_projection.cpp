@@ -6,9 +6,9 @@ namespace signorini {
 
 namespace {
 
-Rational dot(const std::vector<std::int64_t>& row, const RationalVector& x)
+Integer dot(const std::vector<std::int64_t>& row, const IntegerVector& x)
 {
-    Rational sum = 0;
+    Integer sum = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
         if (row[i] != 0) {
             sum += row[i] * x[i];
@@ -17,38 +17,61 @@ Rational dot(const std::vector<std::int64_t>& row, const RationalVector& x)
     return sum;
 }
 
+/// Points, directions and multipliers are integers over one denominator: a common divisor for a
+/// vector and not one for each of its sums, which is where exact arithmetic spends its time.
+void reduce(Homogeneous& x)
+{
+    Integer divisor = x.denominator;
+    for (const Integer& value : x.numerators) {
+        if (divisor == 1) {
+            return;
+        }
+        divisor = gcd(divisor, value);
+    }
+    for (Integer& value : x.numerators) {
+        value /= divisor;
+    }
+    x.denominator /= divisor;
+}
+
 class ActiveSet {
 public:
-    ActiveSet(const RowSource& source, RationalVector centre, const std::vector<std::int64_t>& d)
-        : source_(source), x_(std::move(centre)), d_(d)
+    ActiveSet(const RowSource& source, const RationalVector& centre,
+              const std::vector<std::int64_t>& d)
+        : source_(source), x_(overCommonDenominator(centre)), d_(d)
     {
     }
 
     Projection run()
     {
-        while (auto row = source_.violatedRow(overCommonDenominator(x_))) {
+        while (auto row = source_.violatedRow(x_)) {
             if (!enforce(std::move(*row))) {
                 return {.isFeasible = false, .point = {}, .rows = std::move(active_)};
             }
         }
-        return {.isFeasible = true, .point = std::move(x_), .rows = std::move(active_)};
+        Projection nearest{.isFeasible = true, .point = {}, .rows = std::move(active_)};
+        for (const Integer& value : x_.numerators) {
+            nearest.point.emplace_back(value, x_.denominator);
+        }
+        return nearest;
     }
 
 private:
-    /// Where x and the multipliers go while a new row is being enforced.
+    /// Where x and the multipliers go while a new row is being enforced, per unit that the new
+    /// multiplier moves; the slope of the new row along x, 0 only if x is 0, over its denominator.
     struct Direction {
-        RationalVector x;            ///< of the point, per unit that the new multiplier moves
+        Homogeneous x;
         RationalVector multipliers;  ///< what the active ones lose
-        Rational slope;              ///< of the new row along x, 0 only if x is 0
+        Integer slope;
     };
 
     /// sum d_i left_i right_i
     [[nodiscard]] Rational product(const ExactRow& left, const ExactRow& right) const
     {
-        Rational sum = 0;
+        Integer sum = 0;
         for (std::size_t i = 0; i < d_.size(); ++i) {
             if (left.coefficients[i] != 0 && right.coefficients[i] != 0) {
-                sum += Rational(left.coefficients[i]) * right.coefficients[i] * d_[i];
+                sum += Integer(left.coefficients[i]) * right.coefficients[i] * d_[i];
             }
         }
         return sum;
@@ -68,15 +91,29 @@ private:
         }
         Direction direction;
         direction.multipliers = solveRegular(std::move(gram), std::move(rhs));
+        const Homogeneous loss = overCommonDenominator(direction.multipliers);
+        direction.x.denominator = loss.denominator;
         for (std::size_t i = 0; i < d_.size(); ++i) {
-            Rational value = row.coefficients[i] * sign;
+            Integer value = loss.denominator * (row.coefficients[i] * sign);
             for (std::size_t k = 0; k < active_.size(); ++k) {
-                value -= direction.multipliers[k] * active_[k].row.coefficients[i];
+                value -= loss.numerators[k] * active_[k].row.coefficients[i];
             }
-            direction.x.push_back(value * d_[i]);
+            direction.x.numerators.emplace_back(value * d_[i]);
         }
-        direction.slope = dot(row.coefficients, direction.x);
+        direction.slope = dot(row.coefficients, direction.x.numerators);
         return direction;
+    }
+
+    /// x += length * direction
+    void move(const Rational& length, const Homogeneous& direction)
+    {
+        const Integer before = denominator(length) * direction.denominator;
+        const Integer along = numerator(length) * x_.denominator;
+        for (std::size_t i = 0; i < d_.size(); ++i) {
+            x_.numerators[i] = x_.numerators[i] * before + direction.numerators[i] * along;
+        }
+        x_.denominator *= before;
+        reduce(x_);
     }
 
     /// The active inequality whose multiplier reaches 0 first.
@@ -102,7 +139,7 @@ private:
     bool enforce(ExactRow row)
     {
         // An equality that is missed from above has a falling multiplier.
-        const int sign = dot(row.coefficients, x_) > row.rhs ? -1 : 1;
+        const int sign = dot(row.coefficients, x_.numerators) > x_.denominator * row.rhs ? -1 : 1;
         Rational weight = 0;
         while (true) {
             const Direction direction = directionFor(row, sign);
@@ -121,14 +158,15 @@ private:
                 length = active_[*leaving].weight / direction.multipliers[*leaving];
             }
             if (reaches) {
-                Rational full = (row.rhs - dot(row.coefficients, x_)) / direction.slope;
+                const Integer missing =
+                    x_.denominator * row.rhs - dot(row.coefficients, x_.numerators);
+                Rational full = Rational(missing * direction.x.denominator) /
+                                Integer(direction.slope * x_.denominator);
                 if (!drops || full <= length) {
                     drops = false;
                     length = std::move(full);
                 }
-                for (std::size_t i = 0; i < x_.size(); ++i) {
-                    x_[i] += length * direction.x[i];
-                }
+                move(length, direction.x);
             }
             for (std::size_t k = 0; k < active_.size(); ++k) {
                 active_[k].weight -= length * direction.multipliers[k];
@@ -143,7 +181,7 @@ private:
     }
 
     const RowSource& source_;
-    RationalVector x_;
+    Homogeneous x_;
     const std::vector<std::int64_t>& d_;
     std::vector<WeightedRow> active_;
 };
