@@ -51,9 +51,10 @@ def main():
         damping = np.zeros_like(mass)
         damping[-1, -1] = dashpot
         bar.setCPtr(damping)
-    force = np.zeros(elements)
-    if amplitude > 0.0:
-        bar.setFExtPtr(force)
+    # A vector of Siconos: of an array of NumPy it would keep a copy.
+    force = sk.SiconosVector(elements)
+    force.zero()
+    bar.setFExtPtr(force)
     tip = np.zeros((1, elements))
     tip[0, -1] = -1.0  # gap 1 - u(L) >= 0
     relation = sk.LagrangianLinearTIR(tip, np.array([1.0]))
@@ -67,7 +68,8 @@ def main():
     started = time.perf_counter()
     for k in range(1, steps * periods + 1):
         # Constant in a step, as the state is marched with it.
-        force[-1] = amplitude * np.cos(2.0 * np.pi * (k - 0.5) / steps - phase)
+        push = amplitude * np.cos(2.0 * np.pi * (k - 0.5) / steps - phase)
+        force.setValue(elements - 1, push)
         simulation.computeOneStep()
         q, v = bar.q(), bar.velocity()
         lines.append((k * h, q[-1], 0.5 * v @ mass @ v + 0.5 * q @ stiffness @ q))

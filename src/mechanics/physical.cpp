@@ -11,15 +11,15 @@ namespace signorini {
 
 namespace {
 
-constexpr double tolerance = 1e-9;
+constexpr double nothing = 1e-9;
 
 /// Collects what a period reaches, in units of p and of steps.
 class Tally {
 public:
     Tally(const State& state, const Schedule& schedule)
-        : pressing_(tolerance * amplitude(state)),
+        : pressing_(nothing * amplitude(state)),
           halfCells_(0.5 * static_cast<double>(state.cells())),
-          atWall_(tolerance * halfCells_),
+          atWall_(nothing * halfCells_),
           crossing_(crossingSum(schedule).value_or(WaveSum{}).value()),
           hasTwo_(schedule.stops.left.has_value()),
           wall_(schedule.stops.right * halfCells_),
