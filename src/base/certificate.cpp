@@ -30,16 +30,26 @@ void divideByCommonFactor(FarkasCertificate& certificate)
 {
     std::int64_t common = std::gcd(certificate.gap, certificate.size);
     const auto all = {&certificate.periodicity, &certificate.pressure, &certificate.penetration};
+    // Rows in a run have one multiplier: what was just computed is not computed again.
+    std::int64_t last = 0;
     for (const auto* rows : all) {
         for (const Multiplier& m : *rows) {
-            common = std::gcd(common, m.value);
+            if (m.value != last && m.value != -last) {
+                last = m.value;
+                common = std::gcd(common, last);
+            }
         }
     }
     certificate.gap /= common;
     certificate.size /= common;
+    std::int64_t quotient = last / common;
     for (auto* rows : all) {
         for (Multiplier& m : *rows) {
-            m.value /= common;
+            if (m.value != last && m.value != -last) {
+                last = m.value;
+                quotient = last / common;
+            }
+            m.value = m.value == last ? quotient : -quotient;
         }
     }
 }

@@ -84,33 +84,26 @@ bool areMultipliers(const std::vector<Multiplier>& rows, std::int64_t rowCount, 
 void addPenetration(const std::vector<Multiplier>& rows, std::int64_t first, std::int64_t count,
                     SignLine line, IntegerRow& total)
 {
-    const auto inPhase = [&](const Multiplier& m) {
-        return m.row >= first && m.row < first + count;
-    };
-    if (std::none_of(rows.begin(), rows.end(), inPhase)) {
-        return;
-    }
     // Prefix sums repeat after 4N steps of flight; the row at 4N - 1 itself is zero.
     const std::int64_t repeat = 2 * line.size();
-    std::vector<std::int64_t> weight(static_cast<std::size_t>(std::min(count, repeat)), 0);
-    for (const Multiplier& m : rows) {
-        if (inPhase(m)) {
-            auto& entry = weight[static_cast<std::size_t>((m.row - first) % repeat)];
-            entry = checkedAdd(entry, m.value);
-        }
-    }
-    // p of step k stands in every prefix row from k on.
+    std::vector<Multiplier> ends;
     std::int64_t remaining = 0;
-    for (const std::int64_t w : weight) {
-        remaining = checkedAdd(remaining, w);
-    }
-    for (const std::int64_t w : weight) {
-        if (remaining == 0) {
-            break;
+    for (const Multiplier& m : rows) {
+        if (m.row >= first && m.row < first + count) {
+            ends.push_back({(m.row - first) % repeat, m.value});
+            remaining = checkedAdd(remaining, m.value);
         }
-        total.add(line.unknown(0), line.sign(0), remaining);
-        remaining -= w;
-        line.free(1);
+    }
+    std::sort(ends.begin(), ends.end(),
+              [](const Multiplier& one, const Multiplier& other) { return one.row < other.row; });
+    // p of step k stands in every prefix row from k on.
+    std::int64_t step = 0;
+    for (const Multiplier& end : ends) {
+        for (; step <= end.row; ++step) {
+            total.add(line.unknown(0), line.sign(0), remaining);
+            line.free(1);
+        }
+        remaining -= end.value;
     }
 }
 

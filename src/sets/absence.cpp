@@ -101,48 +101,74 @@ Functional expand(const Combination& combination, const Schedule& schedule)
         f[static_cast<std::size_t>(m.row % size)] -= m.value;
     }
     for (const Multiplier& m : combination.penetration) {
-        for (std::int64_t k = 0; k <= m.row; ++k) {  // one more echo with each turn of the ring
-            f[static_cast<std::size_t>((phase.contact + k) % size)] +=
-                flightsFactor(k / size) * m.value;
+        std::int64_t at = phase.contact % size;
+        for (std::int64_t k = 0; k <= m.row; k += size) {  // one more echo with each turn
+            const std::int64_t value = flightsFactor(k / size) * m.value;
+            for (std::int64_t left = std::min(size, m.row + 1 - k); left > 0; --left) {
+                f[static_cast<std::size_t>(at)] += value;
+                at = at + 1 < size ? at + 1 : 0;
+            }
         }
     }
     return f;
 }
 
-/// The sign of p_{u+n} relative to the p_v, v = (u + n) mod 2N, that it comes from.
-std::int64_t periodSign(std::int64_t v, const Schedule& schedule)
-{
-    const std::int64_t size = 2 * schedule.cells;
-    const Phase& phase = schedule.phases.front();
-    const std::int64_t firstVisit = ((v - phase.contact) % size + size) % size;
-    return flightsFactor(phase.free > firstVisit ? 1 + (phase.free - 1 - firstVisit) / size : 0);
-}
+/// The signs of the p_{u+n} relative to the p_v, v = (u + n) mod 2N, that they come from: v is sent
+/// back in flight once more if it arrives before the last turn ends.
+class PeriodSigns {
+public:
+    explicit PeriodSigns(const Schedule& schedule)
+        : size_(2 * schedule.cells),
+          firstFree_(schedule.phases.front().contact % size_),
+          lastVisit_((schedule.phases.front().free - 1) % size_),
+          turns_((schedule.phases.front().free - 1) / size_)
+    {
+    }
 
-/// y with sum_u y_u (p_{u+n} - p_u) + 2 f = 0. The permutation u -> u + n (mod 2N) has G cycles;
-/// along one, y_v = sign_v y_u + 2 f_v with v = u + n, and the cycle closes because f vanishes on
-/// the kernel (even cycles) or because 2 f is even (odd cycles).
-Functional eliminate(const Functional& f, const OnePhaseSet& r)
+    [[nodiscard]] std::int64_t operator()(std::int64_t v) const
+    {
+        const std::int64_t firstVisit = v >= firstFree_ ? v - firstFree_ : v - firstFree_ + size_;
+        return flightsFactor(firstVisit <= lastVisit_ ? turns_ + 1 : turns_);
+    }
+
+private:
+    std::int64_t size_;
+    std::int64_t firstFree_;
+    std::int64_t lastVisit_;
+    std::int64_t turns_;
+};
+
+/// From f to y with sum_u y_u (p_{u+n} - p_u) + 2 f = 0. The permutation u -> u + n (mod 2N) has G
+/// cycles; along one, y_v = sign_v y_u + 2 f_v with v = u + n, and the cycle closes because f
+/// vanishes on the kernel (even cycles) or because 2 f is even (odd cycles).
+Functional eliminate(Functional y, const OnePhaseSet& r)
 {
-    const auto size = static_cast<std::int64_t>(f.size());
+    const auto size = static_cast<std::int64_t>(y.size());
     const std::int64_t stride =
         (r.schedule.phases.front().contact + r.schedule.phases.front().free) % size;
-    Functional y(f.size(), 0);
+    const PeriodSigns sign(r.schedule);
     for (std::int64_t start = 0; start < r.classes; ++start) {
-        const auto walk = [&](std::int64_t value) {
+        // value = step(v, value) once around the cycle.
+        const auto around = [&](std::int64_t value, auto step) {
             std::int64_t u = start;
             do {
-                const std::int64_t v = (u + stride) % size;
-                const auto at = static_cast<std::size_t>(v);
-                value = checkedAdd(periodSign(v, r.schedule) * value, checkedMultiply(2, f[at]));
-                y[at] = value;
+                const std::int64_t v = u < size - stride ? u + stride : u + stride - size;
+                value = step(v, value);
                 u = v;
             } while (u != start);
             return value;
         };
         // From 0 an even cycle returns to 0; an odd one to c, and from c/2 it returns to c/2.
-        const std::int64_t defect = walk(0);
+        const std::int64_t defect = around(0, [&](std::int64_t v, std::int64_t value) {
+            std::int64_t& here = y[static_cast<std::size_t>(v)];
+            return here = checkedAdd(sign(v) * value, checkedMultiply(2, here));
+        });
         if (defect != 0) {
-            walk(defect / 2);
+            around(defect / 2, [&](std::int64_t v, std::int64_t shift) {
+                std::int64_t& here = y[static_cast<std::size_t>(v)];
+                here = checkedAdd(here, sign(v) * shift);
+                return sign(v) * shift;
+            });
         }
     }
     return y;
