@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 #include "integers.hpp"
 #include "signorini/verification.hpp"
@@ -51,14 +53,21 @@ private:
     std::vector<std::int8_t> signs_;
 };
 
-/// The coefficients of a combination of rows over the 2N unknowns.
+/// The coefficients of a combination of rows over the 2N unknowns; \throws std::overflow_error of
+/// one that its numbers do not hold.
+template <typename Number>
 class IntegerRow {
 public:
     explicit IntegerRow(std::int64_t size) : values_(static_cast<std::size_t>(size), 0) {}
 
     void add(std::size_t unknown, std::int64_t coefficient, std::int64_t multiplier)
     {
-        values_[unknown] = checkedAdd(values_[unknown], checkedMultiply(coefficient, multiplier));
+        const std::int64_t sum =
+            checkedAdd(values_[unknown], checkedMultiply(coefficient, multiplier));
+        if (!std::in_range<Number>(sum)) {
+            throw std::overflow_error("a coefficient of a combination of rows");
+        }
+        values_[unknown] = static_cast<Number>(sum);
     }
 
     [[nodiscard]] bool isZero() const
@@ -67,7 +76,7 @@ public:
     }
 
 private:
-    std::vector<std::int64_t> values_;
+    std::vector<Number> values_;
 };
 
 bool areMultipliers(const std::vector<Multiplier>& rows, std::int64_t rowCount, bool signedRows)
@@ -81,8 +90,9 @@ bool areMultipliers(const std::vector<Multiplier>& rows, std::int64_t rowCount, 
 }
 
 /// Adds the rows (12) of one phase, `first` being the number of its first row.
+template <typename Number>
 void addPenetration(const std::vector<Multiplier>& rows, std::int64_t first, std::int64_t count,
-                    SignLine line, IntegerRow& total)
+                    SignLine line, IntegerRow<Number>& total)
 {
     // Prefix sums repeat after 4N steps of flight; the row at 4N - 1 itself is zero.
     const std::int64_t repeat = 2 * line.size();
@@ -117,11 +127,12 @@ bool isNegative(const FarkasCertificate& certificate, const Stops& stops)
                             : certificate.size == 0 && certificate.gap * stops.right < 0;
 }
 
+template <typename Number>
 bool combinesToContradiction(const FarkasCertificate& certificate, const Schedule& schedule)
 {
     const std::int64_t cells = schedule.cells;
     SignLine line(cells);
-    IntegerRow total(2 * cells);
+    IntegerRow<Number> total(2 * cells);
     for (std::int64_t i = 0; i < cells; ++i) {  // (31): sum(b - a)
         total.add(static_cast<std::size_t>(i), -1, certificate.gap);
         total.add(static_cast<std::size_t>(cells + i), 1, certificate.gap);
@@ -176,7 +187,12 @@ bool isProof(const FarkasCertificate& certificate, const Schedule& schedule)
         return false;
     }
     try {
-        return combinesToContradiction(certificate, schedule);
+        // Multipliers are small but for odd proofs, and half the memory is a third of the time.
+        return combinesToContradiction<std::int32_t>(certificate, schedule);
+    } catch (const std::overflow_error&) {
+    }
+    try {
+        return combinesToContradiction<std::int64_t>(certificate, schedule);
     } catch (const std::overflow_error&) {
         return false;
     }

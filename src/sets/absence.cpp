@@ -72,7 +72,11 @@ private:
     [[nodiscard]] Combination pressed(std::int64_t alpha, std::int64_t multiplier) const
     {
         Combination both = withLead(1);
-        for (std::int64_t j = 0; multiplier != 0 && j < r_.kernelDimension; ++j) {
+        if (multiplier == 0) {
+            return both;
+        }
+        both.pressure.reserve(static_cast<std::size_t>(r_.kernelDimension));
+        for (std::int64_t j = 0; j < r_.kernelDimension; ++j) {
             both.pressure.push_back({alpha * r_.classes + r_.firstLive + j, multiplier});
         }
         return both;

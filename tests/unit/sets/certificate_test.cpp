@@ -114,6 +114,27 @@ TEST_CASE("certificate: what is no proof is not accepted")
             CHECK_FALSE(isProof(wrong, none));
         }
     }
+    SECTION("every multiplier times 2^40: a proof still, and none with one changed")
+    {
+        FarkasCertificate large = proof;
+        const std::int64_t factor = std::int64_t{1} << 40;
+        large.gap *= factor;
+        large.size *= factor;
+        for (auto* rows : {&large.periodicity, &large.pressure, &large.penetration}) {
+            for (Multiplier& m : *rows) {
+                m.value *= factor;
+            }
+        }
+        CHECK(isProof(large, none));
+        for (Multiplier& m : large.periodicity) {
+            // By 2^32, too, which 32 bits do not see.
+            for (const std::int64_t change : {std::int64_t{1}, std::int64_t{1} << 32}) {
+                m.value += change;
+                CHECK_FALSE(isProof(large, none));
+                m.value -= change;
+            }
+        }
+    }
     SECTION("negative multipliers of inequalities, rows out of range or out of order")
     {
         FarkasCertificate wrong = proof;
