@@ -36,34 +36,22 @@ double rootBelow(std::span<const double> z, std::size_t apex, const std::vector<
     return std::abs(root * root - plain) <= rounding ? root * root : plain;
 }
 
-/// A point in the caps of both i and k: z_i = z_k, and the rest in the mean proportions of the two
-/// ends, flattened as far as rho asks for. With r of sum 1 for the rest and q = |r|^2,
-/// 2 x^2 + (1 - 2 x)^2 q = rho has a solution x >= rho if q <= rho/(1 - 2 rho).
+/// A point in the caps of both i and k: z_i = z_k = x, and the rest in the mean proportions of the
+/// two ends. With r of sum 1 for the rest and q = |r|^2, 2 x^2 + (1 - 2 x)^2 q = rho has a solution
+/// x >= rho if q <= rho/(1 - 2 rho); that of an end is (rho - u^2 - w^2)/(1 - u - w)^2, u >= rho
+/// its largest and w <= rho its other one, which is most at u = w = rho; a mean has no more.
 std::vector<double> bridge(const SphereSection& section, std::span<const double> from,
                            std::span<const double> to, std::size_t i, std::size_t k)
 {
     const double rho = section.ratio;
-    const std::size_t count = from.size();
-    std::vector<double> z(count, 0.0);
-    if (count > 2) {
-        const double even = 1.0 / static_cast<double>(count - 2);
-        for (std::size_t j = 0; j < count; ++j) {
-            z[j] = std::max(0.0, from[j]) + std::max(0.0, to[j]);
-        }
-        z[i] = z[k] = 0.0;
-        const double sum = sumOf(z);
-        for (double& value : z) {
-            value = sum > 0.0 ? value / sum : even;
-        }
-        z[i] = z[k] = 0.0;
-        const double most = rho < 0.5 ? rho / (1.0 - 2.0 * rho) : 1.0;
-        const double spread = squaresOf(z) - even;
-        const double share =
-            spread > most - even ? std::sqrt(std::max(0.0, most - even) / spread) : 1.0;
-        for (double& value : z) {
-            value = even + share * (value - even);
-        }
-        z[i] = z[k] = 0.0;
+    std::vector<double> z(from.size(), 0.0);
+    for (std::size_t j = 0; j < z.size(); ++j) {
+        z[j] = std::max(0.0, from[j]) + std::max(0.0, to[j]);
+    }
+    z[i] = z[k] = 0.0;
+    const double sum = sumOf(z);  // 0 but for rounding where both ends are the pair at 1/2
+    for (double& value : z) {
+        value = sum > 0.0 ? value / sum : 0.0;
     }
     // (2 + 4q) x^2 - 4q x + q - rho = 0, the larger root; clamped where rounding spoils it.
     const double q = squaresOf(z);

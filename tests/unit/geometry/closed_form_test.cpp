@@ -6,19 +6,12 @@
 #include <random>
 
 #include "catch.hpp"
+#include "points.hpp"
 
 using namespace signorini;
+using test::squaresOf;
 
 namespace {
-
-double squares(const std::vector<double>& z)
-{
-    double sum = 0.0;
-    for (const double value : z) {
-        sum += value * value;
-    }
-    return sum;
-}
 
 /// Calls visit for the corners of a set, whose hull it is, one by one.
 void forCorners(const AmplitudeSet& set,
@@ -51,7 +44,7 @@ void forCorners(const AmplitudeSet& set,
 double mostOverCorners(const AmplitudeSet& set)
 {
     double most = 0.0;
-    forCorners(set, [&most](const auto& corner) { most = std::max(most, squares(corner)); });
+    forCorners(set, [&most](const auto& corner) { most = std::max(most, squaresOf(corner)); });
     return most;
 }
 
@@ -74,8 +67,8 @@ TEST_CASE("closed form: on a simplex least is S^2/d at the centre, most S^2 at a
     const AmplitudeSet set{SetKind::simplex, 5, 10.0, 0.0, 0.0};
     CHECK(leastSquares(set) == 20.0);
     CHECK(mostSquares(set) == 100.0);
-    CHECK(squares(leastAmplitudes(set)) == Approx(20.0));
-    CHECK(squares(mostAmplitudes(set)) == 100.0);
+    CHECK(squaresOf(leastAmplitudes(set)) == Approx(20.0));
+    CHECK(squaresOf(mostAmplitudes(set)) == 100.0);
     CHECK(distanceOutside(set, leastAmplitudes(set)) < 1e-15);
     CHECK(distanceOutside(set, mostAmplitudes(set)) == 0.0);
 }
@@ -91,7 +84,7 @@ TEST_CASE("closed form: on a box most agrees with every corner tried, for odd an
                                    value(generator)};
             INFO("d = " << count << ", S = " << sum);
             CHECK(mostSquares(box) == Approx(mostOverCorners(box)).epsilon(1e-13));
-            CHECK(squares(mostAmplitudes(box)) == Approx(mostSquares(box)).epsilon(1e-13));
+            CHECK(squaresOf(mostAmplitudes(box)) == Approx(mostSquares(box)).epsilon(1e-13));
             CHECK(distanceOutside(box, mostAmplitudes(box)) < 1e-12);
         }
     }
@@ -103,7 +96,7 @@ TEST_CASE("closed form: no draw from a set leaves [least, most]")
     for (const AmplitudeSet& set : {AmplitudeSet{SetKind::simplex, 6, 3.0, 0.0, 0.0},
                                     AmplitudeSet{SetKind::box, 6, -3.0, -3.0, 0.0}}) {
         for (int k = 0; k < 500; ++k) {
-            const double drawn = squares(drawAmplitudes(set, generator));
+            const double drawn = squaresOf(drawAmplitudes(set, generator));
             CHECK(drawn >= leastSquares(set));
             CHECK(drawn <= mostSquares(set));
         }
@@ -161,7 +154,7 @@ TEST_CASE("closed form: members of every sum of squares from the least to the mo
         for (const double share : {0.0, 0.1, 0.5, 1.0}) {
             const double wanted = std::lerp(least, most, share);
             const std::vector<double> z = amplitudesWithSquares(set, wanted);
-            REQUIRE(squares(z) == Approx(wanted).epsilon(1e-13));
+            REQUIRE(squaresOf(z) == Approx(wanted).epsilon(1e-13));
             REQUIRE(distanceOutside(set, z) <= 1e-12);
         }
         for (const double wrong : {least - 1e-12 * most, most + 1e-12 * most, std::nan("")}) {

@@ -6,16 +6,13 @@
 #include <numeric>
 
 #include "catch.hpp"
+#include "points.hpp"
 #include "signorini/amplitude_set.hpp"
 
 using namespace signorini;
+using test::squaresOf;
 
 namespace {
-
-double squaresOf(const std::vector<double>& z)
-{
-    return std::inner_product(z.begin(), z.end(), z.begin(), 0.0);
-}
 
 double largest(const std::vector<double>& z)
 {
@@ -179,4 +176,14 @@ TEST_CASE("nearest of a sum of squares: no member is nearer, on a net")
             CHECK(work(z) >= best - 1e-9);
         }
     }
+}
+
+TEST_CASE(
+    "nearest of a sum of squares: refuses boxes and other lengths, but for a single amplitude")
+{
+    const std::vector<double> target{0.3, 0.2, 0.9};
+    CHECK_THROWS_AS(nearestWithSquares(box(3, 1.0), target, 0.5), std::invalid_argument);
+    CHECK_THROWS_AS(nearestWithSquares(simplex(4, 1.0), target, 0.5), std::invalid_argument);
+    CHECK(nearestWithSquares(box(1, 2.0), std::vector{0.3}, 4.0) == std::vector{2.0});
+    CHECK(flattestAmplitudes(box(1, 2.0), 4.0) == std::vector{2.0});
 }

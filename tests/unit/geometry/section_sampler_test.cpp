@@ -116,10 +116,12 @@ TEST_CASE("section sampler: of two amplitudes it visits every member there is")
 {
     // 1/3, 2/3 and the other way round; in the box that is not symmetric one of them alone.
     const AmplitudeSet symmetric{SetKind::box, 2, -1.0, -1.0, 0.0};
+    const AmplitudeSet wider{SetKind::box, 2, -1.0, -1.5, 0.5};
     const AmplitudeSet oblique{SetKind::box, 2, -1.0, -1.0, 0.5};
-    for (const AmplitudeSet& set : {symmetric, oblique}) {
+    for (const AmplitudeSet& set : {symmetric, wider, oblique}) {
         const double squares = std::lerp(leastSquares(set), mostSquares(set), 0.5);
         const std::vector<double> first = SectionSampler(set, squares, 1).next(0);
+        CHECK(first == amplitudesWithSquares(set, squares));
         SectionSampler sampler(set, squares, 1);
         bool isTurned = false;
         for (int k = 0; k < 50; ++k) {
@@ -128,6 +130,6 @@ TEST_CASE("section sampler: of two amplitudes it visits every member there is")
             REQUIRE(z[0] * z[0] + z[1] * z[1] == Approx(squares));
             isTurned = isTurned || std::abs(z[0] - first[0]) > 0.1;
         }
-        CHECK(isTurned == (set.upper == 0.0));
+        CHECK(isTurned == (set.lower + set.upper == set.sum));
     }
 }

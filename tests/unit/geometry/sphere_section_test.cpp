@@ -1,34 +1,20 @@
 #include "sphere_section.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <vector>
 
 #include "catch.hpp"
+#include "points.hpp"
 
 using namespace signorini;
+using test::distance;
+using test::squaresOf;
+using test::sumOf;
 
 namespace {
-
-double sumOf(const std::vector<double>& z)
-{
-    return std::accumulate(z.begin(), z.end(), 0.0);
-}
-
-double squaresOf(const std::vector<double>& z)
-{
-    return std::inner_product(z.begin(), z.end(), z.begin(), 0.0);
-}
-
-double distance(const std::vector<double>& a, const std::vector<double>& b)
-{
-    double squares = 0.0;
-    for (std::size_t j = 0; j < a.size(); ++j) {
-        squares += (a[j] - b[j]) * (a[j] - b[j]);
-    }
-    return std::sqrt(squares);
-}
 
 /// How far z lies from the section.
 double outside(const std::vector<double>& z, double rho)
@@ -150,6 +136,58 @@ TEST_CASE("sphere section: the legs of a path meet")
     CHECK(distance(path.at(1.0), to) < 1e-15);
 }
 
+TEST_CASE("sphere section: the way back is the way there, and ends at equal amplitudes exactly")
+{
+    for (std::int64_t count = 3; count <= 12; ++count) {
+        // Equal amplitudes on two faces: both at the rim of their caps, where roots cost digits.
+        for (std::int64_t equal = 2; equal < count; ++equal) {
+            std::vector<double> from(static_cast<std::size_t>(count), 0.0);
+            std::fill_n(from.begin(), equal, 1.0 / static_cast<double>(equal));
+            std::vector<double> to = from;
+            std::reverse(to.begin(), to.end());
+            const double rho = squaresOf(from);
+            const SectionPath there({count, rho}, from, to);
+            CAPTURE(count, equal);
+            CHECK(distance(there.at(0.0), from) < 1e-15);
+            CHECK(distance(there.at(1.0), to) < 1e-15);
+            CHECK(outside(there.at(0.5), rho) < 1e-14);
+        }
+    }
+    const std::vector<double> from{0.4, 0.1, 0.3, 0.2, 0.0};
+    const std::vector<double> to{0.1, 0.4, 0.0, 0.2, 0.3};
+    const SectionPath there({5, squaresOf(from)}, from, to);
+    const SectionPath back({5, squaresOf(from)}, to, from);
+    for (const double s : {0.0, 0.1, 0.4, 0.5, 0.8, 1.0}) {
+        CHECK(distance(there.at(s), back.at(1.0 - s)) < 1e-12);
+    }
+    // The pair at 1/2, in both caps but for rounding.
+    const std::vector<double> pair{0.5 + 0x1p-53, 0.5 - 0x1p-54, 0.0};
+    const std::vector<double> swapped{0.5 - 0x1p-54, 0.5 + 0x1p-53, 0.0};
+    CHECK(distance(SectionPath({3, 0.5}, pair, swapped).at(0.5), {0.5, 0.5, 0.0}) < 1e-7);
+    const std::vector<double> vertex{0.0, 1.0, 0.0};
+    CHECK(SectionPath({3, 1.0}, vertex, vertex).at(0.5) == vertex);
+}
+
+TEST_CASE("sphere section: equally spaced points start and end with the path")
+{
+    const std::vector<double> from{0.4, 0.1, 0.3, 0.2, 0.0};
+    const std::vector<double> to{0.1, 0.4, 0.0, 0.2, 0.3};
+    const SectionPath path({5, squaresOf(from)}, from, to);
+    CHECK(equalSpacing(path, 1).parameters == std::vector{0.0});
+    for (const std::int64_t n : {2, 3, 50}) {
+        const Spacing spacing = equalSpacing(path, n);
+        REQUIRE(spacing.parameters.size() == static_cast<std::size_t>(n));
+        CHECK(spacing.parameters.front() == 0.0);
+        CHECK(spacing.parameters.back() == Approx(1.0));
+        // The length, by a march of many steps of its own.
+        double length = 0.0;
+        for (int k = 0; k < 20000; ++k) {
+            length += distance(path.at(k / 20000.0), path.at((k + 1) / 20000.0));
+        }
+        CHECK(spacing.lengths.back() == Approx(length).epsilon(n == 50 ? 1e-4 : 0.02));
+    }
+}
+
 TEST_CASE("sphere section: a zero shared by both ends stays zero")
 {
     const std::vector<double> from{0.5, 0.3, 0.0, 0.2, 0.0};
@@ -169,9 +207,11 @@ TEST_CASE("sphere section: above 1/2 a component is left by no path")
     const std::vector<double> same{0.8, 0.1, 0.1};
     const std::vector<double> other{0.1, 0.8, 0.1};
     CHECK(dominant(other) == 1);
-    CHECK_THROWS_WITH(SectionPath({3, rho}, first, other), containsText("different components"));
+    CHECK_THROWS_WITH(SectionPath({3, rho}, first, other),
+                      containsText("largest are 1 and 2") && containsText("different components"));
     CHECK(outside(SectionPath({3, rho}, first, same).at(0.3), rho) < 1e-15);
     CHECK_THROWS_AS(SectionPath({4, rho}, first, same), std::invalid_argument);
+    CHECK_THROWS_AS(SectionPath({3, rho}, first, std::vector{1.0}), std::invalid_argument);
 }
 
 TEST_CASE("sphere section: two pulses have their energy at every pause, and begin at the front")
