@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <limits>
+#include <random>
 #include <set>
 #include <utility>
 
@@ -165,6 +166,65 @@ TEST_CASE("certificate: what is no proof is not accepted")
         CHECK_FALSE(isProof(proof, onePhase(10, 23, 43)));
         CHECK_FALSE(isProof(proof, onePhase(10, 9, 22)));
     }
+}
+
+TEST_CASE("certificate: of two phases, just those that the paper's own rows add up to are accepted")
+{
+    std::mt19937_64 generator(7);
+    std::uniform_int_distribution<std::int64_t> small(0, 2);
+    std::uniform_int_distribution<std::int64_t> steps(1, 6);
+    int proofs = 0;
+    int ofSecondFlight = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        Schedule schedule;
+        schedule.cells = 1;
+        schedule.phases = {{small(generator) + 1, steps(generator)},
+                           {small(generator) + 1, steps(generator)}};
+        Eigen::MatrixXd periodicity = periodMap(schedule).toDense();
+        periodicity -= Eigen::MatrixXd::Identity(2, 2);
+        const Inequalities rows = inequalities(schedule);
+        const Eigen::MatrixXd pressure = rows.pressure.toDense();
+        const Eigen::MatrixXd penetration = rows.penetration.toDense();
+        const Eigen::VectorXd gap = gapRow(1).toDense().transpose();
+        for (int k = 0; k < 200; ++k) {
+            FarkasCertificate certificate{};
+            certificate.gap = -1;
+            Eigen::VectorXd total = -gap;
+            const auto draw = [&](const Eigen::MatrixXd& matrix, std::int64_t shift) {
+                std::vector<Multiplier> multipliers;
+                for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+                    const std::int64_t value = small(generator) * small(generator) / 2 - shift;
+                    if (value != 0 || row == 0) {  // a zero is a multiplier, too
+                        multipliers.push_back({row, value});
+                        total += static_cast<double>(value) * matrix.row(row).transpose();
+                    }
+                }
+                return multipliers;
+            };
+            certificate.periodicity = draw(periodicity, small(generator));
+            certificate.pressure = draw(pressure, 0);
+            certificate.penetration = draw(penetration, 0);
+            const bool isTrue = total.isZero(0.0);
+            CAPTURE(describe(schedule), k);
+            REQUIRE(isProof(certificate, schedule) == isTrue);
+            if (isTrue) {
+                ++proofs;
+                ofSecondFlight +=
+                    !certificate.penetration.empty() &&
+                            certificate.penetration.back().row >= schedule.phases.front().free
+                        ? 1
+                        : 0;
+                FarkasCertificate wrong = certificate;
+                wrong.pressure.push_back({pressure.rows(), 1});
+                REQUIRE_FALSE(isProof(wrong, schedule));
+                wrong = certificate;
+                wrong.penetration.push_back({penetration.rows(), 1});
+                REQUIRE_FALSE(isProof(wrong, schedule));
+            }
+        }
+    }
+    CHECK(proofs > 100);
+    CHECK(ofSecondFlight > 50);
 }
 
 TEST_CASE("certificate: there is none where motions exist")
