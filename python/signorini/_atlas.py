@@ -6,6 +6,7 @@ import os
 from typing import Any
 
 from . import _core
+from ._blame import named
 from ._core import AtlasFamily, AtlasRun, AtlasSchedule, Bar
 from ._progress import Progress, listener
 from ._tables import Table
@@ -31,6 +32,7 @@ class Atlas:
         If the file cannot be read, or is no atlas.
     """
 
+    @named
     def __init__(self, database: str | os.PathLike[str], *,
                  bar: Bar | None = None, **bar_options: float) -> None:
         self.database = os.fspath(database)
@@ -38,6 +40,7 @@ class Atlas:
         self._file = _core.AtlasFile(self.database, self.bar)
 
     @classmethod
+    @named
     def build(cls, database: str | os.PathLike[str], *, cells: int = 300,
               max_contact: int | None = None, max_free: int | None = None,
               phases: int = 1, max_energy_ratio: float | None = None,
@@ -99,14 +102,17 @@ class Atlas:
         """What was decided, or begun."""
         return Table("runs", self._file.runs())
 
+    @named
     def families(self, cells: int | None = None) -> Table[AtlasFamily]:
         """Return the sets of orbits of all grids, or of one."""
         return Table("families", self._file.families(cells), bar=self.bar)
 
+    @named
     def schedules(self, cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules with motions, of all grids, or of one."""
         return Table("schedules", self._file.schedules(cells), bar=self.bar)
 
+    @named
     def near(self, frequency_ratio: Number, energy_ratio: float, *,
              within: float = 0.001,
              cells: int | None = None) -> Table[AtlasFamily]:
@@ -127,6 +133,7 @@ class Atlas:
         rows = self._file.families_near(w, energy_ratio, within, cells)
         return Table("families", rows, bar=self.bar)
 
+    @named
     def schedules_near(self, frequency_ratio: Number, energy_ratio: float, *,
                        within: float = 0.001,
                        cells: int | None = None) -> Table[AtlasSchedule]:
@@ -135,6 +142,7 @@ class Atlas:
         rows = self._file.schedules_near(w, energy_ratio, within, cells)
         return Table("schedules", rows, bar=self.bar)
 
+    @named
     def of_period(self, period: Number, *,
                   cells: int | None = None) -> Table[AtlasFamily]:
         """Return the families of one period, as 3.5 or "7/2" [L/c]."""
@@ -143,6 +151,7 @@ class Atlas:
                                              exact.denominator, cells)
         return Table("families", rows, bar=self.bar)
 
+    @named
     def schedules_of_period(self, period: Number, *,
                             cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules of one period, the refuted ones, too."""
@@ -151,6 +160,7 @@ class Atlas:
                                               exact.denominator, cells)
         return Table("schedules", rows, bar=self.bar)
 
+    @named
     def twins(self, cells: int | None = None
               ) -> list[tuple[list[AtlasFamily], list[AtlasSchedule]]]:
         """Return groups of different orbits of equal period and energy."""

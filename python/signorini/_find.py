@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, overload
+import operator
+from typing import TYPE_CHECKING, overload
 
 from . import _core
+from ._blame import named
 from ._core import Bar, Continuum, ForcedResult, Result, Scene, State
 from ._progress import Progress, listener
 from ._question import Question, ask
@@ -66,12 +68,13 @@ def find(first: Steps, /, *schedule: Steps, damping: float, force: str,
          **options: Unpack[_Options]) -> ForcedResult: ...
 
 
+@named
 def find(
          *schedule: Steps, cells: int | None = None, bar: Bar | None = None,
          scene: Scene | None = None, second_stop: float | None = None,
          segments: Segments | None = None,
          solver: str = "auto", formulation: str = "auto",
-         objective: str = "auto", target: Any = None,
+         objective: str = "auto", target: State | str | None = None,
          energy: float | None = None, energy_ratio: float | None = None,
          strain_limit: float | None = None, tip_floor: float | None = None,
          tolerance: float = 1e-7, time_limit: float | None = None,
@@ -159,22 +162,24 @@ def find(
     if amplitude is not None or cycles != 1:
         raise ValueError("amplitude, cycles: allowed only together with "
                          "damping and force")
+    nearest: State | None = None
     if target is not None:
-        target = state_of(target, units, cells)
+        nearest = state_of(target, units, cells)
     if period is not None or frequency is not None or hertz is not None:
         if schedule:
             raise ValueError("a schedule clashes with period, frequency and "
                              "hertz: allowed one of them")
         return ask({"period": period, "frequency": frequency, "hertz": hertz},
                    cells, whole,
-                   (solver, formulation, objective, target, energy,
+                   (solver, formulation, objective, nearest, energy,
                     energy_ratio, strain_limit, tip_floor, tolerance,
                     time_limit))
     return _core.find(schedule, cells, whole, solver, formulation, objective,
-                      target, energy, energy_ratio, strain_limit, tip_floor,
+                      nearest, energy, energy_ratio, strain_limit, tip_floor,
                       tolerance, time_limit)
 
 
+@named
 def continuum(*schedule: Steps, energy_ratio: float | None = None,
               energy: float | None = None, cells: int | None = None,
               bar: Bar | None = None, scene: Scene | None = None,
@@ -235,6 +240,9 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
     """
     whole = scene_of(scene, bar, second_stop, None, bar_options)
     units = whole.bar
+    if seed is not None and not 0 <= operator.index(seed) < 2 ** 64:
+        raise ValueError(f"seed = {seed} is out of range: allowed whole "
+                         "numbers 0..2^64 - 1")
     return _core.continuum(schedule, cells, whole, energy_ratio, energy, points,
                            state_of(start, units, cells),
                            state_of(to, units, cells),

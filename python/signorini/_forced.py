@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from . import _core
+from ._blame import named
 from ._core import (Bar, ForcedFrequency, ForcedMotion, Scene, Simulation,
                     State, Waves)
 from ._progress import Progress, listener
@@ -45,6 +46,7 @@ class Response(Table[ForcedFrequency]):
         return frame_of(list(self._rows_of_frame()))
 
 
+@named
 def response(*, damping: float, force: str, amplitude: float,
              start: float = 0.5, to: float = 2.0, cycles: int = 1,
              cells: int | None = None, stability: bool = False,
@@ -109,6 +111,7 @@ def response(*, damping: float, force: str, amplitude: float,
     return Response("frequencies", rows, status=status, complete=True, **head)
 
 
+@named
 def simulate(start: State | Waves | str | None = None, *,
              damping: float = 0.0, force: str | None = None,
              amplitude: float | None = None, frequency: float | None = None,

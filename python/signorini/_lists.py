@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal, overload
 
 from . import _core
+from ._blame import named
 from ._core import Bar, Family, Mode, ModeMotion, ModePolytope
 from ._progress import Progress, listener
 from ._tables import Table
@@ -14,6 +15,7 @@ from ._words import Number, Steps, bar_of, fraction_of
 _USUAL_ORDER = {1: 25, 2: 25, 3: 9, 4: 5}
 
 
+@named
 def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
              bar: Bar | None = None, progress: Progress = None,
              **bar_options: float) -> Table[Family]:
@@ -64,6 +66,7 @@ def modes(*, phases: Literal[2, 3, 4, 5], max_order: int | None = None,
           **bar_options: float) -> Table[ModePolytope]: ...
 
 
+@named
 def modes(*, phases: int = 1, max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
           bar: Bar | None = None, progress: Progress = None,
@@ -109,6 +112,7 @@ def modes(*, phases: int = 1, max_order: int | None = None,
                  phases=phases, **bounds)
 
 
+@named
 def mode(a4: int, b: int, period: Number | None = None, *,
          bar: Bar | None = None, **bar_options: float) -> ModeMotion:
     """Return the motion of one mode at any period.
@@ -140,6 +144,7 @@ def mode(a4: int, b: int, period: Number | None = None, *,
     return found.motion(float(exact))
 
 
+@named
 def polytope(*schedule: Steps, cells: int | None = None,
              bar: Bar | None = None, **bar_options: float
              ) -> ModePolytope | None:

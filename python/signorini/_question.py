@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import operator
 from fractions import Fraction
 from typing import Any
 
@@ -9,6 +11,9 @@ from . import _core
 from ._core import Result, Scene
 from ._tables import Table
 from ._words import Number, fraction_of
+
+#: What fits the library's numbers, with room for sums.
+MOST_STEPS = 2 ** 62
 
 #: A float is a period of the grid if it is so to the last digit.
 LAST_DIGIT = 4e-16
@@ -19,6 +24,9 @@ def _on_grid(name: str, word: Number, cells: int) -> int:
     asked = fraction_of(word, name)
     period = asked if name == "period" else 4 / asked
     steps = max(2, round(period * cells))
+    if steps > MOST_STEPS:
+        raise ValueError(f"{name} = {word} is out of range: allowed periods "
+                         f"of at most {MOST_STEPS} steps")
     grid = Fraction(steps, cells)
     off = abs(grid - period)
     if off > (LAST_DIGIT * grid if isinstance(word, float) else 0):
@@ -56,13 +64,17 @@ def ask(asked: dict[str, Any], cells: int | None, scene: Scene,
     if len(given) != 1:
         raise ValueError("period, frequency, hertz: allowed one of them")
     (name, word), = given.items()
-    cells = 300 if cells is None else cells
+    cells = 300 if cells is None else operator.index(cells)
+    if cells < 1:
+        raise ValueError(f"cells = {cells} is out of range: allowed whole "
+                         "numbers >= 1")
     unit = scene.bar.time_unit
     if name == "hertz":
-        if not word > 0:
+        least = cells / unit / MOST_STEPS
+        if not least < float(word) < math.inf:
             raise ValueError(f"hertz = {word} is out of range: allowed finite "
-                             "numbers > 0 [Hz]")
-        steps = max(2, round(cells / unit / word))
+                             f"numbers > {least:.3g} [Hz]")
+        steps = max(2, round(cells / unit / float(word)))
     else:
         steps = _on_grid(name, word, cells)
     results = [_core.find((schedule,), None, scene, *demands)
@@ -74,8 +86,10 @@ def ask(asked: dict[str, Any], cells: int | None, scene: Scene,
     seconds = float(period) * unit
     energy, energy_ratio = demands[4], demands[5]
     if energy is not None:
+        energy = float(energy)
         energy_ratio = energy / scene.bar.energy_unit
     if energy_ratio is not None:
+        energy_ratio = float(energy_ratio)
         energy = energy_ratio * scene.bar.energy_unit
     question = {
         "asked": {name: str(word)}, "steps": steps, "period": seconds,

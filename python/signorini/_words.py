@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import operator
+import reprlib
 from collections.abc import Sequence
 from fractions import Fraction
+from numbers import Integral
 from typing import Any, Union
 
 from ._core import Bar, Scene, Schedule, Segment, State
@@ -41,25 +44,42 @@ def scene_of(scene: Scene | None, bar: Bar | None, second_stop: float | None,
         return scene
     if bar is None and second_stop is None and not segments and not options:
         return _usual_scene
-    parts = [part if isinstance(part, Segment) else
-             Segment(int(part[0]), *part[1:]) for part in segments or ()]
+    parts = [part if isinstance(part, Segment) else segment_of(part)
+             for part in segments or ()]
     return Scene(bar_of(bar, options), second_stop, parts)
+
+
+def segment_of(part: Sequence[float]) -> Segment:
+    """A segment of (cells, impedance, speed, dashpot)."""
+    try:
+        cells, *others = part
+        if int(cells) == cells:
+            return Segment(int(cells), *others)
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise ValueError(f"segments: {reprlib.repr(part)} is out of range: "
+                     "allowed Segment, or (cells >= 1, impedance > 0, "
+                     "speed > 0, dashpot)")
 
 
 def state_of(state: Any, bar: Bar, cells: int | None) -> Any:
     """A state, or the one in a file."""
     if isinstance(state, str) or hasattr(state, "__fspath__"):
+        name = str(state)
+        if "\0" in name:
+            raise ValueError(f"{name!r} is no name of a file")
         if cells is None:
-            return State.read(str(state), bar)
-        return State.read(str(state), bar, cells)
+            return State.read(name, bar)
+        return State.read(name, bar, cells)
     return state
 
 
 def fraction_of(value: Number, name: str) -> Fraction:
     """An exact number > 0. ValueError for anything else."""
     try:
-        exact = Fraction(value)
-    except (ValueError, ZeroDivisionError, OverflowError):
+        exact = Fraction(operator.index(value) if isinstance(value, Integral)
+                         else value)
+    except (TypeError, ValueError, ZeroDivisionError, OverflowError):
         exact = Fraction(0)
     if exact <= 0:
         raise ValueError(f"{name} = {value} is out of range: allowed numbers "

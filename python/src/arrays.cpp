@@ -1,5 +1,9 @@
 #include "arrays.hpp"
 
+#include <fmt/format.h>
+
+#include "numbers.hpp"
+
 namespace signorini::python {
 
 py::array_t<double> view(const double* first, std::size_t count, std::shared_ptr<const void> owner,
@@ -17,11 +21,29 @@ py::array_t<double> view(const double* first, std::size_t count, std::shared_ptr
     return array;
 }
 
+Numbers numbersOf(const py::object& given, const char* name)
+{
+    try {
+        const py::object array = py::module_::import("numpy").attr("asarray")(given);
+        const auto kind = py::cast<std::string>(array.attr("dtype").attr("kind"));
+        if (std::string("biufO").find(kind) != std::string::npos) {
+            return Numbers(array.attr("astype")("float64", py::arg("copy") = false));
+        }
+    } catch (py::error_already_set& error) {
+        if (!error.matches(PyExc_TypeError) && !error.matches(PyExc_ValueError) &&
+            !error.matches(PyExc_OverflowError)) {
+            throw;
+        }
+    }
+    const py::object shown = py::module_::import("reprlib").attr("repr")(given);
+    throw py::type_error(
+        fmt::format("{} = {}: allowed real numbers", name, py::cast<std::string>(shown)));
+}
+
 Grid::Grid(const py::object& x, const py::object& t)
 {
-    using Numbers = py::array_t<double, py::array::forcecast>;
-    const py::tuple both = py::cast<py::tuple>(
-        py::module_::import("numpy").attr("broadcast_arrays")(Numbers(x), Numbers(t)));
+    const py::tuple both = py::cast<py::tuple>(py::module_::import("numpy").attr(
+        "broadcast_arrays")(numbersOf(x, "x"), numbersOf(t, "t")));
     x_ = py::cast<py::array_t<double>>(both[0]);
     t_ = py::cast<py::array_t<double>>(both[1]);
     shape_.assign(x_.shape(), x_.shape() + x_.ndim());

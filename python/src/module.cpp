@@ -2,6 +2,10 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cctype>
+#include <stdexcept>
+#include <string>
+
 #include "atlas.hpp"
 #include "continuum.hpp"
 #include "find.hpp"
@@ -19,6 +23,25 @@ namespace signorini::python {
 
 namespace {
 
+/// The library's words with its names as Python has them: "maxOrder = 0 ..." is of max_order.
+std::string inPython(const std::string& words)
+{
+    std::string text;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const std::size_t end = words.find_first_of(" \n,;:.()", k);
+        const bool isName = end != std::string::npos && words.compare(end, 3, " = ") == 0;
+        const bool isHump = k > 0 && std::islower(static_cast<unsigned char>(words[k - 1])) != 0 &&
+                            std::isupper(static_cast<unsigned char>(words[k])) != 0;
+        if (isName && isHump) {
+            text += '_';
+            text += static_cast<char>(std::tolower(static_cast<unsigned char>(words[k])));
+        } else {
+            text += words[k];
+        }
+    }
+    return text;
+}
+
 void addErrors(py::module_& module)
 {
     static py::exception<BackendUnavailable> missing(module, "BackendUnavailable",
@@ -30,6 +53,8 @@ void addErrors(py::module_& module)
             missing(error.what());
         } catch (const FileError& error) {
             PyErr_SetString(PyExc_OSError, error.what());
+        } catch (const std::invalid_argument& error) {
+            PyErr_SetString(PyExc_ValueError, inPython(error.what()).c_str());
         }
     });
 }

@@ -257,7 +257,9 @@ std::int64_t wholeOf(const py::handle& value, const char* name)
 {
     const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
     if (!index) {
-        throw py::error_already_set();
+        PyErr_Clear();
+        throw py::type_error(fmt::format("{} = {}: allowed whole numbers", name,
+                                         shortened(py::cast<std::string>(py::repr(value)))));
     }
     int overflow = 0;
     const long long whole = PyLong_AsLongLongAndOverflow(index.ptr(), &overflow);

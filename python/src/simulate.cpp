@@ -1,5 +1,7 @@
 #include "simulate.hpp"
 
+#include "numbers.hpp"
+
 #include <pybind11/stl.h>
 
 #include <cmath>
@@ -125,6 +127,11 @@ void addWaves(py::module_& module)
         .def(
             "stretching",
             [](const WavesOf& w, std::int64_t cells) {
+                if (cells < 1 || cells > mostCells) {
+                    throw std::invalid_argument(
+                        fmt::format("cells = {} is out of range: allowed whole numbers 1..{}",
+                                    cells, mostCells));
+                }
                 const Eigen::VectorXd u = stretching(w.value, cells);
                 const double unit = scales(w.bar).displacement;
                 return filled(u.size(), [&](std::int64_t k) { return unit * u[k]; });
@@ -373,6 +380,8 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
         answer.waves = wavesAtRest(static_cast<double>(cells.value_or(usualCells)), stopsOf(scene));
     } else if (py::isinstance<WavesOf>(start)) {
         answer.waves = py::cast<const WavesOf&>(start).value;
+    } else if (!py::isinstance<StateOf>(start)) {
+        throw py::type_error("start: allowed a State, Waves, the name of a file, or None");
     } else {
         answer.waves = wavesOf(*py::cast<const StateOf&>(start).value);
     }

@@ -2,6 +2,7 @@
 
 #include "arrays.hpp"
 #include "faults.hpp"
+#include "numbers.hpp"
 #include "scene.hpp"
 #include "signorini/output.hpp"
 #include "stepped_bar.hpp"
@@ -10,8 +11,7 @@ namespace signorini::python {
 
 namespace {
 
-std::shared_ptr<const State> stateOf(const py::array_t<double, py::array::forcecast>& a,
-                                     const py::array_t<double, py::array::forcecast>& b)
+std::shared_ptr<const State> stateOf(const Numbers& a, const Numbers& b)
 {
     if (a.ndim() != 1 || b.ndim() != 1 || a.size() != b.size() || a.size() == 0) {
         throw std::invalid_argument(
@@ -29,6 +29,9 @@ std::shared_ptr<const State> stateOf(const py::array_t<double, py::array::forcec
     };
     state->a = copy(a);
     state->b = copy(b);
+    if (!state->a.allFinite() || !state->b.allFinite()) {
+        throw std::invalid_argument("a, b = values that are not finite: allowed finite numbers");
+    }
     return state;
 }
 
@@ -83,13 +86,13 @@ segments : list of Segment, optional
 Raises
 ------
 ValueError
-    If the arrays do not have one length, or are empty.
+    If the arrays do not have one length, are empty, or not finite.
 )");
     record.more()
-        .def(py::init([](const py::array_t<double, py::array::forcecast>& a,
-                         const py::array_t<double, py::array::forcecast>& b,
-                         const std::optional<Bar>& bar, const std::vector<Segment>& segments) {
-                 StateOf state{stateOf(a, b), bar.value_or(Bar{}), segments};
+        .def(py::init([](const py::object& a, const py::object& b, const std::optional<Bar>& bar,
+                         const std::vector<Segment>& segments) {
+                 StateOf state{stateOf(numbersOf(a, "a"), numbersOf(b, "b")), bar.value_or(Bar{}),
+                               segments};
                  if (!segments.empty()) {
                      requireCells(steppedBar(segments), state.value->cells());
                  }
@@ -159,6 +162,11 @@ ValueError
         .def(
             "refined",
             [](const StateOf& s, std::int64_t factor) {
+                const std::int64_t most = mostCells / s.value->cells();
+                if (factor < 1 || factor > most) {
+                    throw std::invalid_argument(fmt::format(
+                        "factor = {} is out of range: allowed whole numbers 1..{}", factor, most));
+                }
                 StateOf fine{std::make_shared<const State>(refined(*s.value, factor)), s.bar,
                              s.segments};
                 for (Segment& segment : fine.segments) {
