@@ -1,6 +1,6 @@
-// Text of strangers: state files, segments, schedules, numbers. Whatever it is, it is read or
-// refused with words; and what was read obeys the range that the words name, and comes back from
-// text. The first byte says what reads the rest.
+// Text of strangers: state files, segments, schedules, numbers, questions of the page. Whatever it
+// is, it is read or refused with words; and what was read obeys the range that the words name, and
+// comes back from text. The first byte says what reads the rest.
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "arguments.hpp"
+#include "request.hpp"
 #include "segments_text.hpp"
 #include "signorini/output.hpp"
 
@@ -83,6 +84,50 @@ void readsNumbers(std::string_view text)
     require(fraction.numerator <= 999'999'999 && fraction.denominator <= 999'999'999);
 }
 
+/// A question of the explorer, or nothing if what it is asked for was refused.
+template <typename Read>
+void asks(Read read)
+{
+    try {
+        read();
+    } catch (const std::invalid_argument& refused) {
+        require(*refused.what() != '\0' && std::string_view(refused.what()).size() < 400);
+    }
+}
+
+void readsQuestion(const std::string& text)
+{
+    const web::Request request = web::requestOf(text);
+    asks([&] {
+        const std::int64_t turns = request.whole("turns", -10, -1);
+        require(turns >= -10 && turns <= -1);
+    });
+    asks([&] {
+        const double period = request.number("period", 0.5, 4.0);
+        require(period >= 0.5 && period <= 4.0);
+    });
+    asks([&] { require(request.positive("energy").value_or(1.0) > 0.0); });
+    asks([&] { static_cast<void>(request.word("show")); });
+    asks([&] { static_cast<void>(request.isOn("stability")); });
+    asks([&] { static_cast<void>(request.part("of").word("show")); });
+    asks([&] {
+        const Scene scene = request.scene();
+        require(std::isfinite(scene.bar.gap));
+    });
+    asks([&] {
+        for (const auto& row : request.triples("chains", 200)) {
+            for (const std::int64_t part : row) {
+                require(part >= 0 && part <= 200);
+            }
+        }
+    });
+    asks([&] {
+        const Schedule schedule = request.schedule();
+        require(schedule.cells >= 1 && schedule.cells <= web::mostCells);
+        require(steps(schedule) >= 2 && steps(schedule) <= 20 * schedule.cells);
+    });
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
@@ -107,6 +152,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 break;
             case 'n':
                 readsNumbers(text);
+                break;
+            case 'j':
+                readsQuestion(text);
                 break;
             default:
                 return -1;  // not worth keeping

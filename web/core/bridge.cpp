@@ -26,7 +26,7 @@ const std::map<std::string, Reply (*)(const Request&)>& views()
 Reply answer(const std::string& question)
 {
     try {
-        const Request request(Json::parse(question));
+        const Request request = requestOf(question);
         const auto view = views().find(request.word("show"));
         if (view == views().end()) {
             throw std::invalid_argument("show = " + request.word("show") +

@@ -14,10 +14,40 @@ namespace {
 
 [[noreturn]] void refuse(const char* name, const Json& value, const std::string& allowed)
 {
-    throw std::invalid_argument(fmt::format("{} = {}: allowed {}", name, value.dump(), allowed));
+    constexpr std::size_t mostLetters = 60;  // all of them ASCII
+    std::string shown = value.dump(-1, ' ', true);
+    if (shown.size() > mostLetters) {
+        shown = shown.substr(0, mostLetters) + "...";
+    }
+    throw std::invalid_argument(fmt::format("{} = {}: allowed {}", name, shown, allowed));
+}
+
+/// A number of 64 bits with a sign, which the library's JSON would make of greater ones, too.
+bool isWhole(const Json& value)
+{
+    return value.is_number_unsigned() ? value.get<std::uint64_t>() <=
+                                            std::uint64_t{std::numeric_limits<std::int64_t>::max()}
+                                      : value.is_number_integer();
 }
 
 }  // namespace
+
+Request requestOf(const std::string& question)
+{
+    constexpr int deepest = 8;
+    const auto keeps = [](int depth, Json::parse_event_t, Json&) {
+        if (depth > deepest) {
+            throw std::invalid_argument("the question is nested too deeply");
+        }
+        return true;
+    };
+    try {
+        return Request(Json::parse(question, keeps));
+    } catch (const Json::parse_error& fault) {
+        throw std::invalid_argument(
+            fmt::format("the question is no JSON, from byte {} on", fault.byte));
+    }
+}
 
 const Json& Request::at(const char* name) const
 {
@@ -30,8 +60,7 @@ const Json& Request::at(const char* name) const
 std::int64_t Request::whole(const char* name, std::int64_t low, std::int64_t high) const
 {
     const Json& value = at(name);
-    if (!value.is_number_integer() || value.get<std::int64_t>() < low ||
-        value.get<std::int64_t>() > high) {
+    if (!isWhole(value) || value.get<std::int64_t>() < low || value.get<std::int64_t>() > high) {
         refuse(name, value, fmt::format("whole numbers {}..{}", low, high));
     }
     return value.get<std::int64_t>();
@@ -86,8 +115,8 @@ Schedule Request::schedule() const
     const Json& phases = at("phases");
     for (const Json& phase : phases) {
         const bool isLeft = phase.is_array() && phase.size() == 3 && phase[2] == "L";
-        if (!phase.is_array() || (phase.size() != 2 && !isLeft) || !phase[0].is_number_integer() ||
-            !phase[1].is_number_integer()) {
+        if (!phase.is_array() || (phase.size() != 2 && !isLeft) || !isWhole(phase[0]) ||
+            !isWhole(phase[1])) {
             refuse("phases", phases,
                    "pairs of whole numbers, contact and free steps, and \"L\" at the second stop");
         }
@@ -108,7 +137,7 @@ std::vector<std::array<std::int64_t, 3>> Request::triples(const char* name, std:
     const Json& rows = at(name);
     std::vector<std::array<std::int64_t, 3>> all;
     const auto isPart = [high](const Json& value) {
-        return value.is_number_integer() && value >= 0 && value <= high;
+        return isWhole(value) && value >= 0 && value <= high;
     };
     for (const Json& row : rows) {
         if (!row.is_array() || row.size() != 3 || rows.size() > 10 ||

@@ -54,6 +54,9 @@ private:
     Json values_;
 };
 
+/// \throws std::invalid_argument if the text is no JSON, or nested deeper than any question.
+[[nodiscard]] Request requestOf(const std::string& question);
+
 /// What is said and shown. "arrays" of the JSON tells where in `numbers` each array begins, and how
 /// long it is.
 class Reply {
