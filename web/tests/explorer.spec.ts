@@ -179,8 +179,13 @@ for (const [link, says] of [
   ['show=polygon&cells=200&chains=2:1&period=2.58&split=0.3', 'chains'],
   ['show=polygon&cells=200&chains=2:1:2,2:2:1&period=2.7&split=0.3', 'period'],
   ['show=schedule&cells=300&phases=150:900&gap=far', 'gap'],
+  ['show=schedule&cells=300&phases=150:900&dance=1&cells=7', '“cells”, “dance”'],
+  ['show=schedule&cells=300&phases=150:900&%E0%A4%A', 'ignored'],
+  [`show=schedule&cells=300&phases=${'1:1,'.repeat(20_000)}1:1`, 'phases'],
+  [`show=schedule&cells=${'9'.repeat(100_000)}&phases=150:900`, 'cells'],
+  ['%00%ff=%zz&&=&show', 'show'],
 ] as const) {
-  test(`link: “${link}” gets a sentence, not a blank page`, async ({ page }) => {
+  test(`link: “${link.slice(0, 80)}” gets a sentence, not a blank page`, async ({ page }) => {
     await open(page, link);
     await expect(page.locator('#notice')).toContainText(says);
     await expect(page.locator(headline)).toContainText('E = 4 E₁');
