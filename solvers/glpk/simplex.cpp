@@ -21,6 +21,15 @@ constexpr int fewRows = 64;
 /// Pivots between two looks at `cancel`.
 constexpr int pivotsOfALook = 50;
 
+/// Pivots after which it goes in circles, if nobody said how many are allowed: it takes about as
+/// many as there are rows and columns, but where coefficients differ by 10^6 rounding can lead it
+/// back.
+int mostPivots(glp_prob* problem)
+{
+    const double size = glp_get_num_rows(problem) + static_cast<double>(glp_get_num_cols(problem));
+    return static_cast<int>(std::min(1e4 + 100.0 * size, 2e9));
+}
+
 class Simplex final : public Solver {
 public:
     using Solver::Solver;
@@ -38,6 +47,9 @@ private:
         settings.presolve = glp_get_num_rows(problem.get()) > fewRows ? GLP_ON : GLP_OFF;
         settings.tol_bnd = std::min(defaultTolerance, toleranceShare * options.tolerance);
         settings.tol_dj = settings.tol_bnd;
+        if (options.iterationLimit == 0) {
+            settings.it_lim = mostPivots(problem.get());
+        }
         result.setupSeconds = watch.restart();
 
         int code = 0;

@@ -362,6 +362,18 @@ TEST_CASE("stepped: fine grids cost what their steps have in common", "[glpk][ip
     }
 }
 
+TEST_CASE("stepped: a simplex method that goes in circles is stopped", "[glpk]")
+{
+    // Impedances that differ by 10^6: GLPK's pivots come back to where they were.
+    for (const std::int64_t free : {23, 27}) {
+        const PeriodicResult result = findPeriodic(
+            1, free, 7,
+            optionsFor({{.cells = 4, .impedance = 1e-3}, {.cells = 3, .impedance = 1e3}}));
+        CHECK(result.status != Status::found);
+        CHECK(result.how.solver.iterations < 100'000);
+    }
+}
+
 TEST_CASE("stepped: what is not known of such bars is refused in a sentence")
 {
     const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
