@@ -6,31 +6,44 @@ namespace signorini {
 
 std::vector<std::size_t> reduceRows(std::vector<RationalVector>& rows, std::size_t columns)
 {
+    // Without fractions (Bareiss 1968): entries are minors of the rows over common denominators, so
+    // that each division is exact and no gcd is asked for on the way.
+    std::vector<IntegerVector> whole;
+    for (const RationalVector& row : rows) {
+        whole.push_back(overCommonDenominator(row).numerators);
+    }
     std::vector<std::size_t> pivots;
-    for (std::size_t column = 0; column < columns && pivots.size() < rows.size(); ++column) {
+    Integer last = 1;  // what stands in the pivots of all rows so far
+    for (std::size_t column = 0; column < columns && pivots.size() < whole.size(); ++column) {
         const std::size_t top = pivots.size();
         std::size_t found = top;
-        while (found < rows.size() && rows[found][column].is_zero()) {
+        while (found < whole.size() && whole[found][column].is_zero()) {
             ++found;
         }
-        if (found == rows.size()) {
+        if (found == whole.size()) {
             continue;
         }
-        std::swap(rows[top], rows[found]);
-        const Rational scale = 1 / rows[top][column];
-        for (Rational& value : rows[top]) {
-            value *= scale;
-        }
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-            if (k == top || rows[k][column].is_zero()) {
+        std::swap(whole[top], whole[found]);
+        const Integer pivot = whole[top][column];
+        for (std::size_t k = 0; k < whole.size(); ++k) {
+            if (k == top) {
                 continue;
             }
-            const Rational factor = rows[k][column];
-            for (std::size_t i = column; i < rows[k].size(); ++i) {
-                rows[k][i] -= factor * rows[top][i];
+            const Integer factor = whole[k][column];
+            for (std::size_t i = 0; i < whole[k].size(); ++i) {
+                Integer& entry = whole[k][i];
+                if (!entry.is_zero() || !factor.is_zero()) {
+                    entry = (pivot * entry - factor * whole[top][i]) / last;
+                }
             }
         }
+        last = pivot;
         pivots.push_back(column);
+    }
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        for (std::size_t i = 0; i < rows[k].size(); ++i) {
+            rows[k][i] = k < pivots.size() ? Rational(whole[k][i]) / last : Rational(whole[k][i]);
+        }
     }
     return pivots;
 }
