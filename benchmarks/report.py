@@ -201,7 +201,7 @@ def scaling(table: Table) -> str:
             lines.append([what, "–", "–" + failed, "–", "–", "–"])
             continue
         (first, least), (last, most) = points[0], points[-1]
-        lines.append([what, f"{tables.power_law(points):.2f}",
+        lines.append([what, f"{round(tables.power_law(points), 2) + 0.0:.2f}",
                       f"{first:.0f} … {last:.0f}{failed}", seconds(least),
                       seconds(most), number(most / floor[last])
                       if last in floor else "–"])

@@ -22,7 +22,8 @@ STYLES = {
     "clp-primal": ("#009e73", "<"), "clp-barrier": ("#009e73", ">"),
     "ipopt": ("#d55e00", "X"), "nlopt-slsqp": ("#cc79a7", "d"),
     "nlopt-auglag": ("#cc79a7", "h"), "nlopt-cobyla": ("#cc79a7", "*"),
-    "siconos": ("#e69f00", "p"), "march from rest": ("#56b4e9", "8"),
+    "siconos": ("#e69f00", "p"), "Moreau-Jean": ("#777777", "d"),
+    "march from rest": ("#56b4e9", "8"),
 }
 
 #: From dark to light, for what is no solver: sizes, operations.
@@ -53,6 +54,14 @@ def _figure(columns: int, width: float, height: float
         each.grid(color="#dddddd", lw=0.5)
         each.set_axisbelow(True)
     return figure, list(axes[0])
+
+
+def _at_least_a_decade(axes: Any) -> None:
+    """Widen a narrow range of times, whose labels would lie on each other."""
+    low, high = axes.get_xlim()
+    if high < 10.0 * low:
+        middle = math.sqrt(low * high)
+        axes.set_xlim(middle / math.sqrt(10.0), middle * math.sqrt(10.0))
 
 
 def _one_legend(figure: Any, panels: list[Any]) -> None:
@@ -129,6 +138,7 @@ def scenes(table: Table, path: Path) -> str:
         axes.set_title(f"{title}, N = {cells:.0f}", fontsize="medium")
         axes.set_xlabel("time [s]")
         axes.set_ylim(SMALLEST / 3, 1e-9)
+        _at_least_a_decade(axes)
     panels[0].set_ylabel("error (0 is drawn at $10^{-17}$)")
     _one_legend(figure, panels)
     _finish(figure, path)
@@ -185,7 +195,7 @@ def scaling(table: Table, path: Path) -> str:
                       for r in mine]
             exponent = tables.power_law(points)
             name = label if math.isnan(exponent) else \
-                f"{label}: $N^{{{exponent:.2f}}}$"
+                f"{label}: $N^{{{round(exponent, 2) + 0.0:.2f}}}$"
             look = style_of(mine[0].back_end)
             look["label"] = name
             if ours:  # operations of one solver: a shade and a dash for each
@@ -244,7 +254,7 @@ def rivals(table: Table, path: Path) -> str:
     for axes, (case, periods) in zip(panels, (
             ("main mode T=3.5", "1 periods"), ("main mode T=3.5", "5 periods"),
             ("forced, damped, T=3.6", "5 periods"))):
-        for who in ("siconos", "signorini"):
+        for who in ("siconos", "Moreau-Jean", "signorini"):
             points = [(r.figure("seconds_median"),
                        max(r.figure("tip_error"), SMALLEST))
                       for r in table if r.suite == "rivals"
