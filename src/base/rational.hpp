@@ -28,7 +28,7 @@ struct Homogeneous {
 [[nodiscard]] RationalVector solveRegular(std::vector<RationalVector> rows, RationalVector rhs);
 
 /// Gauss-Jordan: afterwards row k has a 1 in column pivots[k], and that column is 0 elsewhere.
-/// Of the first `columns` columns. Rows without a pivot end up last, of any scale. O(rows size rank).
+/// Of the first `columns` columns. Rows without a pivot end last, of any scale. O(rows size rank).
 std::vector<std::size_t> reduceRows(std::vector<RationalVector>& rows, std::size_t columns);
 
 /// Some x with M x = rhs for a matrix given by rows of `size` entries, 0 where it is free; empty if
