@@ -22,7 +22,7 @@ STYLES = {
     "clp-primal": ("#009e73", "<"), "clp-barrier": ("#009e73", ">"),
     "ipopt": ("#d55e00", "X"), "nlopt-slsqp": ("#cc79a7", "d"),
     "nlopt-auglag": ("#cc79a7", "h"), "nlopt-cobyla": ("#cc79a7", "*"),
-    "siconos": ("#e69f00", "p"), "Moreau-Jean": ("#777777", "d"),
+    "siconos": ("#e69f00", "p"), "Moreau-Jean": ("#777777", "x"),
     "march from rest": ("#56b4e9", "8"),
 }
 
