@@ -9,6 +9,7 @@ std::vector<std::size_t> reduceRows(std::vector<RationalVector>& rows, std::size
     // Without fractions (Bareiss 1968): entries are minors of the rows over common denominators, so
     // that each division is exact and no gcd is asked for on the way.
     std::vector<IntegerVector> whole;
+    whole.reserve(rows.size());
     for (const RationalVector& row : rows) {
         whole.push_back(overCommonDenominator(row).numerators);
     }
