@@ -1,7 +1,5 @@
 #include "simulate.hpp"
 
-#include "numbers.hpp"
-
 #include <pybind11/stl.h>
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "excited_names.hpp"
 #include "faults.hpp"
 #include "force.hpp"
+#include "numbers.hpp"
 #include "patience.hpp"
 #include "signorini/simulation.hpp"
 

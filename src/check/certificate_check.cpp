@@ -187,7 +187,7 @@ bool isProof(const FarkasCertificate& certificate, const Schedule& schedule)
         return false;
     }
     try {
-        // Multipliers are small but for odd proofs, and half the memory is a third of the time.
+        // Multipliers are small but for odd proofs; half the memory is touched.
         return combinesToContradiction<std::int32_t>(certificate, schedule);
     } catch (const std::overflow_error&) {
     }

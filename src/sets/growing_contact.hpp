@@ -72,7 +72,7 @@ private:
     void setKernels();
     void lengthen(std::int64_t contact);
     void setFree(std::int64_t contact, std::vector<double> push);
-    /// Free pushes of a residue, and of those before it, which are numbered first.
+    /// Free pushes of a residue, and of those before it, which are numbered first. O(1).
     [[nodiscard]] std::int64_t freeOf(std::int64_t residue) const;
     [[nodiscard]] std::int64_t freeBefore(std::int64_t residue) const;
     /// action(k, R of free push k = 1) for those that press in step m.
