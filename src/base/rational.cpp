@@ -61,6 +61,16 @@ Homogeneous overCommonDenominator(const RationalVector& x)
     return point;
 }
 
+RationalVector asRationals(const Homogeneous& point)
+{
+    RationalVector x;
+    x.reserve(point.numerators.size());
+    for (const Integer& value : point.numerators) {
+        x.emplace_back(value, point.denominator);
+    }
+    return x;
+}
+
 RationalVector solveRegular(std::vector<RationalVector> rows, RationalVector rhs)
 {
     const std::size_t n = rows.size();

@@ -23,6 +23,9 @@ struct Homogeneous {
 /// x over one common denominator > 0. O(n) gcds.
 [[nodiscard]] Homogeneous overCommonDenominator(const RationalVector& x);
 
+/// Back again. \pre a point, no direction.
+[[nodiscard]] RationalVector asRationals(const Homogeneous& point);
+
 /// x with M x = rhs for a square matrix given by rows, by elimination. O(n^3).
 /// \pre M is regular.
 [[nodiscard]] RationalVector solveRegular(std::vector<RationalVector> rows, RationalVector rhs);

@@ -49,11 +49,7 @@ public:
                 return {.isFeasible = false, .point = {}, .rows = std::move(active_)};
             }
         }
-        Projection nearest{.isFeasible = true, .point = {}, .rows = std::move(active_)};
-        for (const Integer& value : x_.numerators) {
-            nearest.point.emplace_back(value, x_.denominator);
-        }
-        return nearest;
+        return {.isFeasible = true, .point = asRationals(x_), .rows = std::move(active_)};
     }
 
 private:

@@ -145,14 +145,8 @@ private:
         }
         result_.isBounded = generators->directions.empty();
         for (const Homogeneous& vertex : generators->vertices) {
-            RationalVector point;
-            for (const Integer& value : vertex.numerators) {
-                point.emplace_back(value, vertex.denominator);
-            }
-            vertices_.push_back(std::move(point));
-        }
-        for (const RationalVector& vertex : vertices_) {
-            result_.vertices.push_back(asDoubles(vertex));
+            vertices_.push_back(asRationals(vertex));
+            result_.vertices.push_back(asDoubles(vertices_.back()));
         }
     }
 
