@@ -6,6 +6,8 @@
 #include <array>
 #include <csetjmp>
 #include <cstdlib>
+#include <cstring>
+#include <memory_resource>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -34,7 +36,8 @@ struct Rescue {
     std::array<char, 400> words;
     std::size_t size;
     const Cancel* cancel;
-    int blocks;  ///< of GMP, since the last look at `cancel`
+    std::pmr::memory_resource* numbers;  ///< where GMP's come from during the call
+    int blocks;                          ///< of GMP, since the last look at `cancel`
     bool isCancelled;
 };
 
@@ -55,10 +58,18 @@ extern "C" void leave(void* data)
     std::longjmp(static_cast<Rescue*>(data)->place, 1);  // NOLINT(cert-err52-cpp): see the header
 }
 
+/// Of the call of this thread that is under way.
+thread_local Rescue* current = nullptr;
+
 void leaveIfCancelled(Rescue& rescue)
 {
-    if (rescue.cancel != nullptr && isRequested(*rescue.cancel)) {
-        rescue.isCancelled = true;
+    if (rescue.cancel == nullptr) {
+        return;
+    }
+    current = nullptr;  // what the caller's function does is not of this call
+    rescue.isCancelled = isRequested(*rescue.cancel);
+    current = &rescue;
+    if (rescue.isCancelled) {
         leave(&rescue);
     }
 }
@@ -72,9 +83,6 @@ extern "C" int hearGlpk(void* data, const char* text)
     return 1;  // nothing goes to the terminal
 }
 
-/// Of the call of this thread that is under way.
-thread_local Rescue* current = nullptr;
-
 /// GMP's own way, but for a call of ours.
 [[noreturn]] void endGmp()
 {
@@ -83,6 +91,17 @@ thread_local Rescue* current = nullptr;
         leave(current);
     }
     std::abort();
+}
+
+/// Memory of the call under way: GLPK holds rationals only while its exact method runs, so those
+/// that a jump leaves behind go with the call. Null if there is none.
+void* allocateForCall(std::size_t size)
+{
+    try {
+        return current->numbers->allocate(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;  // a jump out of the handler would leave the exception behind
+    }
 }
 
 /// GLPK's exact method says nothing for seconds; blocks for its rationals are asked for all the
@@ -94,18 +113,34 @@ extern "C" void* allocateForGmp(std::size_t size)
         current->blocks = 0;
         leaveIfCancelled(*current);
     }
-    void* block = std::malloc(size);
+    void* block = current != nullptr ? allocateForCall(size) : std::malloc(size);
     return block != nullptr ? block : (endGmp(), nullptr);
 }
 
-extern "C" void* reallocateForGmp(void* old, std::size_t, std::size_t size)
+extern "C" void freeForGmp(void* block, std::size_t size)
 {
-    void* block = std::realloc(old, size);
-    return block != nullptr ? block : (endGmp(), nullptr);
+    if (current != nullptr) {
+        current->numbers->deallocate(block, size);
+    } else {
+        std::free(block);
+    }
 }
 
-/// Blocks still come from malloc and go to free, so it does not matter when this happens. A program
-/// that has given GMP functions of its own keeps them.
+extern "C" void* reallocateForGmp(void* old, std::size_t oldSize, std::size_t size)
+{
+    void* block = current != nullptr ? allocateForCall(size) : std::realloc(old, size);
+    if (block == nullptr) {
+        endGmp();
+    }
+    if (current != nullptr) {
+        std::memcpy(block, old, std::min(oldSize, size));
+        freeForGmp(old, oldSize);
+    }
+    return block;
+}
+
+/// Outside of a call blocks still come from malloc and go to free, so it does not matter when this
+/// happens. A program that has given GMP functions of its own keeps them.
 void watchGmp()
 {
     if (__gmp_default_allocate == nullptr || __gmp_get_memory_functions == nullptr ||
@@ -113,10 +148,9 @@ void watchGmp()
         return;
     }
     GmpAllocate allocate = nullptr;
-    GmpFree release = nullptr;
-    __gmp_get_memory_functions(&allocate, nullptr, &release);
+    __gmp_get_memory_functions(&allocate, nullptr, nullptr);
     if (allocate == __gmp_default_allocate) {
-        __gmp_set_memory_functions(allocateForGmp, reallocateForGmp, release);
+        __gmp_set_memory_functions(allocateForGmp, reallocateForGmp, freeForGmp);
     }
 }
 
@@ -173,10 +207,12 @@ Problem::~Problem()
 
 void Problem::attempt(void (*call)(void*, glp_prob*), void* data)
 {
+    std::pmr::unsynchronized_pool_resource numbers;
     Rescue rescue;
     rescue.size = 0;
     rescue.words[0] = '\0';
     rescue.cancel = cancel_;
+    rescue.numbers = &numbers;
     rescue.blocks = 0;
     rescue.isCancelled = false;
     setHooks(&rescue);
