@@ -7,6 +7,8 @@
 #include "energy_bound.hpp"
 #include "report.hpp"
 #include "stepped_bar.hpp"
+#include "stepped_energy.hpp"
+#include "stepped_route.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {
@@ -100,6 +102,36 @@ private:
     const WriteText& write_;
 };
 
+/// Adds multipliers to a certificate as pairs.
+void addRows(Json& json, const RationalProof& proof)
+{
+    const auto list = [&json](const char* key, const std::vector<RationalMultiplier>& rows) {
+        json[key] = Json::array();
+        for (const RationalMultiplier& m : rows) {
+            json[key].push_back({m.row, m.value});
+        }
+    };
+    list("equalities", proof.equalities);
+    list("inequalities", proof.inequalities);
+}
+
+/// That a stepped bar has no motion of less energy than the one found, but for the tolerance.
+std::optional<Json> steppedCertificate(const PeriodicResult& result, const FindOptions& options)
+{
+    const auto proof = leastEnergyProof(
+        blocksOf(steppedBar(options.scene.segments), result.schedule, options.tipFloor, true));
+    if (!proof) {
+        return std::nullopt;
+    }
+    Json json{{"kind", "energy-range"},
+              {"verified", proof->least >= result.motion->energyRatio * (1.0 - options.tolerance)},
+              {"rows", name(Formulation::joints)},
+              {"tip_floor", std::isfinite(options.tipFloor) ? Json(options.tipFloor) : Json()},
+              {"energy_ratio", proof->least}};
+    addRows(json, proof->multipliers);
+    return json;
+}
+
 }  // namespace
 
 void writeCertificate(const Absence& absence, const WriteText& write)
@@ -124,6 +156,9 @@ void writeAnswer(const Json& answer, const PeriodicResult& result, const WriteTe
 
 std::optional<Json> energyCertificate(const PeriodicResult& result, const FindOptions& options)
 {
+    if (result.motion && result.how.objective == Objective::minEnergy && isStepped(options)) {
+        return steppedCertificate(result, options);
+    }
     const auto* exclusion =
         result.absence ? std::get_if<EnergyExclusion>(&result.absence->proof) : nullptr;
     const bool isLimited = std::isfinite(options.strainLimit) || std::isfinite(options.tipFloor);
@@ -145,14 +180,7 @@ std::optional<Json> energyCertificate(const PeriodicResult& result, const FindOp
     if (exclusion != nullptr) {
         json["energy_ratio"] = exclusion->energyRatio;
     }
-    const auto list = [&json](const char* key, const std::vector<RationalMultiplier>& rows) {
-        json[key] = Json::array();
-        for (const RationalMultiplier& m : rows) {
-            json[key].push_back({m.row, m.value});
-        }
-    };
-    list("equalities", proof->equalities);
-    list("inequalities", proof->inequalities);
+    addRows(json, *proof);
     return json;
 }
 

@@ -118,7 +118,7 @@ public:
     [[nodiscard]] bool areOfMotion() const { return motion_.areWanted(); }
 
     /// Says on stderr which files there is nothing for.
-    void write(const PeriodicResult& result, const Json& answer)
+    void write(const FindOptions& options, const PeriodicResult& result, const Json& answer)
     {
         if (result.motion) {
             writeMotion(result);
@@ -126,7 +126,7 @@ public:
             say("no motion to write, so no file was written");
         }
         const auto energies =
-            proof_.areWanted() ? energyCertificate(result, words_.options) : std::nullopt;
+            proof_.areWanted() ? energyCertificate(result, options) : std::nullopt;
         if (result.absence || energies) {
             proof_.put("--certificate", [&](const std::string& path) {
                 TextFile file(path);
@@ -350,7 +350,7 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
     FindOutputs files(*this);
     const PeriodicResult result = search(schedule, request.options, common.quiet);
     Json json = answerWithoutProof(result, request.target());
-    files.write(result, json);
+    files.write(request.options, result, json);
     std::string text = asText(result, request.target());
     if (wantsStability && result.motion) {
         json["stability"] = Json::array();
@@ -393,7 +393,7 @@ ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindReque
             fmt::format("--state, --motion, --figure: {} motions answer: allowed one, by its NC NF",
                         measured.size()));
     }
-    files.write(first.value_or(PeriodicResult{}), {});
+    files.write(request.options, first.value_or(PeriodicResult{}), {});
     writeOut(common.wantsJson ? asLine(report.json()) : report.text());
     for (const Physical& physical : measured) {
         warn(physical);

@@ -1,6 +1,5 @@
 #include "exact_multipliers.hpp"
 
-#include <deque>
 #include <map>
 #include <stdexcept>
 
@@ -60,38 +59,8 @@ public:
     /// Every multiplier that follows from others. \throws std::logic_error for a closed circle.
     void follow()
     {
-        const Eigen::Index unknowns = program_.variables();
-        std::vector<int> missing(static_cast<std::size_t>(unknowns), 0);
-        std::deque<Eigen::Index> ready;
-        for (Eigen::Index k = 0; k < unknowns; ++k) {
-            for (Columns::InnerIterator entry(equal_, k); entry; ++entry) {
-                missing[static_cast<std::size_t>(k)] +=
-                    entry.row() != k && isFollowing(entry.row()) ? 1 : 0;
-            }
-            if (isFollowing(k) && missing[static_cast<std::size_t>(k)] == 0) {
-                ready.push_back(k);
-            }
-        }
-        Eigen::Index left = 0;
-        for (Eigen::Index k = 0; k < unknowns; ++k) {
-            left += isFollowing(k) ? 1 : 0;
-        }
-        while (!ready.empty()) {
-            const Eigen::Index row = ready.front();
-            ready.pop_front();
-            --left;
+        for (const Eigen::Index row : followingRows(program_, support_.isOpen)) {
             determine(row);
-            for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(
-                     program_.equalities, row);
-                 entry; ++entry) {
-                const auto column = static_cast<std::size_t>(entry.col());
-                if (entry.col() != row && --missing[column] == 0 && isFollowing(entry.col())) {
-                    ready.push_back(entry.col());
-                }
-            }
-        }
-        if (left > 0) {
-            throw std::logic_error("exactMultipliers: rows in a circle without an open one");
         }
     }
 
@@ -191,6 +160,43 @@ private:
 };
 
 }  // namespace
+
+std::vector<Eigen::Index> followingRows(const Program& program, const std::vector<bool>& isOpen)
+{
+    const Columns equal = program.equalities;
+    const Eigen::Index unknowns = program.variables();
+    const auto isFollowing = [&](Eigen::Index row) {
+        return row < unknowns && !isOpen[static_cast<std::size_t>(row)];
+    };
+    std::vector<int> missing(static_cast<std::size_t>(unknowns), 0);
+    std::vector<Eigen::Index> rows;  // ready
+    std::size_t following = 0;
+    for (Eigen::Index k = 0; k < unknowns; ++k) {
+        for (Columns::InnerIterator entry(equal, k); entry; ++entry) {
+            missing[static_cast<std::size_t>(k)] +=
+                entry.row() != k && isFollowing(entry.row()) ? 1 : 0;
+        }
+        following += isFollowing(k) ? 1 : 0;
+        if (isFollowing(k) && missing[static_cast<std::size_t>(k)] == 0) {
+            rows.push_back(k);
+        }
+    }
+    for (std::size_t next = 0; next < rows.size(); ++next) {
+        const Eigen::Index row = rows[next];
+        for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(program.equalities,
+                                                                               row);
+             entry; ++entry) {
+            const auto column = static_cast<std::size_t>(entry.col());
+            if (entry.col() != row && --missing[column] == 0 && isFollowing(entry.col())) {
+                rows.push_back(entry.col());
+            }
+        }
+    }
+    if (rows.size() < following) {
+        throw std::logic_error("followingRows: rows in a circle without an open one");
+    }
+    return rows;
+}
 
 std::optional<RationalProof> exactMultipliers(const Program& program, const ProofSupport& support)
 {

@@ -31,6 +31,11 @@ struct ProofSupport {
     std::vector<UsedBound> bounds;           ///< that may be used
 };
 
+/// The rows that are not open, each after all that use the unknown it determines. O(entries).
+/// \pre as for exactMultipliers.
+[[nodiscard]] std::vector<Eigen::Index> followingRows(const Program& program,
+                                                      const std::vector<bool>& isOpen);
+
 /// Multipliers with equalities^T y + inequalities^T mu = 0 but for the bounds in use, and a right
 /// side of -1. Not yet a proof: signs are as the system has them. Empty if it has no solution.
 /// \pre row k of the equalities has a coefficient at unknown k for every unknown, and every circle

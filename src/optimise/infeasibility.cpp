@@ -1,7 +1,6 @@
 #include "infeasibility.hpp"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,7 +11,6 @@ namespace signorini {
 
 namespace {
 
-using Rational = boost::multiprecision::cpp_rational;
 using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr std::int64_t maxDenominator = 1'000'000;
@@ -179,48 +177,59 @@ bool addRows(const std::vector<Weighted>& multipliers, const SparseRows& rows,
     return true;
 }
 
-/// Do the rows so combined contradict the bounds?
-bool contradicts(const std::vector<Weighted>& equalities, const std::vector<Weighted>& inequalities,
-                 const Program& program)
+std::optional<BoundedSum> sumOf(const std::vector<Weighted>& equalities,
+                                const std::vector<Weighted>& inequalities, const Program& program)
 {
     std::vector<Rational> combination(static_cast<std::size_t>(program.variables()));
-    Rational right = 0;
-    if (!addRows(equalities, program.equalities, program.equalityRhs, false, combination, right) ||
+    BoundedSum sum;
+    if (!addRows(equalities, program.equalities, program.equalityRhs, false, combination,
+                 sum.right) ||
         !addRows(inequalities, program.inequalities, program.inequalityRhs, true, combination,
-                 right)) {
-        return false;
+                 sum.right)) {
+        return std::nullopt;
     }
-    Rational least = 0;
     for (Eigen::Index i = 0; i < program.variables(); ++i) {
-        const Rational& c = combination[static_cast<std::size_t>(i)];
+        Rational& c = combination[static_cast<std::size_t>(i)];
         if (c.is_zero()) {
             continue;
         }
         const double bound = c > 0 ? program.lower[i] : program.upper[i];
-        if (!std::isfinite(bound)) {
-            return false;
+        if (std::isfinite(bound)) {
+            sum.right -= c * Rational(bound);
+        } else {
+            sum.left.emplace_back(i, std::move(c));
         }
-        least += c * Rational(bound);
     }
-    return least > right;
+    return sum;
+}
+
+bool isContradiction(const std::optional<BoundedSum>& sum)
+{
+    return sum && sum->left.empty() && sum->right < 0;
 }
 
 }  // namespace
 
+std::optional<BoundedSum> boundedSum(const RationalProof& multipliers, const Program& program)
+{
+    try {
+        return sumOf(weighted(multipliers.equalities), weighted(multipliers.inequalities), program);
+    } catch (const std::runtime_error&) {
+        return std::nullopt;  // what Boost says of a number it cannot read
+    } catch (const std::logic_error&) {
+        return std::nullopt;  // and of one over 0
+    }
+}
+
 bool isProof(const InfeasibilityProof& proof, const Program& program)
 {
-    return contradicts(weighted(proof.equalities), weighted(proof.inequalities), program);
+    return isContradiction(
+        sumOf(weighted(proof.equalities), weighted(proof.inequalities), program));
 }
 
 bool isProof(const RationalProof& proof, const Program& program)
 {
-    try {
-        return contradicts(weighted(proof.equalities), weighted(proof.inequalities), program);
-    } catch (const std::runtime_error&) {
-        return false;  // what Boost says of a number it cannot read
-    } catch (const std::logic_error&) {
-        return false;  // and of one over 0
-    }
+    return isContradiction(boundedSum(proof, program));
 }
 
 std::optional<InfeasibilityProof> proveByOneRow(const Program& program)

@@ -268,6 +268,50 @@ def check_all_energies(options, checker, draw):
             f"{beyond} of no motion of an energy; {refused} spoilt ones are refused")
 
 
+def check_stepped_energies(options, checker, draw):
+    """Least energies of bars of several segments; how many hold, how many spoilt ones are refused."""
+    proved = refused = 0
+    with tempfile.TemporaryDirectory() as name:
+        path = pathlib.Path(name) / "proof.json"
+        while proved < options.count // 20:
+            words = call_of_few_cells(draw)
+            path.unlink(missing_ok=True)
+            subprocess.run([options.program, *words, "--quiet", "--certificate", str(path)],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+            answer = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+            if answer.get("status") != "found" or answer["certificate"]["rows"] != "joints":
+                continue
+            try:
+                checker.check(answer)
+            except checker.NoProof as why:
+                sys.exit(f"{' '.join(words)}: {why}")
+            proved += 1
+            for factor in (1 - 1e-6, 1 + 1e-6, None):
+                bad = copy.deepcopy(answer)
+                if factor:
+                    bad["energy_ratio"] *= factor
+                else:
+                    del bad["certificate"]["equalities"][-1]  # the gap
+                try:
+                    sys.exit(f"{' '.join(words)}: spoilt ({factor}): {checker.check(bad)}")
+                except checker.NoProof:
+                    refused += 1
+    return proved, refused
+
+
+def call_of_few_cells(draw):
+    """Words about a schedule of a stepped bar that may well have motions."""
+    counts = [draw.randint(1, 4) for _ in range(draw.choice([2, 2, 3]))]
+    bar = ",".join(f"{count}:{draw.choice([0.2, 0.5, 1, 1.3, 2, 3, 7])}" for count in counts)
+    joint = draw.choice(["", "", ":1:0.3"])
+    scene = draw.choice([[], ["--gap", "-1e-3"], ["--second-stop", "1.3e-3"], ["--tip-floor", "-5e-3"]])
+    cells = sum(counts)
+    phases = [str(draw.randint(1, 2 * cells)), str(draw.randint(1, 6 * cells))]
+    if draw.random() < 0.2:
+        phases += phases
+    return ["find", *phases, "--segments", bar.replace(",", joint + ",", 1), *scene]
+
+
 def random_call(draw, is_stepped):
     """Words of the program about a random schedule."""
     scene = draw.choice([[], ["--gap", "-1e-3"], ["--gap", "0", "--energy", "1"]])
@@ -328,6 +372,13 @@ def main():
         print("stepped bars: this build has no simplex method")
         return
     check_many(options, checker, draw, is_stepped=True)
+    least = subprocess.run([options.program, "find", "4", "25", "--segments", "4:1,4:1.3", "--objective",
+                            "min-energy"], capture_output=True, check=False)
+    if least.returncode not in (0, 1):
+        print("energies of stepped bars: this build has no solver for them")
+        return
+    print("energies of stepped bars: {} proofs hold, {} spoilt ones are refused".format(
+        *check_stepped_energies(options, checker, draw)))
 
 
 if __name__ == "__main__":
