@@ -46,6 +46,8 @@ Request requestOf(const std::string& question)
     } catch (const Json::parse_error& fault) {
         throw std::invalid_argument(
             fmt::format("the question is no JSON, from byte {} on", fault.byte));
+    } catch (const Json::out_of_range&) {
+        throw std::invalid_argument("a number of the question is beyond the largest double");
     }
 }
 
