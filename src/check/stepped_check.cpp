@@ -70,12 +70,13 @@ public:
         const StopRule rule(tolerance_ * half_);
         for (std::int64_t m = 0; m < count; ++m) {
             const double p = cells_.arriving();
-            const auto right = rule.of(half_ * (stops_.right - tip_), p);
-            const auto left =
-                stops_.left ? rule.of(half_ * (tip_ - *stops_.left), -p) : StopRule::Outcome::free;
+            const double room = half_ * (stops_.right - tip_);
+            const double roomBehind = stops_.left ? half_ * (tip_ - *stops_.left) : infinity;
+            const auto right = rule.of(room, p);
+            const auto left = rule.of(roomBehind, -p);
             if (right == StopRule::Outcome::fault || left == StopRule::Outcome::fault) {
                 march_.firstFault = m;
-                march_.residual = std::abs(p) / half_;
+                march_.residual = (std::abs(p) - (p > 0.0 ? room : roomBehind)) / half_;
                 return;
             }
             const bool isHeld = right == StopRule::Outcome::held || left == StopRule::Outcome::held;
@@ -85,7 +86,7 @@ public:
             } else {
                 runs_.rest(1);
             }
-            see(p, isHeld, isPressed, m);
+            see(p, isHeld, isPressed);
             cells_.step(isHeld);
             if (count % (m + 1) == 0 && shortest_ == 0 &&
                 cells_.distance(start_) <= tolerance_ * size_) {
@@ -117,7 +118,7 @@ public:
     }
 
 private:
-    void see(double p, bool isHeld, bool isPressed, std::int64_t)
+    void see(double p, bool isHeld, bool isPressed)
     {
         if (isPressed) {
             ++pressed_;

@@ -1,5 +1,6 @@
 // The march goes a piece of the way at a time; here it has to decide as the Signorini rule does one
-// step after the other, on waves that are whole numbers.
+// step after the other, on waves that are whole numbers. The march of stepped bars has cells of its
+// own; where all segments are alike, both have to see the same.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,9 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
+#include "stepped_check.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -149,4 +152,102 @@ TEST_CASE("march: a piece at a time it decides as step by step, beside one stop 
     CHECK(faults > 500);
     CHECK(pressed > 500);
     CHECK(left > 100);
+}
+
+namespace {
+
+/// A bar of one material, in two or three pieces.
+std::vector<Segment> pieces(std::mt19937_64& draw, std::int64_t cells)
+{
+    const auto first = static_cast<std::int64_t>(
+        1 + draw() % static_cast<std::uint64_t>(std::max<std::int64_t>(1, cells - 1)));
+    if (first == cells) {
+        return {{cells}};
+    }
+    if (first == 1 || draw() % 2 == 0) {
+        return {{first}, {cells - first}};
+    }
+    return {{1}, {first - 1}, {cells - first}};
+}
+
+void checkAlike(const Verification& one, const Verification& other)
+{
+    CHECK(one.residuals.periodicity == Approx(other.residuals.periodicity));
+    CHECK(one.residuals.gap == Approx(other.residuals.gap));
+    CHECK(one.residuals.pressure == Approx(other.residuals.pressure));
+    if (one.residuals.gap == 0.0) {  // else depths are counted from different places
+        CHECK(one.residuals.penetration == Approx(other.residuals.penetration));
+    }
+    CHECK(one.residuals.march == Approx(other.residuals.march));
+    CHECK(one.pressing == other.pressing);
+}
+
+}  // namespace
+
+TEST_CASE("march: equal segments, checked cell by cell, are the uniform bar")
+{
+    std::mt19937_64 draw(20);
+    int contacts = 0;
+    int placed = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const std::int64_t cells = std::int64_t{1} << (1 + draw() % 4);  // so that N/2 divides
+        const auto upTo = [&](std::int64_t most) {
+            return static_cast<std::int64_t>(1 + draw() % static_cast<std::uint64_t>(most));
+        };
+        Schedule schedule{cells, {{upTo(2 * cells), upTo(4 * cells)}}};
+        schedule.stops.right = static_cast<int>(upTo(3)) - 2;
+        std::optional<double> second;
+        if (draw() % 2 == 0) {
+            schedule.stops.left = Fraction{2 + upTo(3), 1};
+            schedule.phases.push_back({upTo(cells), upTo(2 * cells), Stop::left});
+            second = 0.5 * static_cast<double>(
+                               cells * (schedule.stops.right + schedule.stops.left->numerator));
+        }
+        State state = stretches(draw, cells);
+        if (draw() % 4 != 0) {
+            place(state, schedule.stops.right, second && draw() % 3 == 0 ? *second : 0.0);
+        }
+        INFO("trial " << trial << ": " << describe(schedule));
+        const Verification uniform = verify(state, schedule);
+        const Verification seen = verifyStepped(state, schedule, pieces(draw, cells)).seen;
+        checkAlike(seen, uniform);
+        if (seen.repetitions == 1 && uniform.repetitions == 1) {
+            REQUIRE(seen.canonical == uniform.canonical);
+        }
+        contacts += seen.canonical.empty() ? 0 : 1;
+        placed += seen.residuals.gap == 0.0 ? 1 : 0;
+    }
+    CHECK(contacts > 500);
+    CHECK(placed > 500);
+}
+
+TEST_CASE("march: of motions of equal segments the extremes are those of the uniform bar")
+{
+    std::mt19937_64 draw(21);
+    int motions = 0;
+    test::forAllSchedules(6, 6, [&](const Schedule& schedule) {
+        const OnePhaseSet set = onePhaseSet(schedule);
+        if (set.reason) {
+            return;
+        }
+        INFO(describe(schedule));
+        ++motions;
+        const State state = leastEnergyMotion(set);
+        const Verification uniform = verify(state, schedule);
+        const auto [seen, extremes] = verifyStepped(state, schedule, pieces(draw, schedule.cells));
+        CHECK(seen.residuals.worst() < 1e-12);
+        CHECK(seen.canonical == uniform.canonical);
+        CHECK(seen.repetitions == uniform.repetitions);
+        CHECK(seen.peakStrain == Approx(uniform.peakStrain));
+        const Extremes expected = extremesOf(state, schedule, uniform.repetitions);
+        CHECK(extremes.period == Approx(expected.period));
+        CHECK(extremes.contactTime == Approx(expected.contactTime));
+        CHECK(extremes.peakForce == Approx(expected.peakForce));
+        CHECK(extremes.impulse == Approx(expected.impulse));
+        CHECK(extremes.approachSpeed == Approx(expected.approachSpeed));
+        CHECK(extremes.peakCompression == Approx(expected.peakCompression));
+        CHECK(extremes.peakTension == Approx(expected.peakTension));
+        CHECK(extremes.lowestTip == Approx(expected.lowestTip));
+    });
+    CHECK(motions > 100);
 }
