@@ -1,6 +1,7 @@
 // The march goes a piece of the way at a time; here it has to decide as the Signorini rule does one
 // step after the other, on waves that are whole numbers. The march of stepped bars has cells of its
-// own; where all segments are alike, both have to see the same.
+// own; where all segments are alike, both have to see the same. So has the one of forced bars,
+// where no force is.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "catch.hpp"
+#include "forced_check.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 #include "stepped_check.hpp"
@@ -182,6 +184,38 @@ void checkAlike(const Verification& one, const Verification& other)
     CHECK(one.pressing == other.pressing);
 }
 
+/// The third way: what a walk of a forced bar sees if its force is 0.
+ForcedWalk unforced(const State& state, const Schedule& schedule)
+{
+    const auto cells = static_cast<double>(schedule.cells);
+    return walkForced(state, schedule, {},
+                      {.values = std::vector<double>(static_cast<std::size_t>(steps(schedule))),
+                       .stepsPerCrossing = cells});
+}
+
+void checkAlike(const ForcedWalk& one, const Verification& other, double unit, bool isBetweenStops)
+{
+    CHECK(one.periodicity == Approx(other.residuals.periodicity));
+    CHECK(one.gap * unit == Approx(other.residuals.gap));
+    CHECK(one.pressure == Approx(2.0 * other.residuals.pressure));
+    CHECK(one.penetration * unit == Approx(other.residuals.penetration));
+    if (isBetweenStops) {  // it does not go on from inside a stop
+        CHECK(one.march == Approx(other.residuals.march));
+    }
+}
+
+void checkAlike(const Extremes& one, const Extremes& other)
+{
+    CHECK(one.period == Approx(other.period));
+    CHECK(one.contactTime == Approx(other.contactTime));
+    CHECK(one.peakForce == Approx(other.peakForce));
+    CHECK(one.impulse == Approx(other.impulse));
+    CHECK(one.approachSpeed == Approx(other.approachSpeed));
+    CHECK(one.peakCompression == Approx(other.peakCompression));
+    CHECK(one.peakTension == Approx(other.peakTension));
+    CHECK(one.lowestTip == Approx(other.lowestTip));
+}
+
 }  // namespace
 
 TEST_CASE("march: equal segments, checked cell by cell, are the uniform bar")
@@ -211,6 +245,13 @@ TEST_CASE("march: equal segments, checked cell by cell, are the uniform bar")
         const Verification uniform = verify(state, schedule);
         const Verification seen = verifyStepped(state, schedule, pieces(draw, cells)).seen;
         checkAlike(seen, uniform);
+        if (amplitude(state) > 0.0) {
+            const double tip = (state.b - state.a).mean();
+            checkAlike(unforced(state, schedule), seen,
+                       schedule.stops.right != 0 ? 1.0 : amplitude(state),
+                       tip <= schedule.stops.right &&
+                           !(schedule.stops.left && tip < -schedule.stops.left->value()));
+        }
         if (seen.repetitions == 1 && uniform.repetitions == 1) {
             REQUIRE(seen.canonical == uniform.canonical);
         }
@@ -239,15 +280,10 @@ TEST_CASE("march: of motions of equal segments the extremes are those of the uni
         CHECK(seen.canonical == uniform.canonical);
         CHECK(seen.repetitions == uniform.repetitions);
         CHECK(seen.peakStrain == Approx(uniform.peakStrain));
-        const Extremes expected = extremesOf(state, schedule, uniform.repetitions);
-        CHECK(extremes.period == Approx(expected.period));
-        CHECK(extremes.contactTime == Approx(expected.contactTime));
-        CHECK(extremes.peakForce == Approx(expected.peakForce));
-        CHECK(extremes.impulse == Approx(expected.impulse));
-        CHECK(extremes.approachSpeed == Approx(expected.approachSpeed));
-        CHECK(extremes.peakCompression == Approx(expected.peakCompression));
-        CHECK(extremes.peakTension == Approx(expected.peakTension));
-        CHECK(extremes.lowestTip == Approx(expected.lowestTip));
+        checkAlike(extremes, extremesOf(state, schedule, uniform.repetitions));
+        const ForcedWalk walk = unforced(state, schedule);
+        CHECK(walk.worst() < 1e-12);
+        checkAlike(walk.extremes, extremesOf(state, schedule, 1));
     });
     CHECK(motions > 100);
 }
