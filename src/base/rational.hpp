@@ -35,7 +35,7 @@ struct Homogeneous {
 std::vector<std::size_t> reduceRows(std::vector<RationalVector>& rows, std::size_t columns);
 
 /// Some x with M x = rhs for a matrix given by rows of `size` entries, 0 where it is free; empty if
-/// there is none. O(rows size rank).
+/// there is none. Rows that share no unknowns are solved apart. O(rows^2 size).
 [[nodiscard]] std::optional<RationalVector> solveSome(std::vector<RationalVector> rows,
                                                       RationalVector rhs, std::size_t size);
 

@@ -92,6 +92,16 @@ std::optional<RationalProof> proofOf(const std::vector<SteppedCondition>& confli
             support.inequalities.push_back(static_cast<Eigen::Index>(row));
         }
     }
+    const auto proof = [&]() -> std::optional<RationalProof> {
+        auto found = exactMultipliers(program, support);
+        return found && isProof(*found, program) ? std::move(found) : std::nullopt;
+    };
+    if (conflict.empty()) {
+        // Where all waves are 0 no flight is needed, and types know nothing of each other.
+        if (auto found = proof()) {
+            return found;
+        }
+    }
     for (const auto& [unknown, block] : posed.prefixes) {
         const double lower = program.lower[unknown];
         const double upper = program.upper[unknown];
@@ -106,8 +116,7 @@ std::optional<RationalProof> proofOf(const std::vector<SteppedCondition>& confli
             support.bounds.push_back({unknown, lower});
         }
     }
-    auto proof = exactMultipliers(program, support);
-    return proof && isProof(*proof, program) ? std::move(proof) : std::nullopt;
+    return proof();
 }
 
 Reason reasonOf(const std::vector<SteppedCondition>& conflict, const SteppedBlocks& blocks,

@@ -27,7 +27,8 @@ RationalVector drawRow(std::mt19937_64& generator, std::size_t size)
     std::uniform_int_distribution<int> denominator(1, 4);
     RationalVector row;
     for (std::size_t k = 0; k < size; ++k) {
-        row.emplace_back(numerator(generator), denominator(generator));
+        row.emplace_back(numerator(generator));
+        row.back() /= denominator(generator);
     }
     return row;
 }
@@ -58,6 +59,39 @@ TEST_CASE("rational: the solution of regular equations solves them without a rem
         for (std::size_t k = 0; k < size; ++k) {
             REQUIRE(dot(rows[k], x) == rhs[k]);
         }
+    }
+}
+
+TEST_CASE("rational: equations that hang together a little have a solution, or none")
+{
+    std::mt19937_64 generator(3);
+    for (int trial = 0; trial < 500; ++trial) {
+        const auto size = static_cast<std::size_t>(1 + trial % 14);
+        const std::size_t count = trial % 2 == 0 ? size : 1 + generator() % 14;
+        std::vector<RationalVector> rows = drawRows(generator, count, size);
+        const std::uint64_t zeros = trial % 4 < 2 ? 2 : 0;  // of three entries
+        for (RationalVector& row : rows) {
+            for (Rational& entry : row) {
+                if (generator() % 3 < zeros) {
+                    entry = Rational();
+                }
+            }
+        }
+        const RationalVector known = drawRow(generator, size);
+        RationalVector rhs;
+        for (const RationalVector& row : rows) {
+            rhs.push_back(dot(row, known));
+        }
+        const auto x = solveSome(rows, rhs, size);
+        REQUIRE(x);
+        for (std::size_t k = 0; k < count; ++k) {
+            REQUIRE(dot(rows[k], *x) == rhs[k]);
+        }
+        // A row again, with another right side.
+        rows.push_back(rows[generator() % count]);
+        rhs.push_back(dot(rows.back(), known));
+        rhs.back() += 1;
+        REQUIRE_FALSE(solveSome(rows, rhs, size));
     }
 }
 
