@@ -59,7 +59,8 @@ public:
     /// Every multiplier that follows from others. \throws std::logic_error for a closed circle.
     void follow()
     {
-        for (const Eigen::Index row : followingRows(program_, support_.isOpen)) {
+        order_ = followingRows(program_, support_.isOpen);
+        for (const Eigen::Index row : order_) {
             determine(row);
         }
     }
@@ -85,16 +86,37 @@ public:
         return solveSome(std::move(rows), std::move(rhs), parameters_);
     }
 
+    /// Follows the chain once more, in numbers: that is less work than to put them into the forms.
     [[nodiscard]] RationalProof proofOf(const RationalVector& values) const
     {
-        RationalProof proof;
-        for (std::size_t row = 0; row < multipliers_.size(); ++row) {
+        const auto at = [&values](const Form& form) {
             Rational sum = 0;
-            for (const auto& [parameter, factor] : multipliers_[row]) {
+            for (const auto& [parameter, factor] : form) {
                 sum += factor * values[parameter];
             }
-            if (!sum.is_zero()) {
-                proof.equalities.push_back({static_cast<std::int64_t>(row), sum.str()});
+            return sum;
+        };
+        RationalVector multipliers(multipliers_.size());
+        for (std::size_t row = 0; row < multipliers.size(); ++row) {
+            if (!isFollowing(static_cast<Eigen::Index>(row))) {
+                multipliers[row] = at(multipliers_[row]);
+            }
+        }
+        for (const Eigen::Index row : order_) {
+            Rational sum = at(given_[static_cast<std::size_t>(row)]);
+            for (Columns::InnerIterator entry(equal_, row); entry; ++entry) {
+                if (entry.row() != row) {
+                    sum += Rational(entry.value()) *
+                           multipliers[static_cast<std::size_t>(entry.row())];
+                }
+            }
+            multipliers[static_cast<std::size_t>(row)] = -sum / Rational(equal_.coeff(row, row));
+        }
+        RationalProof proof;
+        for (std::size_t row = 0; row < multipliers.size(); ++row) {
+            if (!multipliers[row].is_zero()) {
+                proof.equalities.push_back(
+                    {static_cast<std::int64_t>(row), multipliers[row].str()});
             }
         }
         for (std::size_t k = 0; k < support_.inequalities.size(); ++k) {
@@ -153,6 +175,7 @@ private:
     const Program& program_;
     const ProofSupport& support_;
     Columns equal_;
+    std::vector<Eigen::Index> order_;  ///< of rows that follow
     std::vector<Form> multipliers_;
     std::vector<Form> given_;
     std::size_t parameters_ = 0;
