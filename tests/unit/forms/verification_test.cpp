@@ -1,12 +1,14 @@
 #include "signorini/verification.hpp"
 
 #include <cmath>
+#include <random>
 
 #include "arrivals.hpp"
 #include "catch.hpp"
 #include "equations.hpp"
 #include "propagation.hpp"
 #include "signorini/demands.hpp"
+#include "signorini/lumped_set.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "support.hpp"
 
@@ -190,4 +192,86 @@ TEST_CASE("verification: beside the schedule or alone, the march sees the same")
             CHECK(seen.peakStrain == extremesOf(state, schedule).peakCompression);
         }
     }
+}
+
+TEST_CASE("verification: the worst residual is the worst of all")
+{
+    for (double Residuals::*which :
+         {&Residuals::periodicity, &Residuals::gap, &Residuals::pressure, &Residuals::penetration,
+          &Residuals::march, &Residuals::demands}) {
+        Residuals residuals;
+        CHECK(residuals.worst() == 0.0);
+        residuals.*which = 0.25;
+        CHECK(residuals.worst() == 0.25);
+    }
+}
+
+TEST_CASE("verification: no steps change nothing, and an exact motion is one without tolerance")
+{
+    const State state = test::randomState(5, 3);
+    const March still = march(state, 0);
+    CHECK(still.residual == 0.0);
+    CHECK(still.phases.empty());
+
+    const Schedule twice{8, {{5, 23}, {5, 23}}};
+    const State motion = leastEnergyMotion(onePhaseSet(onePhase(8, 5, 23)));
+    const Verification seen = verify(motion, twice, 0.0);
+    CHECK(seen.repetitions == 2);
+}
+
+TEST_CASE("verification: equal contacts are one motion twice only if the state comes back")
+{
+    std::mt19937_64 draw(7);
+    int once = 0;
+    int twice = 0;
+    test::forAllSchedules(9, 9, [&](const Schedule& single) {
+        Schedule doubled = single;
+        doubled.phases.push_back(single.phases.front());
+        const LumpedSet set = lumpedSet(doubled);
+        if (set.absence) {
+            return;
+        }
+        INFO(describe(doubled));
+        // Amplitudes of the same sums, all pressing: the contacts last equally long whatever they
+        // are.
+        std::vector<double> z(static_cast<std::size_t>(set.classes.classes), 0.0);
+        for (std::size_t i = 0; i < set.live.size(); ++i) {
+            const ClassType& type = set.classes.types[set.live[i]];
+            double* const first = z.data() + type.first;
+            double sum = 0.0;
+            for (std::int64_t j = 0; j < type.count; ++j) {
+                first[j] = type.kind == TypeKind::pressing
+                               ? std::uniform_real_distribution<double>(0.5, 1.5)(draw)
+                               : 1.0;
+                sum += first[j];
+            }
+            for (std::int64_t j = 0; j < type.count; ++j) {
+                first[j] *= set.leastSums[i] / sum;
+            }
+        }
+        for (const State& state : {motionOf(set.classes, z), equalMotion(set, set.leastSums)}) {
+            const bool returns = verify(state, single).residuals.worst() < 1e-12;
+            const Verification seen = verify(state, doubled);
+            REQUIRE(seen.residuals.worst() < 1e-12);
+            REQUIRE(seen.repetitions % 2 == (returns ? 0 : 1));
+            ++(returns ? twice : once);
+        }
+    });
+    CHECK(once > 10);
+    CHECK(twice > 20);
+}
+
+TEST_CASE("verification: what proves nothing is no proof")
+{
+    Schedule schedule = onePhase(4, 3, 13);
+    CHECK_FALSE(isProof(FarkasCertificate{}, schedule));
+    schedule.stops.right = 0;
+    CHECK_FALSE(isProof(FarkasCertificate{}, schedule));
+
+    // A proof beside one stop says nothing of two: there are rows with other right sides.
+    const auto proof = [](const Schedule& asked) { return proveAbsence(onePhaseSet(asked)); };
+    Schedule alone = onePhase(4, 3, 12);
+    CHECK(isProof(proof(alone), alone));
+    alone.stops.left = Fraction{3, 1};
+    CHECK_FALSE(isProof(proof(onePhase(4, 3, 12)), alone));
 }
