@@ -177,3 +177,34 @@ TEST_CASE("modes: the state on cells holds the mean of velocity and strain, and 
     }
     CHECK_THROWS_WITH(cellMeans(motion, 0), containsText("cells = 0"));
 }
+
+TEST_CASE("modes: a contact holds its first instant and not its last, in every period")
+{
+    for (const Mode& mode : findModes(upTo(7))) {
+        const double period = periodAt(mode, 0.4);
+        const ModeMotion motion(mode, period);
+        const double force = 2.0 * motion.amplitude();
+        INFO(mode.a << " " << mode.b);
+        for (const double turns : {-2.0, -1.0, 0.0, 1.0, 2.0}) {
+            REQUIRE(motion.wallForce(turns * period) == force);
+        }
+        const double end = motion.contacts().front().second;
+        REQUIRE(motion.wallForce(std::nextafter(end, 0.0)) == force);
+        REQUIRE(motion.wallForce(end) == 0.0);
+        // So little before 0 that one period later is the period: nothing has been added to p yet.
+        const double before = -1e-20;
+        REQUIRE(before + period == period);
+        REQUIRE(motion.wallForce(before) == motion.wallForce(before + period));
+        REQUIRE(motion.meanIncoming(before, 0.5 * end) == Approx(motion.amplitude()));
+    }
+}
+
+TEST_CASE("modes: on one cell the state has the displacement of the tip")
+{
+    for (const Mode& mode : findModes(upTo(5))) {
+        const ModeMotion motion(mode, periodAt(mode, 0.6));
+        const State state = cellMeans(motion, 1);
+        REQUIRE(state.a.size() == 1);
+        CHECK(displacement(state)[0] == Approx(motion.displacement(1.0, 0.0)));
+    }
+}

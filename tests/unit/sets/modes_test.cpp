@@ -101,6 +101,14 @@ TEST_CASE("modes: the closed families have exactly the known intervals and energ
         CHECK(mode.lowestEnd ==
               (expected.kappa > 0 ? ModeEnd::energyInfinite : ModeEnd::jumpsMeet));
     }
+    // No other mode has a name.
+    std::set<std::string> names;
+    for (const Mode& mode : modes) {
+        if (const std::string family = familyName(mode); - mode.b < 41 && !family.empty()) {
+            CHECK(names.insert(family).second);
+        }
+    }
+    CHECK(names.size() == known.size() - 1);  // one of them has none
 }
 
 TEST_CASE("modes: 29 within the default bounds, 73 of order 25 whatever the energy")
@@ -362,4 +370,35 @@ TEST_CASE("modes: wrong bounds, periods and grids are refused by name")
     CHECK_THROWS_AS(scheduleOf(mode, 10, std::numeric_limits<std::int64_t>::max()),
                     std::invalid_argument);
     CHECK(scheduleOf(mode, 10, 31) == onePhase(10, 9, 22));
+    // The coarsest and the finest grid; on one cell no mode has a period.
+    CHECK_THROWS_WITH(scheduleOf(mode, 1, 3), containsText("steps = 3"));
+    CHECK(scheduleOf(mode, maxCells, maxCells / 2 * 7) ==
+          onePhase(maxCells, maxCells / 2, 3 * maxCells));
+    CHECK_FALSE(findMode(1, -maxFamilyOrder));  // even
+    CHECK_THROWS_WITH(findMode(1, -maxFamilyOrder - 1), containsText("b = "));
+}
+
+TEST_CASE("modes: a longest period or a highest energy at an end of a mode does not list it")
+{
+    // Energies of 4 - T fall to 1 at T = 4.
+    CHECK(findModes({.maxOrder = 25, .maxPeriod = 4.0, .maxEnergyRatio = 1.0}).empty());
+    CHECK(findModes({.maxOrder = 25, .maxPeriod = 4.0, .maxEnergyRatio = 1.0 + 1e-15}).size() == 1);
+    std::set<ModeEnd> ends;
+    for (const Mode& mode : findModes(upTo(61))) {
+        const std::int64_t q = mode.lowest.denominator;
+        if ((q & (q - 1)) != 0) {
+            continue;  // no double
+        }
+        ModeBounds bounds = upTo(-mode.b);
+        bounds.maxPeriod = mode.lowest.value();
+        INFO(mode.a << " " << mode.b << " above " << bounds.maxPeriod);
+        const std::vector<Mode> at = findModes(bounds);
+        REQUIRE(std::find(at.begin(), at.end(), mode) == at.end());
+        bounds.maxPeriod = std::nextafter(bounds.maxPeriod, 8.0);
+        const std::vector<Mode> above = findModes(bounds);
+        // Where the energy becomes infinite it is beyond 1e300 nowhere that close.
+        REQUIRE(std::find(above.begin(), above.end(), mode) != above.end());
+        ends.insert(mode.lowestEnd);
+    }
+    CHECK(ends.size() == 2);
 }
