@@ -2,6 +2,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <random>
 
 #include "catch.hpp"
 #include "modes_support.hpp"
@@ -266,4 +267,57 @@ TEST_CASE("polytopes: on 11 cells three equal contacts are isolated motions, man
     CHECK(found.count({{3, 28}, {3, 36}, {3, 38}}) == 1);
     CHECK(found.count({{3, 30}, {3, 34}, {3, 38}}) == 1);
     CHECK(found.count({{3, 30}, {3, 36}, {3, 36}}) == 1);
+}
+
+TEST_CASE("polytopes: a schedule is in one exactly if it presses and repeats none")
+{
+    std::mt19937_64 generator(21);
+    int inside = 0;
+    int outside = 0;
+    const auto compare = [&](const Schedule& schedule) {
+        if (std::gcd(2 * schedule.cells, steps(schedule)) != 1) {
+            return;
+        }
+        INFO(describe(schedule));
+        const bool isMotion = pressingSum(schedule) > 0 && !repeatsItself(schedule.phases);
+        REQUIRE(polytopeOf(schedule).has_value() == isMotion);
+        ++(isMotion ? inside : outside);
+    };
+    for (std::int64_t contact = 1; contact <= 10; ++contact) {
+        for (std::int64_t free = 1; free <= 20; ++free) {
+            compare({5, {{contact, free}}});
+            for (std::int64_t c = 1; c <= 3; ++c) {
+                for (std::int64_t f = 1; f <= 12; ++f) {
+                    compare({3, {{contact, free}, {c, f}}});
+                }
+            }
+        }
+    }
+    // Those that press, and all that differ from them by a step.
+    for (const auto& [phases, sum] : pressing(2, 13, 26, 52)) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            for (std::int64_t d = -2; d <= 2; ++d) {
+                for (std::int64_t e = -2; e <= 2; ++e) {
+                    Schedule schedule{13, phases};
+                    schedule.phases[i].contact += d;
+                    schedule.phases[1 - i].free += e;
+                    if (schedule.phases[i].contact > 0 && schedule.phases[1 - i].free > 0) {
+                        compare(schedule);
+                    }
+                }
+            }
+        }
+    }
+    const auto length = [&generator](std::int64_t most) {
+        return std::uniform_int_distribution<std::int64_t>(1, most)(generator);
+    };
+    for (int k = 0; k < 3000; ++k) {
+        Schedule schedule{length(9), {}};
+        for (std::int64_t l = 1 + length(3); l > 0; --l) {
+            schedule.phases.push_back({length(3), length(4 * schedule.cells)});
+        }
+        compare(schedule);
+    }
+    CHECK(inside > 10);
+    CHECK(outside > 1000);
 }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "catch.hpp"
+#include "mode_chains.hpp"
 #include "modes_support.hpp"
 #include "signorini/lumped_set.hpp"
 #include "signorini/modes.hpp"
@@ -42,6 +43,59 @@ double randomPeriod(const ModePolytope& polytope, std::mt19937_64& generator)
     return std::uniform_real_distribution<double>(
         std::lerp(polytope.lowest.value(), polytope.highest.value(), 0.02),
         std::lerp(polytope.lowest.value(), polytope.highest.value(), 0.98))(generator);
+}
+
+/// Turns of a chain as they are if arrival `first` is number 0, from where it begins and ends.
+std::int64_t turnsFrom(const std::vector<double>& arrivals, const std::vector<double>& releases,
+                       double period, const ModeChain& chain, std::size_t i, std::size_t first)
+{
+    const auto since = [&](double t) {
+        return t < arrivals[first] ? t + period - arrivals[first] : t - arrivals[first];
+    };
+    return std::llround(
+        (since(arrivals[i]) + 2.0 * static_cast<double>(chain.k) - since(releases[chain.release])) /
+        period);
+}
+
+/// The chains of a polytope as they are if arrival `first` is number 0.
+std::vector<ModeChain> chainsFrom(const ModePolytope& polytope, std::size_t first)
+{
+    const double period = 0.5 * (polytope.lowest.value() + polytope.highest.value());
+    std::mt19937_64 generator(first);
+    const std::vector<double> times = stretches(polytope, randomPoint(polytope, period, generator));
+    std::vector<double> arrivals;
+    std::vector<double> releases;
+    double at = 0.0;
+    for (std::size_t l = 0; l < polytope.chains.size(); ++l) {
+        arrivals.push_back(at);
+        releases.push_back(at + times[2 * l]);
+        at += times[2 * l] + times[2 * l + 1];
+    }
+    const std::size_t count = polytope.chains.size();
+    std::vector<ModeChain> chains;
+    for (std::size_t place = 0; place < count; ++place) {
+        const std::size_t i = (first + place) % count;
+        const ModeChain& chain = polytope.chains[i];
+        chains.push_back({(chain.release + count - first) % count, chain.k,
+                          turnsFrom(arrivals, releases, period, chain, i, first)});
+    }
+    return chains;
+}
+
+/// k, turns and release of all, in this order.
+std::vector<std::int64_t> nameOf(const std::vector<ModeChain>& chains)
+{
+    std::vector<std::int64_t> name;
+    for (const ModeChain& chain : chains) {
+        name.push_back(chain.k);
+    }
+    for (const ModeChain& chain : chains) {
+        name.push_back(chain.turns);
+    }
+    for (const ModeChain& chain : chains) {
+        name.push_back(static_cast<std::int64_t>(chain.release));
+    }
+    return name;
 }
 
 }  // namespace
@@ -218,4 +272,163 @@ TEST_CASE("polytopes: what is wrong is refused by name")
     ModeBounds bounds;
     bounds.cancel = [] { return true; };
     CHECK(findPolytopes(2, bounds).empty());
+}
+
+TEST_CASE("polytopes: stretches fill the period, and none is empty")
+{
+    std::mt19937_64 generator(19);
+    for (const auto& [phases, order] : {std::pair{2, 13}, std::pair{3, 7}, std::pair{4, 3}}) {
+        for (const ModePolytope& polytope : findPolytopes(phases, anyEnergy(order))) {
+            const double period = randomPeriod(polytope, generator);
+            const auto times = stretches(polytope, randomPoint(polytope, period, generator));
+            REQUIRE(times.size() == static_cast<std::size_t>(2 * phases));
+            REQUIRE(*std::min_element(times.begin(), times.end()) > 0.0);
+            REQUIRE(std::accumulate(times.begin(), times.end(), 0.0) == Approx(period));
+        }
+    }
+}
+
+TEST_CASE("polytopes: with four contacts, too, no more times are free than the theory allows")
+{
+    const auto all = findPolytopes(4, anyEnergy(5));
+    CHECK(all.size() == 18);
+    std::vector<int> free(4);
+    for (const ModePolytope& polytope : all) {
+        requireTheorems(polytope);
+        ++free[static_cast<std::size_t>(polytope.dimension)];
+    }
+    CHECK(free == std::vector<int>{8, 8, 2, 0});
+}
+
+TEST_CASE("polytopes: an isolated one does not repeat fewer contacts")
+{
+    for (const auto& [phases, order] :
+         {std::pair{2, 9}, std::pair{3, 9}, std::pair{4, 3}, std::pair{5, 1}}) {
+        for (const ModePolytope& polytope : findPolytopes(phases, anyEnergy(order))) {
+            const double period = 0.5 * (polytope.lowest.value() + polytope.highest.value());
+            const auto times = stretches(polytope, slice(polytope, period).front());
+            INFO(phases << " " << polytope.order << " " << sumOfK(polytope));
+            for (std::size_t shift = 2; shift < times.size() && polytope.dimension == 0;
+                 shift += 2) {
+                bool isSame = true;
+                for (std::size_t i = 0; i < times.size(); ++i) {
+                    isSame =
+                        isSame && std::abs(times[i] - times[(i + shift) % times.size()]) < 1e-9;
+                }
+                REQUIRE_FALSE(isSame);
+            }
+        }
+    }
+}
+
+TEST_CASE("polytopes: a type has its name from each arrival, and is listed under the largest")
+{
+    for (const auto& [phases, order] : {std::pair{2, 13}, std::pair{3, 9}, std::pair{4, 5}}) {
+        for (const ModePolytope& polytope : findPolytopes(phases, anyEnergy(order))) {
+            const auto own = nameOf(polytope.chains);
+            for (std::size_t first = 0; first < polytope.chains.size(); ++first) {
+                const auto name = nameOf(chainsFrom(polytope, first));
+                INFO("order " << polytope.order << " from " << first);
+                REQUIRE(name == nameFrom(polytope.chains, first));
+                REQUIRE(name <= own);
+            }
+        }
+    }
+}
+
+TEST_CASE("polytopes: of one type are those of the list, whichever arrival is the first")
+{
+    for (const auto& [phases, order] : {std::pair{1, 13}, std::pair{2, 9}, std::pair{3, 7}}) {
+        const auto all = findPolytopes(phases, anyEnergy(order));
+        for (const ModePolytope& polytope : all) {
+            std::vector<ModePolytope> expected;
+            std::copy_if(all.begin(), all.end(), std::back_inserter(expected),
+                         [&](const ModePolytope& p) { return p.chains == polytope.chains; });
+            INFO("order " << polytope.order << ", " << sumOfK(polytope) << " jumps");
+            REQUIRE(polytopesOf(polytope.chains) == expected);
+            for (std::size_t first = 1; first < polytope.chains.size(); ++first) {
+                const auto turned = polytopesOf(chainsFrom(polytope, first));
+                REQUIRE(turned.size() == expected.size());
+                for (const ModePolytope& other : turned) {
+                    REQUIRE(std::any_of(
+                        expected.begin(), expected.end(), [&other](const ModePolytope& p) {
+                            return p.lowest == other.lowest && p.highest == other.highest &&
+                                   p.kappa == other.kappa && p.mu == other.mu &&
+                                   p.divisor == other.divisor;
+                        }));
+                }
+            }
+        }
+    }
+    // Types that are not in the list have no motions.
+    std::set<std::vector<std::int64_t>> names;
+    for (const ModePolytope& polytope : findPolytopes(2, anyEnergy(7))) {
+        names.insert(nameOf(polytope.chains));
+        names.insert(nameOf(chainsFrom(polytope, 1)));
+    }
+    std::size_t met = 0;
+    for (std::int64_t k = 2; k <= 14; k += 2) {
+        for (std::int64_t l = 2; l <= 14; l += 2) {
+            for (std::int64_t turns = 0; turns < 36; ++turns) {
+                const std::vector<ModeChain> chains{{1, k, turns % 6}, {0, l, turns / 6}};
+                const bool isListed = names.count(nameOf(chains)) == 1;
+                if (turns % 6 + turns / 6 > 7) {
+                    continue;  // not among the names
+                }
+                INFO(k << "/" << turns % 6 << ", " << l << "/" << turns / 6);
+                REQUIRE(polytopesOf(chains).empty() != isListed);
+                met += isListed ? 1 : 0;
+            }
+        }
+    }
+    CHECK(met > 10);
+}
+
+TEST_CASE("polytopes: a type that cannot be is refused by name")
+{
+    CHECK_THROWS_WITH(polytopesOf({}), Catch::Contains("phases = 0"));
+    CHECK_THROWS_WITH(polytopesOf({{0, 0, 1}}), Catch::Contains("k = 0"));
+    CHECK_THROWS_WITH(polytopesOf({{0, 3, 1}}), Catch::Contains("k = 3"));
+    CHECK_THROWS_WITH(polytopesOf({{0, 10'002, 1}}), Catch::Contains("k = 10002"));
+    CHECK_THROWS_WITH(polytopesOf({{0, 2, -1}}), Catch::Contains("turns = -1"));
+    CHECK_THROWS_WITH(polytopesOf({{0, 2, 10'001}}), Catch::Contains("turns = 10001"));
+    CHECK_THROWS_WITH(polytopesOf({{1, 2, 1}}), Catch::Contains("release = 1"));
+    CHECK_THROWS_WITH(polytopesOf({{1, 2, 1}, {1, 2, 2}}), Catch::Contains("release = 1"));
+    CHECK_THROWS_WITH(polytopesOf({{0, 2, 1}, {0, 2, 2}}), Catch::Contains("release = 0"));
+    // The largest numbers are heard: such motions would last too long, or not at all.
+    CHECK(polytopesOf({{0, 10'000, 1}}).empty());
+    CHECK(polytopesOf({{1, 2, 10'000}, {0, 2, 1}}).empty());
+    CHECK(polytopesOf({{1, 2, 0}, {0, 2, 1}}).empty());
+}
+
+TEST_CASE("polytopes: their ends are no members")
+{
+    const ModePolytope polytope = findPolytopes(1, anyEnergy(1)).front();
+    REQUIRE(polytope.lowest == ExactPeriod{3, 1});
+    REQUIRE(polytope.highest == ExactPeriod{4, 1});
+    for (const double period : {3.0, 4.0}) {
+        CHECK_THROWS_AS(slice(polytope, period), std::invalid_argument);
+        CHECK_THROWS_AS(energyRatio(polytope, period), std::invalid_argument);
+    }
+    CHECK_NOTHROW(slice(polytope, std::nextafter(3.0, 4.0)));
+    CHECK_NOTHROW(slice(polytope, std::nextafter(4.0, 3.0)));
+    // Contacts last s + 4 - 2T and 4 - T - s, here 1/8 together: either may not be empty.
+    const ModePolytope pair = findPolytopes(2, anyEnergy(3)).front();
+    REQUIRE(pair.chains == std::vector<ModeChain>{{1, 2, 1}, {0, 2, 2}});
+    CHECK_NOTHROW(ModeMotion(pair, {2.625, {1.3125}}));
+    CHECK_THROWS_WITH(ModeMotion(pair, {2.625, {1.25}}), Catch::Contains("outside"));
+    CHECK_THROWS_WITH(ModeMotion(pair, {2.625, {1.375}}), Catch::Contains("outside"));
+    CHECK_THROWS_WITH(stretches(pair, {2.625, {}}), Catch::Contains("1 numbers"));
+}
+
+TEST_CASE("polytopes: progress is measured by the work that an order takes")
+{
+    ModeBounds bounds = anyEnergy(5);
+    std::vector<double> shares;
+    bounds.progress = [&shares](double done, double total) { shares.push_back(done / total); };
+    (void)findPolytopes(2, bounds);
+    REQUIRE(shares.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(shares[i] == Approx(std::pow((2.0 * static_cast<double>(i) + 1.0) / 5.0, 4)));
+    }
 }
