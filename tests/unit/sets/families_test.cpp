@@ -487,8 +487,7 @@ TEST_CASE("families: with a gap of any sign the triples of the definition, and t
     }
 }
 
-TEST_CASE(
-    "families: whose tip never leaves the wall it stays there, on every grid but the coarsest")
+TEST_CASE("families: those whose tip never leaves the wall are on every grid but the coarsest")
 {
     for (const std::int64_t w : {1, 2, 3, 10}) {
         const Family held{w, 1, 1, w};
