@@ -1,11 +1,14 @@
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
 #include <vector>
 
 #include "catch.hpp"
 #include "formulation.hpp"
 #include "lumped_support.hpp"
+#include "scene_oracle.hpp"
 #include "signorini/lumped_set.hpp"
 #include "solver.hpp"
 
@@ -60,6 +63,27 @@ public:
                 known.push_back(*c);
             }
         }
+    }
+
+    /// Vertices that random functionals are least at: all of them, if they are few.
+    std::size_t vertices(std::mt19937_64& generator, int functionals)
+    {
+        std::normal_distribution<double> normal;
+        std::vector<Eigen::VectorXd> found;
+        for (int k = 0; k < functionals; ++k) {
+            Eigen::VectorXd cost(formulated_.program.variables());
+            std::generate(cost.begin(), cost.end(), [&] { return normal(generator); });
+            const auto vertex = extreme(masked(cost));
+            REQUIRE(vertex);
+            const Eigen::VectorXd amplitudes = masked(*vertex);
+            const bool isNew = std::none_of(
+                found.begin(), found.end(),
+                [&](const Eigen::VectorXd& other) { return (other - amplitudes).norm() < 1e-6; });
+            if (isNew) {
+                found.push_back(amplitudes);
+            }
+        }
+        return found.size();
     }
 
 private:
@@ -123,4 +147,37 @@ TEST_CASE("lumped set: the dimension is that of brute force in class amplitudes"
         varying += shape.spanning.size() > 1 ? 1 : 0;
     }
     CHECK(varying > 80);
+}
+
+TEST_CASE("lumped set: with other stops dimension and vertices are those of brute force", "[glpk]")
+{
+    std::mt19937_64 generator(32);
+    const std::vector<Stops> scenes{{1, {}},          {-1, {}},         {1, Fraction{3, 2}},
+                                    {0, Fraction{3}}, {0, Fraction{5}}, {-1, Fraction{4}}};
+    int varying = 0;
+    std::map<SetKind, int> seen;
+    for (std::size_t trial = 0; trial < 9000; ++trial) {
+        const Stops& stops = scenes[trial % scenes.size()];
+        const Schedule schedule = stops == Stops{} ? test::nearMultiples(generator, 8, 4)
+                                                   : test::randomScene(generator, stops, 6);
+        const LumpedSet set = lumpedSet(schedule);
+        if (set.absence) {
+            continue;
+        }
+        const LumpedShape shape = shapeOf(set);
+        INFO(describe(schedule) << " gap " << schedule.stops.right);
+        BruteForceHull hull(formulate(schedule, Formulation::reduced));
+        REQUIRE(hull.dimension() == shape.dimension);
+        if (shape.dimension > 0 && shape.dimension < 5 && shape.kind != SetKind::box) {
+            const auto simplex = static_cast<std::size_t>(shape.dimension) + 1;
+            const std::size_t vertices = hull.vertices(generator, 50);
+            CHECK(vertices >= simplex);
+            CHECK((shape.kind == SetKind::simplex) == (vertices == simplex));
+        }
+        varying += shape.spanning.size() > 1 ? 1 : 0;
+        ++seen[shape.kind];
+    }
+    CHECK(varying > 10);
+    CHECK(seen[SetKind::simplex] > 50);
+    CHECK(seen[SetKind::polytope] > 10);
 }

@@ -1,6 +1,7 @@
 #include "signorini/lumped_set.hpp"
 #include "infeasibility.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "formulation.hpp"
 #include "lumped_proof.hpp"
 #include "lumped_support.hpp"
+#include "scene_oracle.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/verification.hpp"
 #include "solver.hpp"
@@ -301,7 +303,9 @@ TEST_CASE("lumped set: misuse is refused")
     const LumpedSet none = lumpedSet(Schedule{4, {{1, 1}, {1, 1}}});
     std::mt19937_64 generator(1);
     CHECK_THROWS_AS(equalMotion(set, std::vector<double>(3)), std::invalid_argument);
-    CHECK_THROWS_AS(amplitudesAt(set, set.leastSums, 9), std::invalid_argument);
+    REQUIRE(set.live.size() == 2);
+    CHECK_THROWS_AS(amplitudesAt(set, set.leastSums, 2), std::invalid_argument);
+    CHECK_THROWS_WITH(amplitudesAt(set, set.leastSums, 2), "index = 2: allowed 0..1");
     CHECK_THROWS_AS(motionOf(set.classes, std::vector<double>(1)), std::invalid_argument);
     CHECK_THROWS_AS(equalMotion(none, std::vector<double>(2)), std::invalid_argument);
     CHECK_THROWS_AS(drawMotion(none, shapeOf(none), generator), std::invalid_argument);
@@ -309,4 +313,75 @@ TEST_CASE("lumped set: misuse is refused")
         proofOf(set, formulate(Schedule{4, {{1, 12}, {3, 12}}}, Formulation::lumped).program),
         std::invalid_argument);
     CHECK(shapeOf(none).dimension == -1);
+}
+
+TEST_CASE("lumped set: between two stops at any distance, verified or proved absent")
+{
+    std::mt19937_64 generator(19);
+    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
+        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+    };
+    std::array<int, 2> found{};  // small fractions, and such that exact numbers leave 64 bits
+    for (std::int64_t trial = 0; trial < 8000; ++trial) {
+        const std::int64_t denominator =
+            trial % 2 == 0 ? draw(1, 3) : draw(1'000'000'000, 4'000'000'000);
+        const Schedule schedule = test::randomScene(
+            generator,
+            {static_cast<int>(trial % 3) - 1,
+             exactPeriod(2 * denominator + draw(1, 3 * denominator), denominator)},
+            6);
+        INFO(describe(schedule));
+        const LumpedSet set = lumpedSet(schedule);
+        if (set.absence) {
+            REQUIRE(isProvedEmpty(set, schedule));
+            continue;
+        }
+        const State state = equalMotion(set, set.leastSums);
+        REQUIRE(verify(state, schedule).residuals.worst() < 1e-12);
+        REQUIRE(energyRatio(state) == Approx(set.leastEnergy).epsilon(1e-12));
+        const LumpedShape shape = shapeOf(set);
+        REQUIRE(energyRatio(mostEnergyMotion(set, shape)) ==
+                Approx(shape.energy.most).epsilon(1e-12));
+        ++found[static_cast<std::size_t>(trial % 2)];
+    }
+    CHECK(found[0] > 100);
+    CHECK(found[1] > 100);
+}
+
+TEST_CASE("lumped set: as many live types as allowed, and one more")
+{
+    // Steps of contact and of flight in turn, one class each: waves that push in every period and
+    // never return in flight hold the tip on the wrong side of the gap.
+    const auto alternating = [](std::int64_t phases) {
+        return Schedule{phases, std::vector<Phase>(static_cast<std::size_t>(phases), Phase{1, 1})};
+    };
+    const LumpedSet most = lumpedSet(alternating(maxLiveTypes));
+    CHECK(most.live.size() == maxLiveTypes);
+    CHECK(most.absence);
+    CHECK_THROWS_AS(lumpedSet(alternating(maxLiveTypes + 1)), std::invalid_argument);
+}
+
+TEST_CASE("lumped set: touched often by the linear motion, and still one vertex where it is known")
+{
+    for (const std::int64_t touches : {12, 13}) {
+        // n = 4N: N touches in the first half of the period, and all classes between are live.
+        Schedule schedule{touches,
+                          std::vector<Phase>(static_cast<std::size_t>(touches), Phase{1, 1})};
+        schedule.phases.back().free = 2 * touches + 1;
+        const LumpedSet set = lumpedSet(schedule);
+        INFO(describe(schedule));
+        REQUIRE(set.live.size() == static_cast<std::size_t>(touches));
+        const LumpedShape shape = shapeOf(set);
+        CHECK(shape.kind == SetKind::point);
+        // All of the wave is in the last class: the others lie between two touches.
+        const double sum = -static_cast<double>(touches);
+        CHECK(shape.spanning.front().back() == sum);
+        CHECK(shape.energy.least == -2.0 * sum);
+        if (!shape.vertices.empty()) {
+            CHECK(shape.vertices == shape.spanning);
+            CHECK(shape.energy.most == shape.energy.least);
+        }
+        CHECK(shape.vertices.empty() == std::isnan(shape.energy.most));
+        CHECK(shape.vertices.empty() == (touches > 12));  // the most that they are listed for
+    }
 }

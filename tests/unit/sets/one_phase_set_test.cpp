@@ -1,6 +1,7 @@
 #include "signorini/one_phase_set.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <map>
 
 #include "catch.hpp"
@@ -220,4 +221,39 @@ TEST_CASE("one phase: what it cannot do is refused")
     CHECK_THROWS_AS(leastEnergyMotion(onePhaseSet(onePhase(2, 2, 4))), std::invalid_argument);
     CHECK_THROWS_AS(motionOf(onePhaseSet(onePhase(8, 5, 23)), std::vector{1.0}),
                     std::invalid_argument);
+}
+
+TEST_CASE("one phase: sums of epsilon are those of its signs, and 0 where nothing is live")
+{
+    OnePhaseSet r;
+    int dead = 0;
+    test::forAllSchedules(6, 3, [&](const Schedule& schedule) {
+        onePhaseSet(schedule, r);  // used again: nothing may be left of the schedule before
+        INFO(describe(schedule));
+        REQUIRE(r.signs.size() == static_cast<std::size_t>(r.kernelDimension == 0 ? 0 : r.members));
+        std::int64_t window = 0;
+        for (std::int64_t block = 0; !r.signs.empty() && block < r.window; ++block) {
+            window += r.signs[static_cast<std::size_t>(block % r.members)];
+        }
+        REQUIRE(r.windowSum == window);
+        std::int64_t prefix = 0;
+        std::int64_t worst = 0;
+        std::int64_t where = -1;
+        for (auto alpha = static_cast<std::size_t>(r.contactMembers); alpha < r.signs.size();
+             ++alpha) {
+            prefix += r.signs[alpha];
+            where = prefix > worst ? static_cast<std::int64_t>(alpha) : where;
+            worst = std::max(worst, prefix);
+        }
+        REQUIRE(r.worstPrefix == worst);
+        REQUIRE(r.worstBlock == where);
+        dead += r.kernelDimension == 0 ? 1 : 0;
+    });
+    CHECK(dead > 100);
+}
+
+TEST_CASE("one phase: a verdict that nobody has reached knows no motion")
+{
+    CHECK_THROWS_AS(energyRange(Verdict{}), std::invalid_argument);
+    CHECK_THROWS_AS(motionOf(OnePhaseSet{}, {}), std::invalid_argument);
 }
