@@ -361,6 +361,18 @@ TEST_CASE("lumped set: as many live types as allowed, and one more")
     CHECK_THROWS_AS(lumpedSet(alternating(maxLiveTypes + 1)), std::invalid_argument);
 }
 
+TEST_CASE("lumped set: as many blocks as allowed, and two more")
+{
+    // n = maxBlocks and gcd(2N, n) = 2. Both classes have an odd number of free steps: both are
+    // dead, which is seen at once.
+    const Schedule schedule{9'999'999, {{2, maxBlocks - 2}}};
+    REQUIRE(blockCount(schedule) == maxBlocks);
+    CHECK(lumpedSet(schedule).classes.kernelDimension == 0);
+    const Schedule larger{9'999'999, {{2, maxBlocks}}};
+    REQUIRE(blockCount(larger) > maxBlocks);
+    CHECK_THROWS_AS(lumpedSet(larger), std::invalid_argument);
+}
+
 TEST_CASE("lumped set: touched often by the linear motion, and still one vertex where it is known")
 {
     for (const std::int64_t touches : {12, 13}) {
