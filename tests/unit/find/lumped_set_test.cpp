@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "catch.hpp"
 #include "formulation.hpp"
@@ -396,4 +397,22 @@ TEST_CASE("lumped set: touched often by the linear motion, and still one vertex 
         CHECK(shape.vertices.empty() == std::isnan(shape.energy.most));
         CHECK(shape.vertices.empty() == (touches > 12));  // the most that they are listed for
     }
+}
+
+TEST_CASE("lumped set: a multiplier of a proof may be as large as integers are")
+{
+    // One live type, epsilon adding up to -8 over a window and to -7 over the first flight. Without
+    // a gap S is 0 and the flight to a stop at h > 0 does not close: 7/h times the gap row is 8
+    // times that of closing.
+    constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+    static_assert(most % 7 == 0);
+    const LumpedSet set =
+        lumpedSet(Schedule{8, {{1, 11}, {2, 13, Stop::left}}, {0, Fraction{1, most / 7}}});
+    REQUIRE(set.live.size() == 1);
+    REQUIRE(set.classes.types[set.live.front()].windowSum == -8);
+    REQUIRE(set.absence);
+    CHECK(set.absence->gap == -most);
+    REQUIRE(set.absence->closures.size() == 1);
+    CHECK(set.absence->closures.front().value == 8);
+    CHECK(set.absence->prefixes.empty());
 }
