@@ -284,12 +284,12 @@ private:
         }
         use(program_.variables(), Number(values[firstBound() - 1]));
         for (std::size_t k = 0; k < bounds_.size(); ++k) {
-            const Number value(values[firstBound() + static_cast<Eigen::Index>(k)]);
+            const Real& value = values[firstBound() + static_cast<Eigen::Index>(k)];
             if (bounds_[k].inequality >= 0) {
-                add(program_.inequalities, bounds_[k].inequality, value);
+                add(program_.inequalities, bounds_[k].inequality, Number(value));
             } else {
                 result.bounds[static_cast<std::size_t>(bounds_[k].unknown)] +=
-                    bounds_[k].isUpper ? Number(-value) : value;
+                    Number(bounds_[k].isUpper ? Real(-value) : value);
             }
         }
         for (const Eigen::Index row : order_) {
