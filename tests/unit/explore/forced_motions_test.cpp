@@ -437,3 +437,42 @@ TEST_CASE("forced proofs: amplitudes are not forbidden by conditions that are no
     }
     CHECK(inside > 50);
 }
+
+TEST_CASE("forced motions: a walk finds no motion in a bar without waves, work that nothing takes")
+{
+    const Schedule schedule = onePhase(4, 2, 14);
+    const Excitation push{Excited::tip, std::vector<double>(16, 5.0), 4.0};
+    State state{Eigen::VectorXd::Zero(4), Eigen::VectorXd::Zero(4)};
+    const Excitation none{Excited::tip, std::vector<double>(16, 0.0), 4.0};
+    CHECK(std::isinf(walkForced(state, schedule, {}, none).worst()));
+    // Hardly a wave: all the energy comes from the force, and nothing damps.
+    state.a[1] = 1e-3;
+    CHECK(walkForced(state, schedule, {}, push).balance == Approx(1.0));
+}
+
+TEST_CASE("forced motions: on the second stop a walk sees what it sees on the wall, mirrored")
+{
+    const Stops stops{1, Fraction{1, 1}};
+    int met = 0;
+    for (std::int64_t n = 40; n < 60; ++n) {
+        for (std::int64_t contact = 1; contact < 12; ++contact) {
+            const ForcedSet right =
+                forcedMotions({10, {{contact, n - contact, Stop::right}}, stops}, {0.05}, {});
+            const ForcedSet left =
+                forcedMotions({10, {{contact, n - contact, Stop::left}}, stops}, {0.05}, {});
+            REQUIRE(right.status == left.status);
+            if (right.status != Status::found) {
+                continue;
+            }
+            const Extremes one = leastAmplitudeMotion(right).extremes;
+            const Extremes other = leastAmplitudeMotion(left).extremes;
+            CHECK(other.approachSpeed == Approx(one.approachSpeed));
+            CHECK(other.impulse == Approx(one.impulse));
+            CHECK(other.contactTime == Approx(one.contactTime));
+            CHECK(other.peakForce == Approx(one.peakForce));
+            CHECK(other.peakTension == Approx(one.peakCompression));
+            met += one.approachSpeed > 0.1 ? 1 : 0;
+        }
+    }
+    CHECK(met > 5);
+}
