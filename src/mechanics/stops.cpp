@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "echo.hpp"
+#include "integers.hpp"
 
 namespace signorini {
 
@@ -28,7 +29,7 @@ Fraction placeOf(const Stops& stops, Stop stop)
 WaveSum gapSum(const Schedule& schedule)
 {
     const Fraction place = placeOf(schedule.stops, schedule.phases.front().stop);
-    return reduced(place.denominator, -place.numerator * schedule.cells);
+    return reduced(place.denominator, checkedMultiply(-place.numerator, schedule.cells));
 }
 
 std::optional<WaveSum> crossingSum(const Schedule& schedule)
@@ -37,8 +38,8 @@ std::optional<WaveSum> crossingSum(const Schedule& schedule)
     if (!left) {
         return std::nullopt;
     }
-    const std::int64_t way = right * left->denominator + left->numerator;
-    return reduced(2 * left->denominator, way * schedule.cells);
+    const std::int64_t way = checkedAdd(right * left->denominator, left->numerator);
+    return reduced(checkedMultiply(2, left->denominator), checkedMultiply(way, schedule.cells));
 }
 
 bool canRest(std::span<const Phase> phases, const Stops& stops)

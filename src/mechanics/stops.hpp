@@ -31,10 +31,11 @@ struct WaveSum {
 [[nodiscard]] Fraction placeOf(const Stops& stops, Stop stop);
 
 /// p_0 + ... + p_{2N-1} at the start of the first contact: the gap row (31).
+/// \throws std::overflow_error if N times the place does not fit in 64 bits.
 [[nodiscard]] WaveSum gapSum(const Schedule& schedule);
 
 /// N(g + h)/2 in units of displacement, the sum of |p| that takes the tip from one stop to the
-/// other; empty if there is one stop.
+/// other; empty if there is one stop. \throws as above.
 [[nodiscard]] std::optional<WaveSum> crossingSum(const Schedule& schedule);
 
 /// The prefix sums P of a flight: factor P <= most, >= least (if there is a stop there), = end at

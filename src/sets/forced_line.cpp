@@ -97,12 +97,6 @@ ForcedWaves::ForcedWaves(std::int64_t cells, double rho, std::span<const Excitat
     }
 }
 
-void ForcedWaves::setContact(std::int64_t contact)
-{
-    const Phase phase{contact, steps_ - contact};
-    setPhases({&phase, 1});
-}
-
 void ForcedWaves::setPhases(std::span<const Phase> phases)
 {
     std::int64_t m = 0;
@@ -165,9 +159,10 @@ bool ForcedWaves::isMirroredMotion() const
     double largest = 0.0;
     double differs = 0.0;
     for (std::size_t m = 0; m < half; ++m) {
-        largest = std::max({largest, size(force_[m]), size(fromBase_[m])});
-        differs = std::max({differs, size(force_[m] + force_[m + half]),
-                            size(fromBase_[m] + fromBase_[m + half])});
+        for (const auto* part : {&force_, &fromBase_, &place_}) {
+            largest = std::max(largest, size((*part)[m]));
+            differs = std::max(differs, size((*part)[m] + (*part)[m + half]));
+        }
     }
     return differs <= alike * static_cast<double>(steps_) * largest;
 }

@@ -72,10 +72,7 @@ public:
     ForcedWaves(std::int64_t cells, double rho, std::span<const Excitation> shapes,
                 const Stops& stops = {});
 
-    /// From the present phases to one contact phase of so many steps. O(n/G) for each step that
-    /// changes.
-    void setContact(std::int64_t contact);
-    /// From the present phases to others of n steps in all. As above.
+    /// From the present phases to others of n steps in all. O(n/G) for each step that changes.
     void setPhases(std::span<const Phase> phases);
 
     /// Classes that never fly: each keeps an amplitude of its own, which the wall bounds from

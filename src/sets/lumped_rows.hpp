@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact_projection.hpp"
+#include "integers.hpp"
 #include "signorini/lumped_set.hpp"
 #include "stops.hpp"
 
@@ -51,7 +52,7 @@ void walkFlights(const ClassTypes& classes, Action action, AtEnd atEnd)
 /// Each number rounded once.
 [[nodiscard]] std::vector<double> asDoubles(const RationalVector& x);
 
-/// The rows in the sums S.
+/// The rows in the sums S. \throws std::overflow_error where coefficients do not fit in 64 bits.
 class LumpedRows : public RowSource {
 public:
     LumpedRows(const ClassTypes& classes, const std::vector<std::size_t>& live)
@@ -61,6 +62,12 @@ public:
           limits_(flightLimits(classes.schedule)),
           isCone_(signorini::isCone(classes.schedule.stops))
     {
+        // A coefficient is at most the factor of its row for each block, or each step of a window.
+        const std::int64_t most =
+            std::max(blockCount(classes.schedule), 2 * classes.schedule.cells);
+        const auto crossing = crossingSum(classes.schedule);
+        static_cast<void>(checkedMultiply(most, crossing ? crossing->factor : 1));
+        static_cast<void>(checkedMultiply(most, gap_.factor));
     }
 
     [[nodiscard]] std::size_t unknowns() const override { return live_.size(); }

@@ -664,3 +664,11 @@ TEST_CASE("forced line: equations that meet in a point, but for rounding, leave 
         REQUIRE_FALSE(cut.to(row, {ForcedRule::closure, 4}, row.dot(point) + 1e-6));
     }
 }
+
+TEST_CASE("forced motions: a base that is displaced is no mirrored one, though its velocity is")
+{
+    const Schedule schedule{4, {{2, 10, Stop::right}, {2, 10, Stop::left}}, {1, Fraction{1, 1}}};
+    const ForcedSet set = forcedMotions(schedule, {0.1}, {Excited::base, 1, {1.0}});
+    CHECK(set.status == Status::none);
+    CHECK(isCertain(set));
+}

@@ -420,3 +420,15 @@ TEST_CASE("lumped set: a multiplier of a proof may be as large as integers are")
     CHECK(set.absence->closures.front().value == 8);
     CHECK(set.absence->prefixes.empty());
 }
+
+TEST_CASE("lumped set: a stop at a fraction that no row can hold is refused")
+{
+    for (const std::int64_t below : {3222068122716970711, 3126803249808189121}) {
+        const Stops stops{0, Fraction{1, below}};
+        CHECK_THROWS_AS(lumpedSet({13, {{1, 4}, {1, 4, Stop::left}}, stops}), std::overflow_error);
+        CHECK_THROWS_AS(lumpedSet({6, {{2, 4, Stop::left}, {7, 3}}, stops}), std::overflow_error);
+    }
+    CHECK_FALSE(lumpedSet({13, {{1, 4}, {1, 4, Stop::left}}, {0, Fraction{1, 1}}}).absence);
+    CHECK_FALSE(
+        lumpedSet({13, {{1, 4}, {1, 4, Stop::left}}, {0, Fraction{1, 1'000'000'007}}}).absence);
+}
