@@ -316,6 +316,9 @@ TEST_CASE("energy section: corners of a box are joined where the grid joins them
             CHECK(section->facts().isConnected == (grid.components() == 1));
             std::vector<State> motions;
             std::vector<int> labels;
+            std::mt19937_64 generator(3);
+            std::uniform_real_distribution<double> noise(-0.05, 0.05);
+            double previousNoise = 0.0;
             for (unsigned corner = 0; corner < 1U << (places - 1); ++corner) {
                 if (grid.labelAt(corner) < 0) {
                     continue;
@@ -329,13 +332,34 @@ TEST_CASE("energy section: corners of a box are joined where the grid joins them
                     jumps += sum != previous ? 1 : 0;
                     previous = sum;
                 }
-                const double part = std::sqrt((rho - 1.0 / count) / (jumps - 1.0 / count));
-                for (double& share : shares) {
-                    share = (1.0 / count + part * (share - 1.0 / count)) * whole.set.sum;
+                // On the way from the corner to a point near equal shares, where Q is convex.
+                for (int turn = 0; turn < 3; ++turn) {
+                    std::vector<double> ends;
+                    previousNoise = 0.0;
+                    for (std::size_t k = 0; k < places; ++k) {
+                        const double next = k + 1 < places ? noise(generator) : 0.0;
+                        ends.push_back(1.0 / count + next - previousNoise);
+                        previousNoise = next;
+                    }
+                    double above = 0.0;
+                    double below = 1.0;
+                    std::vector<double> point(places);
+                    while (below - above > 1e-15) {
+                        const double part = 0.5 * (above + below);
+                        double squares = 0.0;
+                        for (std::size_t k = 0; k < places; ++k) {
+                            point[k] = std::lerp(shares[k], ends[k], part);
+                            squares += point[k] * point[k];
+                        }
+                        (squares >= rho ? above : below) = part;
+                    }
+                    for (double& share : point) {
+                        share *= whole.set.sum;
+                    }
+                    motions.push_back(motionOf(whole, point));
+                    REQUIRE(verify(motions.back(), schedule).residuals.worst() < 1e-12);
+                    labels.push_back(grid.labelAt(corner));
                 }
-                motions.push_back(motionOf(whole, shares));
-                REQUIRE(verify(motions.back(), schedule).residuals.worst() < 1e-12);
-                labels.push_back(grid.labelAt(corner));
             }
             int wrong = 0;
             for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -475,6 +499,8 @@ TEST_CASE("energy section: shares of several phases are motions of the energy, a
     };
     const std::vector<Case> cases{{{4, {{1, 12}, {3, 12}}}, 3, false},
                                   {{4, {{3, 12}, {1, 12}}}, 3, false},
+                                  {{10, {{4, 31}, {4, 33}}}, 3, false},
+                                  {{10, {{4, 32}, {4, 32}}}, 4, false},
                                   {{8, {{2, 26}, {2, 26}, {4, 24}}}, 2, false},
                                   {{9, {{2, 30}, {1, 30}}}, 2, false},
                                   {{9, {{1, 30}, {3, 30}, {1, 25}}}, 3, false},
@@ -616,5 +642,22 @@ TEST_CASE("energy section: motions of a cone that share an impulse have the ener
         for (std::size_t j = 0; j < back.size(); ++j) {
             CHECK(back[j] == Approx(shares[j]).margin(1e-12));
         }
+    }
+}
+
+TEST_CASE("energy section: pulses are shared where sums stay, from equal shares to two of a half")
+{
+    // Two types of three classes, E = 6 to 18: sum of squares 1/3 to 1 of each.
+    const Schedule pair{9, {{3, 27}, {3, 30}}};
+    CHECK(sectionOfPhases(pair, 6.0)->facts().simplex);
+    CHECK(sectionOfPhases(pair, 9.0)->facts().simplex);
+    CHECK_FALSE(sectionOfPhases(pair, 9.01)->facts().simplex);
+    // Here the sum of the wide type goes from 0 to all.
+    const Schedule varying{9, {{2, 23}, {4, 1}}};
+    const LumpedShape shape = shapeOf(lumpedSet(varying));
+    REQUIRE(shape.spanning.size() == 2);
+    for (const double part : {0.01, 0.05, 0.1, 0.2, 0.5}) {
+        const double energy = std::lerp(shape.energy.least, shape.energy.most, part);
+        CHECK_FALSE(sectionOfPhases(varying, energy)->facts().simplex);
     }
 }
