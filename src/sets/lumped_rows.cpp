@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "echo.hpp"
+#include "integers.hpp"
 
 namespace signorini {
 
@@ -170,7 +171,7 @@ ExactRow LumpedRows::gapRow() const
 {
     ExactRow row{{}, gap_.rhs, true, gapTag};
     for (const std::size_t t : live_) {
-        row.coefficients.push_back(gap_.factor * classes_.types[t].windowSum);
+        row.coefficients.push_back(checkedMultiply(gap_.factor, classes_.types[t].windowSum));
     }
     return row;
 }
@@ -199,9 +200,12 @@ ExactRow LumpedRows::closure(std::size_t wanted) const
     walkFlights(
         classes_,
         [&](const Block& block, std::size_t place, std::int64_t sign) {
-            row.coefficients[place] += block.phase == wanted ? end.factor * sign : 0;
+            row.coefficients[place] += block.phase == wanted ? sign : 0;
         },
         [](std::size_t) {});
+    for (std::int64_t& coefficient : row.coefficients) {
+        coefficient = checkedMultiply(coefficient, end.factor);
+    }
     return row;
 }
 
@@ -226,7 +230,7 @@ ExactRow LumpedRows::prefixRow(std::int64_t wanted, bool isFloor) const
     const WaveSum limit = isFloor ? limits_[flight].least.value() : limits_[flight].most;
     const std::int64_t side = isFloor ? 1 : -1;  // an ExactRow says >=
     for (std::int64_t& coefficient : row.coefficients) {
-        coefficient *= side * limit.factor;
+        coefficient = checkedMultiply(coefficient, side * limit.factor);
     }
     row.rhs = side * limit.rhs;
     return row;

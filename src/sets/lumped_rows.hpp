@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "exact_projection.hpp"
-#include "integers.hpp"
 #include "signorini/lumped_set.hpp"
 #include "stops.hpp"
 
@@ -62,12 +61,6 @@ public:
           limits_(flightLimits(classes.schedule)),
           isCone_(signorini::isCone(classes.schedule.stops))
     {
-        // A coefficient is at most the factor of its row for each block, or each step of a window.
-        const std::int64_t most =
-            std::max(blockCount(classes.schedule), 2 * classes.schedule.cells);
-        const auto crossing = crossingSum(classes.schedule);
-        static_cast<void>(checkedMultiply(most, crossing ? crossing->factor : 1));
-        static_cast<void>(checkedMultiply(most, gap_.factor));
     }
 
     [[nodiscard]] std::size_t unknowns() const override { return live_.size(); }
