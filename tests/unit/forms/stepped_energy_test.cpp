@@ -1,6 +1,5 @@
 #include "stepped_energy.hpp"
 
-#include <cmath>
 #include <limits>
 
 #include "catch.hpp"
