@@ -273,7 +273,7 @@ def check_stepped_energies(options, checker, draw):
     proved = refused = 0
     with tempfile.TemporaryDirectory() as name:
         path = pathlib.Path(name) / "proof.json"
-        while proved < options.count // 20:
+        while proved < options.count // 10:
             words = call_of_few_cells(draw)
             path.unlink(missing_ok=True)
             subprocess.run([options.program, *words, "--quiet", "--certificate", str(path)],
