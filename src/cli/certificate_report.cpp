@@ -7,7 +7,6 @@
 #include "energy_bound.hpp"
 #include "report.hpp"
 #include "stepped_bar.hpp"
-#include "stepped_energy.hpp"
 #include "stepped_route.hpp"
 #include "text.hpp"
 
@@ -118,16 +117,15 @@ void addRows(Json& json, const RationalProof& proof)
 /// That a stepped bar has no motion of less energy than the one found, but for the tolerance.
 std::optional<Json> steppedCertificate(const PeriodicResult& result, const FindOptions& options)
 {
-    const auto proof = leastEnergyProof(
-        blocksOf(steppedBar(options.scene.segments), result.schedule, options.tipFloor, true));
+    const auto proof = leastSteppedEnergy(result.schedule, options);
     if (!proof) {
         return std::nullopt;
     }
     Json json{{"kind", "energy-range"},
-              {"verified", proof->least >= result.motion->energyRatio * (1.0 - options.tolerance)},
+              {"verified", proof->ratio >= result.motion->energyRatio * (1.0 - options.tolerance)},
               {"rows", name(Formulation::joints)},
               {"tip_floor", std::isfinite(options.tipFloor) ? Json(options.tipFloor) : Json()},
-              {"energy_ratio", proof->least}};
+              {"energy_ratio", proof->ratio}};
     addRows(json, proof->multipliers);
     return json;
 }

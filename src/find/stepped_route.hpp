@@ -2,6 +2,9 @@
 /// \file
 /// `findPeriodic` for bars of several segments: there is no closed form, programs decide.
 
+#include <optional>
+
+#include "signorini/certificate.hpp"
 #include "signorini/find_periodic.hpp"
 
 namespace signorini {
@@ -13,6 +16,17 @@ namespace signorini {
 /// Decides a schedule of a stepped bar. \throws as `findPeriodic`; also where a demand is not known
 /// for such bars.
 [[nodiscard]] PeriodicResult findStepped(const Schedule& schedule, const FindOptions& options);
+
+/// Multipliers of the rows of the joints, and the E/E_1 that they prove to be the least.
+struct LeastSteppedEnergy {
+    RationalProof multipliers;
+    double ratio = 0.0;
+};
+
+/// A bound below the energy of all motions of a stepped bar with the tip above its floor; see
+/// stepped_energy.hpp. Empty where there is none, or more rows than exact arithmetic can take.
+[[nodiscard]] std::optional<LeastSteppedEnergy> leastSteppedEnergy(const Schedule& schedule,
+                                                                   const FindOptions& options);
 
 /// Checks a proof of absence against rows made anew.
 [[nodiscard]] bool holds(const SteppedProof& proof, const Schedule& schedule, const Scene& scene);
