@@ -3,13 +3,100 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
-#include <optional>
+#include <numeric>
 #include <utility>
 
 namespace signorini {
 
 namespace {
 
+constexpr std::uint64_t prime = 2147483647;  // 2^31 - 1
+
+using Remainders = std::vector<std::vector<std::uint64_t>>;
+
+std::uint64_t remainder(const Integer& number)
+{
+    const auto part = static_cast<std::int64_t>(number % prime);
+    return static_cast<std::uint64_t>(part < 0 ? part + static_cast<std::int64_t>(prime) : part);
+}
+
+Remainders remaindersOf(const std::vector<IntegerVector>& rows)
+{
+    Remainders result(rows.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        std::transform(rows[k].begin(), rows[k].end(), std::back_inserter(result[k]), remainder);
+    }
+    return result;
+}
+
+/// By Fermat.
+std::uint64_t reciprocal(std::uint64_t number)
+{
+    std::uint64_t power = 1;
+    for (std::uint64_t e = prime - 2; e > 0; e /= 2) {
+        power = e % 2 == 1 ? power * number % prime : power;
+        number = number * number % prime;
+    }
+    return power;
+}
+
+/// Rows and columns, as many of both.
+struct Core {
+    std::vector<std::size_t> rows;
+    std::vector<std::size_t> columns;
+};
+
+/// Gauss-Jordan in the first `columns` columns: afterwards row k has a 1 in column columns[k] of
+/// the answer, where all others have a 0, and was row rows[k].
+Core reduce(Remainders& m, std::size_t columns)
+{
+    std::vector<std::size_t> order(m.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    Core core;
+    for (std::size_t column = 0; column < columns; ++column) {
+        const std::size_t top = core.columns.size();
+        std::size_t found = top;
+        while (found < m.size() && m[found][column] == 0) {
+            ++found;
+        }
+        if (found == m.size()) {
+            continue;
+        }
+        std::swap(m[top], m[found]);
+        std::swap(order[top], order[found]);
+        const std::uint64_t scale = reciprocal(m[top][column]);
+        for (std::uint64_t& entry : m[top]) {
+            entry = entry * scale % prime;
+        }
+        for (std::size_t k = 0; k < m.size(); ++k) {
+            const std::uint64_t factor = prime - m[k][column];
+            for (std::size_t i = column; i < m[k].size() && k != top && factor != prime; ++i) {
+                m[k][i] = (m[k][i] + factor * m[top][i]) % prime;
+            }
+        }
+        core.columns.push_back(column);
+    }
+    order.resize(core.columns.size());
+    core.rows = std::move(order);
+    return core;
+}
+
+bool isSolution(const std::vector<IntegerVector>& rows, const IntegerVector& rhs,
+                const Homogeneous& x)
+{
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        Integer sum = -rhs[k] * x.denominator;
+        for (std::size_t i = 0; i < rows[k].size(); ++i) {
+            sum += rows[k][i] * x.numerators[i];
+        }
+        if (!sum.is_zero()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// \pre the matrix is square and regular in remainders of p.
 class Lifting {
 public:
     Lifting(std::vector<IntegerVector> rows, IntegerVector rhs)
@@ -17,104 +104,31 @@ public:
     {
     }
 
-    static RegularCore coreOf(const std::vector<IntegerVector>& rows)
-    {
-        Remainders m(rows.size());
-        std::vector<std::size_t> order(rows.size());
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-            std::transform(rows[k].begin(), rows[k].end(), std::back_inserter(m[k]), remainder);
-            order[k] = k;
-        }
-        RegularCore core;
-        for (std::size_t column = 0; column < m.front().size(); ++column) {
-            const std::size_t top = core.columns.size();
-            std::size_t found = top;
-            while (found < m.size() && m[found][column] == 0) {
-                ++found;
-            }
-            if (found == m.size()) {
-                continue;
-            }
-            std::swap(m[top], m[found]);
-            std::swap(order[top], order[found]);
-            clear(m, top, column, top + 1);
-            core.columns.push_back(column);
-        }
-        core.rows.assign(order.begin(),
-                         order.begin() + static_cast<std::ptrdiff_t>(core.columns.size()));
-        return core;
-    }
-
-    [[nodiscard]] RationalVector solve() const
+    [[nodiscard]] Homogeneous solve() const
     {
         const Remainders inverse = inverted();
-        std::vector<std::vector<std::uint64_t>> digits;
+        Remainders digits;
         IntegerVector rest = rhs_;
         for (std::size_t enough = 32;; enough *= 2) {
             while (digits.size() < enough) {
                 digits.push_back(nextDigits(inverse, rest));
             }
-            if (auto x = fractions(digits); x && isSolution(*x)) {
-                return asRationals(*x);
+            if (auto x = fractions(digits); x && isSolution(rows_, rhs_, *x)) {
+                return *std::move(x);
             }
         }
     }
 
 private:
-    static constexpr std::uint64_t prime = 2147483647;  // 2^31 - 1
-
-    static std::uint64_t remainder(const Integer& number)
-    {
-        const auto part = static_cast<std::int64_t>(number % prime);
-        return static_cast<std::uint64_t>(part < 0 ? part + static_cast<std::int64_t>(prime)
-                                                   : part);
-    }
-
-    /// By Fermat.
-    static std::uint64_t reciprocal(std::uint64_t number)
-    {
-        std::uint64_t power = 1;
-        for (std::uint64_t e = prime - 2; e > 0; e /= 2) {
-            power = e % 2 == 1 ? power * number % prime : power;
-            number = number * number % prime;
-        }
-        return power;
-    }
-
-    using Remainders = std::vector<std::vector<std::uint64_t>>;
-
-    /// Makes row `top` begin with 1 and takes it from rows `from` ... so that the column is 0
-    /// there.
-    static void clear(Remainders& m, std::size_t top, std::size_t column, std::size_t from)
-    {
-        const std::uint64_t scale = reciprocal(m[top][column]);
-        for (std::uint64_t& entry : m[top]) {
-            entry = entry * scale % prime;
-        }
-        for (std::size_t k = from; k < m.size(); ++k) {
-            const std::uint64_t factor = prime - m[k][column];
-            for (std::size_t i = column; i < m[k].size() && k != top; ++i) {
-                m[k][i] = (m[k][i] + factor * m[top][i]) % prime;
-            }
-        }
-    }
-
-    /// Gauss-Jordan beside the identity.
+    /// Beside the identity.
     [[nodiscard]] Remainders inverted() const
     {
-        Remainders m(size_, std::vector<std::uint64_t>(2 * size_, 0));
+        Remainders m = remaindersOf(rows_);
         for (std::size_t k = 0; k < size_; ++k) {
-            std::transform(rows_[k].begin(), rows_[k].end(), m[k].begin(), remainder);
+            m[k].resize(2 * size_, 0);
             m[k][size_ + k] = 1;
         }
-        for (std::size_t column = 0; column < size_; ++column) {
-            std::size_t found = column;
-            while (m[found][column] == 0) {
-                ++found;
-            }
-            std::swap(m[column], m[found]);
-            clear(m, column, column, 0);
-        }
+        reduce(m, size_);
         for (auto& row : m) {
             row.erase(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(size_));
         }
@@ -185,20 +199,6 @@ private:
         return x;
     }
 
-    [[nodiscard]] bool isSolution(const Homogeneous& x) const
-    {
-        for (std::size_t k = 0; k < size_; ++k) {
-            Integer sum = -rhs_[k] * x.denominator;
-            for (std::size_t i = 0; i < size_; ++i) {
-                sum += rows_[k][i] * x.numerators[i];
-            }
-            if (!sum.is_zero()) {
-                return false;
-            }
-        }
-        return true;
-    }
-
     std::size_t size_;
     std::vector<IntegerVector> rows_;
     IntegerVector rhs_;
@@ -206,14 +206,27 @@ private:
 
 }  // namespace
 
-RegularCore regularCore(const std::vector<IntegerVector>& rows)
+std::optional<RationalVector> liftedSolution(const std::vector<IntegerVector>& rows,
+                                             const IntegerVector& rhs)
 {
-    return Lifting::coreOf(rows);
-}
-
-RationalVector liftedSolution(std::vector<IntegerVector> rows, IntegerVector rhs)
-{
-    return Lifting(std::move(rows), std::move(rhs)).solve();
+    const std::size_t size = rows.front().size();
+    Remainders remainders = remaindersOf(rows);
+    const Core core = reduce(remainders, size);
+    std::vector<IntegerVector> square;
+    IntegerVector right;
+    for (const std::size_t k : core.rows) {
+        IntegerVector& row = square.emplace_back();
+        for (const std::size_t i : core.columns) {
+            row.push_back(rows[k][i]);
+        }
+        right.push_back(rhs[k]);
+    }
+    Homogeneous solved = Lifting(std::move(square), std::move(right)).solve();
+    Homogeneous x{IntegerVector(size), std::move(solved.denominator)};
+    for (std::size_t i = 0; i < core.columns.size(); ++i) {
+        x.numerators[core.columns[i]] = std::move(solved.numerators[i]);
+    }
+    return isSolution(rows, rhs, x) ? std::optional(asRationals(x)) : std::nullopt;
 }
 
 }  // namespace signorini

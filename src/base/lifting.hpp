@@ -8,25 +8,18 @@
 /// (rhs - M x_0)/p is the right side of what follows. Fractions come back by Euclid's algorithm,
 /// and are a solution if they solve the equations.
 
-#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "rational.hpp"
 
 namespace signorini {
 
-/// Rows and columns, as many of both, where a matrix is regular in remainders of p = 2^31 - 1, and
-/// so regular.
-struct RegularCore {
-    std::vector<std::size_t> rows;
-    std::vector<std::size_t> columns;
-};
-
-/// As many as there are. O(rows columns^2). \pre there is a row.
-[[nodiscard]] RegularCore regularCore(const std::vector<IntegerVector>& rows);
-
-/// x with M x = rhs. O(n^2) products of a number of M and a digit for each digit of x.
-/// \pre M is square and regular in remainders of p.
-[[nodiscard]] RationalVector liftedSolution(std::vector<IntegerVector> rows, IntegerVector rhs);
+/// Some x with M x = rhs, 0 but for as many unknowns as M has rank in remainders of p = 2^31 - 1.
+/// Empty if what solves as many rows, regular there, does not solve the others: there may be none,
+/// or p divides what should not vanish. O(rows columns^2), and O(n^2) products of a number of M and
+/// a digit for each digit of x, at rank n. \pre there is a row.
+[[nodiscard]] std::optional<RationalVector> liftedSolution(const std::vector<IntegerVector>& rows,
+                                                           const IntegerVector& rhs);
 
 }  // namespace signorini

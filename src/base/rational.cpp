@@ -202,8 +202,7 @@ private:
 
     static constexpr std::size_t leastToLift = 6;  // elimination is quicker below
 
-    /// By lifting, for rows that end with their right sides. Empty for few, if what solves a core
-    /// of them does not solve the others, or where there is none.
+    /// By lifting, for rows that end with their right sides. Empty for few, and as liftedSolution.
     static std::optional<RationalVector> lifted(const std::vector<RationalVector>& rows)
     {
         const std::size_t size = rows.front().size() - 1;
@@ -217,32 +216,7 @@ private:
             rhs.push_back(std::move(matrix.back().back()));
             matrix.back().pop_back();
         }
-        const RegularCore core = regularCore(matrix);
-        std::vector<IntegerVector> square;
-        IntegerVector right;
-        for (const std::size_t k : core.rows) {
-            IntegerVector& row = square.emplace_back();
-            for (const std::size_t i : core.columns) {
-                row.push_back(matrix[k][i]);
-            }
-            right.push_back(rhs[k]);
-        }
-        const RationalVector values = liftedSolution(std::move(square), std::move(right));
-        RationalVector x(size);
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            x[core.columns[i]] = values[i];
-        }
-        const Homogeneous point = overCommonDenominator(x);
-        for (std::size_t k = 0; k < rows.size(); ++k) {
-            Integer sum = -rhs[k] * point.denominator;
-            for (std::size_t i = 0; i < size; ++i) {
-                sum += matrix[k][i] * point.numerators[i];
-            }
-            if (!sum.is_zero()) {
-                return std::nullopt;
-            }
-        }
-        return x;
+        return liftedSolution(matrix, rhs);
     }
 
     std::vector<RationalVector> rows_;

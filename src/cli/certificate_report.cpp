@@ -122,10 +122,10 @@ std::optional<Json> steppedCertificate(const PeriodicResult& result, const FindO
         return std::nullopt;
     }
     Json json{{"kind", "energy-range"},
-              {"verified", proof->ratio >= result.motion->energyRatio * (1.0 - options.tolerance)},
+              {"verified", proof->energyRatio >= result.motion->energyRatio * (1.0 - options.tolerance)},
               {"rows", name(Formulation::joints)},
               {"tip_floor", std::isfinite(options.tipFloor) ? Json(options.tipFloor) : Json()},
-              {"energy_ratio", proof->ratio}};
+              {"energy_ratio", proof->energyRatio}};
     addRows(json, proof->multipliers);
     return json;
 }

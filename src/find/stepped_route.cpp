@@ -12,7 +12,6 @@
 #include "infeasibility.hpp"
 #include "request.hpp"
 #include "stepped_check.hpp"
-#include "stepped_energy.hpp"
 #include "stepped_motions.hpp"
 #include "stepped_proof.hpp"
 #include "stops.hpp"
@@ -295,13 +294,11 @@ PeriodicResult findStepped(const Schedule& schedule, const FindOptions& options)
     return SteppedSearch(placed, options).answer();
 }
 
-std::optional<LeastSteppedEnergy> leastSteppedEnergy(const Schedule& schedule,
+std::optional<SteppedEnergyProof> leastSteppedEnergy(const Schedule& schedule,
                                                      const FindOptions& options)
 {
-    auto proof = leastEnergyProof(
+    return leastEnergyProof(
         blocksOf(steppedBar(options.scene.segments), schedule, options.tipFloor, true));
-    return proof ? std::optional(LeastSteppedEnergy{std::move(proof->multipliers), proof->least})
-                 : std::nullopt;
 }
 
 bool holds(const SteppedProof& proof, const Schedule& schedule, const Scene& scene)

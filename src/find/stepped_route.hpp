@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "signorini/certificate.hpp"
 #include "signorini/find_periodic.hpp"
+#include "stepped_energy.hpp"
 
 namespace signorini {
 
@@ -17,15 +17,9 @@ namespace signorini {
 /// for such bars.
 [[nodiscard]] PeriodicResult findStepped(const Schedule& schedule, const FindOptions& options);
 
-/// Multipliers of the rows of the joints, and the E/E_1 that they prove to be the least.
-struct LeastSteppedEnergy {
-    RationalProof multipliers;
-    double ratio = 0.0;
-};
-
 /// A bound below the energy of all motions of a stepped bar with the tip above its floor; see
 /// stepped_energy.hpp. Empty where there is none, or more rows than exact arithmetic can take.
-[[nodiscard]] std::optional<LeastSteppedEnergy> leastSteppedEnergy(const Schedule& schedule,
+[[nodiscard]] std::optional<SteppedEnergyProof> leastSteppedEnergy(const Schedule& schedule,
                                                                    const FindOptions& options);
 
 /// Checks a proof of absence against rows made anew.

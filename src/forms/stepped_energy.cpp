@@ -9,6 +9,7 @@
 #include "exact_multipliers.hpp"
 #include "infeasibility.hpp"
 #include "rational.hpp"
+#include "stepped_form.hpp"
 #include "stepped_proof.hpp"
 
 namespace signorini {
@@ -21,8 +22,8 @@ using Real = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<
 using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 using RealVector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-const Real noRank = 1e-30;     // pivots below it, relative to the largest
-const Real noDescent = 1e-30;  // of a multiplier that would leave 0
+constexpr double noRank = 1e-30;     // pivots below it, relative to the largest
+constexpr double noDescent = 1e-30;  // of a multiplier that would leave 0
 
 Eigen::CompleteOrthogonalDecomposition<RealMatrix> factorized(const RealMatrix& matrix)
 {
@@ -103,8 +104,12 @@ private:
             Real way = 1;
             Eigen::Index last = -1;
             for (const Eigen::Index k : used_) {
-                if (k >= free_ && wanted[k] <= 0.0 && !(u_[k] / (u_[k] - wanted[k]) >= way)) {
-                    way = u_[k] > 0.0 ? u_[k] / (u_[k] - wanted[k]) : 0.0;
+                if (k < free_ || wanted[k] > 0.0) {
+                    continue;
+                }
+                const Real part = u_[k] > 0.0 ? Real(u_[k] / (u_[k] - wanted[k])) : Real(0.0);
+                if (part < way) {
+                    way = part;
                     last = k;
                 }
             }
@@ -136,12 +141,12 @@ struct BoundRow {
     bool isUpper = true;
 };
 
-/// Multipliers with values of one kind of number.
+/// Multipliers in one kind of number, and what they add up to.
 template <typename Number>
 struct Combined {
-    std::vector<Number> equalities;
-    std::vector<Number> columns;  ///< equalities^T y + inequalities^T mu of every unknown
-    std::vector<Number> bounds;   ///< the same of prefix sums, where it is given
+    std::vector<Number> equalities;  ///< y
+    std::vector<Number> given;       ///< inequalities^T mu, less what bounds take to the right side
+    std::vector<Number> bounds;      ///< what they take: equalities^T y + inequalities^T mu there
 };
 
 class EnergyBound {
@@ -149,6 +154,7 @@ public:
     explicit EnergyBound(const SteppedBlocks& blocks)
         : posed_(jointsForm(blocks)),
           program_(posed_.program),
+          equal_(program_.equalities),
           isOpen_(static_cast<std::size_t>(program_.variables()), false)
     {
         for (Eigen::Index k = 0; k < program_.variables(); ++k) {
@@ -193,7 +199,7 @@ public:
             const auto combined = follow<Real>(unit);
             for (Eigen::Index i = 0; i < open; ++i) {
                 const Eigen::Index unknown = open_[static_cast<std::size_t>(i)];
-                columns(i, k) = combined.columns[static_cast<std::size_t>(unknown)] /
+                columns(i, k) = columnOf(equal_, unknown, combined.given, combined.equalities) /
                                 std::sqrt(posed_.energyWeights[unknown]);
             }
             right[k] = rightSide(combined);
@@ -267,36 +273,29 @@ private:
         using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
         Combined<Number> result;
         result.equalities.resize(static_cast<std::size_t>(program_.equalities.rows()));
-        result.columns.resize(static_cast<std::size_t>(program_.variables()));
-        result.bounds.resize(result.columns.size());
-        const auto add = [&result](const Rows& matrix, Eigen::Index row, const Number& value) {
-            for (Rows::InnerIterator entry(matrix, row); entry; ++entry) {
-                result.columns[static_cast<std::size_t>(entry.col())] +=
-                    value * Number(entry.value());
-            }
-        };
-        const auto use = [&](Eigen::Index row, const Number& value) {
-            result.equalities[static_cast<std::size_t>(row)] = value;
-            add(program_.equalities, row, value);
-        };
+        result.given.resize(static_cast<std::size_t>(program_.variables()));
+        result.bounds.resize(result.given.size());
         for (std::size_t i = 0; i < open_.size(); ++i) {
-            use(open_[i], Number(values[static_cast<Eigen::Index>(i)]));
+            result.equalities[static_cast<std::size_t>(open_[i])] =
+                Number(values[static_cast<Eigen::Index>(i)]);
         }
-        use(program_.variables(), Number(values[firstBound() - 1]));
+        result.equalities.back() = Number(values[firstBound() - 1]);  // of the gap
         for (std::size_t k = 0; k < bounds_.size(); ++k) {
             const Real& value = values[firstBound() + static_cast<Eigen::Index>(k)];
             if (bounds_[k].inequality >= 0) {
-                add(program_.inequalities, bounds_[k].inequality, Number(value));
+                for (Rows::InnerIterator entry(program_.inequalities, bounds_[k].inequality); entry;
+                     ++entry) {
+                    result.given[static_cast<std::size_t>(entry.col())] +=
+                        Number(value) * Number(entry.value());
+                }
             } else {
-                result.bounds[static_cast<std::size_t>(bounds_[k].unknown)] +=
-                    Number(bounds_[k].isUpper ? Real(-value) : value);
+                const auto unknown = static_cast<std::size_t>(bounds_[k].unknown);
+                const Number taken(bounds_[k].isUpper ? Real(-value) : value);
+                result.bounds[unknown] += taken;
+                result.given[unknown] -= taken;
             }
         }
-        for (const Eigen::Index row : order_) {
-            const auto k = static_cast<std::size_t>(row);
-            use(row, Number((result.bounds[k] - result.columns[k]) /
-                            Number(program_.equalities.coeff(row, row))));
-        }
+        followRows(equal_, order_, result.given, result.equalities);
         return result;
     }
 
@@ -318,6 +317,7 @@ private:
 
     SteppedProgram posed_;
     const Program& program_;
+    ProgramColumns equal_;
     std::vector<bool> isOpen_;
     std::vector<Eigen::Index> open_;  ///< unknowns that the energy counts
     std::vector<BoundRow> bounds_;    ///< first those that fix a prefix sum

@@ -10,24 +10,25 @@
 ///     E/E_1 >= sum w x^2 >= q^2 / sum c^2/w
 ///
 /// whatever the multipliers are (the first with equality if the residues of a block are alike).
-/// Those of least sum c^2/w for q = -1 give the least energy itself. They are found in double
-/// precision (Lawson and Hanson, least distance programming), taken for the fractions they are, and
-/// what follows from them is computed exactly; then what they prove.
+/// Those of least sum c^2/w for q = -1 give the least energy itself. They are found in
+/// numbers of 50 digits (Lawson and Hanson, least distance programming), taken for the fractions
+/// they are, and what follows from them is computed exactly; then what they prove.
 
 #include <optional>
 
 #include "signorini/certificate.hpp"
-#include "stepped_form.hpp"
 
 namespace signorini {
+
+struct SteppedBlocks;
 
 /// Multipliers over the rows of jointsForm(blocks), and the bound they prove.
 struct SteppedEnergyProof {
     RationalProof multipliers;
-    double least = 0.0;  ///< E/E_1 of every motion is no less, but for the rounding of this number
+    double energyRatio = 0.0;  ///< no motion has less E/E_1, but for the rounding of this number
 };
 
-/// The best multipliers to double precision. Empty where there is no motion, for more than
+/// The best multipliers, as 50 digits tell them. Empty where there is no motion, for more than
 /// mostExactRows open rows or mostProofRows rows. O(open^3 + rows open) and O(rows) operations on
 /// rationals of up to n/G times 50 bits.
 [[nodiscard]] std::optional<SteppedEnergyProof> leastEnergyProof(const SteppedBlocks& blocks);

@@ -1,5 +1,6 @@
 #include "exact_multipliers.hpp"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -9,7 +10,6 @@ namespace signorini {
 
 namespace {
 
-using Columns = Eigen::SparseMatrix<double, Eigen::ColMajor>;
 /// A linear function of the parameters.
 using Form = std::map<std::size_t, Rational>;
 
@@ -102,16 +102,9 @@ public:
                 multipliers[row] = at(multipliers_[row]);
             }
         }
-        for (const Eigen::Index row : order_) {
-            Rational sum = at(given_[static_cast<std::size_t>(row)]);
-            for (Columns::InnerIterator entry(equal_, row); entry; ++entry) {
-                if (entry.row() != row) {
-                    sum += Rational(entry.value()) *
-                           multipliers[static_cast<std::size_t>(entry.row())];
-                }
-            }
-            multipliers[static_cast<std::size_t>(row)] = -sum / Rational(equal_.coeff(row, row));
-        }
+        RationalVector given(given_.size());
+        std::transform(given_.begin(), given_.end(), given.begin(), at);
+        followRows(equal_, order_, given, multipliers);
         RationalProof proof;
         for (std::size_t row = 0; row < multipliers.size(); ++row) {
             if (!multipliers[row].is_zero()) {
@@ -138,7 +131,7 @@ private:
     [[nodiscard]] Form columnOf(Eigen::Index k, bool withoutOwn) const
     {
         Form sum = given_[static_cast<std::size_t>(k)];
-        for (Columns::InnerIterator entry(equal_, k); entry; ++entry) {
+        for (ProgramColumns::InnerIterator entry(equal_, k); entry; ++entry) {
             if (!withoutOwn || entry.row() != k) {
                 add(sum, multipliers_[static_cast<std::size_t>(entry.row())],
                     Rational(entry.value()));
@@ -174,7 +167,7 @@ private:
 
     const Program& program_;
     const ProofSupport& support_;
-    Columns equal_;
+    ProgramColumns equal_;
     std::vector<Eigen::Index> order_;  ///< of rows that follow
     std::vector<Form> multipliers_;
     std::vector<Form> given_;
@@ -186,7 +179,7 @@ private:
 
 std::vector<Eigen::Index> followingRows(const Program& program, const std::vector<bool>& isOpen)
 {
-    const Columns equal = program.equalities;
+    const ProgramColumns equal = program.equalities;
     const Eigen::Index unknowns = program.variables();
     const auto isFollowing = [&](Eigen::Index row) {
         return row < unknowns && !isOpen[static_cast<std::size_t>(row)];
@@ -195,7 +188,7 @@ std::vector<Eigen::Index> followingRows(const Program& program, const std::vecto
     std::vector<Eigen::Index> rows;  // ready
     std::size_t following = 0;
     for (Eigen::Index k = 0; k < unknowns; ++k) {
-        for (Columns::InnerIterator entry(equal, k); entry; ++entry) {
+        for (ProgramColumns::InnerIterator entry(equal, k); entry; ++entry) {
             missing[static_cast<std::size_t>(k)] +=
                 entry.row() != k && isFollowing(entry.row()) ? 1 : 0;
         }
