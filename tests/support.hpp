@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <random>
 
+#include "catch.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 
@@ -69,6 +70,21 @@ inline Eigen::VectorXd stacked(const State& state)
     Eigen::VectorXd x(2 * state.cells());
     x << state.a, state.b;
     return x;
+}
+
+inline void checkEqual(const Extremes& left, const Extremes& right, double tolerance = 1e-12)
+{
+    const auto near = [tolerance](double value) {
+        return Approx(value).epsilon(tolerance).margin(tolerance);
+    };
+    CHECK(left.period == near(right.period));
+    CHECK(left.contactTime == near(right.contactTime));
+    CHECK(left.peakForce == near(right.peakForce));
+    CHECK(left.impulse == near(right.impulse));
+    CHECK(left.approachSpeed == near(right.approachSpeed));
+    CHECK(left.peakCompression == near(right.peakCompression));
+    CHECK(left.peakTension == near(right.peakTension));
+    CHECK(left.lowestTip == near(right.lowestTip));
 }
 
 }  // namespace signorini::test

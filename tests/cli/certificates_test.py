@@ -31,6 +31,22 @@ def load(path):
     return module
 
 
+def require_proof(checker, answer, words):
+    """Ends the run if the checker does not accept the proof."""
+    try:
+        checker.check(answer)
+    except checker.NoProof as why:
+        sys.exit(f"{words}: {why}")
+
+
+def refuse(checker, answer, words):
+    """Ends the run if the checker accepts a proof of what is not so."""
+    try:
+        sys.exit(f"{words}: {checker.check(answer)}")
+    except checker.NoProof:
+        pass
+
+
 def spoilt(answer, draw):
     """The answer with one change that no proof survives."""
     answer = copy.deepcopy(answer)
@@ -143,10 +159,7 @@ def check_lifted(options, checker, draw):
         if (answer.get("certificate") or {}).get("rows") != "lumped":
             continue
         answer["certificate"] = lifter.lifted(answer)
-        try:
-            checker.check(answer)
-        except checker.NoProof as why:
-            sys.exit(f"{' '.join(words)}, lifted: {why}")
+        require_proof(checker, answer, f"{' '.join(words)}, lifted")
         lifted += 1
         refused += refuse_spoilt(checker, answer, draw, " ".join(words))
     return lifted, refused
@@ -168,19 +181,14 @@ def check_scenes(options, checker, draw):
             continue
         if answer["reason"] == "constraints":
             continue  # between two stops without a gap only the bar at rest, and no energy
-        try:
-            checker.check(answer)
-        except checker.NoProof as why:
-            sys.exit(f"{' '.join(words)}: {why}")
+        require_proof(checker, answer, " ".join(words))
         proved += 1
         proofs.append(answer["certificate"])
     for answer in found:
         for certificate in proofs:
             bad = {**answer, "status": "none", "certificate": certificate}
-            try:
-                sys.exit(f"{answer['schedule']} has motions: {checker.check(bad)}")
-            except checker.NoProof:
-                refused += 1
+            refuse(checker, bad, f"{answer['schedule']} has motions")
+            refused += 1
     return proved, refused
 
 
@@ -260,10 +268,8 @@ def check_all_energies(options, checker, draw):
             most_known += answer["energy_ratio_range"][1] is not None
             beyond += answer["status"] == "none"
             bad, what = spoilt_energies(answer, draw)
-            try:
-                sys.exit(f"{' '.join(words)}: spoilt ({what}): {checker.check(bad)}")
-            except checker.NoProof:
-                refused += 1
+            refuse(checker, bad, f"{' '.join(words)}: spoilt ({what})")
+            refused += 1
     return (f"{proved} proofs hold, {several} of several rows, {most_known} with the most energy, "
             f"{beyond} of no motion of an energy; {refused} spoilt ones are refused")
 
@@ -281,10 +287,7 @@ def check_stepped_energies(options, checker, draw):
             answer = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
             if answer.get("status") != "found" or answer["certificate"]["rows"] != "joints":
                 continue
-            try:
-                checker.check(answer)
-            except checker.NoProof as why:
-                sys.exit(f"{' '.join(words)}: {why}")
+            require_proof(checker, answer, " ".join(words))
             proved += 1
             for factor in (1 - 1e-6, 1 + 1e-6, None):
                 bad = copy.deepcopy(answer)
@@ -292,10 +295,8 @@ def check_stepped_energies(options, checker, draw):
                     bad["energy_ratio"] *= factor
                 else:
                     del bad["certificate"]["equalities"][-1]  # the gap
-                try:
-                    sys.exit(f"{' '.join(words)}: spoilt ({factor}): {checker.check(bad)}")
-                except checker.NoProof:
-                    refused += 1
+                refuse(checker, bad, f"{' '.join(words)}: spoilt ({factor})")
+                refused += 1
     return proved, refused
 
 
@@ -340,10 +341,7 @@ def check_many(options, checker, draw, is_stepped):
         words = " ".join(call)
         if answer["status"] != "none" or answer["certificate"]["rows"] == "lumped":
             continue
-        try:
-            checker.check(answer)
-        except checker.NoProof as why:
-            sys.exit(f"{words}: {why}")
+        require_proof(checker, answer, words)
         proved += 1
         refused += refuse_spoilt(checker, answer, draw, words)
     print(f"{'stepped' if is_stepped else 'uniform'} bars: {proved} proofs hold, "

@@ -52,21 +52,6 @@ Extremes sampled(const State& state, const Schedule& schedule)
     return seen;
 }
 
-void checkEqual(const Extremes& left, const Extremes& right, double tolerance = 1e-12)
-{
-    const auto near = [tolerance](double value) {
-        return Approx(value).epsilon(tolerance).margin(tolerance);
-    };
-    CHECK(left.period == near(right.period));
-    CHECK(left.contactTime == near(right.contactTime));
-    CHECK(left.peakForce == near(right.peakForce));
-    CHECK(left.impulse == near(right.impulse));
-    CHECK(left.approachSpeed == near(right.approachSpeed));
-    CHECK(left.peakCompression == near(right.peakCompression));
-    CHECK(left.peakTension == near(right.peakTension));
-    CHECK(left.lowestTip == near(right.lowestTip));
-}
-
 /// The least number of steps after which the waves repeat, from the law p_{m+2N} = +-p_m alone.
 std::int64_t leastPeriod(const State& state, const Schedule& schedule)
 {
@@ -107,12 +92,13 @@ TEST_CASE("physical: extremes are those of the sampled field")
                  Schedule{10, {{2, 3}, {1, 29}}}, Schedule{4, {{1, 12}, {3, 12}}});
     const PeriodicResult found = findPeriodic(schedule);
     REQUIRE(found.motion);
-    checkEqual(extremesOf(found.motion->state, schedule), sampled(found.motion->state, schedule));
+    test::checkEqual(extremesOf(found.motion->state, schedule),
+                     sampled(found.motion->state, schedule));
     if (const auto& set = found.set.amplitudes; set && found.motion->contact == Contact::pressing) {
         std::mt19937_64 generator(7);
         for (int k = 0; k < 5; ++k) {
             const State state = motionOf(onePhaseSet(schedule), drawAmplitudes(*set, generator));
-            checkEqual(extremesOf(state, schedule), sampled(state, schedule));
+            test::checkEqual(extremesOf(state, schedule), sampled(state, schedule));
         }
     }
 }
@@ -128,8 +114,8 @@ TEST_CASE("physical: a mode at a rational period is the motion of a grid")
                 const Schedule schedule = scheduleOf(mode, cells, n);
                 const ModeMotion motion(mode, period(schedule));
                 CAPTURE(mode.a, mode.b, cells, n);
-                checkEqual(extremesOf(leastEnergyMotion(onePhaseSet(schedule)), schedule),
-                           motion.extremes(), 1e-9);
+                test::checkEqual(extremesOf(leastEnergyMotion(onePhaseSet(schedule)), schedule),
+                                 motion.extremes(), 1e-9);
             }
         }
     }
@@ -158,7 +144,7 @@ TEST_CASE("physical: extremes of a mode are those of its sampled field at any pe
         seen.approachSpeed =
             (motion.displacement(1.0, t - eps) - motion.displacement(1.0, t - 2.0 * eps)) / eps;
         CAPTURE(mode.a, mode.b);
-        checkEqual(claimed, seen, 2e-3 * (1.0 + motion.amplitude()));
+        test::checkEqual(claimed, seen, 2e-3 * (1.0 + motion.amplitude()));
     }
 }
 

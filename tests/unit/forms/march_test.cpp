@@ -204,18 +204,6 @@ void checkAlike(const ForcedWalk& one, const Verification& other, double unit, b
     }
 }
 
-void checkAlike(const Extremes& one, const Extremes& other)
-{
-    CHECK(one.period == Approx(other.period));
-    CHECK(one.contactTime == Approx(other.contactTime));
-    CHECK(one.peakForce == Approx(other.peakForce));
-    CHECK(one.impulse == Approx(other.impulse));
-    CHECK(one.approachSpeed == Approx(other.approachSpeed));
-    CHECK(one.peakCompression == Approx(other.peakCompression));
-    CHECK(one.peakTension == Approx(other.peakTension));
-    CHECK(one.lowestTip == Approx(other.lowestTip));
-}
-
 }  // namespace
 
 TEST_CASE("march: equal segments, checked cell by cell, are the uniform bar")
@@ -280,10 +268,10 @@ TEST_CASE("march: of motions of equal segments the extremes are those of the uni
         CHECK(seen.canonical == uniform.canonical);
         CHECK(seen.repetitions == uniform.repetitions);
         CHECK(seen.peakStrain == Approx(uniform.peakStrain));
-        checkAlike(extremes, extremesOf(state, schedule, uniform.repetitions));
+        test::checkEqual(extremes, extremesOf(state, schedule, uniform.repetitions));
         const ForcedWalk walk = unforced(state, schedule);
         CHECK(walk.worst() < 1e-12);
-        checkAlike(walk.extremes, extremesOf(state, schedule, 1));
+        test::checkEqual(walk.extremes, extremesOf(state, schedule, 1));
     });
     CHECK(motions > 100);
 }
