@@ -34,14 +34,15 @@ public:
     void operator()(const ProgramProof& proof) const
     {
         begin(name(proof.rows));
+        limit("strain_limit", proof.demands.strainLimit * (1.0 + proof.tolerance));
+        limit("tip_floor", proof.demands.tipFloor - proof.tolerance);
         lists(proof.multipliers);
     }
 
     void operator()(const SteppedProof& proof) const
     {
-        const double floor = proof.tipFloor - proof.tolerance;
         begin(name(Formulation::joints));
-        write_(R"(,"tip_floor":)" + (std::isfinite(floor) ? Json(floor) : Json()).dump());
+        limit("tip_floor", proof.tipFloor - proof.tolerance);
         lists(proof.multipliers);
     }
 
@@ -58,6 +59,12 @@ private:
     void begin(std::string_view rows) const
     {
         write_(fmt::format(R"({{"kind":"farkas","verified":true,"rows":"{}")", rows));
+    }
+
+    /// Of the motions that are excluded; null where it limits nothing.
+    void limit(std::string_view key, double value) const
+    {
+        write_(fmt::format(R"(,"{}":)", key) + (std::isfinite(value) ? Json(value) : Json()).dump());
     }
 
     template <typename Proof>
@@ -130,6 +137,16 @@ std::optional<Json> steppedCertificate(const PeriodicResult& result, const FindO
     return json;
 }
 
+/// Does the range of energies of the whole schedule say which energy the motion has? Within limits
+/// that is so for the least of all.
+bool isOfRange(const PeriodicResult& result, const FindOptions& options)
+{
+    const bool isLimited = std::isfinite(options.strainLimit) || std::isfinite(options.tipFloor);
+    return !result.motion || !isLimited ||
+           (result.how.objective == Objective::minEnergy &&
+            result.motion->energyRatio <= result.set.energy->least * (1.0 + options.tolerance));
+}
+
 }  // namespace
 
 void writeCertificate(const Absence& absence, const WriteText& write)
@@ -159,9 +176,8 @@ std::optional<Json> energyCertificate(const PeriodicResult& result, const FindOp
     }
     const auto* exclusion =
         result.absence ? std::get_if<EnergyExclusion>(&result.absence->proof) : nullptr;
-    const bool isLimited = std::isfinite(options.strainLimit) || std::isfinite(options.tipFloor);
-    if (isLimited || !result.set.energy || !isUniform(result.scene.segments) ||
-        (!result.motion && exclusion == nullptr)) {
+    if (!result.set.energy || !isUniform(result.scene.segments) ||
+        (!result.motion && exclusion == nullptr) || !isOfRange(result, options)) {
         return std::nullopt;
     }
     const auto proof = leastEnergyProof(result.schedule);
@@ -177,6 +193,9 @@ std::optional<Json> energyCertificate(const PeriodicResult& result, const FindOp
               {"rows", name(Formulation::lumped)}};
     if (exclusion != nullptr) {
         json["energy_ratio"] = exclusion->energyRatio;
+        if (std::isfinite(exclusion->strainLimit)) {
+            json["strain_limit"] = exclusion->strainLimit * (1.0 + exclusion->tolerance);
+        }
     }
     addRows(json, *proof);
     return json;

@@ -209,6 +209,8 @@ def spoilt_energies(answer, draw):
     elif way == "unbounded":  # a claim less
         answer["energy_ratio_range"] = [least * 2, None]
     elif way == "wanted":
+        if "strain_limit" in certificate:
+            certificate["strain_limit"] = 1e9
         certificate["energy_ratio"] = 1.0005 * least
     elif way == "state":
         answer["objective"] = draw.choice(["min-energy", "max-energy"])
@@ -241,15 +243,18 @@ def existing(options, folder):
 
 def check_all_energies(options, checker, draw):
     """Least and most energies of random schedules; how many hold, how many spoilt ones are refused."""
-    proved = refused = several = most_known = beyond = 0
+    proved = refused = several = most_known = beyond = limited = 0
     with tempfile.TemporaryDirectory() as name:
         path = pathlib.Path(name) / "proof.json"
         calls = existing(options, path.parent)
         while proved < options.count:
             demand = draw.choice([[], [], ["--objective", "max-energy"],
-                                  ["--energy-ratio", repr(draw.choice([1.01, 300]))]])
+                                  ["--energy-ratio", repr(draw.choice([1.01, 300]))],
+                                  ["--energy-ratio", repr(draw.choice([10, 30, 100])),
+                                   "--strain-limit", repr(draw.choice([3e-3, 1e-2]))]])
             path.unlink(missing_ok=True)
-            words = ["find", *draw.choice(draw.choice(calls)), *demand, "--solver", "closed-form",
+            group = calls[0] if "--strain-limit" in demand else draw.choice(calls)  # of one phase
+            words = ["find", *draw.choice(group), *demand, "--solver", "closed-form",
                      "--quiet", "--certificate", str(path)]
             subprocess.run([options.program, *words], stdout=subprocess.DEVNULL,
                            stderr=subprocess.DEVNULL, check=False)
@@ -267,11 +272,15 @@ def check_all_energies(options, checker, draw):
             several += len(certificate["equalities"]) + len(certificate["inequalities"]) > 1
             most_known += answer["energy_ratio_range"][1] is not None
             beyond += answer["status"] == "none"
+            limited += "strain_limit" in certificate
             bad, what = spoilt_energies(answer, draw)
             refuse(checker, bad, f"{' '.join(words)}: spoilt ({what})")
             refused += 1
+    if limited < options.count // 50:
+        sys.exit(f"energies: only {limited} of them within a limit of strain")
     return (f"{proved} proofs hold, {several} of several rows, {most_known} with the most energy, "
-            f"{beyond} of no motion of an energy; {refused} spoilt ones are refused")
+            f"{beyond} of no motion of an energy, {limited} of them within a limit of strain; {refused} "
+            "spoilt ones are refused")
 
 
 def check_stepped_energies(options, checker, draw):
@@ -331,6 +340,48 @@ def random_call(draw, is_stepped):
     return ["find", *phases, *bar, *scene, "--format", "json"]
 
 
+def with_limits(draw, motion):
+    """Words of limits, one of which at least the motion does not keep."""
+    seen, wall = motion["physical"], motion["stops"][0]["place"]
+    strain = ["--strain-limit", repr(draw.choice([0.3, 0.9, 0.999]) * seen["peak_compression"])]
+    floor = seen["tip_lowest"] + draw.choice([1e-3, 0.1, 0.9]) * (wall - seen["tip_lowest"])
+    floor = ["--tip-floor", repr(floor)] if floor < wall else strain
+    return draw.choice([strain, floor, [*floor, "--strain-limit", repr(1.1 * seen["peak_compression"])]])
+
+
+def check_limits(options, checker, draw):
+    """That no motion keeps limits of strain and tip: how many proofs hold, how many of them limit each,
+    and how many are refused with limits that a motion keeps, which is known."""
+    held = {"strain_limit": 0, "tip_floor": 0}
+    with tempfile.TemporaryDirectory() as name:
+        calls = sum(existing(options, pathlib.Path(name)), [])
+    proved = refused = 0
+    while proved < options.count:
+        words = ["find", *draw.choice(calls), "--solver", "closed-form", "--format", "json", "--quiet"]
+        motion = json.loads(subprocess.run([options.program, *words], capture_output=True,
+                                           check=True).stdout)
+        words += with_limits(draw, motion)
+        answer = json.loads(subprocess.run([options.program, *words], capture_output=True,
+                                           check=False).stdout or "{}")
+        certificate = answer.get("certificate")
+        if answer.get("reason") != "constraints" or certificate["kind"] != "farkas":
+            continue  # other motions keep them, or it is not the closed form that knows
+        require_proof(checker, answer, " ".join(words))
+        proved += 1
+        gap = abs(motion["bar"]["gap"])
+        kept = {"strain_limit": motion["physical"]["peak_compression"] / gap * (1 + 1e-9),
+                "tip_floor": motion["physical"]["tip_lowest"] / gap - 1e-9}
+        for name, value in kept.items():
+            if certificate[name] is not None:
+                held[name] += 1
+                certificate[name] = value
+        refuse(checker, answer, f"{' '.join(words)}: with limits {kept}")
+        refused += 1
+    if min(held.values()) < options.count // 4:
+        sys.exit(f"limits: one of them is hardly ever there: {held}")
+    return proved, held, refused
+
+
 def check_many(options, checker, draw, is_stepped):
     """So many proofs of one sort of bar, and spoilt ones; fewer of those that cost more."""
     proved = refused = 0
@@ -362,6 +413,8 @@ def main():
         *check_scenes(options, checker, draw)))
     print("lifted to the paper's rows: {} proofs hold, {} spoilt ones are refused".format(
         *check_lifted(options, checker, draw)))
+    print("limits: {} proofs hold, {}; {} are refused with limits of a motion".format(
+        *check_limits(options, checker, draw)))
     print("energies:", check_all_energies(options, checker, draw))
     listed = json.loads(subprocess.run(
         [options.program, "find", "3", "25", "--segments", "4:1,4:1.3", "--format", "json"],
