@@ -6,6 +6,7 @@
 #include "echo.hpp"
 #include "formulation.hpp"
 #include "lumped_proof.hpp"
+#include "stops.hpp"
 #include "tolerated.hpp"
 
 namespace signorini {
@@ -60,6 +61,17 @@ std::optional<Absence> absenceOfAll(const Request& request)
                                                   .rows = Formulation::lumped}};
     }
     return std::nullopt;
+}
+
+std::optional<Absence> absenceBesideRest(const Request& request)
+{
+    const Schedule& schedule = request.schedule;
+    if (!schedule.stops.left || !canRest(schedule.phases, schedule.stops)) {
+        return std::nullopt;
+    }
+    FindOptions alone{.scene = request.options.scene, .energyRatio = 1.0};
+    alone.scene.secondStop.reset();
+    return findPeriodic(schedule, alone).absence;
 }
 
 std::optional<Absence> absenceByEnergy(const Request& request)

@@ -9,20 +9,32 @@
 #include "energy_bound.hpp"
 #include "energy_section.hpp"
 #include "stepped_route.hpp"
+#include "stops.hpp"
 #include "tolerated.hpp"
 
 namespace signorini {
 
 namespace {
 
+/// Its stops, but for one that small motions do not reach where each may be as small.
+Schedule withStopsInReach(Schedule schedule)
+{
+    if (canRest(schedule.phases, schedule.stops)) {
+        schedule.stops.left.reset();
+    }
+    return schedule;
+}
+
 bool holds(const FarkasCertificate& proof, const Schedule& schedule, const Scene&)
 {
-    return isProof(proof, schedule);
+    return isProof(proof, withStopsInReach(schedule));
 }
 
 bool holds(const ProgramProof& proof, const Schedule& schedule, const Scene&)
 {
-    return isUnmet(proof.multipliers, schedule, proof.demands, proof.rows, proof.tolerance);
+    return isUnmet(proof.multipliers,
+                   proof.demands.areLimits() ? schedule : withStopsInReach(schedule), proof.demands,
+                   proof.rows, proof.tolerance);
 }
 
 bool holds(const EnergyExclusion& proof, const Schedule& schedule, const Scene&)

@@ -100,6 +100,9 @@ std::optional<Claim> sumsRoute(const Request& request)
     if (auto absence = absenceOfAll(request)) {
         return claim(std::move(*absence));
     }
+    if (auto absence = absenceBesideRest(request)) {
+        return claim(std::move(*absence));
+    }
     if (auto absence = absenceByEnergy(request)) {
         return claim(std::move(*absence));
     }

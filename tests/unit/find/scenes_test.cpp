@@ -204,6 +204,35 @@ TEST_CASE("scenes: without a gap the energy sets the size, and is needed")
     CHECK_THROWS_WITH(findPeriodic(3, 7, 4, options), containsText("second stop"));
 }
 
+TEST_CASE("scenes: without a gap, beside a stop out of reach, motions are those of one stop")
+{
+    std::mt19937_64 generator(23);
+    const Scene scene(Bar{.gap = 0.0}, 0.5);
+    FindOptions options = in(scene);
+    options.energyRatio = 1e-8;
+    int found = 0;
+    int absent = 0;
+    for (int k = 0; k < 1000; ++k) {
+        Schedule schedule = test::randomScene(generator, stopsOf(scene), 8);
+        for (Phase& phase : schedule.phases) {
+            phase.stop = Stop::right;
+        }
+        INFO(describe(schedule));
+        const PeriodicResult result = findPeriodic(schedule, options);
+        schedule.stops.left.reset();
+        const bool exists = test::OracleRows(schedule).isFeasible();
+        REQUIRE(result.status == (exists ? Status::found : Status::none));
+        found += exists ? 1 : 0;
+        if (!exists) {
+            REQUIRE(isProof(result));
+            REQUIRE(!std::holds_alternative<EnergyExclusion>(result.absence->proof));
+            ++absent;
+        }
+    }
+    CHECK(found > 50);
+    CHECK(absent > 500);
+}
+
 TEST_CASE("scenes: a bar pressed at rest swings about its static force")
 {
     // The contact that hardly ends: motions of all amplitudes are around p = 1/2 everywhere.
