@@ -32,7 +32,10 @@ ASKED = [["5", "36", "--cells", "10"], ["3", "7", "--cells", "2", "--gap", "-1e-
          ["2", "5", "L:1", "5", "--cells", "4", "--second-stop", "1e-3"],
          ["3", "12", "--segments", "4:1,4:1.3"], ["5", "30", "--cells", "10"],
          ["5", "30", "--cells", "10", "--energy-ratio", "1.01"],
-         ["5", "30", "--cells", "10", "--objective", "max-energy"]]
+         ["5", "30", "--cells", "10", "--objective", "max-energy"],
+         ["5", "30", "--cells", "10", "--strain-limit", "1.9e-3"],
+         ["5", "30", "--cells", "10", "--tip-floor", "-1e-4", "--strain-limit", "0.1"],
+         ["5", "30", "--cells", "10", "--strain-limit", "3e-3", "--energy-ratio", "15"]]
 ODD = [None, True, False, 0, 1, -1, 2, 3, 1.5, -0.0, 0.0, 1e-320, 1e308, -1e308, math.inf, -math.inf,
        math.nan, 10 ** 12, -10 ** 18, 2 ** 63, 10 ** 400, -10 ** 400, "", "x", "1", "1/2", "-7/0",
        "1e999999999", "1_0", " 1", "\u0663/\u0664", "\ud800", "none", "found", "right", "left", "lumped", "paper",
@@ -96,6 +99,10 @@ def damage(draw, answer):
     return text.decode("latin-1").encode("utf-16") if draw.random() < 0.02 else text
 
 
+def limits(answer):
+    return {name: answer["certificate"].get(name) for name in ("strain_limit", "tip_floor")}
+
+
 def question(answer):
     """Words of the program for the schedule and the bar of an answer."""
     stops = {stop["side"]: stop["place"] for stop in
@@ -110,9 +117,9 @@ def question(answer):
                                          for s in answer["segments"])]
     else:
         words += ["--cells", str(answer["cells"])]
-    floor = answer["certificate"].get("tip_floor")
-    if floor is not None:
-        words += ["--tip-floor", repr(floor * abs(stops["right"]))]
+    for name, limit in limits(answer).items():
+        if limit is not None:
+            words += ["--" + name.replace("_", "-"), repr(limit * (abs(stops["right"]) or 1))]
     for contact, free, *stop in answer["schedule"]:
         words += [("L:" if stop == ["left"] else "") + str(contact), str(free)]
     return words
@@ -160,7 +167,7 @@ def is_true(case, answer, original):
         return False
     if certificate["kind"] == "farkas" and \
             all(answer.get(name) == original.get(name) for name in CLAIM) and \
-            certificate.get("tip_floor") == original["certificate"].get("tip_floor"):
+            limits(answer) == limits(original):
         return True
     words = ["find", *question(answer), "--quiet", "--format", "json"]
     demands = {"max-energy": ["--objective", "max-energy"]}.get(answer.get("objective"), [])
