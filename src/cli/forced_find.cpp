@@ -44,11 +44,14 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
     Outputs outputs({{"--state", stateFile}});
     const ForcedLimits limits{strainLimit / scales(bar).strain};
     const Forcing forcing{*force.place, cycles};
-    const ForcedAnswer answer =
+    ForcedAnswer answer =
         isStepped ? answerOf(SteppedForced(schedule, scene, force.damping(), forcing), scene,
                              force.amplitude)
                   : answerOf(forcedMotions(schedule, force.damping(), forcing, limits), scene,
                              force.amplitude);
+    if (std::isfinite(strainLimit)) {
+        answer.strainLimit = strainLimit;
+    }
     if (!answer.motions.empty()) {
         outputs.put("--state", [&](const std::string& path) {
             writeStateCsv(path, answer.motions.back().state, bar);

@@ -180,6 +180,7 @@ std::string asJson(const ForcedAnswer& answer)
         {"period_ratio", period(set.schedule)},
         {"frequency_ratio", static_cast<double>(set.forcing.cycles) * frequencyRatio(set.schedule)},
         {"solution_set", {{"kind", name(set.kind)}, {"free_waves", set.freeWaves}}},
+        {"strain_limit", answer.strainLimit ? Json(*answer.strainLimit) : Json()},
         {"amplitude", answer.asked ? Json(*answer.asked) : Json()},
         {"amplitude_range", nullptr},
         {"phase", nullptr},
