@@ -53,7 +53,12 @@ def random_question(draw):
         words += ["--amplitude", repr(draw.choice([1, 3]) * 10 ** draw.uniform(-5, -2))]
     if place == "tip" and draw.random() < 0.15:
         words += ["--strain-limit", draw.choice(["1e-3", "3e-3"])]
-    return words
+    return words + random_bar(draw)
+
+
+def random_bar(draw):
+    """Words about units, mostly none."""
+    return draw.choice([[], [], ["--length", "2.5", "--axial-stiffness", "3e4", "--wave-speed", "5e3"]])
 
 
 def likely_question(draw):
@@ -62,14 +67,16 @@ def likely_question(draw):
     words = [str(draw.randint(1, cells)), str(draw.randint(2 * cells, 5 * cells))]
     words += ["--cells", str(cells), "--force", draw.choice(["tip", "base"]),
               "--damping", draw.choice(["0.02", "0.1", "0.3"]), "--gap", draw.choice(["1e-3", "-1e-3"])]
-    scene = draw.randrange(4)
+    scene = draw.randrange(5)
     if scene == 0:  # gone through twice
         words += ["--cycles", "2"]
     elif scene == 1:
         words += ["--second-stop", draw.choice(["2e-3", "3e-3"])]
     elif scene == 2:
         words = words[:2] + ["L:" + words[0], words[1]] + words[2:-1] + ["1e-3", "--second-stop", "1e-3"]
-    return words
+    elif scene == 3:  # motions of any size, and the bar at rest
+        words = words[:-1] + ["0", "--amplitude", "0.01"]
+    return words + random_bar(draw)
 
 
 def inner_amplitudes(answer):
@@ -144,8 +151,14 @@ class Answers:
         bad["certificate"]["kind"] = "forced"
         bad["certificate"]["conditions"] = []
         yield bad
+        yield dict(answer, status="found")
+        if answer["force"] == "base":  # whose speed adds to the strain
+            bad = copy.deepcopy(dict(answer, strain_limit=1e-9))
+            bad["certificate"]["conditions"].append({"rule": "strain", "step": 0})
+            yield bad
         if answer["certificate"]["kind"] == "amplitude-range":
-            yield dict(answer, amplitude=None)
+            for amplitude in (None, 0, -1):
+                yield dict(answer, amplitude=amplitude)
             for amplitude in inner_amplitudes(answer):
                 self.counts["wrong amplitude"] += 1
                 yield dict(answer, amplitude=amplitude)
@@ -204,11 +217,16 @@ class Answers:
                 self.counts["rows met"] += 1
 
     def beyond(self, words):
-        """Of a schedule with motions, amplitudes that none has."""
+        """Of a schedule with motions, amplitudes that none has, and a limit on strain."""
         answer = self.ask(words)
-        if not answer or answer["status"] != "found" or answer["bar"]["gap"] == 0:
+        if not answer or answer["status"] != "found":
             return
         self.deny(answer, words)
+        if answer["bar"]["gap"] == 0:
+            return
+        if answer["force"] == "tip":  # less strain than the least motion has
+            strain = self.draw.uniform(0.6, 0.99) * answer["motions"][0]["physical"]["peak_compression"]
+            self.look(words + ["--strain-limit", repr(strain)])
         least, most = answer["amplitude_range"]
         for amplitude in [0.7 * least] + ([1.3 * most] if most is not None else []):
             if amplitude > 0:
