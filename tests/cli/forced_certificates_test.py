@@ -233,6 +233,23 @@ class Answers:
                 self.look(words + ["--amplitude", repr(amplitude)])
 
 
+# A force that repeats after 2N steps of flight, and leaves u(L, 0) at 0 whatever its amplitude: what
+# rounding makes of that is no motion.
+UNMOVED = ("2 10 --cells 2 --damping 1e-6 --cycles 3", "1 11 --cells 2 --damping 1e-6 --cycles 3",
+           "2 22 --cells 4 --damping 1e-6 --cycles 3", "2 13 --cells 3 --damping 1e-5 --cycles 5",
+           "1 7 --cells 2 --damping 1e-8 --cycles 2")
+
+
+def check_unmoved(answers):
+    """None is found, and the checker knows why."""
+    for words in UNMOVED:
+        answer = answers.ask(words.split() + ["--force", "tip"])
+        if answer["status"] == "found":
+            sys.exit(f"{words}: a motion of amplitude {answer['amplitude']}")
+        certificate = {"kind": "forced", "conditions": []}
+        require_proof(answers.checker, dict(answer, status="none", certificate=certificate), words)
+
+
 def require(counts, name, least):
     """Ends the run if there were fewer: then it has shown little."""
     if counts[name] < least:
@@ -251,6 +268,7 @@ def main():
         answers.look(random_question(answers.draw))
         if answers.draw.random() < 0.3:
             answers.beyond(likely_question(answers.draw))
+    check_unmoved(answers)
     counts = answers.counts
     for name in sorted(counts):
         print(f"{counts[name]:6} {name}")
