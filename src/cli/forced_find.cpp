@@ -44,11 +44,11 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
     Outputs outputs({{"--state", stateFile}});
     const ForcedLimits limits{strainLimit / scales(bar).strain};
     const Forcing forcing{*force.place, cycles};
-    ForcedAnswer answer =
-        isStepped ? answerOf(SteppedForced(schedule, scene, force.damping(), forcing), scene,
-                             force.amplitude)
-                  : answerOf(forcedMotions(schedule, force.damping(), forcing, limits), scene,
-                             force.amplitude);
+    ForcedAnswer answer = isStepped
+                              ? answerOf(SteppedForced(schedule, scene, force.damping(), forcing),
+                                         scene, force.amplitude)
+                              : answerOf(forcedMotions(schedule, force.damping(), forcing, limits),
+                                         scene, force.amplitude);
     if (std::isfinite(strainLimit)) {
         answer.strainLimit = strainLimit;
     }
