@@ -90,7 +90,7 @@ def random_bar(draw, most_cells):
     most_cells = min(most_cells, 10 - 2 * count)
     cuts = sorted(draw.sample(range(1, most_cells), count - 1))
     cells = [end - first for first, end in zip([0] + cuts, cuts + [most_cells])]
-    impedances = draw.sample([0.2, 0.5, 1, 1.3, 2.417, 7, 1e-3], count)
+    impedances = draw.sample([0.2, 0.5, 1, 1.3, 2.417, 7], count)
     dashpots = [draw.choice([0, 0, 0, 0, 0.3]) for _ in cells[1:]] + [0]
     return ["--segments", ",".join(f"{n}:{impedance}:1:{dashpot}"
                                    for n, impedance, dashpot in zip(cells, impedances, dashpots))]
