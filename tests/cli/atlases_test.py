@@ -126,7 +126,8 @@ def check_segments(options, folder, draw):
         sys.exit(f"{' '.join(edge)}: {text}")
     spoilt = sum(spoil(options.checker, made(options.program, folder, ["--segments", "2:1,2:1.3", *gap]), draw,
                        SPOILT + SPOILT_SEGMENTS, 1e-6) for gap in gaps)
-    return f"several segments: {decided} schedules, {found[False]} and {found[True]} with motions, and {spoilt} spoilt ones"
+    return (f"several segments: {decided} schedules, {found[False]} of one contact and {found[True]} of two with "
+            f"motions, are as the atlases say; {spoilt} spoilt ones are refused")
 
 
 def main():
