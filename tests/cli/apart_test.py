@@ -17,7 +17,6 @@ import subprocess
 import sys
 import tempfile
 from collections import Counter
-from fractions import Fraction
 
 from certificates_test import existing, load
 
