@@ -12,111 +12,14 @@
 
 #include "catch.hpp"
 #include "forced_check.hpp"
+#include "march_support.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
 #include "stepped_check.hpp"
 #include "support.hpp"
 
 using namespace signorini;
-
-namespace {
-
-/// Of each step: 1 pressed on the wall, -1 on the second stop, 0 neither.
-using Marks = std::vector<int>;
-
-/// Phases of a cycle of marks, from the start of the first pressed run.
-std::vector<Phase> phasesOf(const Marks& marks)
-{
-    const std::size_t n = marks.size();
-    const auto mark = [&](std::size_t m) { return marks[m % n]; };
-    std::size_t first = 0;
-    while (first < n && mark(first) == 0) {
-        ++first;
-    }
-    if (first == n) {
-        return {};
-    }
-    std::size_t turns = 0;
-    for (; turns < n && first == 0 && mark(n - 1 - turns) == mark(0); ++turns) {
-    }
-    first += turns > 0 ? n - turns : 0;  // the run goes on before the period begins
-    std::vector<Phase> phases;
-    for (std::size_t m = 0; m < n; ++m) {
-        const int here = mark(first + m);
-        if (here == 0) {
-            ++phases.back().free;
-            continue;
-        }
-        if (m == 0 || mark(first + m - 1) != here) {
-            phases.push_back({0, 0, here > 0 ? Stop::right : Stop::left});
-        }
-        ++phases.back().contact;
-    }
-    return phases;
-}
-
-/// (21)-(25) and the rule, a step at a time. Distances in units of p: a free step moves the tip by
-/// p. `second` is the distance from the wall to the second stop.
-March marchBySteps(const State& start, std::int64_t count, int wall, std::optional<double> second)
-{
-    State now = start;
-    const Eigen::Index n = now.a.size();
-    const double half = 0.5 * static_cast<double>(n);
-    double opening = wall * half + 0.5 * (start.a - start.b).sum();
-    Marks marks;
-    for (std::int64_t m = 0; m < count; ++m) {
-        const double p = now.a[n - 1];
-        const double room = p > 0.0 ? opening : second ? *second - opening : 1e300;
-        const bool isStopped = p != 0.0 && std::abs(p) > room;
-        const bool isHeld = isStopped && room <= 0.0;
-        if (isStopped && room > 0.0) {
-            return {(std::abs(p) - room) / half, m, {}};
-        }
-        marks.push_back(!isHeld ? 0 : p > 0.0 ? 1 : -1);
-        opening -= isHeld ? 0.0 : p;
-        const double clamped = -now.b[0];
-        for (Eigen::Index i = n - 1; i > 0; --i) {
-            now.a[i] = now.a[i - 1];
-        }
-        for (Eigen::Index i = 0; i + 1 < n; ++i) {
-            now.b[i] = now.b[i + 1];
-        }
-        now.a[0] = clamped;
-        now.b[n - 1] = isHeld ? -p : p;
-    }
-    const auto largest = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-        return std::max(a.lpNorm<Eigen::Infinity>(), b.lpNorm<Eigen::Infinity>());
-    };
-    const double size = largest(start.a, start.b);
-    const double change = largest(now.a - start.a, now.b - start.b);
-    return {size > 0.0 ? change / size : change, -1, phasesOf(marks)};
-}
-
-/// Waves in long stretches of one value each, so that whole pieces do the same to the tip.
-State stretches(std::mt19937_64& draw, std::int64_t cells)
-{
-    const auto below = [&draw](std::int64_t end) {
-        return std::uniform_int_distribution<std::int64_t>(0, end - 1)(draw);
-    };
-    std::vector<double> waves;
-    const bool isRugged = below(3) == 0;
-    while (waves.size() < 2 * static_cast<std::size_t>(cells)) {
-        const auto value = static_cast<double>(below(5) - 2);
-        waves.insert(waves.end(), static_cast<std::size_t>(1 + below(isRugged ? 4 : cells)), value);
-    }
-    const Eigen::Map<const Eigen::VectorXd> all(waves.data(), 2 * cells);
-    return {all.head(cells), all.tail(cells)};
-}
-
-/// Shifts a wave so that the tip starts `opening` (a multiple of 1/2) before the wall.
-void place(State& state, int wall, double opening)
-{
-    const double half = 0.5 * static_cast<double>(state.cells());
-    const double now = wall * half + 0.5 * (state.a - state.b).sum();
-    state.a[0] += 2.0 * (opening - now);
-}
-
-}  // namespace
+using namespace signorini::test;
 
 TEST_CASE("march: a piece at a time it decides as step by step, beside one stop and between two")
 {
@@ -139,7 +42,7 @@ TEST_CASE("march: a piece at a time it decides as step by step, beside one stop 
         }
         const auto count = static_cast<std::int64_t>(1 + draw() % (12 * cells));
         INFO("trial " << trial << ", N = " << cells << ", " << count << " steps");
-        const March expected = marchBySteps(state, count, stops.right, second);
+        const March expected = marchBySteps(state, count, {stops.right, second}).march;
         const March seen = march(state, count, 1e-9, stops);
         REQUIRE(seen.firstFault == expected.firstFault);
         REQUIRE(seen.residual == Approx(expected.residual).epsilon(1e-12));
@@ -254,7 +157,7 @@ TEST_CASE("march: of motions of equal segments the extremes are those of the uni
 {
     std::mt19937_64 draw(21);
     int motions = 0;
-    test::forAllSchedules(6, 6, [&](const Schedule& schedule) {
+    forAllSchedules(6, 6, [&](const Schedule& schedule) {
         const OnePhaseSet set = onePhaseSet(schedule);
         if (set.reason) {
             return;
@@ -268,10 +171,10 @@ TEST_CASE("march: of motions of equal segments the extremes are those of the uni
         CHECK(seen.canonical == uniform.canonical);
         CHECK(seen.repetitions == uniform.repetitions);
         CHECK(seen.peakStrain == Approx(uniform.peakStrain));
-        test::checkEqual(extremes, extremesOf(state, schedule, uniform.repetitions));
+        checkEqual(extremes, extremesOf(state, schedule, uniform.repetitions));
         const ForcedWalk walk = unforced(state, schedule);
         CHECK(walk.worst() < 1e-12);
-        test::checkEqual(walk.extremes, extremesOf(state, schedule, 1));
+        checkEqual(walk.extremes, extremesOf(state, schedule, 1));
     });
     CHECK(motions > 100);
 }

@@ -275,3 +275,19 @@ TEST_CASE("verification: what proves nothing is no proof")
     alone.stops.left = Fraction{3, 1};
     CHECK_FALSE(isProof(proof(onePhase(4, 3, 12)), alone));
 }
+
+TEST_CASE("verification: a motion whose second half mirrors the first exactly is symmetric")
+{
+    // N = 2 between stops at g and -g: p = 1, -1, -1 and then -1, 1, 1, a push at each stop.
+    const State state{Eigen::Vector2d{-1.0, 1.0}, Eigen::Vector2d{1.0, 1.0}};
+    Schedule schedule{2, {{1, 2}, {1, 2, Stop::left}}};
+    schedule.stops.left = Fraction{1, 1};
+    const Verification seen = verify(state, schedule, 0.0);
+    CHECK(seen.residuals.worst() == 0.0);
+    CHECK(seen.canonical == schedule.phases);
+    CHECK(seen.isSymmetric);
+
+    State other = state;
+    other.a[0] += 0.25;
+    CHECK_FALSE(verify(other, schedule, 0.0).isSymmetric);
+}

@@ -1,6 +1,8 @@
 #include "signorini/certificate.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <set>
@@ -225,6 +227,104 @@ TEST_CASE("certificate: of two phases, just those that the paper's own rows add 
     }
     CHECK(proofs > 100);
     CHECK(ofSecondFlight > 50);
+}
+
+TEST_CASE("certificate: where only rest comes back, any rows of any phase are part of a proof")
+{
+    // W - 1 is regular there: whatever pushes and depths add up to, some y of (30) cancels it.
+    std::mt19937_64 generator(8);
+    const auto upTo = [&generator](std::int64_t most) {
+        return std::uniform_int_distribution<std::int64_t>(1, most)(generator);
+    };
+    int proofs = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        Schedule schedule{upTo(5), {}};
+        for (std::int64_t phases = 1 + upTo(2); phases > 0; --phases) {
+            schedule.phases.push_back({upTo(7), upTo(12)});
+        }
+        const Eigen::Index size = 2 * schedule.cells;
+        const Eigen::MatrixXd change =
+            periodMap(schedule).toDense() - Eigen::MatrixXd::Identity(size, size);
+        // Every cycle of waves makes a factor 1 - 1 or 1 + 1.
+        const double factor = std::round(std::abs(change.determinant()));
+        if (factor == 0.0) {
+            continue;
+        }
+        ++proofs;
+        FarkasCertificate certificate{};
+        certificate.gap = -static_cast<std::int64_t>(factor);
+        Eigen::VectorXd total = -factor * gapRow(schedule.cells).toDense().transpose();
+        const auto draw = [&](const SparseMatrix& matrix) {
+            std::vector<Multiplier> multipliers;
+            for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+                const auto value = static_cast<std::int64_t>(factor) * (upTo(3) - 1);
+                multipliers.push_back({row, value});
+                total += static_cast<double>(value) * Eigen::VectorXd(matrix.row(row).transpose());
+            }
+            return multipliers;
+        };
+        const Inequalities rows = inequalities(schedule);
+        certificate.pressure = draw(rows.pressure);
+        certificate.penetration = draw(rows.penetration);
+        const Eigen::VectorXd y = change.transpose().fullPivLu().solve(-total);
+        for (Eigen::Index row = 0; row < size; ++row) {
+            certificate.periodicity.push_back({row, std::llround(y[row])});
+        }
+        INFO(describe(schedule));
+        REQUIRE(holdsOverThePapersRows(certificate, schedule));
+        REQUIRE(isProof(certificate, schedule));
+        for (auto* part : {&certificate.periodicity, &certificate.pressure}) {
+            for (Multiplier& m : *part) {
+                ++m.value;
+                REQUIRE_FALSE(isProof(certificate, schedule));
+                --m.value;
+            }
+        }
+    }
+    CHECK(proofs > 50);
+}
+
+TEST_CASE("certificate: rows of a long flight that are one and the same count one by one")
+{
+    int proofs = 0;
+    test::forAllSchedules(6, 3, [&](const Schedule& schedule) {
+        const OnePhaseSet r = onePhaseSet(schedule);
+        const std::int64_t repeat = 4 * schedule.cells;
+        // Folding takes whole repeats of 4N steps: the flight must have one to be folded.
+        if (!r.reason || schedule.phases.front().free < repeat) {
+            return;
+        }
+        FarkasCertificate certificate = proveAbsence(r);
+        if (certificate.penetration.empty()) {
+            return;
+        }
+        ++proofs;
+        constexpr std::int64_t times = 60;
+        for (auto* part : {&certificate.periodicity, &certificate.pressure}) {
+            for (Multiplier& m : *part) {
+                m.value *= times;
+            }
+        }
+        certificate.gap *= times;
+        std::vector<Multiplier> spread;
+        for (std::int64_t k = 0; k < times; ++k) {
+            for (const Multiplier& m : certificate.penetration) {
+                spread.push_back({m.row % repeat + k * repeat, m.value});
+            }
+        }
+        std::sort(spread.begin(), spread.end(),
+                  [](const Multiplier& x, const Multiplier& y) { return x.row < y.row; });
+        certificate.penetration = spread;
+        Schedule longer = schedule;
+        longer.phases.front().free += times * repeat;
+        INFO(describe(longer));
+        REQUIRE(holdsOverThePapersRows(certificate, longer));
+        REQUIRE(isProof(certificate, longer));
+        certificate.penetration.back().value += 1;
+        const std::int64_t row = certificate.penetration.back().row;
+        REQUIRE(isProof(certificate, longer) == (row % repeat == repeat - 1));
+    });
+    CHECK(proofs > 20);
 }
 
 TEST_CASE("certificate: there is none where motions exist")

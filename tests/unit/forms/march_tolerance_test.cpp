@@ -1,0 +1,234 @@
+// Pushes and rooms that are exactly as large as the tolerance allows, on waves that are whole
+// numbers: every check of a state has to decide there as the rule says, and no motion may get lost
+// by it.
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "catch.hpp"
+#include "march_support.hpp"
+#include "signorini/verification.hpp"
+#include "stepped_bar.hpp"
+#include "stepped_cells.hpp"
+#include "stepped_check.hpp"
+#include "support.hpp"
+
+using namespace signorini;
+using namespace signorini::test;
+
+namespace {
+
+/// Two stops half of the time, whole places of the tip, and tolerances that pushes and rooms meet
+/// exactly: N is a power of two, so that nothing is rounded.
+struct Coarse {
+    State state;
+    Schedule schedule;
+    Places places;
+    double tolerance = 0.0;
+};
+
+Coarse drawCoarse(std::mt19937_64& draw, int mostPower)
+{
+    const auto upTo = [&](std::int64_t most) {
+        return static_cast<std::int64_t>(1 + draw() % static_cast<std::uint64_t>(most));
+    };
+    const std::int64_t cells = std::int64_t{1} << (upTo(mostPower + 1) - 1);
+    Coarse drawn{stretches(draw, cells), {cells, {{upTo(5 * cells), upTo(9 * cells)}}}, {}};
+    Stops& stops = drawn.schedule.stops;
+    stops.right = static_cast<int>(upTo(3)) - 2;
+    drawn.places.wall = stops.right;
+    if (draw() % 2 == 0) {
+        stops.left = Fraction{1 + upTo(3), 1};
+        drawn.schedule.phases.push_back({upTo(cells), upTo(2 * cells), Stop::left});
+        drawn.places.second =
+            0.5 * static_cast<double>(cells * (stops.right + stops.left->numerator));
+    } else if (draw() % 2 == 0) {
+        drawn.schedule.phases.push_back(drawn.schedule.phases.front());
+    }
+    if (draw() % 4 != 0) {
+        const double start = drawn.places.second && draw() % 3 == 0 ? *drawn.places.second : 0.0;
+        place(drawn.state, stops.right, start + 0.5 * static_cast<double>(upTo(5) - 3));
+    }
+    const std::uint64_t power = draw() % 5;
+    drawn.tolerance = power == 0 ? 0.0 : std::ldexp(1.0, -static_cast<int>(power));
+    return drawn;
+}
+
+/// The largest wave that arrives along a schedule, all of it walked.
+double highestWave(State state, const Schedule& schedule)
+{
+    double highest = -INFINITY;
+    for (const Phase& phase : schedule.phases) {
+        for (std::int64_t step = 0; step < phase.contact + phase.free; ++step) {
+            highest = std::max(highest, state.a[state.a.size() - 1]);
+            takeStep(state, step < phase.contact);
+        }
+    }
+    return highest;
+}
+
+std::vector<Phase> repeated(const std::vector<Phase>& phases, std::int64_t times)
+{
+    std::vector<Phase> all;
+    for (std::int64_t k = 0; k < times; ++k) {
+        all.insert(all.end(), phases.begin(), phases.end());
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("march: what is near a stop, and what presses, is as exact as the tolerance")
+{
+    std::mt19937_64 draw(22);
+    int faults = 0;
+    int pressed = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Coarse drawn = drawCoarse(draw, 6);
+        const std::int64_t count = steps(drawn.schedule);
+        INFO("trial " << trial << ": " << describe(drawn.schedule) << ", " << drawn.tolerance);
+        const March expected =
+            marchBySteps(drawn.state, count, drawn.places, drawn.tolerance).march;
+        const March seen = march(drawn.state, count, drawn.tolerance, drawn.schedule.stops);
+        REQUIRE(seen.firstFault == expected.firstFault);
+        REQUIRE(seen.residual == Approx(expected.residual).epsilon(1e-12));
+        REQUIRE(seen.phases == expected.phases);
+        faults += seen.firstFault >= 0 ? 1 : 0;
+        pressed += seen.phases.empty() ? 0 : 1;
+    }
+    CHECK(faults > 500);
+    CHECK(pressed > 500);
+}
+
+TEST_CASE("march: beside any schedule it decides step by step, and the shortest period repeats")
+{
+    std::mt19937_64 draw(23);
+    int unpressed = 0;
+    int twice = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Coarse drawn = drawCoarse(draw, 3);
+        const std::int64_t count = steps(drawn.schedule);
+        INFO("trial " << trial << ": " << describe(drawn.schedule) << ", " << drawn.tolerance);
+        const March expected =
+            marchBySteps(drawn.state, count, drawn.places, drawn.tolerance).march;
+        const Verification seen = verify(drawn.state, drawn.schedule, drawn.tolerance);
+        REQUIRE(seen.residuals.march == Approx(expected.residual).epsilon(1e-12));
+        REQUIRE(repeated(seen.canonical, expected.phases.empty() ? 1 : seen.repetitions) ==
+                expected.phases);
+        REQUIRE(count % seen.repetitions == 0);
+        if (seen.repetitions > 1) {
+            const March once =
+                marchBySteps(drawn.state, count / seen.repetitions, drawn.places, drawn.tolerance)
+                    .march;
+            REQUIRE(once.firstFault == -1);
+            REQUIRE(once.residual <= drawn.tolerance);
+        }
+        REQUIRE(seen.peakStrain == 2.0 * highestWave(drawn.state, drawn.schedule));
+        unpressed += expected.phases.empty() ? 1 : 0;
+        twice += seen.repetitions > 1 ? 1 : 0;
+    }
+    CHECK(unpressed > 500);
+    CHECK(twice > 100);
+}
+
+TEST_CASE("march: cell by cell it sees what the tip does, as exactly as the tolerance")
+{
+    std::mt19937_64 draw(24);
+    int pressed = 0;
+    int landed = 0;
+    int twice = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Coarse drawn = drawCoarse(draw, 3);
+        const std::int64_t count = steps(drawn.schedule);
+        INFO("trial " << trial << ": " << describe(drawn.schedule) << ", " << drawn.tolerance);
+        const Seen expected = marchBySteps(drawn.state, count, drawn.places, drawn.tolerance);
+        const std::vector<Segment> whole{{drawn.schedule.cells}};
+        const auto [seen, extremes] =
+            verifyStepped(drawn.state, drawn.schedule, whole, drawn.tolerance);
+        REQUIRE(seen.residuals.march == Approx(expected.march.residual).epsilon(1e-12));
+        if (expected.march.firstFault >= 0) {
+            continue;
+        }
+        const std::int64_t times = expected.returns > 0 ? count / expected.returns : 1;
+        REQUIRE(seen.repetitions == times);
+        if (times == 1) {
+            REQUIRE(seen.canonical == expected.march.phases);
+        }
+        Extremes truth = expected.extremes;
+        truth.period = period(drawn.schedule) / static_cast<double>(times);
+        truth.contactTime /= static_cast<double>(times);
+        truth.impulse /= static_cast<double>(times);
+        truth.peakCompression = extremes.peakCompression;  // strains have a test of their own
+        truth.peakTension = extremes.peakTension;
+        checkEqual(extremes, truth);
+        pressed += seen.canonical.empty() ? 0 : 1;
+        landed += extremes.approachSpeed > 0.0 ? 1 : 0;
+        twice += times > 1 ? 1 : 0;
+    }
+    CHECK(pressed > 500);
+    CHECK(landed > 500);
+    CHECK(twice > 100);
+}
+
+TEST_CASE("march: strains of segments are those in every cell of a bar cut twice as fine")
+{
+    std::mt19937_64 draw(25);
+    for (int trial = 0; trial < 300; ++trial) {
+        std::vector<Segment> segments;
+        std::vector<Segment> halved;
+        for (std::uint64_t k = 0; k <= draw() % 3; ++k) {
+            const auto cells = static_cast<std::int64_t>(1 + draw() % 4);
+            const auto impedance = std::ldexp(1.0, static_cast<int>(draw() % 5) - 2);
+            const auto speed = std::ldexp(1.0, static_cast<int>(draw() % 3) - 1);
+            segments.push_back({.cells = cells, .impedance = impedance, .speed = speed});
+            halved.push_back({.cells = 2 * cells, .impedance = impedance, .speed = speed});
+        }
+        const SteppedBar bar = steppedBar(halved);
+        const State state = randomState(bar.cells / 2, static_cast<unsigned>(trial));
+        State fine{Eigen::VectorXd(bar.cells), Eigen::VectorXd(bar.cells)};
+        for (Eigen::Index k = 0; k < bar.cells; ++k) {
+            fine.a[k] = state.a[k / 2];
+            fine.b[k] = state.b[k / 2];
+        }
+        SteppedCells cells(segments, state);
+        SteppedWaves waves(bar, fine);
+        double lowest = 0.0;
+        double highest = 0.0;
+        const auto see = [&] {
+            const State now = waves.state();
+            Eigen::Index cell = 0;
+            for (const Segment& segment : halved) {
+                for (std::int64_t k = 0; k < segment.cells; ++k, ++cell) {
+                    const double strain =
+                        (now.b[cell] - now.a[cell]) / (segment.speed / halved.front().speed);
+                    lowest = std::min(lowest, strain);
+                    highest = std::max(highest, strain);
+                }
+            }
+        };
+        for (std::uint64_t step = 0; step <= draw() % 12; ++step) {
+            const bool isHeld = draw() % 2 == 0;
+            cells.step(isHeld);
+            for (int half = 0; half < 2; ++half) {
+                see();  // at the begin and in the middle of a step, not at its end
+                waves.step({.reflected = isHeld ? -1.0 : 1.0});
+            }
+            REQUIRE(cells.lowestStrain() == Approx(lowest).epsilon(1e-12));
+            REQUIRE(cells.highestStrain() == Approx(highest).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("march: a state of other cells than the bar is refused, whichever wave is too long")
+{
+    const Schedule schedule = onePhase(2, 1, 3);
+    const std::vector<Segment> segments{{1}, {1}};
+    const Eigen::VectorXd two = Eigen::VectorXd::Zero(2);
+    const Eigen::VectorXd three = Eigen::VectorXd::Zero(3);
+    CHECK_NOTHROW(verifyStepped({two, two}, schedule, segments));
+    for (const State& state : {State{two, three}, State{three, two}, State{three, three}}) {
+        CHECK_THROWS_AS(verifyStepped(state, schedule, segments), std::invalid_argument);
+    }
+}
