@@ -178,7 +178,7 @@ TEST_CASE("march: strains of segments are those in every cell of a bar cut twice
     for (int trial = 0; trial < 300; ++trial) {
         std::vector<Segment> segments;
         std::vector<Segment> halved;
-        for (std::uint64_t k = 0; k <= draw() % 3; ++k) {
+        for (std::uint64_t count = 1 + draw() % 3; count > 0; --count) {
             const auto cells = static_cast<std::int64_t>(1 + draw() % 4);
             const auto impedance = std::ldexp(1.0, static_cast<int>(draw() % 5) - 2);
             const auto speed = std::ldexp(1.0, static_cast<int>(draw() % 3) - 1);
@@ -208,7 +208,7 @@ TEST_CASE("march: strains of segments are those in every cell of a bar cut twice
                 }
             }
         };
-        for (std::uint64_t step = 0; step <= draw() % 12; ++step) {
+        for (std::uint64_t left = 1 + draw() % 12; left > 0; --left) {
             const bool isHeld = draw() % 2 == 0;
             cells.step(isHeld);
             for (int half = 0; half < 2; ++half) {
