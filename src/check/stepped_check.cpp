@@ -61,7 +61,8 @@ public:
           half_(0.5 * static_cast<double>(state.cells())),
           size_(start.size()),
           tolerance_(tolerance),
-          tip_(start.tip())
+          tip_(start.tip()),
+          lowest_(tip_)
     {
     }
 
@@ -142,6 +143,7 @@ private:
     double size_;
     double tolerance_;
     double tip_;
+    double lowest_;  ///< a tip that is held all the time is lowest where it starts
     ContactRuns runs_;
     March march_;
     std::int64_t shortest_ = 0;
@@ -149,7 +151,6 @@ private:
     double push_ = 0.0;
     double impulse_ = 0.0;
     double landing_ = 0.0;
-    double lowest_ = infinity;
 };
 
 /// (30)-(32) along the schedule.

@@ -324,6 +324,19 @@ TEST_CASE(
     CHECK(isProof(none));
 }
 
+TEST_CASE("stepped: a tip that hardly leaves the wall is lowest at it", "[glpk][ipopt]")
+{
+    // The flight's wave is 0 but for rounding, and rounding may say that it presses.
+    for (const double impedance : {1.3, 2.0, 7.3, 11.0}) {
+        FindOptions options = optionsFor({{.cells = 2}, {.cells = 2, .impedance = impedance}});
+        options.scene.bar.gap = -1e-3;
+        const PeriodicResult result = findPeriodic(7, 1, 4, options);
+        INFO(impedance << ": " << result.detail);
+        REQUIRE(result.motion);
+        CHECK(result.motion->physical.tipLowest == Approx(-1e-3).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("stepped: a tampered proof is none, and neither is one for another bar", "[glpk][ipopt]")
 {
     const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};

@@ -97,7 +97,7 @@ inline Seen marchBySteps(const State& start, std::int64_t count, const Places& p
     double opening = places.wall * half + 0.5 * (start.a - start.b).sum();
     Marks marks;
     Seen seen;
-    seen.extremes.lowestTip = INFINITY;
+    seen.extremes.lowestTip = places.wall - opening / half;
     for (std::int64_t m = 0; m < count; ++m) {
         const double p = now.a[now.a.size() - 1];
         const double push = std::abs(p);

@@ -232,3 +232,15 @@ TEST_CASE("march: a state of other cells than the bar is refused, whichever wave
         CHECK_THROWS_AS(verifyStepped(state, schedule, segments), std::invalid_argument);
     }
 }
+
+TEST_CASE("march: a tip that is held all the time is lowest where it is")
+{
+    // Waves of 1/2 press a bar on a wall at -g, and come back as they are.
+    const Eigen::VectorXd half = Eigen::VectorXd::Constant(2, 0.5);
+    Schedule schedule = onePhase(2, 7, 1);
+    schedule.stops.right = -1;
+    const Extremes seen =
+        verifyStepped({half, -half}, schedule, std::vector<Segment>{{1}, {1}}).extremes;
+    CHECK(seen.lowestTip == -1.0);
+    CHECK(seen.contactTime == seen.period);
+}
