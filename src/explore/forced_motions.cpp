@@ -235,9 +235,7 @@ void decide(ForcedSet& set, Solved& solved)
     set.freeWaves = waves.heldClasses() + waves.undampedClasses();
     if (waves.undampedClasses() == 0 && (set.freeWaves == 0 || waves.boundsHeld())) {
         const ForcedLine line = waves.line(false, solved.waveLimit());
-        // Where waves hardly fade rounding is more than what is left out, and would be divided by.
-        const bool isNear = portable::hypot(line.foot.c, line.foot.s) <= mostForcedAmplitude;
-        if (!(line.hasLine && isNear) && set.freeWaves == 0) {
+        if (!line.hasLine && set.freeWaves == 0) {
             set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
             return;
         }

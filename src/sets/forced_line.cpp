@@ -14,6 +14,8 @@ namespace signorini {
 
 namespace {
 
+constexpr double nearlyNothing = 1e-4;  // of the largest waves: what rounding may have left
+
 }  // namespace
 
 /// Writes conditions with their free amplitudes.
@@ -79,6 +81,7 @@ ForcedWaves::ForcedWaves(std::int64_t cells, double rho, std::span<const Excitat
       isContact_(static_cast<std::size_t>(steps_), false),
       p_(static_cast<std::size_t>(steps_)),
       kinds_(static_cast<std::size_t>(classes_), ClassKind::damped),
+      grips_(static_cast<std::size_t>(classes_), 1.0),
       work_(static_cast<std::size_t>(classes_))
 {
     const double admittance = 0.5 * (1.0 + rho);  // 1/(1 + eta)
@@ -229,6 +232,7 @@ void ForcedWaves::solveClass(std::int64_t first)
     kind = flights == 0 ? ClassKind::held : grip <= 0.0 ? ClassKind::undamped : ClassKind::damped;
     held_ += kind == ClassKind::held ? 1 : 0;
     undamped_ += kind == ClassKind::undamped ? 1 : 0;
+    grips_[static_cast<std::size_t>(first)] = kind == ClassKind::damped ? grip : 1.0;
     work_[static_cast<std::size_t>(first)] = around;
     const Plane start = kind == ClassKind::held       ? (-0.5 / static_cast<double>(members)) * push
                         : kind == ClassKind::undamped ? Plane{}
@@ -327,7 +331,14 @@ ForcedLine ForcedWaves::line(bool isHasty, double waveLimit)
     for (std::int64_t m = 0; m < steps_; m += 1 + steps_ / 16) {
         scale = std::max(scale, size(wave(m)) + size(place_[static_cast<std::size_t>(m)]));
     }
-    ForcedCut cut(tip(0), startPlace(), scale, isPlane_, canRest(phases_, stops_));
+    const Plane gap = tip(0);
+    double source = 0.0;
+    if (size(gap) < nearlyNothing * scale) {
+        // The rounding of what drives them is divided by what waves lose.
+        source = (size(force_.front()) + size(fromTip_.front())) /
+                 *std::min_element(grips_.begin(), grips_.end());
+    }
+    ForcedCut cut(gap, startPlace(), std::max(scale, source), isPlane_, canRest(phases_, stops_));
     if (cut.isEmpty()) {
         return cut.result();
     }

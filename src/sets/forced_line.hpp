@@ -150,6 +150,7 @@ private:
     std::vector<Plane> place_;     ///< y
     std::vector<Plane> p_;
     std::vector<ClassKind> kinds_;
+    std::vector<double> grips_;  ///< of damped classes, what a wave loses around them; 1 of others
     std::vector<std::int64_t> changed_;  ///< classes that are to be solved anew
     std::vector<Plane> work_;            ///< of each free class: what its waves gain once around
     std::array<std::optional<ForcedCondition>, 2> lastRows_;  ///< of the last line

@@ -237,7 +237,8 @@ class Answers:
 # rounding makes of that is no motion.
 UNMOVED = ("2 10 --cells 2 --damping 1e-6 --cycles 3", "1 11 --cells 2 --damping 1e-6 --cycles 3",
            "2 22 --cells 4 --damping 1e-6 --cycles 3", "2 13 --cells 3 --damping 1e-5 --cycles 5",
-           "1 7 --cells 2 --damping 1e-8 --cycles 2")
+           "1 7 --cells 2 --damping 1e-8 --cycles 2", "2 6 --cells 2 --damping 1e-10 --cycles 2",
+           "2 6 --cells 2 --damping 1e-12 --cycles 2")
 
 
 def check_unmoved(answers):
