@@ -64,7 +64,8 @@ private:
     /// Of the motions that are excluded; null where it limits nothing.
     void limit(std::string_view key, double value) const
     {
-        write_(fmt::format(R"(,"{}":)", key) + (std::isfinite(value) ? Json(value) : Json()).dump());
+        write_(fmt::format(R"(,"{}":)", key) +
+               (std::isfinite(value) ? Json(value) : Json()).dump());
     }
 
     template <typename Proof>
@@ -129,7 +130,8 @@ std::optional<Json> steppedCertificate(const PeriodicResult& result, const FindO
         return std::nullopt;
     }
     Json json{{"kind", "energy-range"},
-              {"verified", proof->energyRatio >= result.motion->energyRatio * (1.0 - options.tolerance)},
+              {"verified", std::abs(result.motion->energyRatio / proof->energyRatio - 1.0) <=
+                               options.tolerance},
               {"rows", name(Formulation::joints)},
               {"tip_floor", std::isfinite(options.tipFloor) ? Json(options.tipFloor) : Json()},
               {"energy_ratio", proof->energyRatio}};

@@ -236,7 +236,10 @@ void decide(ForcedSet& set, Solved& solved)
     if (waves.undampedClasses() == 0 && (set.freeWaves == 0 || waves.boundsHeld())) {
         const ForcedLine line = waves.line(false, solved.waveLimit());
         if (!line.hasLine && set.freeWaves == 0) {
-            set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
+            explainAbsence(set, {}, solved.question());  // by that row alone
+            if (set.status != Status::none) {
+                set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
+            }
             return;
         }
         if (line.isEmpty() && line.hasLine) {

@@ -147,10 +147,11 @@ class Answers:
             bad = copy.deepcopy(answer)
             bad["certificate"]["conditions"].append(condition)
             yield bad
-        bad = copy.deepcopy(answer)
-        bad["certificate"]["kind"] = "forced"
-        bad["certificate"]["conditions"] = []
-        yield bad
+        if answer["certificate"]["conditions"]:  # else u(L, 0) is 0 whatever drives the bar
+            bad = copy.deepcopy(answer)
+            bad["certificate"]["kind"] = "forced"
+            bad["certificate"]["conditions"] = []
+            yield bad
         yield dict(answer, status="found")
         if answer["force"] == "base":  # whose speed adds to the strain
             bad = copy.deepcopy(dict(answer, strain_limit=1e-9))

@@ -40,9 +40,11 @@ TEST_CASE("forced motions, two contacts: isolated points that a dense solver con
         undecided += set.status == Status::undecided ? 1 : 0;
         if (set.status == Status::none) {
             REQUIRE(isCertain(set));
-            ForcedSet tampered = set;
-            tampered.conflict.pop_back();
-            REQUIRE_FALSE(isCertain(tampered));
+            if (!set.conflict.empty()) {
+                ForcedSet tampered = set;
+                tampered.conflict.pop_back();
+                REQUIRE_FALSE(isCertain(tampered));
+            }
             ++none;
         }
         if (set.status != Status::found) {
@@ -108,7 +110,8 @@ TEST_CASE("forced motions: closed form and linear programs leave the same of a l
             forcedPolytope(waves.rows(std::numeric_limits<double>::infinity()), {true, 0});
         INFO(polytope.detail);
         if (set.status == Status::none) {
-            CHECK(polytope.conflict);
+            CHECK(polytope.corners.empty());
+            CHECK((polytope.conflict || set.conflict.empty()));  // which nothing moves has no rows
             continue;
         }
         REQUIRE_FALSE(polytope.conflict);
