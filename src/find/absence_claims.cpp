@@ -99,13 +99,17 @@ std::optional<Absence> absenceByEnergy(const Request& request)
 
 std::optional<Absence> absenceByProgram(const Request& request, Formulation formulation)
 {
-    auto proof = proofFor(request, request.demands, formulation);
+    // Limits alone are excluded over sums, too, by rows that others can check.
+    const Formulation rows = formulation == Formulation::reduced && request.demands.fixed.empty()
+                                 ? Formulation::lumped
+                                 : formulation;
+    auto proof = proofFor(request, request.demands, rows);
     if (!proof) {
         return std::nullopt;
     }
     return Absence{reasonOfProgram(request),
                    ProgramProof{.multipliers = std::move(*proof),
-                                .rows = formulation,
+                                .rows = rows,
                                 .demands = {.strainLimit = request.demands.strainLimit,
                                             .tipFloor = request.demands.tipFloor,
                                             .fixed = request.demands.fixed},

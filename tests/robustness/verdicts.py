@@ -2,7 +2,8 @@
 """Random questions over all scenes, each answer judged by code that shares nothing with ours.
 
 A motion is marched over its period, in every step, by the few lines below, and its energy is
-added up; what an answer proves is checked by tools/check-certificate. Of a forced bar the range of
+added up; what an answer proves is checked by tools/check-certificate and tools/check-forced.
+Of a forced bar the range of
 amplitudes, or that it is empty, is found again from the response of the bar that is held and let go
 as the schedule says: all conditions are linear in the cosine and the sine of the excitation.
 """
@@ -24,12 +25,12 @@ Segment = collections.namedtuple("Segment", "cells impedance dashpot")
 Force = collections.namedtuple("Force", "place ratio amplitude phase cycles")
 
 
-def checker():
-    """tools/check-certificate as a module."""
-    path = pathlib.Path(__file__).parents[2] / "tools" / "check-certificate"
+def checker(name):
+    """A program of tools as a module."""
+    path = pathlib.Path(__file__).parents[2] / "tools" / name
     sys.dont_write_bytecode = True
-    loader = importlib.machinery.SourceFileLoader("checker", str(path))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("checker", loader))
+    loader = importlib.machinery.SourceFileLoader(name, str(path))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
     loader.exec_module(module)
     return module
 
@@ -50,6 +51,7 @@ class March:
         self.force = force
         self.steps = sum(contact + free for contact, free, _ in self.phases)
         self.size = max(GAP, *map(abs, self.right + self.left))
+        self.largest, self.lowest = 0.0, self.tip()  # wave that arrives at the tip; its place
 
     def angle(self, m):
         return 2 * math.pi * self.force.cycles * m / self.steps - self.force.phase
@@ -82,6 +84,7 @@ class March:
         dashpot = (1 - loss) / (1 + loss)
         z, a, b = self.impedance, self.right, self.left
         wave, push = a[-1], self.push(m)
+        self.largest = max(self.largest, wave)
         if is_held:
             back, seen = -wave, push + 2 * wave * z[-1]
         else:
@@ -112,6 +115,7 @@ class March:
             for _ in range(free):
                 tip += self.step(m, False) / self.cells
                 m += 1
+                self.lowest = min(self.lowest, tip)
                 if tip > self.places["right"] + allowed:
                     yield f"the tip is inside the wall after step {m}: {tip}"
                 if tip < self.places.get("left", -math.inf) - allowed:
@@ -231,6 +235,9 @@ def question(draw):
             words += ["--cycles", "2"]
     elif scene == "gap" and draw.random() < 0.4:
         words += ["--energy-ratio", repr(draw.choice([1, 4, 9, draw.uniform(0.5, 40)]))]
+    if scene in ("gap", "pressed", "stops") and draw.random() < 0.25:
+        words += draw.choice([["--strain-limit", draw.choice(["1e-3", "1.9e-3", "2.5e-3", "4e-3"])],
+                              ["--tip-floor", draw.choice(["-1.1e-3", "-1e-4", "-9e-4", "-3e-3"])]])
     # Near T = 4 - t_c, where motions are, or anywhere.
     contact = draw.randint(1, max(1, cells))
     free = 4 * cells - contact - draw.randint(0, cells) if draw.random() < 0.5 else \
@@ -262,13 +269,17 @@ def judge_motion(case, words, answer, has_proof):
     energy = march.energy()
     for fault in march.faults():
         case.fault(words, fault)
+    limits = dict(zip(words, words[1:]))
+    if 2 * march.largest > float(limits.get("--strain-limit", "inf")) * (1 + 1e-7 + TOLERANCE) or \
+            march.lowest < float(limits.get("--tip-floor", "-inf")) - GAP * (1e-7 + TOLERANCE):
+        case.fault(words, f"beyond a limit: waves to {march.largest}, the tip to {march.lowest}")
     told = answer.get("energy_ratio")
     if told is not None and abs(energy - told) > TOLERANCE * max(1.0, energy):
         case.fault(words, f"energy_ratio {told}, but the state has {energy}")
     return f"found{', energies or amplitudes confirmed' if has_proof else ''}"
 
 
-def judge(case, check):
+def judge(case, checkers):
     """One question."""
     words = question(case.random)
     outcome = case.run([*words, "--format", "json", "--quiet", "--state", "state.csv",
@@ -281,8 +292,9 @@ def judge(case, check):
     proof = case.folder / "proof.json"
     proved = json.loads(proof.read_text()) if proof.exists() else answer
     certificate = proved["certificate"]
-    proves = certificate is not None and certificate["kind"] in ("farkas", "energy-range")
+    proves = certificate is not None
     if proves:
+        check = checkers["force" in answer]
         try:
             check.check(proved)
         except check.NoProof as why:
@@ -291,7 +303,7 @@ def judge(case, check):
         held = Held(answer)
         if held.isKnown and (wrong := held.judge(answer)):
             case.fault(words, wrong)
-        proves = held.isKnown
+        proves = proves or held.isKnown
     if outcome.status == FOUND:
         return judge_motion(case, words, answer, proves)
     if outcome.status == UNDECIDED:
@@ -301,8 +313,8 @@ def judge(case, check):
 
 def main():
     given = arguments(__doc__.split("\n")[0], 100_000)
-    check = checker()
-    campaign(given, "verdicts", lambda case: judge(case, check), ["found", "none, confirmed"])
+    checkers = checker("check-certificate"), checker("check-forced")
+    campaign(given, "verdicts", lambda case: judge(case, checkers), ["found", "none, confirmed"])
 
 
 main()
