@@ -244,7 +244,7 @@ void FindCommand::addTo(CLI::App& command)
     addAnimation(command, animationFile);
     addFile(command, "--certificate", certificateFile,
             "write the proof that there is no motion, or of the least energy, for "
-            "tools/check-certificate",
+            "tools/check-certificate, or of a forced bar tools/check-forced",
             "FILE.json");
     common.addTo(command);
 }
@@ -268,7 +268,7 @@ void FindCommand::warn(const Physical& physical) const
 void FindCommand::requireNothingFree() const
 {
     const FindOptions usual;
-    const std::array<std::pair<const char*, bool>, 14> others{{
+    const std::array<std::pair<const char*, bool>, 13> others{{
         {"--period, --frequency, --hertz", question.isAsked()},
         {"--energy", energy.has_value()},
         {"--energy-ratio", options.energyRatio.has_value()},
@@ -281,14 +281,13 @@ void FindCommand::requireNothingFree() const
         {"--motion", motionFile.isWanted()},
         {"--figure", !figureFile.empty()},
         {"--animate", !animationFile.empty()},
-        {"--certificate", !certificateFile.empty()},
         {"--stability (of response)", wantsStability},
     }};
     for (const auto& [option, isGiven] : others) {
         if (isGiven) {
             throw std::invalid_argument(
                 fmt::format("{} clashes with --damping, --force and --amplitude: allowed with them "
-                            "--cycles, --strain-limit and --state",
+                            "--cycles, --strain-limit, --state and --certificate",
                             option));
         }
     }
@@ -316,7 +315,7 @@ ExitStatus FindCommand::run() const
     if (forced.isAsked()) {
         requireNothingFree();
         status = forced.answer({common.usualCells(), parsePhases(steps), stopsOf(scene)}, common,
-                               stateFile, options.strainLimit);
+                               stateFile, certificateFile, options.strainLimit);
     } else if (question.isAsked()) {
         if (!isUniform(scene.segments)) {
             throw std::invalid_argument("--segments: allowed only together with NC NF");

@@ -22,7 +22,8 @@ void ForcedFind::addTo(CLI::App& command)
 }
 
 ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& common,
-                              const std::string& stateFile, double strainLimit) const
+                              const std::string& stateFile, const std::string& certificateFile,
+                              double strainLimit) const
 {
     if (!force.ratio) {
         refuse("--damping", "missing", fmt::format("numbers 0..{} [-]", maxDampingRatio));
@@ -41,7 +42,10 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
                "numbers > 0 [N or m]: without a gap motions are as small as one likes");
     }
     const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;
-    Outputs outputs({{"--state", stateFile}});
+    const OutputOption ofState{"--state", stateFile};
+    const OutputOption ofProof{"--certificate", certificateFile};
+    Outputs states({ofState}, {ofProof});
+    Outputs proofs({ofProof}, {ofState});
     const ForcedLimits limits{strainLimit / scales(bar).strain};
     const Forcing forcing{*force.place, cycles};
     ForcedAnswer answer = isStepped
@@ -53,12 +57,22 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
         answer.strainLimit = strainLimit;
     }
     if (!answer.motions.empty()) {
-        outputs.put("--state", [&](const std::string& path) {
+        states.put("--state", [&](const std::string& path) {
             writeStateCsv(path, answer.motions.back().state, bar);
         });
-        outputs.commit();
-    } else if (outputs.areWanted() && !common.quiet) {
+        states.commit();
+    } else if (states.areWanted() && !common.quiet) {
         tell("signorini find: no motion to write, so no file was written\n");
+    }
+    if (answer.status() == Status::none) {
+        proofs.put("--certificate", [&](const std::string& path) {
+            TextFile file(path);
+            file.write(asJson(answer));
+            file.close();
+        });
+        proofs.commit();
+    } else if (proofs.areWanted() && !common.quiet) {
+        tell("signorini find: no proof to write, so --certificate was not written\n");
     }
     writeOut(common.wantsJson ? asJson(answer) : asText(answer));
     for (const ForcedMotion& motion : answer.motions) {

@@ -21,10 +21,12 @@ struct ForcedFind {
     [[nodiscard]] bool isAsked() const { return force.ratio || force.place || force.amplitude; }
 
     /// Those of one amplitude if it is given, else the one of least amplitude; the report goes to
-    /// stdout, the state of the last one, which has the largest impulse, to `stateFile`. With a
-    /// limit on strain [-], s >= -strainLimit, only those within it.
+    /// stdout, the state of the last one, which has the largest impulse, to `stateFile`, an answer
+    /// "none" to `certificateFile`. With a limit on strain [-], s >= -strainLimit, only those
+    /// within it.
     [[nodiscard]] ExitStatus answer(const Schedule& schedule, const CommonOptions& common,
-                                    const std::string& stateFile, double strainLimit) const;
+                                    const std::string& stateFile,
+                                    const std::string& certificateFile, double strainLimit) const;
 };
 
 }  // namespace signorini::cli

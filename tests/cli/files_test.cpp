@@ -287,11 +287,23 @@ TEST_CASE("cli: --certificate is the answer with all of its proof, of a motion t
     CHECK(energies["verified"] == true);
     CHECK(energies["equalities"].size() == 1);
     CHECK(program.files() == 3);
-    const auto limited =
-        program.run("find 5 23 --cells 8 --strain-limit 1 --certificate limited.json");
-    CHECK(limited.status == 0);
-    CHECK_THAT(limited.err, containsText("no proof to write"));
-    CHECK(program.files() == 3);
+    // Within a limit the least of all is the least, too; of the most nothing is proved.
+    CHECK(program.run("find 5 23 --cells 8 --strain-limit 1 --certificate l.json").status == 0);
+    CHECK(program.files() == 4);
+    const auto unproved = program.run(
+        "find 5 23 --cells 8 --strain-limit 1 --energy-ratio 8 --certificate unproved.json");
+    CHECK(unproved.status == 0);
+    CHECK_THAT(unproved.err, containsText("no proof to write"));
+    CHECK(program.files() == 4);
+    // The proof that a forced bar has no motion is its answer.
+    const auto force = [&program](const char* more) {
+        return program.run(
+            std::string("find 12 75 --cells 10 --damping 0.02 --force tip --amplitude 1e-4 ") +
+            more);
+    };
+    CHECK(force("--certificate forced.json --state s.csv").status == 1);
+    CHECK(contentOf(program.file("forced.json")) == force("--format json").out);
+    CHECK(program.files() == 5);
     CHECK(program.run("find 5 23 --cells 8 --certificate s.csv --state s.csv").status == 2);
     CHECK(program.run("find --period 7/2 --certificate p.json").status == 2);
     // A list longer than a piece in which it is written.
