@@ -319,6 +319,25 @@ TEST_CASE("energy section: grazing classes of several phases are counted right, 
     CHECK(known == 6);  // all of the first two: their grazing types are of one class
 }
 
+TEST_CASE("energy section: of more sums than vertices are listed for nothing is said to be joined")
+{
+    const Schedule many{20, std::vector<Phase>(16, Phase{4, 71})};
+    const LumpedSet set = lumpedSet(many);
+    const LumpedShape shape = shapeOf(set);
+    REQUIRE(set.live.size() == 16);
+    REQUIRE(shape.vertices.empty());
+    const double energy = 1.5 * shape.energy.least;
+    const auto section = sectionOfPhases(many, energy);
+    REQUIRE(section);
+    CHECK(section->facts().dimension == shape.dimension - 1);
+    CHECK_FALSE(section->facts().components);
+    CHECK_FALSE(section->facts().isConnected);
+    const State least = equalMotion(set, set.leastSums);
+    std::mt19937_64 generator(6);
+    const State drawn = drawMotion(set, shape, generator);
+    CHECK_FALSE(section->joins(least, drawn));
+}
+
 TEST_CASE("energy section: motions of a cone that share an impulse have the energy, and come back")
 {
     struct Case {

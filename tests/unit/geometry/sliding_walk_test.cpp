@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "catch.hpp"
@@ -105,6 +106,28 @@ TEST_CASE("sliding walk: from equal amplitudes on a face it curves into the set"
             CHECK(distance(walk.advance(0.05),
                            onCircle(start, along, std::vector<bool>(4, true), 0.1 * k)) < 1e-13);
         }
+    }
+}
+
+TEST_CASE("sliding walk: it leaves equal amplitudes on a face whatever the direction is rounded to")
+{
+    std::mt19937_64 generator(4);
+    std::normal_distribution<double> normal;
+    for (int trial = 0; trial < 1000; ++trial) {
+        const std::size_t count = 3 + generator() % 6;
+        const std::size_t members = 2 + generator() % (count - 2);
+        std::vector<double> start(count, 0.0);
+        std::fill_n(start.begin(), members, 1.0 / static_cast<double>(members));
+        std::vector<double> direction(count);
+        std::generate(direction.begin(), direction.end(), [&] { return normal(generator); });
+        const double rho = 1.0 / static_cast<double>(members);
+        SlidingWalk walk({static_cast<std::int64_t>(count), rho}, start, direction);
+        CAPTURE(trial);
+        REQUIRE(walk.canMove());
+        const std::vector<double> z = walk.advance(1e-3);
+        CHECK(std::abs(test::sumOf(z) - 1.0) < 1e-14);
+        CHECK(std::abs(squaresOf(z) - rho) < 1e-14);
+        CHECK(distance(z, start) > 1e-4);
     }
 }
 
