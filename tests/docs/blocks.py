@@ -59,10 +59,10 @@ def blocks_of(page: Path) -> list[Block]:
     while at < len(lines):
         if match := FENCE.match(lines[at]):
             end = next(i for i in range(at + 1, len(lines)) if lines[i].strip() == "```")
-            before = " ".join(lines[max(0, at - 2) : at])
+            before = " ".join(lines[max(0, at - 2):at])
             elsewhere = ELSEWHERE.search(before)
             if not match[2].startswith("{"):
-                text = "\n".join(line.removeprefix(match[1]) for line in lines[at + 1 : end])
+                text = "\n".join(line.removeprefix(match[1]) for line in lines[at + 1:end])
                 tried = (elsewhere[1], elsewhere[2]) if elsewhere else None
                 found.append(Block(page, at + 2, match[2], text + "\n", tried))
             at = end
