@@ -45,6 +45,8 @@ class FarkasCertificate(_Proof):
     penetration: list[tuple[int, int]]
 
 class ProgramProof(_Proof):
+    strain_limit: Optional[float]
+    tip_floor: Optional[float]
     equalities: list[tuple[int, int]]
     inequalities: list[tuple[int, int]]
 
@@ -368,6 +370,7 @@ class ForcedResult(_Record):
     period_ratio: float
     frequency_ratio: float
     solution_set: dict[str, Any]
+    strain_limit: Optional[float]
     amplitude: Optional[float]
     amplitude_range: Optional[Bounds]
     phase: Optional[float]

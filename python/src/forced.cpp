@@ -199,6 +199,12 @@ void addAnswer(py::module_& module)
             "{\"kind\": \"empty\", \"point\", \"segment\" \"ray\" or \"polytope\", \"free_waves\": "
             "...}.")
         .key(
+            "strain_limit",
+            [](const ForcedAnswer& a) {
+                return finiteOrNone(a.set.limits.strain * scales(a.bar).strain);
+            },
+            "Of all motions [-], or None.")
+        .key(
             "amplitude",
             [](const ForcedAnswer& a) -> py::object {
                 return a.motions.empty() ? orNone(a.asked)

@@ -87,6 +87,16 @@ void addCertificates(py::module_& module)
         .key(
             "rows", [](const ProgramProof& p) { return nameOf(p.rows); }, "Which formulation's.")
         .key(
+            "strain_limit",
+            [](const ProgramProof& p) {
+                return finiteOrNone(p.demands.strainLimit * (1.0 + p.tolerance));
+            },
+            "[g/L], that the proof rests on, or None.")
+        .key(
+            "tip_floor",
+            [](const ProgramProof& p) { return finiteOrNone(p.demands.tipFloor - p.tolerance); },
+            "[g], that the proof rests on, or None.")
+        .key(
             "equalities", [](const ProgramProof& p) { return pairs(p.multipliers.equalities); },
             "[(row, multiplier), ...].")
         .key(
@@ -102,11 +112,7 @@ void addCertificates(py::module_& module)
             "rows", [](const SteppedProof&) { return nameOf(Formulation::joints); }, "\"joints\".")
         .key(
             "tip_floor",
-            [](const SteppedProof& p) {
-                const double floor = p.tipFloor - p.tolerance;
-                return std::isfinite(floor) ? py::object(py::float_(floor))
-                                            : py::object(py::none());
-            },
+            [](const SteppedProof& p) { return finiteOrNone(p.tipFloor - p.tolerance); },
             "[g], that the proof rests on, or None.")
         .key(
             "equalities", [](const SteppedProof& p) { return pairs(p.multipliers.equalities); },

@@ -8,6 +8,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -154,6 +155,11 @@ template <typename T, typename Put>
 [[nodiscard]] py::object orNone(const std::optional<T>& value, Put put)
 {
     return value ? asObject(put(*value)) : py::none();
+}
+
+[[nodiscard]] inline py::object finiteOrNone(double value)
+{
+    return std::isfinite(value) ? py::object(py::float_(value)) : py::object(py::none());
 }
 
 template <typename T>

@@ -48,14 +48,11 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
     Outputs proofs({ofProof}, {ofState});
     const ForcedLimits limits{strainLimit / scales(bar).strain};
     const Forcing forcing{*force.place, cycles};
-    ForcedAnswer answer = isStepped
-                              ? answerOf(SteppedForced(schedule, scene, force.damping(), forcing),
-                                         scene, force.amplitude)
-                              : answerOf(forcedMotions(schedule, force.damping(), forcing, limits),
-                                         scene, force.amplitude);
-    if (std::isfinite(strainLimit)) {
-        answer.strainLimit = strainLimit;
-    }
+    const ForcedAnswer answer =
+        isStepped ? answerOf(SteppedForced(schedule, scene, force.damping(), forcing), scene,
+                             force.amplitude)
+                  : answerOf(forcedMotions(schedule, force.damping(), forcing, limits), scene,
+                             force.amplitude);
     if (!answer.motions.empty()) {
         states.put("--state", [&](const std::string& path) {
             writeStateCsv(path, answer.motions.back().state, bar);

@@ -168,6 +168,7 @@ std::string asText(const ForcedAnswer& answer)
 std::string asJson(const ForcedAnswer& answer)
 {
     const ForcedSet& set = answer.set;
+    const double strainLimit = set.limits.strain * scales(answer.bar).strain;
     Json json = newAnswer();
     json.update(Json{
         {"status", name(answer.status())},
@@ -180,7 +181,7 @@ std::string asJson(const ForcedAnswer& answer)
         {"period_ratio", period(set.schedule)},
         {"frequency_ratio", static_cast<double>(set.forcing.cycles) * frequencyRatio(set.schedule)},
         {"solution_set", {{"kind", name(set.kind)}, {"free_waves", set.freeWaves}}},
-        {"strain_limit", answer.strainLimit ? Json(*answer.strainLimit) : Json()},
+        {"strain_limit", std::isfinite(strainLimit) ? Json(strainLimit) : Json()},
         {"amplitude", answer.asked ? Json(*answer.asked) : Json()},
         {"amplitude_range", nullptr},
         {"phase", nullptr},

@@ -25,7 +25,6 @@ struct ForcedAnswer {
     std::vector<ForcedMotion> motions;  ///< by ascending impulse
     /// Where the set has motions, but none of the amplitude.
     std::optional<AmplitudeExclusion> exclusion = {};
-    std::optional<double> strainLimit = {};  ///< [-], as asked
 
     /// What an amplitude of 1 is [N] or [m].
     [[nodiscard]] double amplitudeUnit() const
