@@ -109,7 +109,7 @@ class March:
             tip = self.places[side]
             for _ in range(contact):
                 pressure = self.step(m, True) * (1 if side == "right" else -1)
-                if pressure < -allowed:
+                if pressure < -allowed * max(1.0, *self.impedance):
                     yield f"the wall pulls in step {m}: {pressure}"
                 m += 1
             for _ in range(free):
