@@ -78,17 +78,25 @@ std::vector<Phase> repeated(const std::vector<Phase>& phases, std::int64_t times
     return all;
 }
 
+/// Calls action(drawn, steps) for many of them.
+template <typename Action>
+void forManyCoarse(unsigned seed, int mostPower, Action action)
+{
+    std::mt19937_64 draw(seed);
+    for (int trial = 0; trial < 20000; ++trial) {
+        const Coarse drawn = drawCoarse(draw, mostPower);
+        INFO("trial " << trial << ": " << describe(drawn.schedule) << ", " << drawn.tolerance);
+        action(drawn, steps(drawn.schedule));
+    }
+}
+
 }  // namespace
 
 TEST_CASE("march: what is near a stop, and what presses, is as exact as the tolerance")
 {
-    std::mt19937_64 draw(22);
     int faults = 0;
     int pressed = 0;
-    for (int trial = 0; trial < 20000; ++trial) {
-        const Coarse drawn = drawCoarse(draw, 6);
-        const std::int64_t count = steps(drawn.schedule);
-        INFO("trial " << trial << ": " << describe(drawn.schedule) << ", " << drawn.tolerance);
+    forManyCoarse(22, 6, [&](const Coarse& drawn, std::int64_t count) {
         const March expected =
             marchBySteps(drawn.state, count, drawn.places, drawn.tolerance).march;
         const March seen = march(drawn.state, count, drawn.tolerance, drawn.schedule.stops);
@@ -97,20 +105,16 @@ TEST_CASE("march: what is near a stop, and what presses, is as exact as the tole
         REQUIRE(seen.phases == expected.phases);
         faults += seen.firstFault >= 0 ? 1 : 0;
         pressed += seen.phases.empty() ? 0 : 1;
-    }
+    });
     CHECK(faults > 500);
     CHECK(pressed > 500);
 }
 
 TEST_CASE("march: beside any schedule it decides step by step, and the shortest period repeats")
 {
-    std::mt19937_64 draw(23);
     int unpressed = 0;
     int twice = 0;
-    for (int trial = 0; trial < 20000; ++trial) {
-        const Coarse drawn = drawCoarse(draw, 3);
-        const std::int64_t count = steps(drawn.schedule);
-        INFO("trial " << trial << ": " << describe(drawn.schedule) << ", " << drawn.tolerance);
+    forManyCoarse(23, 3, [&](const Coarse& drawn, std::int64_t count) {
         const March expected =
             marchBySteps(drawn.state, count, drawn.places, drawn.tolerance).march;
         const Verification seen = verify(drawn.state, drawn.schedule, drawn.tolerance);
@@ -128,28 +132,24 @@ TEST_CASE("march: beside any schedule it decides step by step, and the shortest 
         REQUIRE(seen.peakStrain == 2.0 * highestWave(drawn.state, drawn.schedule));
         unpressed += expected.phases.empty() ? 1 : 0;
         twice += seen.repetitions > 1 ? 1 : 0;
-    }
+    });
     CHECK(unpressed > 500);
     CHECK(twice > 100);
 }
 
 TEST_CASE("march: cell by cell it sees what the tip does, as exactly as the tolerance")
 {
-    std::mt19937_64 draw(24);
     int pressed = 0;
     int landed = 0;
     int twice = 0;
-    for (int trial = 0; trial < 20000; ++trial) {
-        const Coarse drawn = drawCoarse(draw, 3);
-        const std::int64_t count = steps(drawn.schedule);
-        INFO("trial " << trial << ": " << describe(drawn.schedule) << ", " << drawn.tolerance);
+    forManyCoarse(24, 3, [&](const Coarse& drawn, std::int64_t count) {
         const Seen expected = marchBySteps(drawn.state, count, drawn.places, drawn.tolerance);
         const std::vector<Segment> whole{{drawn.schedule.cells}};
         const auto [seen, extremes] =
             verifyStepped(drawn.state, drawn.schedule, whole, drawn.tolerance);
         REQUIRE(seen.residuals.march == Approx(expected.march.residual).epsilon(1e-12));
         if (expected.march.firstFault >= 0) {
-            continue;
+            return;
         }
         const std::int64_t times = expected.returns > 0 ? count / expected.returns : 1;
         REQUIRE(seen.repetitions == times);
@@ -166,7 +166,7 @@ TEST_CASE("march: cell by cell it sees what the tip does, as exactly as the tole
         pressed += seen.canonical.empty() ? 0 : 1;
         landed += extremes.approachSpeed > 0.0 ? 1 : 0;
         twice += times > 1 ? 1 : 0;
-    }
+    });
     CHECK(pressed > 500);
     CHECK(landed > 500);
     CHECK(twice > 100);
