@@ -6,6 +6,7 @@ Environment:
     CMAKE_BUILD_PARALLEL_LEVEL  compilers at once (all processors)
 """
 
+import importlib.util
 import os
 import re
 import shlex
@@ -25,6 +26,19 @@ def version():
     text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
     pattern = r"project\(signorini\s+VERSION ([\d.]+)"
     return re.search(pattern, text).group(1)
+
+
+def require_wheel():
+    """What makes wheels: a package of its own for setuptools before 70.1.
+
+    pip brings it (pyproject.toml), but for --no-build-isolation.
+    """
+    wanted = {"bdist_wheel", "dist_info"} & set(sys.argv)
+    makers = ["setuptools.command.bdist_wheel", "wheel"]
+    if wanted and not any(map(importlib.util.find_spec, makers)):
+        sys.exit("setup.py: this Python lacks the package wheel, which builds "
+                 "without isolation need: pip install wheel, or apt-get "
+                 "install python3-wheel")
 
 
 class BuildWithCMake(build_ext):
@@ -73,6 +87,7 @@ class BuildWithCMake(build_ext):
         return [f"-Dpybind11_DIR={pybind11.get_cmake_dir()}"]
 
 
+require_wheel()
 setup(version=version(),
       ext_modules=[Extension("signorini._core", sources=[])],
       cmdclass={"build_ext": BuildWithCMake})

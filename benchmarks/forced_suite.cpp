@@ -10,6 +10,7 @@
 #include "harmonic_march.hpp"
 #include "moreau_jean.hpp"
 #include "signorini/response.hpp"
+#include "signorini/settling.hpp"
 #include "suites.hpp"
 #include "timing.hpp"
 
@@ -161,7 +162,7 @@ void listMotions(std::int64_t cells, Record& record)
     record.detail = "every motion of one contact, stable or not";
 }
 
-/// What is usually done: from rest, up to 500 periods at each frequency, until it repeats.
+/// What is usually done: from rest, 500 periods at each frequency, and see whether it repeats.
 void marchToRest(std::int64_t cells, Record& record)
 {
     const ResponseRange range = responseRange(cells);
@@ -176,12 +177,14 @@ void marchToRest(std::int64_t cells, Record& record)
                                                    excitationOf({.amplitude = range.amplitude,
                                                                  .steps = n,
                                                                  .stepsPerCrossing = perCrossing}));
-                          SettlingWatch watch;
-                          for (int k = 0; k < 500 && !(k % 20 == 19 && watch.settled()); ++k) {
+                          constexpr std::int64_t periods = 500;
+                          SettlingWatch watch(periods);
+                          for (std::int64_t k = 0; k < periods; ++k) {
                               simulation.advance(static_cast<double>(n));
                               watch.see(simulation);
                           }
-                          const auto end = watch.settled();
+                          const auto end =
+                              watch.settling(simulation, static_cast<double>(n)).settled;
                           settled += end ? 1.0 : 0.0;
                           contacts += end && end->periods == 1 && end->contacts == 1 ? 1.0 : 0.0;
                       }

@@ -302,7 +302,7 @@ def report(folder: Path) -> Path:
 
 
 def main(words: list[str]) -> int:
-    """Return the exit status: 0, 2 wrong use, 4 no such table."""
+    """Return the exit status: 0, 2 usage error, 4 no such table."""
     if len(words) != 1:
         print(__doc__, file=sys.stderr)
         return 2

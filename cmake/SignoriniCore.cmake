@@ -1,4 +1,4 @@
-# signorini_core alone: the floors base ... explore and a table of back ends that is empty but for the
+# signorini_core alone: the floors base ... answers and a table of back ends that is empty but for the
 # closed form. For compilers and machines without our libraries: Clang with libc++, 32 bits, the
 # browser. Eigen, Boost and fmt are read as headers from the folder SIGNORINI_HEADERS.
 set(SIGNORINI_HEADERS /usr/include CACHE PATH "Folder with eigen3 (or Eigen), boost and fmt")
@@ -19,7 +19,7 @@ foreach(library IN ITEMS GLPK IPOPT NLOPT)
 endforeach()
 configure_file(cmake/config.hpp.in include/signorini/config.hpp @ONLY)
 
-signorini_floors(base mechanics paper check geometry optimise sets forms find explore)
+signorini_floors(base mechanics paper check geometry optimise sets forms find explore answers)
 add_subdirectory(solvers)
 get_property(floors GLOBAL PROPERTY SIGNORINI_FLOORS)
 add_library(signorini_core STATIC)

@@ -14,6 +14,7 @@ EXAMPLES = {
     "response": "response --damping 0.02 --force tip --amplitude 2e-4 --from 1.1 --to 1.11",
     "simulate": "simulate --rest --damping 0.02 --force tip --amplitude 2e-4"
     " --frequency 1.1 --periods 300",
+    "scene": "scene clamp 150 gap=1e-3 200:1.3 clamp",
 }
 TITLES = {"Positionals:": "Arguments", "Options:": "Options"}
 COLUMN = 30  # where the help has the words that explain an option

@@ -10,7 +10,7 @@ def kind(schema: dict[str, Any]) -> str:
     if "$ref" in schema:
         file, _, name = schema["$ref"].partition("#/$defs/")
         page = file.replace(".json", ".md")
-        place = f"#{name.replace('_', '-')}" if name else ""
+        place = f"#{name}" if name else ""
         return f"[{name or file.removesuffix('.json')}]({page}{place})"
     if "enum" in schema:
         return ", ".join(f"`{json.dumps(value)}`" for value in schema["enum"])

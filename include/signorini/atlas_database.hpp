@@ -112,6 +112,9 @@ public:
 
     /// What was decided, or begun: answers to the questions below cover no more. \throws FileError.
     [[nodiscard]] std::vector<AtlasRun> runs() const;
+    /// Reads every page, and every row of the tables that a range left: how many there are by what
+    /// they say. \throws FileError on what no atlas would contain.
+    [[nodiscard]] AtlasTally rowsOf(const AtlasRange& range) const;
     /// Enters a new run. `options` is kept as it stands, for people.
     /// \throws FileError, std::invalid_argument on an invalid range.
     [[nodiscard]] AtlasRun start(const AtlasRange& range, std::string_view options);
@@ -167,7 +170,8 @@ struct AtlasOptions {
 
 /// Decides a range into a database: on threads of this process, or from any source of batches. A
 /// finished run is left as it is. Returns how far it came; cancelled runs are not finished.
-/// \throws FileError; std::invalid_argument on an invalid range, or if the database has an
+/// \throws FileError, also where rows of a run that is there already are damaged, or not as many as
+/// it wrote; std::invalid_argument on an invalid range, or if the database has an
 /// unfinished run of this range and `resume` is not set, or of another range only and it is.
 AtlasRun buildAtlas(AtlasDatabase& database, const AtlasRange& range,
                     const AtlasOptions& options = {});

@@ -18,6 +18,7 @@
 /// so the check needs no tolerance. They are the rows of scenes with one stop. Row (11) is the
 /// first row (12) of its phase.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -62,9 +63,11 @@ enum class ForcedRule {
     work,         ///< no work on the waves that pass the tip in this step and every 2N later, which
                   ///< nothing damps: so they come back as they were
     strain,       ///< no compression beyond the limit by the wave that arrives in this step
+    rest,         ///< the tip rests at the wall, as n_f < G, and presses on it by 0 on average
 };
 
-/// "gap", "pressure", "held", "penetration", "second-stop", "closure", "work", "strain".
+/// "gap", "pressure", "held", "penetration", "second-stop", "closure", "work", "strain",
+/// "rest".
 [[nodiscard]] std::string_view name(ForcedRule rule);
 
 /// A rule in one step, as it appears in a proof.
@@ -87,6 +90,31 @@ struct RationalMultiplier {
 struct RationalProof {
     std::vector<RationalMultiplier> equalities;    ///< y
     std::vector<RationalMultiplier> inequalities;  ///< mu >= 0
+};
+
+/// The multiplier of a condition at a contact.
+struct ContactMultiplier {
+    std::size_t contact = 0;  ///< zero-based, from left to right
+    std::int64_t step = 0;    ///< zero-based, from the start of the schedule
+    double value = 0.0;       ///< of any sign where the condition is an equality, else >= 0
+
+    friend bool operator==(const ContactMultiplier&, const ContactMultiplier&) = default;
+};
+
+/// Multipliers that bound the energy of all motions of a schedule from below (docs/theory.md,
+/// section 20). With x the waves at t = 0, S the step and x_m = S ... S x,
+///
+///     sum y (x_n - x) + sum of places x distances + sum of pushes x pushes = eta . x - delta >= 0
+///
+/// for every motion, so that its energy sum Z x^2 is at least delta^2/(sum eta^2/Z), whatever was
+/// rounded in finding them. A bound that is huge says that there is no motion.
+struct EnergyFloor {
+    std::vector<double> periodicity;        ///< y: a wave each, row by row: right-going, left-going
+    std::vector<ContactMultiplier> places;  ///< of distances when a step begins: 0 next to a closed
+                                            ///< step, else >= 0
+    std::vector<ContactMultiplier> pushes;  ///< in closed steps, >= 0
+
+    friend bool operator==(const EnergyFloor&, const EnergyFloor&) = default;
 };
 
 }  // namespace signorini

@@ -126,11 +126,26 @@ struct SteppedProof {
     double tolerance = 0.0;                                      ///< relative
 };
 
+/// Multipliers by which every motion of a bar of several segments, even if its tip floor is relaxed
+/// by the tolerance, has at least an energy: more than the one to hold, or, where none is held,
+/// more than any bar bears (theory.md, section 19).
+struct EnergyFloorProof {
+    EnergyFloor multipliers = {};  ///< checked by a march backwards, its rounding bounded
+    double energyRatio = 0.0;      ///< E/E_1: no motion has less
+    double tipFloor = -std::numeric_limits<double>::infinity();  ///< [g], as asked for
+    double tolerance = 0.0;                                      ///< relative
+    std::optional<double> held = std::nullopt;                   ///< E/E_1 to hold
+};
+
+/// What no bar bears, E/E_1: below it at least absence is proved where no energy is held.
+inline constexpr double hugeEnergyRatio = 1e9;
+
 /// Why there is no motion.
 struct Absence {
     Reason reason = Reason::constraints;  ///< in a word
     /// Over the paper's rows, checked in integers; over the rows of a program; or by the energies.
-    std::variant<FarkasCertificate, ProgramProof, EnergyExclusion, SteppedProof> proof = {};
+    std::variant<FarkasCertificate, ProgramProof, EnergyExclusion, SteppedProof, EnergyFloorProof>
+        proof = {};
 };
 
 /// Who did the work, and how long it took.
@@ -180,11 +195,12 @@ struct PeriodicResult {
 /// - no gap: the same sets are cones, and the motion is the one of most impulse for its energy
 /// - demands that neither can answer, or phases beyond its limits: a linear, quadratic or nonlinear
 ///   program in as few unknowns as they allow (`cheapestFormulation`), by GLPK, Ipopt or NLopt
-/// - a bar of several segments: the waves at joints and tip in blocks (`Formulation::joints`), or
-///   coordinates of ker(W - 1) where the state of a block is small (`Formulation::kernel`): a
-///   linear program by GLPK decides, a quadratic one by Ipopt or NLopt gives the least energy, and
-///   a march of its own or a proof in rationals confirms. Equal segments without dashpots are one
-///   bar
+/// - a bar of several segments: coordinates of ker(W - 1) (`Formulation::kernel`), in which an
+///   active set method finds the motion of least energy or multipliers of a conflict; where the
+///   state of a block is large the waves at joints and tip (`Formulation::joints`) and a linear
+///   program by GLPK. A march of its own confirms a motion; rationals that there is none, or, where
+///   these would be too many, a march backwards that there is none below `hugeEnergyRatio`. Equal
+///   segments without dashpots are one bar
 /// - the paper's equations in a, b (`Formulation::state`) when asked for, as a witness
 /// Where a program has no solution, absence is claimed only with an exact proof.
 ///

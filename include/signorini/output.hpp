@@ -156,6 +156,7 @@ public:
     [[nodiscard]] const Scene& scene() const { return scene_; }
     [[nodiscard]] const Bar& bar() const { return scene_.bar; }
     [[nodiscard]] double x(std::size_t node) const { return x_[node]; }               ///< [m]
+    [[nodiscard]] double xCell(std::size_t node) const { return xCell_[node]; }       ///< [m]
     [[nodiscard]] double time(std::size_t instant) const { return times_[instant]; }  ///< [s]
     [[nodiscard]] double displacement(std::size_t node, std::size_t instant) const;   ///< [m]
     [[nodiscard]] double velocity(std::size_t node, std::size_t instant) const;       ///< [m/s]
@@ -168,6 +169,7 @@ private:
 
     Scene scene_;
     std::vector<double> x_;
+    std::vector<double> xCell_;  ///< middle of the cell that ends there, at the clamp of the first
     std::vector<double> times_;
     Field displacement_;  ///< in scaled units, like the others
     Field velocity_;
@@ -175,7 +177,9 @@ private:
     std::vector<double> stiffness_;  ///< EA at each node, relative to the first segment
 };
 
-/// time, x, displacement, velocity, strain; instant by instant; [s], [m], [m], [m/s], [-].
+/// time, x, displacement, velocity, strain, x_cell; instant by instant; [s], [m], [m], [m/s], [-],
+/// [m]. The displacement is that of x, velocity and strain are those of x_cell, the middle of a
+/// cell: at nodes fronts pass and they jump.
 /// \throws FileError.
 void writeMotionCsv(const std::string& path, const MotionSamples& samples);
 

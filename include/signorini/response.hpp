@@ -26,6 +26,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -102,6 +103,8 @@ struct ForcedCorner {
     std::vector<double> free = {};     ///< [g/L], amplitudes of the waves that nothing damps
 };
 
+class SteppedForced;
+
 /// All motions of one schedule. Where everything is damped (C, S) = foot + t direction, low <= t <=
 /// high; else (C, S) fills a polygon, and each of its places has motions of its own.
 struct ForcedSet {
@@ -109,6 +112,7 @@ struct ForcedSet {
     Damping damping;
     Forcing forcing;
     ForcedLimits limits;
+    std::vector<Segment> segments = {};  ///< of the bar, clamp first; empty: a uniform bar
     Status status = Status::undecided;
     std::string detail;  ///< why not decided
     /// Why there is none: contactSign, penetration (of either stop), gap (flights do not close),
@@ -117,6 +121,10 @@ struct ForcedSet {
     /// status none: conditions that with u(L, 0) = g contradict each other, two where nothing is
     /// undamped; certain whatever was rounded (isCertain).
     std::vector<ForcedCondition> conflict;
+    /// Of segments that differ: multipliers of these conditions, for a march backwards. They leave
+    /// no excitation up to `mostCutAmplitude` whose motion has less than `hugeEnergyRatio` E_1;
+    /// without a gap none of any amplitude A with less than A^2 times that.
+    std::vector<EnergyFloor> cuts = {};
     ForcedKind kind = ForcedKind::empty;
     double leastAmplitude = 0.0;           ///< [EA g/L] or [g]
     double mostAmplitude = 0.0;            ///< infinite for a ray
@@ -127,16 +135,22 @@ struct ForcedSet {
     std::int64_t freeWaves = 0;            ///< [-], classes of steps that nothing damps
     /// kind polytope: of the polygon, counterclockwise; two of a segment, one of a point.
     std::vector<ForcedCorner> corners;
+    std::shared_ptr<const SteppedForced> waves = {};  ///< of segments that differ
 };
+
+/// Largest amplitude that multipliers are asked to exclude [EA g/L or g].
+inline constexpr double mostCutAmplitude = 1e9;
 
 /// Decides a schedule. O(n) for each phase; with undamped waves a few dozen linear programs in
 /// their amplitudes. Undecided: conditions that rounding could turn, undamped waves where this
 /// build has no solver of linear programs.
 /// \throws std::invalid_argument on an invalid schedule or damping, more than maxForcedSteps steps,
 /// cycles unless 1 <= K < n/2, a shape whose length does not divide n, that is not finite, or 0
-/// throughout, or a limit that is not > 0 or goes with a base.
+/// throughout, or a limit that is not > 0 or goes with a base. Of segments that differ one matrix
+/// of as many rows as there are waves is factored: limits, and more than 1000 cells, are refused.
 [[nodiscard]] ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping,
-                                      const Forcing& forcing, const ForcedLimits& limits = {});
+                                      const Forcing& forcing, const ForcedLimits& limits = {},
+                                      const std::vector<Segment>& segments = {});
 
 /// Most steps of a period.
 inline constexpr std::int64_t maxForcedSteps = 100'000'000;
@@ -160,7 +174,8 @@ struct AmplitudeExclusion {
     /// What is broken at the two places (C, S) of that amplitude with u(L, 0) = g; none: there are
     /// no such places.
     std::vector<ForcedCondition> conflict;
-    bool isCertain = false;  ///< whatever was rounded, says code that did not find it
+    std::vector<EnergyFloor> cuts = {};  ///< as in ForcedSet; they leave none of this amplitude
+    bool isCertain = false;              ///< whatever was rounded, says code that did not find it
 };
 
 /// \pre the set is not empty, and motionsOfAmplitude is. O(n).
@@ -183,13 +198,14 @@ struct ResponseRange {
     /// own: listed are those whose amplitude is within `band` of the amplitude, relative.
     std::int64_t contacts = 1;
     double band = 0.05;  ///< [-], 0 < band < 1
-    Stops stops = {};    ///< where the tip is held; two contacts: one wall beyond a gap
+    Stops stops = {};    ///< where the tip is held
     /// Of the bar, clamp first, N cells in all; empty: a uniform bar. Segments that differ: one
     /// wall beyond a gap, one contact. The frequency is in omega_1 of the first material.
     std::vector<Segment> segments = {};
 };
 
-/// Most schedules with two contacts that a range may hold, of all its n: about n^3/12 of each.
+/// Most schedules with two contacts that a range may hold, of all its n: about n^3/12 of each,
+/// n^3/3 with a second stop.
 inline constexpr double maxTwoContactSchedules = 1e9;
 
 /// Motions of one n_c, one for each amplitude of an interval.
@@ -210,15 +226,28 @@ struct TwoContactBranch {
     friend bool operator==(const TwoContactBranch&, const TwoContactBranch&) = default;
 };
 
+/// The tip that never leaves the wall, where the bar presses on it at rest. Waves that run between
+/// base and wall are damped by nothing and may be added; here there are none, so the push is the
+/// static one and a harmonic.
+struct PermanentContact {
+    double leastForce = 0.0;  ///< [EA g/L], of the tip on the wall, whatever the phase; >= 0
+    Extremes extremes;        ///< of one period, at phase 0
+    double residual = 0.0;    ///< as that of a motion
+};
+
 /// All motions at one frequency with as many contacts as were asked for, on either stop, and, where
 /// stops are at equal distances and K is odd, those with two of which the second is the first,
 /// mirrored.
 struct FrequencyResponse {
-    std::int64_t steps = 0;             ///< n, of the period of the motions
-    double frequencyRatio = 0.0;        ///< omega/omega_1 of the excitation
-    double linearPeak = 0.0;            ///< max u(L) of the bar without stops [g]
-    bool touches = false;               ///< would that motion meet a stop?
-    std::int64_t undecided = 0;         ///< schedules that were not decided
+    std::int64_t steps = 0;       ///< n, of the period of the motions
+    double frequencyRatio = 0.0;  ///< omega/omega_1 of the excitation
+    double linearPeak = 0.0;      ///< max u(L) of the bar without stops [g]
+    bool touches = false;         ///< would that motion meet a stop?
+    std::int64_t undecided = 0;   ///< schedules that were not decided
+    std::string detail;           ///< why the first of them was not
+    /// It holds at any frequency but those of the bar between base and wall, for amplitudes up to
+    /// that at which the push would vanish.
+    std::optional<PermanentContact> permanent;
     std::vector<ForcedMotion> motions;  ///< by contacts, stop, ascending n_c, then impulse
     /// One contact, of all amplitudes, in this order, at most two for each schedule: an amplitude
     /// is met by as many motions as there are branches that hold it.

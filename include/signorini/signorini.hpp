@@ -3,6 +3,7 @@
 /// Everything a user of the library needs.
 
 #include "signorini/amplitude_set.hpp"
+#include "signorini/assembly.hpp"
 #include "signorini/atlas.hpp"
 #include "signorini/atlas_database.hpp"
 #include "signorini/bar.hpp"
@@ -20,5 +21,6 @@
 #include "signorini/output.hpp"
 #include "signorini/response.hpp"
 #include "signorini/schedule.hpp"
+#include "signorini/settling.hpp"
 #include "signorini/simulation.hpp"
 #include "signorini/verification.hpp"

@@ -129,14 +129,16 @@ struct Waves {
 /// A state on a grid; its unit of time is the step. O(N).
 [[nodiscard]] Waves wavesOf(const State& state);
 
-/// A bar at rest, for an excitation with so many steps in L/c: without waves, or pressed on the
-/// wall where the gap is negative (a = 1/2, b = -1/2 throughout).
-[[nodiscard]] Waves wavesAtRest(double stepsPerCrossing = 1.0, const Stops& stops = {});
+/// A bar at rest whose base stands at `base` [g], for an excitation with so many steps in L/c:
+/// without waves, or pressed on a stop where its tip, not strained, would stand beyond it. With a
+/// negative gap a = 1/2, b = -1/2 throughout.
+[[nodiscard]] Waves wavesAtRest(double stepsPerCrossing = 1.0, const Stops& stops = {},
+                                double base = 0.0);
 
-/// A bar of several segments at rest, a step for each cell: without waves, or pressed on the wall
-/// by one force throughout where the gap is negative. \throws std::invalid_argument on segments
-/// that are none.
-[[nodiscard]] Waves wavesAtRest(std::span<const Segment> segments, const Stops& stops);
+/// A bar of several segments at rest, a step for each cell: without waves, or pressed by one force
+/// throughout. \throws std::invalid_argument on segments that are none.
+[[nodiscard]] Waves wavesAtRest(std::span<const Segment> segments, const Stops& stops,
+                                double base = 0.0);
 
 /// u(x_i) - u(0), x_i = i/cells, i = 0..cells [g]. O(pieces + cells).
 [[nodiscard]] Eigen::VectorXd stretching(const Waves& waves, std::int64_t cells);
@@ -144,12 +146,15 @@ struct Waves {
 /// E/E_1 = 2 int (a^2 + b^2) dx of a uniform bar. O(pieces).
 [[nodiscard]] double energyRatio(const Waves& waves);
 
-/// One contact with a stop.
+/// One contact with a stop, or several that follow each other closer than the resolution.
 struct ContactEvent {
     double start = 0.0;      ///< [L/c]
     double end = 0.0;        ///< [L/c]
     double impulse = 0.0;    ///< int R dt [EA g/c]
-    double peakForce = 0.0;  ///< [EA g/L]
+    double peakForce = 0.0;  ///< [EA g/L], of a wave front, however short
+    /// [EA g/L], largest mean over the stretches of the resolution that follow each other from its
+    /// start; the peak where the resolution is 0.
+    double meanForce = 0.0;
     Stop stop = Stop::right;
 
     friend bool operator==(const ContactEvent&, const ContactEvent&) = default;
@@ -171,13 +176,17 @@ struct EnergyBalance {
 
 /// How to simulate.
 struct SimulationOptions {
-    /// [g/L], >= 0; neighbours that differ by no more become one piece with their mean. Equal ones
-    /// always do. Unset: 0 for a uniform bar without damping, else 1e-12.
+    /// [-], >= 0; neighbours that differ by no more times the largest of the waves at the start and
+    /// of those that the excitation sends become one piece with their mean. Equal ones always do.
+    /// Unset: 0 for a uniform bar without damping, else 1e-11.
     std::optional<double> mergeBelow = {};
     bool recordsTip = false;  ///< keep the path of the tip
     Stops stops = {};         ///< what the tip meets
     /// Of a bar that is not uniform; the start's `crossing` is the number of their cells.
     std::vector<Segment> segments = {};
+    /// [L/c], >= 0: contacts with one stop no further apart are one. How often a tip that chatters
+    /// leaves the wall is a matter of rounding, and its impulse is not.
+    double resolution = 0.0;
 };
 
 /// Pieces of a wave in the order of arrival, in a ring.
@@ -220,8 +229,9 @@ class SegmentLines;
 class BarSimulation {
 public:
     /// \throws std::invalid_argument on values that are not finite, durations that are not positive
-    /// or do not add up, or a tip beyond a stop by more than 1e-9 g; also on segments that are none
-    /// or have other cells than the start.
+    /// or do not add up, a tip beyond a stop by more than 1e-9 of what the waves or the stops
+    /// reach, or sizes beyond 1e100 or below 1e-100; also on segments that are none or have other
+    /// cells than the start.
     BarSimulation(const Waves& start, const Damping& damping, Excitation excitation = {},
                   const SimulationOptions& options = {});
     BarSimulation(const BarSimulation&);
@@ -229,6 +239,10 @@ public:
     BarSimulation& operator=(const BarSimulation&);
     BarSimulation& operator=(BarSimulation&&) noexcept;
     ~BarSimulation();
+
+    /// The same bar without its past: no contacts, no path, time 0. \pre a period of the
+    /// excitation has just ended.
+    [[nodiscard]] BarSimulation fork(bool recordsTip) const;
 
     /// Goes on for a time in units of the start's `Waves`: steps for a state on a grid.
     void advance(double duration);
@@ -243,6 +257,8 @@ public:
     [[nodiscard]] bool isHeld() const { return isHeld_; }
     /// The stop that holds the tip, or held it last.
     [[nodiscard]] Stop stop() const { return stop_; }
+    /// What it is made of; empty: a uniform bar.
+    [[nodiscard]] const std::vector<Segment>& segments() const { return parts_; }
     /// The stops there are.
     [[nodiscard]] const Stops& stops() const { return stops_; }
     /// The state. O(pieces).
@@ -287,6 +303,7 @@ private:
     void place(const Waves& start);
     void step(double most);
     void send(double q, double lasts);
+    void press(double push, double lasts);
     void closeContact();
     void hold(Stop stop);
     void recordTip();
@@ -308,6 +325,7 @@ private:
     PieceQueue echo_;  ///< of a uniform bar: q, in the order in which it arrives
     /// Of a bar of several segments: its waves, one entry; else empty.
     std::vector<SegmentLines> segments_;
+    std::vector<Segment> parts_;
     bool isHeld_ = false;
     Stop stop_ = Stop::right;
     Sum opening_;        ///< place of the wall - u(L), in g times units of time per crossing
@@ -319,45 +337,12 @@ private:
     Sum dissipated_;
     double mergedBefore_ = 0.0;  ///< in the echo, by the start
     double impulse_ = 0.0;
-    ContactEvent contact_;  ///< the one that lasts
+    double resolution_;            ///< [L/c]
+    double stretchEnd_ = 0.0;      ///< [L/c], of the stretch over which force is averaged
+    double stretchImpulse_ = 0.0;  ///< in it so far
+    ContactEvent contact_;         ///< the one that lasts
     std::vector<ContactEvent> contacts_;
     std::vector<TipPoint> path_;
-};
-
-/// What a simulation has come to, where it repeats itself.
-struct Settled {
-    std::int64_t periods = 0;   ///< of the excitation, after which everything is as before
-    std::int64_t contacts = 0;  ///< in that time
-    double impulse = 0.0;       ///< in that time [EA g/c]
-};
-
-/// Watches the ends of the periods of an excitation.
-class SettlingWatch {
-public:
-    /// `tolerance` relative; a motion has settled when it has repeated itself for `repeats` times.
-    explicit SettlingWatch(double tolerance = 1e-6, std::int64_t repeats = 8)
-        : tolerance_(tolerance), repeats_(repeats)
-    {
-    }
-
-    /// To be called at the end of each period. O(1).
-    void see(const BarSimulation& simulation);
-    /// The least number of periods, at most 16, that the last of them repeat; none if they do not.
-    [[nodiscard]] std::optional<Settled> settled() const;
-
-private:
-    struct Period {
-        double tip = 0.0;
-        double impulse = 0.0;
-        std::int64_t contacts = 0;
-    };
-    [[nodiscard]] bool repeats(std::size_t length, double tolerance) const;
-
-    double tolerance_;
-    std::int64_t repeats_;
-    std::int64_t contactsBefore_ = 0;
-    double impulseBefore_ = 0.0;
-    std::vector<Period> periods_;
 };
 
 }  // namespace signorini

@@ -6,8 +6,8 @@
 ('found', 4.0)
 
 Attributes have the names of the program's JSON, arguments those of its
-options. SI units throughout; what ends in ``_ratio`` has none: energies in
-E_1, periods in L/c, frequencies in omega_1, waves and strains in g/L.
+options. SI units throughout; names in ``_ratio`` are dimensionless: energies
+in E_1, periods in L/c, frequencies in omega_1, waves and strains in g/L.
 `signorini.plot` draws, and is loaded when it is first used.
 """
 
@@ -15,13 +15,17 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from . import _core
 from ._atlas import Atlas
+from ._blame import let_speak
 from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable,
                     Bar, Continuum, ContinuumPoint, Damping, Drive,
-                    EnergyBalance, EnergyExclusion, EnergySection, Family,
-                    FamilyPlace, FarkasCertificate, ForcedFrequency,
+                    EnergyBalance, EnergyExclusion, EnergyFloorProof,
+                    EnergySection, Family, FamilyPlace,
+                    FarkasCertificate, ForcedFrequency,
                     ForcedMotion, ForcedResult, Mode, ModeChain, ModeMotion,
-                    ModePolytope, Motion, Physical, PolytopeMotion,
+                    ModePolytope, Motion, PermanentContact, Physical,
+                    PolytopeMotion,
                     ProgramProof, Residuals, Result, Scene,
                     Schedule, Segment, Settled, Simulation, SolutionSet,
                     SolverReport, State, Waves, __version__, backends,
@@ -32,6 +36,8 @@ from ._lists import families, mode, modes, polytope
 from ._question import Question
 from ._tables import Table
 
+let_speak(_core)
+
 if TYPE_CHECKING:
     from types import ModuleType
 
@@ -40,10 +46,10 @@ if TYPE_CHECKING:
 __all__ = [
     "Atlas", "AtlasFamily", "AtlasRun", "AtlasSchedule", "BackendUnavailable",
     "Bar", "Continuum", "ContinuumPoint", "Damping", "Drive", "EnergyBalance",
-    "EnergyExclusion", "EnergySection", "Family", "FamilyPlace",
+    "EnergyExclusion", "EnergyFloorProof", "EnergySection", "Family", "FamilyPlace",
     "FarkasCertificate", "ForcedFrequency", "ForcedMotion", "ForcedResult",
-    "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion", "Physical",
-    "PolytopeMotion", "ProgramProof", "Question",
+    "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
+    "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question",
     "Residuals", "Response", "Result", "Scene", "Schedule", "Segment",
     "Settled", "Simulation", "SolutionSet", "SolverReport", "State",
     "SteppedProof", "Table", "Waves", "__version__", "backends", "continuum",

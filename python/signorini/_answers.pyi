@@ -1,7 +1,7 @@
 """Types of the answers of the compiled part; stubs alone, no module."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any, Optional
+from typing import Any, Optional, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,28 +32,42 @@ class Residuals(_Record):
     demands: float
     def worst(self) -> float: ...
 
-class _Proof(_Record):
+class FarkasCertificate(_Record):
     kind: str
     verified: bool
     rows: str
-
-class FarkasCertificate(_Proof):
     gap: int
     size: int
     periodicity: list[tuple[int, int]]
     pressure: list[tuple[int, int]]
     penetration: list[tuple[int, int]]
 
-class ProgramProof(_Proof):
+class ProgramProof(_Record):
+    kind: str
+    verified: bool
+    rows: str
     strain_limit: Optional[float]
     tip_floor: Optional[float]
     equalities: list[tuple[int, int]]
     inequalities: list[tuple[int, int]]
 
-class SteppedProof(_Proof):
+class SteppedProof(_Record):
+    kind: str
+    verified: bool
+    rows: str
     tip_floor: Optional[float]
     equalities: list[tuple[int, str]]
     inequalities: list[tuple[int, str]]
+
+class EnergyFloorProof(_Record):
+    kind: str
+    verified: bool
+    rows: str
+    energy_ratio: float
+    tip_floor: Optional[float]
+    periodicity: list[float]
+    places: list[tuple[int, int, float]]
+    pushes: list[tuple[int, int, float]]
 
 class EnergyExclusion(_Record):
     kind: str
@@ -89,7 +103,6 @@ class Result(_Record):
     stops: list[dict[str, Any]]
     segments: list[Segment]
     static_force: float
-    scene: Scene
     status: str
     cells: int
     schedule: Schedule
@@ -97,39 +110,50 @@ class Result(_Record):
     period_ratio: float
     frequency_ratio: float
     kernel_dimension: Optional[int]
-    solution_set: Optional[SolutionSet]
-    family: Optional[FamilyPlace]
+    solution_set: Any  # SolutionSet, or None
+    family: Any  # FamilyPlace, or None
     objective: str
     contact: Optional[str]
-    canonical_schedule: Optional[list[tuple[int, int]]]
-    energy: Any  # float; None where there is no motion
-    energy_ratio: Any  # float; None where there is no motion
-    energy_ratio_range: Any  # (least, most); None where there is no motion
-    energy_section: Any  # EnergySection; None where no energy is held
-    physical: Any  # Physical; None where there is no motion
+    canonical_schedule: Any  # list[tuple[int, int]], or None
+    energy: Any  # float, or None
+    energy_ratio: Any  # float, or None
+    energy_ratio_range: Any  # Bounds, or None
+    energy_section: Any  # EnergySection, or None
+    physical: Any  # Physical, or None
     admissible: Optional[bool]
-    residuals: Any  # Residuals; None where there is no motion
+    residuals: Any  # Residuals, or None
     reason: Optional[str]
-    certificate: Any  # one of the certificates, or None
+    certificate: Any  # one of several, or None
     route: str
     route_reason: str
     left_out: list[str]
     solver: SolverReport
     repetitions: Optional[int]
-    pressing_phases: Optional[list[bool]]
+    pressing_phases: Any  # list[bool], or None
     symmetric: Optional[bool]
-    peak_strain: Any  # float; None where there is no motion
+    peak_strain: Any  # float, or None
     target: Optional[str]
-    distance: Optional[float]
+    distance: Any  # float, or None
     detail: Optional[str]
+    scene: Scene
     state: Any  # State; None where there is no motion
     motion: Any  # Motion; None where there is no motion
     def is_proof(self) -> bool: ...
 
+class QuestionData(_Record):
+    bar: Bar
+    status: str
+    cells: int
+    question: dict[str, Any]
+    sets: list[dict[str, Any]]
+    motions: list[Result]
+    reason: Optional[str]
+    detail: Optional[str]
+
 class ContinuumPoint(_Record):
     lambda_: float
     energy: float
-    energy_ratio: Any  # float; None without a gap
+    energy_ratio: Any  # float, or None
     residual: float
     peak_strain: float
     physical: Physical
@@ -142,15 +166,11 @@ class Continuum(_Record):
     status: str
     cells: int
     schedule: Schedule
-    bar: Bar
-    stops: list[dict[str, Any]]
-    segments: list[Segment]
-    static_force: float
     period: float
     period_ratio: float
     frequency_ratio: float
     energy: float
-    energy_ratio: Any  # float; None without a gap
+    energy_ratio: Any  # float, or None
     connected: Optional[bool]
     components: Optional[int]
     dimension: Optional[int]
@@ -162,13 +182,20 @@ class Continuum(_Record):
     reason: Optional[str]
     orbits: int
     points: list[ContinuumPoint]
+    bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
     detail: Optional[str]
     lambda_: Array
     peak_strain: Array
     residual: Array
     def member(self, lambda_: float) -> ContinuumPoint: ...
     def __len__(self) -> int: ...
+    @overload
     def __getitem__(self, at: int) -> ContinuumPoint: ...
+    @overload
+    def __getitem__(self, at: slice) -> list[ContinuumPoint]: ...
     def __iter__(self) -> Iterator[ContinuumPoint]: ...
 
 class Family(_Record):
@@ -206,17 +233,6 @@ class Mode(_Record):
     def motion(self, period_ratio: float) -> ModeMotion: ...
 
 class _OnNoGrid(_Fields):
-    bar: Bar
-    period: float
-    period_ratio: float
-    frequency: float
-    frequency_ratio: float
-    contact_time: float
-    contact_time_ratio: float
-    energy: float
-    energy_ratio: float
-    physical: Physical
-    admissible: bool
     amplitude_ratio: float
     jump_times_ratio: Array
     def to_dict(self) -> dict[str, Any]: ...
@@ -225,13 +241,35 @@ class _OnNoGrid(_Fields):
 
 class ModeMotion(_OnNoGrid):
     status: str
+    bar: Bar
     mode: Mode
+    period: float
+    period_ratio: float
+    frequency: float
+    frequency_ratio: float
+    contact_time: float
+    contact_time_ratio: float
+    energy: float
+    energy_ratio: float
     jumps: list[tuple[int, int]]
+    physical: Physical
+    admissible: bool
 
 class PolytopeMotion(_OnNoGrid):
+    bar: Bar
     polytope: ModePolytope
+    period: float
+    period_ratio: float
+    frequency: float
+    frequency_ratio: float
+    contact_time: float
+    contact_time_ratio: float
+    energy: float
+    energy_ratio: float
     contacts: list[tuple[float, float]]
     contacts_ratio: list[tuple[float, float]]
+    physical: Physical
+    admissible: bool
 
 class ModeChain(_Record):
     k: int
@@ -359,10 +397,6 @@ class ForcedResult(_Record):
     status: str
     cells: int
     schedule: Schedule
-    bar: Bar
-    stops: list[dict[str, Any]]
-    segments: list[Segment]
-    static_force: float
     damping: Damping
     force: str
     cycles: int
@@ -377,7 +411,19 @@ class ForcedResult(_Record):
     motions: list[ForcedMotion]
     reason: Optional[str]
     certificate: Optional[dict[str, Any]]
+    bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
     detail: Optional[str]
+
+class PermanentContact(_Record):
+    least_force: float
+    peak_force: float
+    impulse: float
+    physical: Physical
+    admissible: bool
+    residual: float
 
 class ForcedFrequency(_Record):
     steps: int
@@ -386,6 +432,8 @@ class ForcedFrequency(_Record):
     touches: bool
     linear_peak: float
     undecided: int
+    reason: Optional[str]
+    permanent_contact: Optional[PermanentContact]
     motions: list[ForcedMotion]
 
 class ResponseData(_Record):
@@ -413,6 +461,7 @@ class Drive(_Record):
 
 class Settled(_Record):
     periods: int
+    residual: float
     contacts: int
     impulse: float
 
@@ -443,7 +492,9 @@ class Simulation(_Record):
     time_ratio: float
     contacts: int
     impulse: float
+    resolution: float
     settled: Optional[Settled]
+    why: Optional[str]
     tip: float
     held: bool
     energy: float
@@ -457,6 +508,7 @@ class Simulation(_Record):
     contact_end: Array
     contact_impulse: Array
     contact_peak_force: Array
+    contact_mean_force: Array
     contact_start_ratio: Array
     contact_end_ratio: Array
     contact_impulse_ratio: Array

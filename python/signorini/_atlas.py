@@ -14,9 +14,9 @@ from ._words import Number, bar_of, fraction_of
 
 
 class Atlas:
-    """An atlas in a file, asked.
+    """An atlas in a file, to be queried.
 
-    The file is SQLite: any other tool can ask it, too. Tables `families`,
+    The file is SQLite: any other tool can query it, too. Tables `families`,
     `schedules`, `runs`.
 
     Parameters
@@ -34,7 +34,7 @@ class Atlas:
 
     @named
     def __init__(self, database: str | os.PathLike[str], *,
-                 bar: Bar | None = None, **bar_options: float) -> None:
+                 bar: Bar | None = None, **bar_options: float | None) -> None:
         self.database = os.fspath(database)
         self.bar = bar_of(bar, bar_options)
         self._file = _core.AtlasFile(self.database, self.bar)
@@ -47,32 +47,32 @@ class Atlas:
               all: bool = False, families_only: bool = False,
               resume: bool = False, threads: int = 1,
               bar: Bar | None = None, progress: Progress = None,
-              **bar_options: float) -> Atlas:
-        """Decide every schedule of a range into a file, and open it.
+              **bar_options: float | None) -> Atlas:
+        """Decide every schedule of a range, store the results, open the file.
 
-        An interrupted run loses the batches in flight and nothing else; the
-        same call with `resume` goes on.
+        An interrupted run loses only the batches in progress; the same
+        call with `resume` continues it.
 
         Parameters
         ----------
         database : str or path
-            Made where it does not exist.
+            Created if it does not exist.
         cells : int
             N, cells of the bar.
         max_contact, max_free : int, optional
             Steps of each contact (2N) and each flight (4N).
         phases : int
-            Contact phases up to so many.
+            Largest number of contact phases.
         max_energy_ratio : float, optional
             Keep only schedules with motions of E/E_1 up to it.
         all : bool
-            Keep the refuted schedules, too.
+            Also store the refuted schedules.
         families_only : bool
-            Keep no schedules.
+            Store families only, no schedules.
         resume : bool
-            Go on with an interrupted run.
+            Continue an interrupted run.
         threads : int
-            To share the work.
+            Most threads to use.
         bar : Bar, optional
             What units mean in SI; or its parameters as keywords. The sign of
             its gap decides what exists.
@@ -99,7 +99,7 @@ class Atlas:
 
     @property
     def runs(self) -> Table[AtlasRun]:
-        """What was decided, or begun."""
+        """The runs, completed or interrupted."""
         return Table("runs", self._file.runs())
 
     @named
@@ -154,7 +154,7 @@ class Atlas:
     @named
     def schedules_of_period(self, period: Number, *,
                             cells: int | None = None) -> Table[AtlasSchedule]:
-        """Return the schedules of one period, the refuted ones, too."""
+        """Return the schedules of one period, including refuted ones."""
         exact = fraction_of(period, "period")
         rows = self._file.schedules_of_period(exact.numerator,
                                               exact.denominator, cells)
@@ -167,9 +167,9 @@ class Atlas:
         return self._file.twins(cells)
 
     def query(self, sql: str, parameters: tuple[Any, ...] = ()) -> Any:
-        """Ask in SQL; a pandas frame where pandas is there, else rows.
+        """Query in SQL; returns a pandas frame if pandas is installed, else rows.
 
-        The file is opened for reading alone.
+        The file is opened read-only.
         """
         import sqlite3
         from urllib.parse import quote

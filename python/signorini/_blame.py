@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import inspect
 import operator
+import re
 import reprlib
 from typing import Any, Callable, TypeVar
 
@@ -84,7 +85,7 @@ def _require(name: str, value: Any, annotation: Any) -> None:
 
 
 def _blame(function: Function, args: Any, options: dict[str, Any]) -> None:
-    """TypeError if an argument is of another kind than its annotation."""
+    """TypeError if an argument does not match its annotation."""
     signature = inspect.signature(function)
     try:
         given = signature.bind(*args, **options).arguments
@@ -106,13 +107,58 @@ def _blame(function: Function, args: Any, options: dict[str, Any]) -> None:
             _require(name, given[name], parameter.annotation)
 
 
+#: What pybind11 says of arguments that fit no signature.
+_RAW = re.compile(r"incompatible (?:constructor|function) arguments\..*?"
+                  r"\n    1\. (?P<signature>.*?)(?: -> .*)?\n", re.DOTALL)
+
+
+def _plainly(name: str, error: TypeError, args: Any,
+             options: dict[str, Any]) -> TypeError:
+    """The same error in words of Python's own: what was given, what fits."""
+    raw = _RAW.search(str(error))
+    if raw is None:
+        return error
+    fits = raw["signature"].replace("signorini._core.", "")
+    fits = name + re.sub(r"^\w*\((self: \w+(, )?)?", "(", fits)
+    given = [reprlib.repr(value) for value in args]
+    given += [f"{word}={reprlib.repr(value)}"
+              for word, value in options.items()]
+    return TypeError(f"{name}({', '.join(given)}): allowed {fits}")
+
+
+def _speaking(method: Any, name: str) -> Any:
+    @functools.wraps(method)
+    def call(self: Any, *args: Any, **options: Any) -> Any:
+        try:
+            return method(self, *args, **options)
+        except TypeError as error:
+            raise _plainly(name, error, args, options) from None
+    return call
+
+
+def let_speak(module: Any) -> None:
+    """Give the compiled classes readable TypeErrors."""
+    for cls in vars(module).values():
+        if not isinstance(cls, type) or issubclass(cls, Exception):
+            continue
+        for name, method in list(vars(cls).items()):
+            if type(method).__name__ == "instancemethod" and (
+                    name == "__init__" or not name.startswith("_")):
+                shown = cls.__name__ if name == "__init__" else name
+                setattr(cls, name, _speaking(method, shown))
+
+
 def named(function: Function) -> Function:
     """Have errors about kinds of arguments name the argument."""
     @functools.wraps(function)
     def call(*args: Any, **options: Any) -> Any:
         try:
             return function(*args, **options)
-        except (TypeError, ValueError, AttributeError, OverflowError):
+        except (TypeError, ValueError, AttributeError,
+                OverflowError) as error:
             _blame(function, args, options)
+            if isinstance(error, TypeError):
+                raise _plainly(function.__name__, error, args,
+                               options) from None
             raise
     return call  # type: ignore[return-value]

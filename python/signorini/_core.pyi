@@ -144,11 +144,14 @@ def find(schedule: Sequence[Steps], cells: Optional[int], scene: Scene,
          energy_ratio: Optional[float], strain_limit: Optional[float],
          tip_floor: Optional[float], tolerance: float,
          time_limit: Optional[float], /) -> Result: ...
+def question(option: str, word: str, steps: int, cells: int, scene: Scene,
+             energy_ratio: Optional[float], sets: Sequence[Result], /
+             ) -> QuestionData: ...
 def schedules_of_period(cells: int, steps: int, scene: Scene, /
                         ) -> list[Schedule]: ...
-def find_forced(schedule: Sequence[Steps], cells: Optional[int], bar: Bar,
-                damping: float, force: str, amplitude: Optional[float],
-                cycles: int,
+def find_forced(schedule: Sequence[Steps], cells: Optional[int],
+                scene: Scene, damping: float, force: str,
+                amplitude: Optional[float], cycles: int,
                 strain_limit: Optional[float], /) -> ForcedResult: ...
 def continuum(schedule: Sequence[Steps], cells: Optional[int], scene: Scene,
               energy_ratio: Optional[float], energy: Optional[float],
@@ -179,4 +182,5 @@ def simulate(start: Union[State, Waves, None], cells: Optional[int],
              scene: Scene, damping: float, force: Optional[str],
              amplitude: Optional[float], frequency: Optional[float],
              phase: float, time: Optional[float], periods: Optional[int],
+             resolve: Optional[float],
              tip: bool, progress: Listener, /) -> Simulation: ...

@@ -10,7 +10,8 @@ from ._blame import named
 from ._core import Bar, Continuum, ForcedResult, Result, Scene, State
 from ._progress import Progress, listener
 from ._question import Question, ask
-from ._words import Number, Segments, Steps, scene_of, state_of
+from ._words import (Number, Segments, Steps, cells_of, scene_of,
+                     state_of)
 
 
 if TYPE_CHECKING:
@@ -19,26 +20,26 @@ if TYPE_CHECKING:
     class _Parameters(TypedDict, total=False):
         """Of a bar."""
 
-        length: float
-        wave_speed: float
-        axial_stiffness: float
-        gap: float
-        young: float
-        density: float
-        area: float
+        length: float | None
+        wave_speed: float | None
+        axial_stiffness: float | None
+        gap: float | None
+        young: float | None
+        density: float | None
+        area: float | None
 
     class _Options(_Parameters, total=False):
         """What any motion can be asked with."""
 
         cells: int | None
         bar: Bar | None
+        scene: Scene | None
+        second_stop: float | None
         strain_limit: float | None
 
     class _Demands(_Options, total=False):
         """What can be asked of a motion that nothing drives."""
 
-        scene: Scene | None
-        second_stop: float | None
         segments: Segments | None
         solver: str
         formulation: str
@@ -82,7 +83,7 @@ def find(
          hertz: float | None = None,
          damping: float | None = None, force: str | None = None,
          amplitude: float | None = None, cycles: int = 1,
-         **bar_options: float
+         **bar_options: float | None
          ) -> Result | Question | ForcedResult:
     """Decide a schedule: a verified motion, or the proof that there is none.
 
@@ -91,7 +92,7 @@ def find(
     *schedule : int, pairs of int, or Schedule
         n_c, n_f of each contact phase in turn.
     cells : int, optional
-        N, cells of the bar (300).
+        N, cells of the bar: those of all segments, or 300.
     bar : Bar, optional
         What units mean in SI; or its parameters as keywords: `length`,
         `wave_speed`, `axial_stiffness`, `gap`, `young`, `density`, `area`.
@@ -144,20 +145,20 @@ def find(
     Raises
     ------
     ValueError
-        If an argument is out of its range, in the library's words.
+        If an argument is out of its range; the message is the library's.
     BackendUnavailable
         If no solver of this build can do what is asked.
     """
     whole = scene_of(scene, bar, second_stop, segments, bar_options)
+    cells = cells_of(cells, whole, schedule)
     units = whole.bar
     if damping is not None or force is not None:
         if damping is None or force is None:
             raise ValueError("damping, force: allowed only together")
-        if whole.segments or second_stop is not None \
-                or scene is not None and len(whole.stops) > 1:
-            raise ValueError("segments, second_stop: allowed only without "
-                             "damping and force")
-        return _core.find_forced(schedule, cells, units, damping, force,
+        if whole.segments:
+            raise ValueError("segments: allowed only without damping and "
+                             "force")
+        return _core.find_forced(schedule, cells, whole, damping, force,
                                  amplitude, cycles, strain_limit)
     if amplitude is not None or cycles != 1:
         raise ValueError("amplitude, cycles: allowed only together with "
@@ -189,7 +190,7 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
               sample: bool = False, engine: str = "auto",
               strain_limit: float | None = None, resolution: float = 0.05,
               tolerance: float = 1e-7, progress: Progress = None,
-              **bar_options: float) -> Continuum:
+              **bar_options: float | None) -> Continuum:
     """Trace a curve k(lambda) of motions of one schedule and one energy.
 
     Parameters
@@ -234,7 +235,7 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
     Raises
     ------
     ValueError
-        If an argument is out of its range, in the library's words.
+        If an argument is out of its range; the message is the library's.
     BackendUnavailable
         If no solver of this build can do what is asked.
     """

@@ -11,7 +11,7 @@ from ._core import (Bar, ForcedFrequency, ForcedMotion, Scene, Simulation,
                     State, Waves)
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Segments, scene_of, state_of
+from ._words import Segments, cells_of, scene_of, state_of
 
 
 class Response(Table[ForcedFrequency]):
@@ -29,6 +29,8 @@ class Response(Table[ForcedFrequency]):
         for at in self:
             head = at.to_dict()
             del head["motions"]
+            held = head.pop("permanent_contact")
+            head["least_held_force"] = held and held["least_force"]
             for motion in at.motions:
                 row = motion.to_dict()
                 contact, free = row.pop("schedule")[0]
@@ -53,7 +55,7 @@ def response(*, damping: float, force: str, amplitude: float,
              threads: int = 1, bar: Bar | None = None,
              scene: Scene | None = None, second_stop: float | None = None,
              segments: Segments | None = None, progress: Progress = None,
-             **bar_options: float) -> Response:
+             **bar_options: float | None) -> Response:
     """List every forced motion with one contact, for all periods of a range.
 
     Parameters
@@ -72,9 +74,9 @@ def response(*, damping: float, force: str, amplitude: float,
     cells : int, optional
         N, cells of the bar: those of all segments, or 300.
     stability : bool
-        Start beside each motion and see whether the bar comes back.
+        Perturb each motion to test its stability.
     threads : int
-        To share the work.
+        Most threads to use.
     bar : Bar, optional
         What units mean in SI; or its parameters as keywords, `length=`, ...
     scene : Scene, optional
@@ -93,22 +95,21 @@ def response(*, damping: float, force: str, amplitude: float,
     Raises
     ------
     ValueError
-        If an argument is out of its range, in the library's words.
+        If an argument is out of its range; the message is the library's.
     """
     whole = scene_of(scene, bar, second_stop, segments, bar_options)
-    if cells is None:
-        cells = sum(part.cells for part in whole.segments) or 300
-    data = _core.response(damping, force, amplitude, start, to, cycles, cells,
-                          stability, threads, whole, listener(progress))
+    data = _core.response(damping, force, amplitude, start, to, cycles,
+                          cells_of(cells, whole) or 300, stability, threads,
+                          whole, listener(progress))
     head = {key: getattr(data, key) for key in (
         "cells", "bar", "stops", "segments", "static_force", "damping",
         "force", "amplitude", "cycles", "contacts", "band",
         "frequency_ratio_range")}
     rows = data.frequencies
     missed = any(at.undecided for at in rows)
-    status = "found" if any(at.motions for at in rows) or not missed \
-        else "undecided"
-    return Response("frequencies", rows, status=status, complete=True, **head)
+    return Response("frequencies", rows,
+                    status="undecided" if missed else "found",
+                    complete=not missed, **head)
 
 
 @named
@@ -116,10 +117,11 @@ def simulate(start: State | Waves | str | None = None, *,
              damping: float = 0.0, force: str | None = None,
              amplitude: float | None = None, frequency: float | None = None,
              phase: float = 0.0, time: float | None = None,
-             periods: int | None = None, cells: int | None = None,
-             tip: bool = True, bar: Bar | None = None,
+             periods: int | None = None, resolve: float | None = None,
+             cells: int | None = None, tip: bool = True, bar: Bar | None = None,
              scene: Scene | None = None, second_stop: float | None = None,
-             progress: Progress = None, **bar_options: float) -> Simulation:
+             progress: Progress = None,
+             **bar_options: float | None) -> Simulation:
     """Simulate the bar exactly, event by event.
 
     Parameters
@@ -140,6 +142,9 @@ def simulate(start: State | Waves | str | None = None, *,
         How long [s].
     periods : int, optional
         Or how many periods of the excitation.
+    resolve : float, optional
+        Contacts no further apart are one, and forces are averaged over it
+        [s]; a step of the excitation, L/(N c), without.
     cells : int, optional
         Steps of the excitation in L/c (those of the state, 300 at rest).
     tip : bool
@@ -159,7 +164,7 @@ def simulate(start: State | Waves | str | None = None, *,
     Raises
     ------
     ValueError
-        If an argument is out of its range, in the library's words.
+        If an argument is out of its range; the message is the library's.
     """
     if scene is None and bar is None and not bar_options \
             and isinstance(start, State):
@@ -167,4 +172,4 @@ def simulate(start: State | Waves | str | None = None, *,
     whole = scene_of(scene, bar, second_stop, None, bar_options)
     return _core.simulate(state_of(start, whole.bar, cells), cells, whole,
                           damping, force, amplitude, frequency, phase, time,
-                          periods, tip, listener(progress))
+                          periods, resolve, tip, listener(progress))

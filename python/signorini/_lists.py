@@ -18,7 +18,7 @@ _USUAL_ORDER = {1: 25, 2: 25, 3: 9, 4: 5}
 @named
 def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
              bar: Bar | None = None, progress: Progress = None,
-             **bar_options: float) -> Table[Family]:
+             **bar_options: float | None) -> Table[Family]:
     """List all families: every orbit with one contact in a period, once.
 
     Parameters
@@ -56,21 +56,21 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
 def modes(*, phases: Literal[1] = 1, max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
           bar: Bar | None = None, progress: Progress = None,
-          **bar_options: float) -> Table[Mode]: ...
+          **bar_options: float | None) -> Table[Mode]: ...
 
 
 @overload
 def modes(*, phases: Literal[2, 3, 4, 5], max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
           bar: Bar | None = None, progress: Progress = None,
-          **bar_options: float) -> Table[ModePolytope]: ...
+          **bar_options: float | None) -> Table[ModePolytope]: ...
 
 
 @named
 def modes(*, phases: int = 1, max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
           bar: Bar | None = None, progress: Progress = None,
-          **bar_options: float) -> Table[Mode] | Table[ModePolytope]:
+          **bar_options: float | None) -> Table[Mode] | Table[ModePolytope]:
     """List the continuous families: motions of every period, exact.
 
     Parameters
@@ -114,7 +114,7 @@ def modes(*, phases: int = 1, max_order: int | None = None,
 
 @named
 def mode(a4: int, b: int, period: Number | None = None, *,
-         bar: Bar | None = None, **bar_options: float) -> ModeMotion:
+         bar: Bar | None = None, **bar_options: float | None) -> ModeMotion:
     """Return the motion of one mode at any period.
 
     Parameters
@@ -146,7 +146,7 @@ def mode(a4: int, b: int, period: Number | None = None, *,
 
 @named
 def polytope(*schedule: Steps, cells: int | None = None,
-             bar: Bar | None = None, **bar_options: float
+             bar: Bar | None = None, **bar_options: float | None
              ) -> ModePolytope | None:
     """Return the polytope that holds the one motion of a schedule.
 

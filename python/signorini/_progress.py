@@ -1,4 +1,4 @@
-"""How far a long call is."""
+"""Progress of a long call."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class _Bar:
 
 
 def _plain(done: float, total: float) -> None:
-    """One line that is written over, where tqdm is not there."""
+    """One line that is overwritten, if tqdm is not installed."""
     end = "\n" if done >= total else ""
     sys.stderr.write(f"\r{100 * done / total:5.1f} %{end}")
 

@@ -80,35 +80,11 @@ def ask(asked: dict[str, Any], cells: int | None, scene: Scene,
     results = [_core.find((schedule,), None, scene, *demands)
                for schedule in _core.schedules_of_period(cells, steps,
                                                          scene)]
-    found = [r for r in results if r.status == "found"]
-    undecided = any(r.status == "undecided" for r in results)
-    period = Fraction(steps, cells)
-    seconds = float(period) * unit
     energy, energy_ratio = demands[4], demands[5]
     if energy is not None:
-        energy = float(energy)
-        energy_ratio = energy / scene.bar.energy_unit
-    if energy_ratio is not None:
-        energy_ratio = float(energy_ratio)
-        energy = energy_ratio * scene.bar.energy_unit
-    question = {
-        "asked": {name: str(word)}, "steps": steps, "period": seconds,
-        "period_ratio": float(period), "frequency": 1.0 / seconds,
-        "frequency_ratio": float(4 / period), "energy": energy,
-        "energy_ratio": energy_ratio}
-    if name == "hertz":
-        question["nearest"] = 1.0 / seconds
-    sets = [{key: r.to_dict()[key] for key in
-             ("schedule", "family", "energy_ratio_range", "status", "reason")}
-            for r in results]
-    status = "found" if found else "undecided" if undecided else "none"
-    head = {"bar": scene.bar, "status": status, "cells": cells,
-            "question": question, "sets": sets, "reason": None}
-    if status == "none":
-        head["reason"] = "constraints" if results else "period"
-        head["detail"] = (
-            "motions with one contact in a period have this period, but none "
-            "on this grid meets the demands" if results else
-            "no motion with one contact in a period has this period, on any "
-            "grid")
-    return Question("motions", found, **head)
+        energy_ratio = float(energy) / scene.bar.energy_unit
+    head = _core.question(name, str(word), steps, cells, scene, energy_ratio,
+                          results).to_dict()
+    del head["motions"]
+    return Question("motions", [r for r in results if r.status == "found"],
+                    **{**head, "bar": scene.bar})

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 import reprlib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from numbers import Integral
 from typing import Any, Union
@@ -24,19 +24,28 @@ _usual = Bar()
 _usual_scene = Scene(_usual)
 
 
-def bar_of(bar: Bar | None, options: dict[str, float]) -> Bar:
+def given_of(options: Mapping[str, float | None]) -> dict[str, float]:
+    """Those that say something: None is what it is without."""
+    return {name: value for name, value in options.items()
+            if value is not None}
+
+
+def bar_of(bar: Bar | None, options: Mapping[str, float | None]) -> Bar:
     """A bar, or the one that the options of a call name."""
-    if not options:
+    given = given_of(options)
+    if not given:
         return _usual if bar is None else bar
     if bar is not None:
-        names = ", ".join(options)
+        names = ", ".join(given)
         raise ValueError(f"bar clashes with {names}: allowed one of them")
-    return Bar(**options)
+    return Bar(**given)
 
 
 def scene_of(scene: Scene | None, bar: Bar | None, second_stop: float | None,
-             segments: Segments | None, options: dict[str, float]) -> Scene:
+             segments: Segments | None,
+             options: Mapping[str, float | None]) -> Scene:
     """A scene, or the one that the arguments of a call make."""
+    options = given_of(options)
     if scene is not None:
         if (bar, second_stop, segments, options) != (None, None, None, {}):
             raise ValueError("scene clashes with bar, second_stop, segments: "
@@ -47,6 +56,16 @@ def scene_of(scene: Scene | None, bar: Bar | None, second_stop: float | None,
     parts = [part if isinstance(part, Segment) else segment_of(part)
              for part in segments or ()]
     return Scene(bar_of(bar, options), second_stop, parts)
+
+
+def cells_of(cells: int | None, scene: Scene,
+             schedule: Sequence[Steps] = ()) -> int | None:
+    """Cells that were given, or those of all segments; of a whole Schedule
+    they are its own."""
+    if cells is not None or not scene.segments or any(
+            isinstance(word, Schedule) for word in schedule):
+        return cells
+    return sum(part.cells for part in scene.segments)
 
 
 def segment_of(part: Sequence[float]) -> Segment:

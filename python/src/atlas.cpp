@@ -122,7 +122,7 @@ Either a family, or all grazing motions of one period: those have no (order, nu,
                 return f.section ? orNone(f.section->isConnected) : py::object(py::none());
             },
             [](const FamilyOf& f) { return !f.section; },
-            "Do those hang together? None: not known, or no energy was asked for.");
+            "Are those connected? None: not known, or no energy was asked for.");
 }
 
 void addEntry(py::module_& module)

@@ -4,35 +4,19 @@
 
 #include <pybind11/pybind11.h>
 
-#include <memory>
-#include <optional>
-#include <string>
-
+#include "find_answer.hpp"
 #include "record.hpp"
-#include "signorini/find_periodic.hpp"
 
 namespace signorini::python {
 
-/// What a motion was to be near.
-struct Target {
-    State state;
-    std::string how;
-};
-
 template <>
-struct Members<Target> {
-    static constexpr auto list = std::tuple{&Target::state, &Target::how};
+struct Members<answers::Target> {
+    static constexpr auto list = std::tuple{&answers::Target::how, &answers::Target::distance};
 };
-
-/// An answer about one schedule.
-struct Answer {
-    PeriodicResult result;
-    std::optional<Target> target;
-};
-
 template <>
-struct Members<Answer> {
-    static constexpr auto list = std::tuple{&Answer::result, &Answer::target};
+struct Members<answers::FindAnswer> {
+    static constexpr auto list =
+        std::tuple{&answers::FindAnswer::result, &answers::FindAnswer::target};
 };
 
 /// Adds the classes that answers are made of, `Result`, and `find`.

@@ -4,25 +4,17 @@
 
 #include <string>
 
+#include "forced_answer.hpp"
 #include "scene.hpp"
 #include "signorini/response.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::python {
 
-/// One unit of its amplitude: EA g/L [N] at the tip, g [m] at the base.
-[[nodiscard]] double amplitudeUnit(Excited place, const Bar& bar);
-
 /// "tip" or "base". \throws std::invalid_argument for another word.
 [[nodiscard]] Excited placeOf(const std::string& force);
 
-/// One motion and its units.
-struct MotionOf {
-    ForcedMotion value;
-    Bar bar;
-    bool isOfResponse = false;  ///< or of one schedule: other keys
-    std::vector<Segment> segments = {};
-};
+using MotionOf = answers::ForcedMotionOf;
 template <>
 struct Members<MotionOf> {
     static constexpr auto list =

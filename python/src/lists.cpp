@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "arrays.hpp"
+#include "described.hpp"
 #include "faults.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
@@ -14,14 +15,8 @@ namespace signorini::python {
 
 namespace {
 
-using FamilyOf = Of<Family>;
-using ModeOf = Of<Mode>;
-
-/// (4a, b): t_c = 4a + b T.
-py::tuple contactOf(const Mode& mode)
-{
-    return py::make_tuple(4 * mode.a, mode.b);
-}
+using answers::FamilyOf;
+using answers::ModeOf;
 
 /// The sign of the gap, as modes and families ask for it.
 int gapSign(const Bar& bar)
@@ -31,56 +26,8 @@ int gapSign(const Bar& bar)
 
 void addFamily(py::module_& module)
 {
-    Record<FamilyOf> record(module, "Family", R"(All motions of one period and one contact pattern.
-
-Three whole numbers (w, nu, k) name it, on no grid; on every grid with w | 2N it is one simplex.
-)");
-    const auto time = [](const FamilyOf& f) { return exactPeriod(f.value).value(); };
-    record
-        .key(
-            "order", [](const FamilyOf& f) { return f.value.order; }, "w, blocks in 2 L/c.")
-        .key(
-            "nu", [](const FamilyOf& f) { return f.value.blocks; }, "Blocks in a period.")
-        .key(
-            "contact_blocks", [](const FamilyOf& f) { return f.value.contactBlocks; },
-            "k, of them in contact.")
-        .key(
-            "period_ratio",
-            [](const FamilyOf& f) { return py::make_tuple(2 * f.value.blocks, f.value.order); },
-            "(2 nu, w): T = 2 nu/w [L/c].")
-        .key(
-            "contact",
-            [](const FamilyOf& f) {
-                return py::make_tuple(2 * f.value.contactBlocks, f.value.order);
-            },
-            "(2k, w): the longest contact [L/c].")
-        .key(
-            "least_energy_ratio", [](const FamilyOf& f) { return leastEnergy(f.value).value(); },
-            "(w/win)^2 [E_1].")
-        .key(
-            "least_energy_exact", [](const FamilyOf& f) { return pairOf(leastEnergy(f.value)); },
-            "The same as (numerator, denominator).")
-        .key(
-            "least_energy",
-            [](const FamilyOf& f) { return leastEnergy(f.value).value() * scales(f.bar).energy; },
-            "[J]")
-        .key(
-            "frequency_ratio", [time](const FamilyOf& f) { return 4.0 / time(f); },
-            "omega/omega_1.")
-        .key(
-            "frequency", [time](const FamilyOf& f) { return 1.0 / (time(f) * scales(f.bar).time); },
-            "[Hz]")
-        .key(
-            "period", [time](const FamilyOf& f) { return time(f) * scales(f.bar).time; }, "[s]")
-        .key(
-            "mode",
-            [](const FamilyOf& f) -> py::object {
-                return standsOnMode(f.value) ? contactOf(modeThrough(f.value))
-                                             : py::object(py::none());
-            },
-            "(a4, b) of the mode on whose curve it stands; None at the end of one, without a gap, "
-            "and where the tip never leaves the wall.");
-    record.more()
+    classOf<FamilyOf>(module)
+        ->more()
         .def_property_readonly(
             "bar", [](const FamilyOf& f) { return f.bar; }, "Its units.")
         .def(
@@ -105,54 +52,8 @@ Three whole numbers (w, nu, k) name it, on no grid; on every grid with w | 2N it
 
 void addMode(py::module_& module)
 {
-    Record<ModeOf> record(module, "Mode",
-                          R"(One continuous family: a motion for every T in an interval.
-
-t_c = a4 + b T and E/E_1 = 1/(kappa T - mu)^2, T in L/c.
-)");
-    record
-        .key(
-            "contact", [](const ModeOf& m) { return contactOf(m.value); },
-            "(a4, b): t_c = a4 + b T [L/c].")
-        .key(
-            "period_range",
-            [](const ModeOf& m) {
-                return py::make_tuple(pairOf(m.value.lowest), pairOf(m.value.highest));
-            },
-            "((p, q), (p, q)): p/q < T < p/q [L/c].")
-        .key(
-            "inverse_sqrt_energy",
-            [](const ModeOf& m) { return py::make_tuple(m.value.kappa, m.value.mu); },
-            "(kappa, mu): 1/sqrt(E/E_1) = kappa T - mu.")
-        .key(
-            "family",
-            [](const ModeOf& m) -> py::object {
-                const std::string text = familyName(m.value);
-                return text.empty() ? py::object(py::none()) : py::str(text);
-            },
-            "\"main\", \"twin 1\", ..., if it has a name.")
-        .key(
-            "ends",
-            [](const ModeOf& m) {
-                return py::make_tuple(nameOf(m.value.lowestEnd), nameOf(m.value.highestEnd));
-            },
-            "Why it ends there.")
-        .key(
-            "energy_ratio_range", [](const ModeOf& m) { return boundsOf(energyRange(m.value)); },
-            "(least, most) E/E_1, neither reached; None: infinite.")
-        .key(
-            "frequency_range",
-            [](const ModeOf& m) {
-                const double unit = scales(m.bar).time;
-                return py::make_tuple(1.0 / (m.value.highest.value() * unit),
-                                      1.0 / (m.value.lowest.value() * unit));
-            },
-            "(lowest, highest) [Hz].")
-        .key(
-            "energy_range",
-            [](const ModeOf& m) { return boundsOf(energyRange(m.value), scales(m.bar).energy); },
-            "(least, most) [J].");
-    record.more()
+    classOf<ModeOf>(module)
+        ->more()
         .def_property_readonly(
             "bar", [](const ModeOf& m) { return m.bar; }, "Its units.")
         .def_property_readonly(
@@ -194,7 +95,8 @@ t_c = a4 + b T and E/E_1 = 1/(kappa T - mu)^2, T in L/c.
                 return ModeAnswer{m.value, m.bar, ModeMotion(m.value, period)};
             },
             py::arg("period_ratio"), "At T [L/c]: a ModeMotion. ValueError outside the interval.")
-        .def("__hash__", [](const ModeOf& m) { return py::hash(contactOf(m.value)); })
+        .def("__hash__",
+             [](const ModeOf& m) { return py::hash(asPython(answers::contactOf(m.value))); })
         .def("__repr__", [](const ModeOf& m) {
             return fmt::format("Mode(t_c = {} - {} T, {}/{} < T < {}/{} L/c)", 4 * m.value.a,
                                -m.value.b, m.value.lowest.numerator, m.value.lowest.denominator,

@@ -100,6 +100,10 @@ SIGNORINI_MEMBERS(EnergyExclusion, &T::energyRatio, &T::range, &T::tolerance, &T
 SIGNORINI_MEMBERS(RationalMultiplier, &T::row, &T::value);
 SIGNORINI_MEMBERS(RationalProof, &T::equalities, &T::inequalities);
 SIGNORINI_MEMBERS(SteppedProof, &T::multipliers, &T::tipFloor, &T::tolerance);
+SIGNORINI_MEMBERS(ContactMultiplier, &T::contact, &T::step, &T::value);
+SIGNORINI_MEMBERS(EnergyFloor, &T::periodicity, &T::places, &T::pushes);
+SIGNORINI_MEMBERS(EnergyFloorProof, &T::multipliers, &T::energyRatio, &T::tipFloor, &T::tolerance,
+                  &T::held);
 SIGNORINI_MEMBERS(Absence, &T::reason, &T::proof);
 SIGNORINI_MEMBERS(SolverReport, &T::name, &T::iterations, &T::seconds);
 SIGNORINI_MEMBERS(Provenance, &T::route, &T::reason, &T::leftOut, &T::objective, &T::solver);
@@ -132,24 +136,27 @@ SIGNORINI_MEMBERS(ForcedMotion, &T::schedule, &T::damping, &T::excitation, &T::a
 SIGNORINI_MEMBERS(ForcedCondition, &T::rule, &T::step);
 SIGNORINI_MEMBERS(ForcedLimits, &T::strain);
 SIGNORINI_MEMBERS(ForcedCorner, &T::place, &T::free);
-SIGNORINI_MEMBERS(AmplitudeExclusion, &T::amplitude, &T::conflict, &T::isCertain);
+SIGNORINI_MEMBERS(AmplitudeExclusion, &T::amplitude, &T::conflict, &T::cuts, &T::isCertain);
 SIGNORINI_MEMBERS(AmplitudeBranch, &T::contact, &T::least, &T::most);
-SIGNORINI_MEMBERS(ForcedSet, &T::schedule, &T::damping, &T::forcing, &T::limits, &T::status,
-                  &T::detail, &T::reason, &T::conflict, &T::kind, &T::leastAmplitude,
-                  &T::mostAmplitude, &T::foot, &T::direction, &T::low, &T::high, &T::freeWaves,
-                  &T::corners);
+SIGNORINI_MEMBERS(ForcedSet, &T::schedule, &T::damping, &T::forcing, &T::limits, &T::segments,
+                  &T::status, &T::detail, &T::reason, &T::conflict, &T::cuts, &T::kind,
+                  &T::leastAmplitude, &T::mostAmplitude, &T::foot, &T::direction, &T::low, &T::high,
+                  &T::freeWaves, &T::corners, &T::waves);
 SIGNORINI_MEMBERS(ResponseRange, &T::cells, &T::damping, &T::place, &T::amplitude, &T::cycles,
                   &T::leastFrequencyRatio, &T::mostFrequencyRatio, &T::contacts, &T::band,
                   &T::stops, &T::segments);
 SIGNORINI_MEMBERS(TwoContactBranch, &T::phases, &T::least, &T::most);
+SIGNORINI_MEMBERS(PermanentContact, &T::leastForce, &T::extremes, &T::residual);
 SIGNORINI_MEMBERS(FrequencyResponse, &T::steps, &T::frequencyRatio, &T::linearPeak, &T::touches,
-                  &T::undecided, &T::motions, &T::branches, &T::twoContacts);
+                  &T::undecided, &T::detail, &T::permanent, &T::motions, &T::branches,
+                  &T::twoContacts);
 SIGNORINI_MEMBERS(Piece, &T::duration, &T::value);
 SIGNORINI_MEMBERS(Waves, &T::crossing, &T::a, &T::b);
-SIGNORINI_MEMBERS(ContactEvent, &T::start, &T::end, &T::impulse, &T::peakForce, &T::stop);
+SIGNORINI_MEMBERS(ContactEvent, &T::start, &T::end, &T::impulse, &T::peakForce, &T::meanForce,
+                  &T::stop);
 SIGNORINI_MEMBERS(TipPoint, &T::time, &T::displacement);
 SIGNORINI_MEMBERS(EnergyBalance, &T::work, &T::dissipated, &T::error, &T::size);
-SIGNORINI_MEMBERS(Settled, &T::periods, &T::contacts, &T::impulse);
+SIGNORINI_MEMBERS(Settled, &T::periods, &T::residual, &T::contacts, &T::impulse);
 
 /// It has constructors of its own, and so no list of braces to count.
 template <>

@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include "described.hpp"
 #include "faults.hpp"
 #include "lists.hpp"
 #include "signorini/output.hpp"
@@ -8,42 +9,9 @@ namespace signorini::python {
 
 namespace {
 
-/// Keys that the motions of a mode and of a polytope share; `energy` is E/E_1.
-template <typename Answer, typename Energy>
-void addTimes(Record<Answer>& record, Energy energy)
-{
-    record
-        .key(
-            "period", [](const Answer& m) { return m.motion.period() * scales(m.bar).time; },
-            "T [s].")
-        .key(
-            "period_ratio", [](const Answer& m) { return m.motion.period(); }, "T [L/c].")
-        .key(
-            "frequency",
-            [](const Answer& m) { return 1.0 / (m.motion.period() * scales(m.bar).time); }, "[Hz]")
-        .key(
-            "frequency_ratio", [](const Answer& m) { return 4.0 / m.motion.period(); },
-            "omega/omega_1.")
-        .key(
-            "contact_time",
-            [](const Answer& m) { return m.motion.contactTime() * scales(m.bar).time; },
-            "Of all contacts together [s].")
-        .key(
-            "contact_time_ratio", [](const Answer& m) { return m.motion.contactTime(); },
-            "Of all contacts together [L/c].")
-        .key(
-            "energy", [energy](const Answer& m) { return energy(m) * scales(m.bar).energy; }, "[J]")
-        .key("energy_ratio", energy, "E/E_1.");
-}
-
 template <typename Answer>
 void addRest(Record<Answer>& record)
 {
-    const auto physical = [](const Answer& m) { return physicalOf(m.motion.extremes(), m.bar); };
-    record.key("physical", physical, "What can be measured, in SI units: a Physical.")
-        .key(
-            "admissible", [physical](const Answer& m) { return physical(m).isAdmissible(); },
-            "Is s > -1 everywhere?");
     record.more()
         .def_property_readonly(
             "amplitude_ratio", [](const Answer& m) { return m.motion.amplitude(); },
@@ -72,36 +40,10 @@ void addRest(Record<Answer>& record)
 
 void addModeMotion(py::module_& module)
 {
-    Record<ModeAnswer> record(module, "ModeMotion",
-                              R"(The motion of a mode at one period, on no grid.
-
-t = 0 is the start of contact; at jumps velocity and strain take the value right after them.
-)");
-    record
-        .key(
-            "status", [](const ModeAnswer&) { return nameOf(Status::found); }, "\"found\".")
-        .key(
-            "bar", [](const ModeAnswer& m) { return m.bar; }, "Its units.")
-        .key(
-            "mode",
-            [](const ModeAnswer& m) {
-                return Of<Mode>{m.mode, m.bar};
-            },
-            "That it is of.");
-    addTimes(record, [](const ModeAnswer& m) { return energyRatio(m.mode, m.motion.period()); });
-    record.key(
-        "jumps",
-        [](const ModeAnswer& m) {
-            py::list list;
-            for (const ModeJump& jump : jumps(m.mode)) {
-                list.append(py::make_tuple(2 * jump.k, -jump.turns));
-            }
-            return list;
-        },
-        "[(k, turns), ...]: p changes its sign at k + turns T.");
-    addRest(record);
-    record.more()
-        .def(py::pickle(
+    const auto record = classOf<ModeAnswer>(module);
+    addRest(*record);
+    record->more()
+        .def(pickling<ModeAnswer>(
             [](const ModeAnswer& m) {
                 return py::make_tuple(Travel<Mode>::put(m.mode), Travel<Bar>::put(m.bar),
                                       m.motion.period());
@@ -117,48 +59,15 @@ t = 0 is the start of contact; at jumps velocity and strain take the value right
                 "energy_ratio={:.10g})",
                 4 * m.mode.a, -m.mode.b, m.motion.period(), energyRatio(m.mode, m.motion.period()));
         });
-    addModeFields(record.more());
-}
-
-/// [(start, end), ...] in a unit of time.
-py::list contactsOf(const PolytopeAnswer& m, double unit)
-{
-    py::list list;
-    for (const auto& [start, end] : m.motion.contacts()) {
-        list.append(py::make_tuple(start * unit, end * unit));
-    }
-    return list;
+    addModeFields(record->more());
 }
 
 void addPolytopeMotion(py::module_& module)
 {
-    Record<PolytopeAnswer> record(module, "PolytopeMotion",
-                                  R"(A motion with several contacts in a period, on no grid.
-
-t = 0 is the start of the first contact; at jumps velocity and strain take the value right after
-them.
-)");
-    record
-        .key(
-            "bar", [](const PolytopeAnswer& m) { return m.bar; }, "Its units.")
-        .key(
-            "polytope",
-            [](const PolytopeAnswer& m) {
-                return Of<ModePolytope>{m.polytope, m.bar};
-            },
-            "That it is of.");
-    addTimes(record,
-             [](const PolytopeAnswer& m) { return energyRatio(m.polytope, m.motion.period()); });
-    record
-        .key(
-            "contacts", [](const PolytopeAnswer& m) { return contactsOf(m, scales(m.bar).time); },
-            "[(start, end), ...] [s].")
-        .key(
-            "contacts_ratio", [](const PolytopeAnswer& m) { return contactsOf(m, 1.0); },
-            "[(start, end), ...] [L/c].");
-    addRest(record);
-    record.more()
-        .def(py::pickle(
+    const auto record = classOf<PolytopeAnswer>(module);
+    addRest(*record);
+    record->more()
+        .def(pickling<PolytopeAnswer>(
             [](const PolytopeAnswer& m) {
                 return py::make_tuple(Travel<ModePolytope>::put(m.polytope),
                                       Travel<Bar>::put(m.bar), m.point.period,
@@ -177,7 +86,7 @@ them.
                 "energy_ratio={:.10g})",
                 m.polytope.chains.size(), m.point.period, energyRatio(m.polytope, m.point.period));
         });
-    addModeFields(record.more());
+    addModeFields(record->more());
 }
 
 }  // namespace

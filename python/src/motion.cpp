@@ -23,6 +23,20 @@ double speedOf(const std::vector<Segment>& segments, std::int64_t cell)
     return 1.0;
 }
 
+/// Names what is outside the bar, or never, as the caller gave it.
+[[noreturn]] void refusePlace(double x, double t, double length, const char* unit)
+{
+    Faults faults;
+    if (!(x >= 0.0 && x <= length)) {
+        faults.add("x", x, fmt::format("0..{} [{}]", length, unit));
+    }
+    if (!std::isfinite(t)) {
+        faults.add("t", t, "finite numbers");
+    }
+    faults.throwIfAny();
+    throw std::logic_error("a place on the bar was refused");
+}
+
 /// The motion of a grid on x [L] and t [L/c].
 struct OnGrid {
     const Motion& field;
@@ -62,9 +76,12 @@ void addFieldsOf(Class& shown)
     const auto both = [&shown](const char* name, auto member, auto unitOf, const char* what,
                                const char* unit, const char* ratioUnit) {
         const auto on = [member](const T& motion, const py::object& x, const py::object& t,
-                                 double length, double time, double one) {
+                                 double length, double time, double one, const char* lengthUnit) {
             const Field field(motion);
             return Grid(x, t).of([&](double place, double instant) {
+                if (!(place >= 0.0 && place <= length && std::isfinite(instant))) {
+                    refusePlace(place, instant, length, lengthUnit);
+                }
                 return one * (field.*member)(place / length, instant / time);
             });
         };
@@ -72,7 +89,7 @@ void addFieldsOf(Class& shown)
             name,
             [on, unitOf](const T& motion, const py::object& x, const py::object& t) {
                 const Scales scale = scales(motion.bar);
-                return on(motion, x, t, motion.bar.length, scale.time, unitOf(scale));
+                return on(motion, x, t, motion.bar.length, scale.time, unitOf(scale), "m");
             },
             py::arg("x"), py::arg("t"),
             fmt::format("{} [{}] at x [m] and t [s], any arrays that NumPy can broadcast together.",
@@ -80,7 +97,7 @@ void addFieldsOf(Class& shown)
                 .c_str());
         shown.def((std::string(name) + "_ratio").c_str(),
                   [on](const T& motion, const py::object& x, const py::object& t) {
-                      return on(motion, x, t, 1.0, 1.0, 1.0);
+                      return on(motion, x, t, 1.0, 1.0, 1.0, "L");
                   },
                   py::arg("x"), py::arg("t"),
                   fmt::format("{} [{}] at x [L] and t [L/c], any arrays that NumPy can broadcast "
@@ -150,7 +167,7 @@ ValueError
                  return motion;
              }),
              py::arg("state"), py::arg("schedule"), py::arg("scene") = py::none())
-        .def(py::pickle(
+        .def(pickling<GridMotion>(
             [](const GridMotion& motion) {
                 return py::make_tuple(Travel<State>::put(*motion.state),
                                       Travel<Schedule>::put(motion.schedule),

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "modes_answer.hpp"
 #include "scene.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/motion.hpp"
@@ -36,20 +37,8 @@ private:
     mutable std::shared_ptr<const Motion> field_ = nullptr;
 };
 
-/// The motion of a mode, on no grid.
-struct ModeAnswer {
-    Mode mode;
-    Bar bar;
-    ModeMotion motion;
-};
-
-/// A motion with several contacts, on no grid.
-struct PolytopeAnswer {
-    ModePolytope polytope;
-    Bar bar;
-    ModePoint point;
-    ModeMotion motion;
-};
+using answers::ModeAnswer;
+using answers::PolytopeAnswer;
 
 void addMotion(py::module_& module);
 

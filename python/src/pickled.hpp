@@ -6,9 +6,11 @@
 #include <pybind11/pybind11.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <memory>
+#include <new>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -20,6 +22,50 @@
 namespace signorini::python {
 
 namespace py = pybind11;
+
+/// The state of a pickle of this class: what it holds, and a sum over it, the class and the
+/// version.
+[[nodiscard]] py::tuple sealed(const py::handle& type, const py::object& content);
+
+/// What it holds. \throws ValueError if it was changed on its way, or is not of this version and
+/// class.
+[[nodiscard]] py::tuple opened(const py::handle& type, const py::object& state);
+
+/// \throws ValueError that says so.
+[[noreturn]] void refusePickle();
+
+/// Pickles of a class: `put` makes a tuple of a T, `get` what holds a T of such a tuple.
+template <typename T, typename Put, typename Get>
+[[nodiscard]] auto pickling(Put put, Get get)
+{
+    return py::pickle(
+        [put](const T& value) { return py::object(sealed(py::type::of<T>(), put(value))); },
+        [get](const py::object& state) {
+            try {
+                return get(opened(py::type::of<T>(), state));
+            } catch (const std::bad_alloc&) {
+                throw;
+            } catch (const std::exception&) {
+                refusePickle();
+            }
+        });
+}
+
+/// Numbers of a string of bytes, as a list of `Values` has them.
+template <typename Values>
+[[nodiscard]] Values numbersIn(const py::handle& source)
+{
+    using Number = typename Values::value_type;
+    const std::string bytes = py::cast<py::bytes>(source);
+    if (bytes.size() % sizeof(Number) != 0) {
+        refusePickle();
+    }
+    Values values(static_cast<decltype(Values().size())>(bytes.size() / sizeof(Number)));
+    if (!bytes.empty()) {
+        std::memcpy(values.data(), bytes.data(), bytes.size());
+    }
+    return values;
+}
 
 /// How a value of type T travels: `put` to Python, `get` back, `same` for two of them.
 template <typename T>
@@ -42,17 +88,37 @@ struct Travel {
         std::apply(
             [&](auto... member) {
                 if (tuple.size() != sizeof...(member)) {
-                    throw py::value_error("a pickle of another version of signorini");
+                    refusePickle();
                 }
                 ((value.*member =
                       Travel<std::remove_cvref_t<decltype(value.*member)>>::get(tuple[at++])),
                  ...);
             },
             Members<T>::list);
+        if constexpr (std::is_same_v<T, State>) {
+            if (value.a.size() != value.b.size()) {
+                refusePickle();
+            }
+        } else if constexpr (std::is_same_v<T, Mode>) {
+            if (findMode(value.a, value.b, value.gapSign) != value) {
+                refusePickle();
+            }
+        } else if constexpr (std::is_same_v<T, ModePolytope>) {
+            const std::vector<ModePolytope> real = polytopesOf(value.chains);
+            if (std::find(real.begin(), real.end(), value) == real.end()) {
+                refusePickle();
+            }
+        } else if constexpr (requires { validate(value); }) {
+            validate(value);
+        }
         return value;
     }
     static bool same(const T& one, const T& other)
     {
+        if constexpr (std::is_same_v<T, SolverReport>) {
+            // How long it took is no part of an answer.
+            return one.name == other.name && one.iterations == other.iterations;
+        }
         return std::apply(
             [&](auto... member) {
                 return (Travel<std::remove_cvref_t<decltype(one.*member)>>::same(one.*member,
@@ -83,7 +149,14 @@ template <typename T>
 requires std::is_enum_v<T>
 struct Travel<T> {
     static py::object put(const T& value) { return py::int_(static_cast<int>(value)); }
-    static T get(const py::handle& source) { return static_cast<T>(py::cast<int>(source)); }
+    static T get(const py::handle& source)
+    {
+        const auto value = static_cast<T>(py::cast<int>(source));
+        if constexpr (requires { name(value); }) {
+            (void)name(value);  // throws where there is none
+        }
+        return value;
+    }
     static bool same(const T& one, const T& other) { return one == other; }
 };
 
@@ -98,7 +171,11 @@ struct Travel<std::optional<T>> {
         if (source.is_none()) {
             return std::nullopt;
         }
-        return Travel<T>::get(py::cast<py::tuple>(source)[0]);
+        const auto held = py::cast<py::tuple>(source);
+        if (held.size() != 1) {
+            refusePickle();
+        }
+        return Travel<T>::get(held[0]);
     }
     static bool same(const std::optional<T>& one, const std::optional<T>& other)
     {
@@ -117,6 +194,15 @@ struct Travel<std::shared_ptr<const T>> {
     {
         return one == other || Travel<T>::same(*one, *other);
     }
+};
+
+/// What a set was decided with: it is solved for anew.
+template <>
+struct Travel<std::shared_ptr<const SteppedForced>> {
+    using T = std::shared_ptr<const SteppedForced>;
+    static py::object put(const T& /*value*/) { return py::none(); }
+    static T get(const py::handle& /*source*/) { return {}; }
+    static bool same(const T& /*one*/, const T& /*other*/) { return true; }
 };
 
 /// Lists; of numbers as one string of bytes.
@@ -138,19 +224,15 @@ struct Travel<std::vector<T>> {
     }
     static std::vector<T> get(const py::handle& source)
     {
-        std::vector<T> values;
         if constexpr (isBytes) {
-            const auto bytes = py::cast<std::string>(source);
-            values.resize(bytes.size() / sizeof(T));
-            if (!values.empty()) {
-                std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
-            }
+            return numbersIn<std::vector<T>>(source);
         } else {
+            std::vector<T> values;
             for (const py::handle& item : py::cast<py::list>(source)) {
                 values.push_back(Travel<T>::get(item));
             }
+            return values;
         }
-        return values;
     }
     static bool same(const std::vector<T>& one, const std::vector<T>& other)
     {
@@ -175,12 +257,7 @@ struct Travel<Eigen::VectorXd> {
     }
     static Eigen::VectorXd get(const py::handle& source)
     {
-        const auto bytes = py::cast<std::string>(source);
-        Eigen::VectorXd values(static_cast<Eigen::Index>(bytes.size() / sizeof(double)));
-        if (values.size() > 0) {
-            std::memcpy(values.data(), bytes.data(), bytes.size());
-        }
-        return values;
+        return numbersIn<Eigen::VectorXd>(source);
     }
     static bool same(const Eigen::VectorXd& one, const Eigen::VectorXd& other)
     {
@@ -198,7 +275,7 @@ struct Travel<std::array<T, size>> {
     {
         const std::vector<T> list = Travel<std::vector<T>>::get(source);
         if (list.size() != size) {
-            throw py::value_error("a pickle of another version of signorini");
+            refusePickle();
         }
         std::array<T, size> values{};
         std::copy(list.begin(), list.end(), values.begin());
@@ -226,6 +303,9 @@ struct Travel<std::variant<Ts...>> {
     {
         const auto tuple = py::cast<py::tuple>(source);
         const auto index = py::cast<std::size_t>(tuple[0]);
+        if (tuple.size() != 2 || index >= sizeof...(Ts)) {
+            refusePickle();
+        }
         Variant value;
         const py::object held = tuple[1];
         std::size_t at = 0;

@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include "described.hpp"
 #include "faults.hpp"
 #include "lists.hpp"
 #include "patience.hpp"
@@ -8,31 +9,7 @@ namespace signorini::python {
 
 namespace {
 
-using PolytopeOf = Of<ModePolytope>;
-
-/// p + q T is how long all contacts of a period last together.
-py::tuple contactOf(const ModePolytope& polytope)
-{
-    std::int64_t sum = 0;
-    for (const ModeChain& chain : polytope.chains) {
-        sum += 2 * chain.k;
-    }
-    return py::make_tuple(sum, -polytope.order);
-}
-
-/// [[(p, q), ...], ...], (T, s_2, ..., s_K) of each corner.
-py::list verticesOf(const ModePolytope& polytope)
-{
-    py::list list;
-    for (const auto& vertex : polytope.vertices) {
-        py::list corner;
-        for (const ExactPeriod& coordinate : vertex) {
-            corner.append(pairOf(coordinate));
-        }
-        list.append(corner);
-    }
-    return list;
-}
+using answers::PolytopeOf;
 
 /// An array with a row for each list; all are of one length.
 py::array_t<double> rowsOf(const std::vector<ModePoint>& points, std::size_t columns)
@@ -65,84 +42,10 @@ PolytopeAnswer motionOf(const PolytopeOf& p, double period,
     return {p.value, p.bar, point, ModeMotion(p.value, point)};
 }
 
-void addChain(py::module_& module)
-{
-    Record<ModeChain>(module, "ModeChain",
-                      "Jumps from an arrival to a release: e_release = s + 2 k - turns T.")
-        .key(
-            "k", [](const ModeChain& c) { return c.k; }, "Jumps.")
-        .key(
-            "turns", [](const ModeChain& c) { return c.turns; }, "Whole periods between.")
-        .key(
-            "release", [](const ModeChain& c) { return c.release + 1; },
-            "Of which contact, counted from 1.");
-}
-
-void addKeys(Record<PolytopeOf>& record)
-{
-    record
-        .key(
-            "chains", [](const PolytopeOf& p) { return p.value.chains; },
-            "[ModeChain, ...], one from each arrival.")
-        .key(
-            "order", [](const PolytopeOf& p) { return p.value.order; }, "Sum of all turns, odd.")
-        .key(
-            "free_times", [](const PolytopeOf& p) { return p.value.dimension; },
-            "How many times may be chosen beside T.")
-        .key(
-            "contact", [](const PolytopeOf& p) { return contactOf(p.value); },
-            "(p, q): all contacts together last p + q T [L/c].")
-        .key(
-            "period_range",
-            [](const PolytopeOf& p) {
-                return py::make_tuple(pairOf(p.value.lowest), pairOf(p.value.highest));
-            },
-            "((p, q), (p, q)): p/q < T < p/q [L/c].")
-        .key(
-            "inverse_sqrt_energy",
-            [](const PolytopeOf& p) {
-                return py::make_tuple(p.value.kappa, p.value.mu, p.value.divisor);
-            },
-            "(kappa, mu, divisor): 1/sqrt(E/E_1) = (kappa T - mu)/divisor.")
-        .key(
-            "ends",
-            [](const PolytopeOf& p) {
-                return py::make_tuple(nameOf(p.value.lowestEnd), nameOf(p.value.highestEnd));
-            },
-            "Why it ends there.")
-        .key(
-            "vertices", [](const PolytopeOf& p) { return verticesOf(p.value); },
-            "[[(p, q), ...], ...]: T and the arrivals s_2, ..., s_K of each corner [L/c].")
-        .key(
-            "energy_ratio_range",
-            [](const PolytopeOf& p) { return boundsOf(energyRange(p.value)); },
-            "(least, most) E/E_1, neither reached; None: infinite.")
-        .key(
-            "frequency_range",
-            [](const PolytopeOf& p) {
-                const double unit = scales(p.bar).time;
-                return py::make_tuple(1.0 / (p.value.highest.value() * unit),
-                                      1.0 / (p.value.lowest.value() * unit));
-            },
-            "(lowest, highest) [Hz].")
-        .key(
-            "energy_range",
-            [](const PolytopeOf& p) {
-                return boundsOf(energyRange(p.value), scales(p.bar).energy);
-            },
-            "(least, most) [J].");
-}
-
 void addPolytope(py::module_& module)
 {
-    Record<PolytopeOf> record(module, "ModePolytope",
-                              R"(Motions with K contacts in a period, on no grid, exact.
-
-One for each (T, s_2, ..., s_K) in the interior of a polytope with rational corners; s_1 = 0 and
-s_l are the arrivals. The energy depends on T alone.
-)");
-    addKeys(record);
-    record.more()
+    classOf<PolytopeOf>(module)
+        ->more()
         .def_property_readonly(
             "bar", [](const PolytopeOf& p) { return p.bar; }, "Its units.")
         .def_property_readonly(
@@ -236,7 +139,7 @@ std::optional<PolytopeOf> polytope(const py::tuple& words, std::optional<std::in
 
 void addPolytopes(py::module_& module)
 {
-    addChain(module);
+    classOf<ModeChain>(module);
     addPolytope(module);
     module.def("polytopes", &polytopes);
     module.def("polytope", &polytope);

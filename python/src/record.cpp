@@ -2,7 +2,42 @@
 
 #include <cmath>
 
+#include "signorini/config.hpp"
+
 namespace signorini::python {
+
+namespace {
+
+/// Changes with what is held, the class, and the version of the library.
+py::object sumOf(const py::handle& type, const py::object& content)
+{
+    // Format 2 writes equal values equally, shared or not.
+    const py::object bytes = py::module_::import("marshal").attr("dumps")(content, 2);
+    const py::object sum = py::module_::import("zlib").attr("crc32");
+    const py::str maker = py::str(SIGNORINI_VERSION " {}").format(type.attr("__name__"));
+    return sum(bytes, sum(maker.attr("encode")()));
+}
+
+}  // namespace
+
+py::tuple sealed(const py::handle& type, const py::object& content)
+{
+    return py::make_tuple(content, sumOf(type, content));
+}
+
+py::tuple opened(const py::handle& type, const py::object& state)
+{
+    const auto tuple = py::cast<py::tuple>(state);
+    if (tuple.size() != 2 || !sumOf(type, tuple[0]).equal(tuple[1])) {
+        refusePickle();
+    }
+    return py::cast<py::tuple>(tuple[0]);
+}
+
+void refusePickle()
+{
+    throw py::value_error("a pickle that was damaged, or is of another version of signorini");
+}
 
 py::object plain(const py::handle& value)
 {
@@ -18,6 +53,13 @@ py::object plain(const py::handle& value)
             list.append(plain(item));
         }
         return list;
+    }
+    if (py::isinstance<py::dict>(value)) {
+        py::dict dict;
+        for (const auto& [key, held] : py::cast<py::dict>(value)) {
+            dict[key] = plain(held);
+        }
+        return dict;
     }
     return py::reinterpret_borrow<py::object>(value);
 }

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <utility>
 
+#include "description.hpp"
 #include "pickled.hpp"
 
 namespace signorini::python {
@@ -37,9 +38,9 @@ public:
     Record(py::handle scope, const char* name, const char* doc) : class_(scope, name, doc)
     {
         if constexpr (HasMembers<T>) {
-            class_.def(py::pickle(
-                [](const T& value) { return py::tuple(Travel<T>::put(value)); },
-                [](const py::tuple& tuple) { return std::make_shared<T>(Travel<T>::get(tuple)); }));
+            class_.def(pickling<T>(
+                [](const T& value) { return Travel<T>::put(value); },
+                [](const py::tuple& held) { return std::make_shared<T>(Travel<T>::get(held)); }));
             class_.def("__copy__", [](const T& value) { return std::make_shared<T>(value); });
             class_.def("__deepcopy__",
                        [](const T& value, const py::dict&) { return std::make_shared<T>(value); });
@@ -119,12 +120,7 @@ private:
     py::list keys_;
 };
 
-/// A value that means something in SI units only together with a bar.
-template <typename T>
-struct Of {
-    T value;
-    Bar bar;
-};
+using answers::Of;
 
 template <typename T>
 struct Members<Of<T>> {

@@ -14,6 +14,16 @@
 
 namespace signorini::python {
 
+/// The tip that never leaves the wall, and its units.
+struct PermanentOf {
+    PermanentContact value;
+    Bar bar;
+};
+template <>
+struct Members<PermanentOf> {
+    static constexpr auto list = std::tuple{&PermanentOf::value, &PermanentOf::bar};
+};
+
 /// All motions at one frequency.
 struct FrequencyOf {
     FrequencyResponse value;
@@ -45,6 +55,26 @@ namespace {
 
 void addRecords(py::module_& module)
 {
+    const auto physical = [](const PermanentOf& p) { return physicalOf(p.value.extremes, p.bar); };
+    Record<PermanentOf>(module, "PermanentContact", "The tip that never leaves the wall.")
+        .key(
+            "least_force",
+            [](const PermanentOf& p) {
+                return p.value.leastForce * amplitudeUnit(Excited::tip, p.bar);
+            },
+            "Of the tip on the wall, whatever the phase [N].")
+        .key(
+            "peak_force", [physical](const PermanentOf& p) { return physical(p).peakForce; }, "[N]")
+        .key(
+            "impulse", [physical](const PermanentOf& p) { return physical(p).impulse; },
+            "[N s] a period.")
+        .key("physical", physical, "What can be measured, in SI units: a Physical.")
+        .key(
+            "admissible", [physical](const PermanentOf& p) { return physical(p).isAdmissible(); },
+            "Is s > -1 everywhere?")
+        .key(
+            "residual", [](const PermanentOf& p) { return p.value.residual; },
+            "The worst that was seen walking along it; relative.");
     Record<FrequencyOf>(module, "ForcedFrequency", "All motions at one frequency.")
         .key(
             "steps", [](const FrequencyOf& f) { return f.value.steps; }, "n, of a period.")
@@ -64,7 +94,23 @@ void addRecords(py::module_& module)
             "max u(L) without a wall [m].")
         .key(
             "undecided", [](const FrequencyOf& f) { return f.value.undecided; },
-            "Numbers of contact steps that were not decided.")
+            "Schedules that were not decided.")
+        .key(
+            "reason",
+            [](const FrequencyOf& f) {
+                return f.value.undecided > 0 ? py::object(py::str(f.value.detail))
+                                             : py::object(py::none());
+            },
+            "Why the first of them was not, or None.")
+        .key(
+            "permanent_contact",
+            [](const FrequencyOf& f) -> std::optional<PermanentOf> {
+                if (!f.value.permanent) {
+                    return std::nullopt;
+                }
+                return PermanentOf{*f.value.permanent, f.bar};
+            },
+            "The tip that never leaves the wall, where the bar presses on it at rest, or None.")
         .key(
             "motions",
             [](const FrequencyOf& f) {

@@ -2,6 +2,9 @@
 
 #include <pybind11/stl.h>
 
+#include <cmath>
+
+#include "described.hpp"
 #include "faults.hpp"
 
 namespace signorini::python {
@@ -10,7 +13,7 @@ namespace {
 
 void addBar(py::module_& module)
 {
-    Record<Bar> record(module, "Bar", R"(A bar and its wall, in SI units.
+    const auto record = classOf<Bar>(module, R"(A bar and its wall, in SI units.
 
 Parameters
 ----------
@@ -35,20 +38,8 @@ Raises
 ValueError
     If a value is out of its range, or two of them clash.
 )");
-    record
-        .key(
-            "length", [](const Bar& bar) { return bar.length; }, "L [m].")
-        .key(
-            "wave_speed", [](const Bar& bar) { return bar.waveSpeed; }, "c [m/s].")
-        .key(
-            "axial_stiffness", [](const Bar& bar) { return bar.axialStiffness; }, "EA [N].")
-        .key(
-            "gap", [](const Bar& bar) { return bar.gap; }, "g [m].")
-        .key(
-            "young", [](const Bar& bar) { return orNone(bar.young); },
-            "Young's modulus [Pa], or None.");
     using Number = std::optional<double>;
-    record.more()
+    record->more()
         .def(py::init([](double length, Number waveSpeed, Number axialStiffness, double gap,
                          Number young, Number density, Number area) {
                  Bar bar;
@@ -98,7 +89,7 @@ ValueError
 
 void addWholeScene(py::module_& module)
 {
-    Record<Segment> segment(module, "Segment", R"(Equal cells of one material of a stepped bar.
+    const auto segment = classOf<Segment>(module, R"(Equal cells of one material of a stepped bar.
 
 Parameters
 ----------
@@ -109,23 +100,13 @@ impedance, speed : float
 dashpot : float
     At the joint after it, relative to the first impedance.
 )");
-    segment
-        .key(
-            "cells", [](const Segment& s) { return s.cells; }, "Of equal crossing time.")
-        .key(
-            "impedance", [](const Segment& s) { return s.impedance; }, "Relative to the first.")
-        .key(
-            "speed", [](const Segment& s) { return s.speed; }, "Relative to the first.")
-        .key(
-            "dashpot", [](const Segment& s) { return s.dashpot; },
-            "At the joint after it, relative to the first impedance.");
-    segment.more().def(
+    segment->more().def(
         py::init([](std::int64_t cells, double impedance, double speed, double dashpot) {
             return Segment{cells, impedance, speed, dashpot};
         }),
         py::arg("cells"), py::arg("impedance") = 1.0, py::arg("speed") = 1.0,
         py::arg("dashpot") = 0.0);
-    Record<Scene> scene(module, "Scene", R"(A bar, its stops, and what it is made of.
+    const auto scene = classOf<Scene>(module, R"(A bar, its stops, and what it is made of.
 
 Parameters
 ----------
@@ -141,14 +122,7 @@ Raises
 ValueError
     If a value is out of its range.
 )");
-    scene
-        .key(
-            "bar", [](const Scene& s) { return s.bar; }, "The first segment's material.")
-        .key("stops", &stopsIn, "[{\"side\", \"place\" [m]}, ...].")
-        .key(
-            "segments", [](const Scene& s) { return s.segments; }, "[Segment, ...].")
-        .key("static_force", &staticForce, "What the bar at rest presses on the wall with [N].");
-    scene.more()
+    scene->more()
         .def(py::init([](const Bar& bar, std::optional<double> secondStop,
                          const std::vector<Segment>& segments) {
                  Scene made(bar, secondStop, segments);
@@ -231,14 +205,31 @@ ValueError
 
 }  // namespace
 
-double forceUnit(const Bar& bar)
+std::string energyAsText(double energyRatio, const Bar& bar)
 {
-    return bar.axialStiffness * scales(bar).strain;
+    return bar.gap == 0.0 ? fmt::format("{:.6g} J", energyRatio * scales(bar).energy)
+                          : fmt::format("{:.6g} E_1", energyRatio);
 }
 
-double impulseUnit(const Bar& bar)
+double ratioOf(double energy, const Bar& bar)
 {
-    return forceUnit(bar) * scales(bar).time;
+    const double ratio = energy / scales(bar).energy;
+    Faults faults;
+    faults.requirePositive("energy", energy, "J");
+    if (std::isfinite(energy) && !std::isfinite(ratio)) {
+        faults.add("energy", energy, "what is finite in E_1");
+    }
+    faults.throwIfAny();
+    return ratio;
+}
+
+void requireLimit(double strain)
+{
+    Faults faults;
+    if (!(strain > 0.0)) {
+        faults.add("strain_limit", strain, "numbers > 0 [-]");
+    }
+    faults.throwIfAny();
 }
 
 /// "left" or "right".
@@ -318,20 +309,9 @@ Schedule scheduleOf(const py::tuple& words, std::optional<std::int64_t> cells)
     return schedule;
 }
 
-py::list stopsIn(const Scene& scene)
+py::object stopsIn(const Scene& scene)
 {
-    py::list stops;
-    const auto add = [&stops](Stop side, double place) {
-        py::dict stop;
-        stop["side"] = nameOf(side);
-        stop["place"] = place;
-        stops.append(stop);
-    };
-    add(Stop::right, scene.bar.gap);
-    if (scene.secondStop) {
-        add(Stop::left, -*scene.secondStop);
-    }
-    return stops;
+    return asPython(answers::stopsIn(scene));
 }
 
 void addScene(py::module_& module)

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "parts.hpp"
 #include "record.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/motion.hpp"
@@ -27,11 +28,20 @@ struct Members<StateOf> {
 };
 
 /// [{"side": ..., "place": [m]}, ...], as the program's JSON has them.
-[[nodiscard]] py::list stopsIn(const Scene& scene);
+[[nodiscard]] py::object stopsIn(const Scene& scene);
 
-/// One unit of force [N], EA g/L, and of impulse [N s], EA g/c.
-[[nodiscard]] double forceUnit(const Bar& bar);
-[[nodiscard]] double impulseUnit(const Bar& bar);
+using answers::amplitudeUnit;
+using answers::forceUnit;
+using answers::impulseUnit;
+
+/// An energy for people: "4 E_1", without a gap "1e-06 J".
+[[nodiscard]] std::string energyAsText(double energyRatio, const Bar& bar);
+
+/// E/E_1 of an energy [J] to hold. \throws ValueError unless it is finite and > 0.
+[[nodiscard]] double ratioOf(double energy, const Bar& bar);
+
+/// Of strain. \throws ValueError unless it is > 0.
+void requireLimit(double strain);
 
 /// A whole number; errors name it. \throws TypeError, ValueError.
 [[nodiscard]] std::int64_t wholeOf(const py::handle& value, const char* name);

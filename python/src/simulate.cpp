@@ -10,6 +10,7 @@
 #include "force.hpp"
 #include "numbers.hpp"
 #include "patience.hpp"
+#include "signorini/settling.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::python {
@@ -44,7 +45,9 @@ struct Simulated {
     std::int64_t events = 0;
     std::int64_t pieces = 0;
     double merged = 0.0;
+    double resolution = 0.0;  ///< [L/c]
     std::optional<Settled> settled;
+    std::string why;
     std::vector<ContactEvent> contacts;
     std::vector<TipPoint> path;
 };
@@ -62,9 +65,9 @@ template <>
 struct Members<Simulated> {
     using T = Simulated;
     static constexpr auto list =
-        std::tuple{&T::scene,  &T::damping, &T::drive,    &T::cells,   &T::time,   &T::impulse,
-                   &T::tip,    &T::isHeld,  &T::waves,    &T::balance, &T::events, &T::pieces,
-                   &T::merged, &T::settled, &T::contacts, &T::path};
+        std::tuple{&T::scene,  &T::damping,    &T::drive,   &T::cells,   &T::time,     &T::impulse,
+                   &T::tip,    &T::isHeld,     &T::waves,   &T::balance, &T::events,   &T::pieces,
+                   &T::merged, &T::resolution, &T::settled, &T::why,     &T::contacts, &T::path};
 };
 
 namespace {
@@ -137,8 +140,8 @@ void addWaves(py::module_& module)
             },
             py::arg("cells"), "u(x_i) - u(0) at x_0 ... x_N [m].")
         .def("__repr__", [](const WavesOf& w) {
-            return fmt::format("Waves({} pieces, energy_ratio={:.10g})",
-                               w.value.a.size() + w.value.b.size(), energyRatio(w.value));
+            return fmt::format("Waves({} pieces, E = {})", w.value.a.size() + w.value.b.size(),
+                               energyAsText(energyRatio(w.value), w.bar));
         });
 }
 
@@ -161,6 +164,9 @@ void addParts(py::module_& module)
         .key(
             "periods", [](const Of<Settled>& s) { return s.value.periods; },
             "Of the excitation, after which all is as before.")
+        .key(
+            "residual", [](const Of<Settled>& s) { return s.value.residual; },
+            "Bound of the distance to a motion that repeats itself, in its own size.")
         .key(
             "contacts", [](const Of<Settled>& s) { return s.value.contacts; }, "In that time.")
         .key(
@@ -218,6 +224,9 @@ EA g/L and EA g/c on the simulation's own memory.
             "impulse", [](const Simulated& s) { return s.impulse * impulseUnit(s.scene.bar); },
             "Of all of them [N s].")
         .key(
+            "resolution", [](const Simulated& s) { return s.resolution * second(s.scene.bar); },
+            "Contacts no further apart are one [s].")
+        .key(
             "settled",
             [](const Simulated& s) {
                 return orNone(s.settled, [&s](const Settled& settled) {
@@ -225,6 +234,12 @@ EA g/L and EA g/c on the simulation's own memory.
                 });
             },
             "How it repeats itself: a Settled, or None.")
+        .key(
+            "why",
+            [](const Simulated& s) {
+                return s.why.empty() ? py::object(py::none()) : py::object(py::str(s.why));
+            },
+            "Where it has not settled, what it does instead.")
         .key(
             "tip", [](const Simulated& s) { return s.tip * metre(s.scene.bar); },
             "u(L) at the end [m].")
@@ -263,6 +278,9 @@ EA g/L and EA g/c on the simulation's own memory.
                                column(contacts, &ContactEvent::impulse, impulseUnit), "[N s]")
         .def_property_readonly("contact_peak_force",
                                column(contacts, &ContactEvent::peakForce, forceUnit), "[N]")
+        .def_property_readonly("contact_mean_force",
+                               column(contacts, &ContactEvent::meanForce, forceUnit),
+                               "Largest mean over the resolution [N].")
         .def_property_readonly(
             "contact_stop",
             [](const Simulated& s) {
@@ -322,31 +340,55 @@ Excitation excitationOf(Drive& drive, double cells, const Bar& bar)
     return excitation;
 }
 
+/// Refuses what takes no time, or more than anyone waits for.
+void requireLength(std::optional<double> time, std::optional<std::int64_t> periods, double period,
+                   const Bar& bar)
+{
+    constexpr double longest = 1e9;  // [L/c]
+    const double most = longest * second(bar);
+    Faults faults;
+    if (periods && !(*periods >= 1 && static_cast<double>(*periods) * period <= most)) {
+        faults.add("periods", *periods,
+                   fmt::format("whole numbers 1..{:.6g}, at most {} L/c", std::floor(most / period),
+                               longest));
+    }
+    if (time && !(*time > 0.0 && *time <= most)) {
+        faults.add("time", *time, fmt::format("numbers > 0, at most {:.6g} [s]", most));
+    }
+    faults.throwIfAny();
+}
+
 /// Goes on stretch by stretch, and sees whether it repeats itself.
 Simulated simulated(Simulated answer, const Excitation& excitation, double total, bool wantsTip,
                     const Wires& wires)
 {
     const double crossing = answer.waves.crossing;
-    BarSimulation simulation(
-        answer.waves, answer.damping, excitation,
-        {.mergeBelow = {}, .recordsTip = wantsTip, .stops = stopsOf(answer.scene)});
+    BarSimulation simulation(answer.waves, answer.damping, excitation,
+                             {.mergeBelow = {},
+                              .recordsTip = wantsTip,
+                              .stops = stopsOf(answer.scene),
+                              .segments = {},
+                              .resolution = answer.resolution});
     // In units of the simulation's; a period of the excitation is a whole number of its steps.
     const double stretch = excitation.steps() > 0 ? static_cast<double>(excitation.steps()) *
                                                         crossing / excitation.stepsPerCrossing
                                                   : 16.0 * crossing;
     const double stretches = answer.drive ? total : total * crossing / stretch;
-    SettlingWatch watch;
+    SettlingWatch watch(static_cast<std::int64_t>(stretches));
     double done = 0.0;
     for (; done + 1.0 <= stretches && !isRequested(wires.cancel); done += 1.0) {
         simulation.advance(stretch);
         watch.see(simulation);
         wires.progress(done + 1.0, stretches);
     }
+    if (answer.drive) {
+        const Settling settling = done + 1.0 > stretches ? watch.settling(simulation, stretch)
+                                                         : Settling{{}, "interrupted"};
+        answer.settled = settling.settled;
+        answer.why = settling.why;
+    }
     if (stretches > done) {
         simulation.advance((stretches - done) * stretch);
-    }
-    if (answer.drive) {
-        answer.settled = watch.settled();
     }
     answer.time = simulation.time();
     answer.impulse = simulation.impulse();
@@ -365,8 +407,8 @@ Simulated simulated(Simulated answer, const Excitation& excitation, double total
 Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, const Scene& scene,
                    double damping, const std::optional<std::string>& force,
                    std::optional<double> amplitude, std::optional<double> frequency, double phase,
-                   std::optional<double> time, std::optional<std::int64_t> periods, bool tip,
-                   const py::object& progress)
+                   std::optional<double> time, std::optional<std::int64_t> periods,
+                   std::optional<double> resolve, bool tip, const py::object& progress)
 {
     Simulated answer;
     if (!scene.segments.empty()) {
@@ -375,17 +417,6 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
     const Bar& bar = scene.bar;
     answer.scene = scene;
     answer.damping = {damping};
-    if (start.is_none()) {
-        answer.waves = wavesAtRest(static_cast<double>(cells.value_or(usualCells)), stopsOf(scene));
-    } else if (py::isinstance<WavesOf>(start)) {
-        answer.waves = py::cast<const WavesOf&>(start).value;
-    } else if (!py::isinstance<StateOf>(start)) {
-        throw py::type_error("start: allowed a State, Waves, the name of a file, or None");
-    } else {
-        answer.waves = wavesOf(*py::cast<const StateOf&>(start).value);
-    }
-    answer.cells = static_cast<std::int64_t>(answer.waves.crossing);
-    const double grid = cells ? static_cast<double>(*cells) : answer.waves.crossing;
     if (force.has_value() != amplitude.has_value() || force.has_value() != frequency.has_value()) {
         throw std::invalid_argument("force, amplitude, frequency: allowed only all three together");
     }
@@ -393,8 +424,11 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
         throw std::invalid_argument(
             "time, periods: allowed one of them, and periods only together with force");
     }
-    Excitation excitation{.stepsPerCrossing = grid};
-    double total = 0.0;
+    if (resolve) {
+        Faults faults;
+        faults.requirePositive("resolve", *resolve, "s");
+        faults.throwIfAny();
+    }
     if (force) {
         const auto place = valueIn(excitedNames, *force);
         if (!place) {
@@ -403,11 +437,29 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
             faults.throwIfAny();
         }
         answer.drive = Drive{*place, *amplitude, *frequency, 0.0, phase, 0};
-        excitation = excitationOf(*answer.drive, grid, bar);
-        total = periods ? static_cast<double>(*periods) : *time / answer.drive->period;
-    } else {
-        total = *time / second(bar);
     }
+    const auto drivenBy = [&](double grid) {
+        return answer.drive ? excitationOf(*answer.drive, grid, bar)
+                            : Excitation{.stepsPerCrossing = grid};
+    };
+    if (start.is_none()) {
+        const auto grid = static_cast<double>(cells.value_or(usualCells));
+        answer.waves = wavesAtRest(grid, stopsOf(scene), drivenBy(grid).baseDisplacement(0));
+    } else if (py::isinstance<WavesOf>(start)) {
+        answer.waves = py::cast<const WavesOf&>(start).value;
+    } else if (!py::isinstance<StateOf>(start)) {
+        throw py::type_error("start: allowed a State, Waves, the name of a file, or None");
+    } else {
+        answer.waves = wavesOf(*py::cast<const StateOf&>(start).value);
+    }
+    answer.cells = static_cast<std::int64_t>(answer.waves.crossing);
+    const Excitation excitation =
+        drivenBy(cells ? static_cast<double>(*cells) : answer.waves.crossing);
+    requireLength(time, periods, answer.drive ? answer.drive->period : 0.0, bar);
+    answer.resolution = resolve ? *resolve / second(bar) : 1.0 / excitation.stepsPerCrossing;
+    const double total = periods        ? static_cast<double>(*periods)
+                         : answer.drive ? *time / answer.drive->period
+                                        : *time / second(bar);
     return patiently(
         [answer = std::move(answer), excitation, total, tip](const Wires& wires) {
             return simulated(answer, excitation, total, tip, wires);

@@ -55,7 +55,7 @@ def test_the_field_is_that_of_the_motion_file(program: Program,
     path = tmp_path / "motion.csv"
     program("find", 5, 31, "--cells", 10, "--energy-ratio", 9, "--length", 3,
             "--wave-speed", 7, "--motion", path)
-    t, x, u, _, _ = np.loadtxt(path, delimiter=",", skiprows=1).T
+    t, x, u, _, _, _ = np.loadtxt(path, delimiter=",", skiprows=1).T
     motion = sg.find(5, 31, cells=10, energy_ratio=9, length=3,
                      wave_speed=7).motion
     np.testing.assert_allclose(motion.displacement(x, t), u, atol=1e-17)

@@ -93,6 +93,48 @@ def test_random_requests_agree_bit_for_bit(program: Program, ask: Any,
     assert min(seen["found"], seen["none"]) >= least, seen
 
 
+def test_forced_motions_know_their_stops(program: Program) -> None:
+    """Random gaps of any sign and second stops, as the program has them."""
+    dice = random.Random("forced")
+    seen = {"found": 0, "none": 0, "undecided": 0}
+    for number in range(120):
+        cells = dice.choice([4, 6, 10])
+        steps: list[Any] = [(dice.randint(1, 3 * cells),
+                             dice.randint(1, 4 * cells))]
+        options: dict[str, Any] = {
+            "cells": cells, "damping": dice.choice([0.02, 0.2]),
+            "force": dice.choice(["tip", "base"]),
+            "gap": dice.choice([1e-3, 0.0, -1e-3, -4e-3])}
+        if dice.random() < 0.5:
+            options["second_stop"] = dice.choice([5e-3, 7e-3])
+            if dice.random() < 0.5:
+                steps.append((*steps[0], "left"))
+        if options["gap"] == 0 or dice.random() < 0.3:
+            options["amplitude"] = 10 ** dice.uniform(-3.5, -2)
+        answer = sg.find(*steps, **options)
+        alike(program("find", *said(steps, options)), answer.to_dict(),
+              f"{steps} {options}")
+        seen[answer.status] += 1
+    assert min(seen["found"], seen["none"]) >= 10, seen
+
+
+def test_a_forced_bar_that_is_pressed_at_rest() -> None:
+    """The sign of the gap decides; a second stop in the way, as well."""
+    options: dict[str, Any] = {"damping": 0.02, "force": "tip"}
+    assert sg.find(450, 300, gap=1e-3, **options).status == "none"
+    found = sg.find(450, 300, gap=-1e-3, **options)
+    assert found.status == "found" and found.static_force > 0
+    (motion,) = found.motions
+    assert motion.state.displacement[-1] == pytest.approx(-1e-3, rel=1e-9)
+    stop = -motion.tip_lowest  # how far it swings
+    near = sg.find(450, 300, gap=-1e-3, second_stop=1.1 * stop, **options)
+    assert near.amplitude == pytest.approx(found.amplitude, rel=1e-9)
+    far = sg.find(450, 300, gap=-1e-3, second_stop=0.9 * stop, **options)
+    assert far.status == "none" or far.amplitude > 1.001 * found.amplitude
+    with pytest.raises(ValueError, match="amplitude is missing"):
+        sg.find(450, 300, gap=0, **options)
+
+
 def test_pressed_questions_agree(program: Program) -> None:
     """All motions of one period, pressed at rest."""
     asked = program("find", "--period", "5/2", "--gap", -1e-3, "--cells", 20)
@@ -157,6 +199,6 @@ def test_state_of_a_stepped_bar_knows_its_segments() -> None:
         state.write("nowhere.csv")
     with pytest.raises(ValueError, match="cells of all segments"):
         sg.State([1.0], [1.0], segments=state.segments)
-    with pytest.raises(ValueError, match="segments, second_stop"):
+    with pytest.raises(ValueError, match="segments: allowed only without"):
         sg.find(6, 28, cells=8, segments=parts,  # type: ignore[call-overload]
                 damping=0.05, force="tip")

@@ -1,4 +1,4 @@
-"""Arguments of strangers: any kind, size and shape gets an answer or an error.
+"""Untrusted arguments: any kind, size and shape gets an answer or an error.
 
 An error names one of the arguments that were changed. The same examples in
 every run.

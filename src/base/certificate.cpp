@@ -17,6 +17,7 @@ constexpr auto ruleNames = std::to_array<Named<ForcedRule>>({
     {ForcedRule::closure, "closure"},
     {ForcedRule::work, "work"},
     {ForcedRule::strain, "strain"},
+    {ForcedRule::rest, "rest"},
 });
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 
 #include "forced_rows.hpp"
 #include "rational.hpp"
@@ -140,10 +141,60 @@ bool forbidsExcitation(const std::vector<EnclosedRow>& rows, bool isPlane)
            isCertain(across(rows[1], rows.back()));
 }
 
+/// One contact phase with fewer steps of flight than classes, and no gap: the tip rests at the
+/// wall, so all waves come back as they were but for what the excitation adds, D_m in 2N steps. The
+/// pushes R_m >= 0 have the mean of the force, which is 0, so they are 0, and with them all D_m.
+/// Two that differ leave C = S = 0.
+bool restsWithoutPush(const ForcedQuestion& question)
+{
+    const Schedule& schedule = question.schedule;
+    const std::int64_t n = steps(schedule);
+    if (schedule.phases.size() != 1 ||
+        schedule.phases.front().free >= std::gcd(2 * schedule.cells, n)) {
+        return false;
+    }
+    const bool isPlane = question.shapes.size() > 1;
+    const auto each = [&](auto value) {
+        return EnclosedPlane{value(question.shapes.front()),
+                             isPlane ? value(question.shapes.back()) : Interval()};
+    };
+    // F_{m+2N} - F_m, or 2V_{m+N}.
+    const auto change = [&](std::int64_t m) {
+        return each([&](const Excitation& e) {
+            const std::int64_t later = m + schedule.cells;
+            return Interval(e.force((m + 2 * schedule.cells) % n)) - Interval(e.force(m)) +
+                   Interval(2.0 * e.stepsPerCrossing) * (Interval(e.baseDisplacement(later + 1)) -
+                                                         Interval(e.baseDisplacement(later)));
+        });
+    };
+    EnclosedPlane sum;  // of what has the mean 0, but for rounding
+    EnclosedPlane first = change(0);
+    double area = 0.0;
+    double largest = 0.0;
+    for (std::int64_t m = 0; m < n; ++m) {
+        sum = sum + each([m](const Excitation& e) {
+                  return Interval(e.force(m)) + Interval(e.baseDisplacement(m));
+              });
+        const EnclosedPlane here = change(m);
+        largest = std::max({largest, here.c.magnitude().high, here.s.magnitude().high});
+        const Interval across = isPlane ? first.cross(here) : here.c * here.c;
+        area = std::max({area, across.low, -across.high});
+    }
+    // What rounding leaves of the mean, for all steps, moves no D_m by as much as one of the two
+    // is.
+    const double rounding =
+        4.0 * static_cast<double>(n) * (sum.c.magnitude().high + sum.s.magnitude().high);
+    return area > 8.0 * largest * rounding;
+}
+
 }  // namespace
 
 bool forbidsContact(const ForcedQuestion& question, std::span<const ForcedCondition> conditions)
 {
+    if (conditions.size() == 1 && conditions.front().rule == ForcedRule::rest) {
+        return canRest(question.schedule.phases, question.schedule.stops) &&
+               restsWithoutPush(question);
+    }
     const EnclosedWaves waves(question);
     const auto rows = rowsOf(waves, conditions);
     if (!rows) {

@@ -219,6 +219,8 @@ std::optional<EnclosedRow> EnclosedWaves::row(const ForcedCondition& condition) 
             addWave(row, m, -1);
             row.limit = Interval(-question_.waveLimit);
             return row;
+        case ForcedRule::rest:
+            return std::nullopt;  // it is no row
     }
     return std::nullopt;
 }

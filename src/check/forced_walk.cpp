@@ -151,6 +151,21 @@ void measureStrain(const std::vector<double>& p, const Excitation& excitation, s
     }
 }
 
+/// Of one period: a motion may pass through a state without waves.
+double largestWave(const State& state, const Schedule& schedule, const Damping& damping,
+                   const Excitation& excitation)
+{
+    Cells bar(state, damping, excitation);
+    double largest = amplitude(state);
+    for (const Phase& phase : schedule.phases) {
+        for (std::int64_t m = 0; m < phase.contact + phase.free; ++m) {
+            largest = std::max(largest, std::abs(bar.arriving()));
+            bar.take(m < phase.contact);
+        }
+    }
+    return largest;
+}
+
 }  // namespace
 
 double ForcedWalk::worst() const
@@ -162,7 +177,7 @@ ForcedWalk walkForced(const State& state, const Schedule& schedule, const Dampin
                       const Excitation& excitation, double tolerance)
 {
     ForcedWalk seen;
-    const double size = amplitude(state);
+    const double size = largestWave(state, schedule, damping, excitation);
     if (!(size > 0.0) || !state.a.allFinite() || !state.b.allFinite()) {
         seen.periodicity = infinity;
         return seen;

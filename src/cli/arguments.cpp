@@ -15,8 +15,11 @@
 #include <system_error>
 
 #include "faults.hpp"
+#include "hints.hpp"
+#include "segments_text.hpp"
 #include "share_work.hpp"
 #include "signorini/output.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -146,7 +149,7 @@ double parsePositive(std::string_view name, std::string_view text, std::string_v
 {
     double value = 0.0;
     if (!readAll(text, value) || !std::isfinite(value) || value <= 0.0) {
-        refuse(name, text, fmt::format("finite numbers > 0 [{}]", unit));
+        refuse(name, text, fmt::format("finite numbers > 0 [{}]{}", unit, unitHint(text, unit)));
     }
     return value;
 }
@@ -155,7 +158,7 @@ double parseReal(std::string_view name, std::string_view text, std::string_view 
 {
     double value = 0.0;
     if (!readAll(text, value) || !std::isfinite(value)) {
-        refuse(name, text, fmt::format("finite numbers [{}]", unit));
+        refuse(name, text, fmt::format("finite numbers [{}]{}", unit, unitHint(text, unit)));
     }
     return value;
 }
@@ -194,6 +197,25 @@ void addWord(CLI::App& command, const char* name, const char* type, const char* 
     command.add_option_function<std::string>(name, take, help)->type_name(type);
 }
 
+void addFlag(CLI::App& command, const char* name, bool& flag, const char* help)
+{
+    command.add_flag(name, flag, help);
+}
+
+void addWords(CLI::App& command, const char* name, const char* type,
+              std::vector<std::string>& words, const char* help, int most)
+{
+    CLI::Option* option = command.add_option(name, words, help)->type_name(type);
+    if (most > 0) {
+        option->expected(1, most);
+    }
+}
+
+void addFooter(CLI::App& command, const char* text)
+{
+    command.footer(text);
+}
+
 void CommonOptions::addTo(CLI::App& command)
 {
     addWhole(command, "--cells", 1, maxCells, cells, "N", "N, equal cells of the bar (300)");
@@ -220,7 +242,7 @@ void CommonOptions::addTo(CLI::App& command)
                     refuse("--format", text, "text|json");
                 }
             });
-    command.add_flag("--quiet", quiet, "no words for people on stderr but errors");
+    command.add_flag("--quiet", quiet, "nothing on stderr but errors");
     addWhole(command, "--threads", 1, maxThreads, threads, "K", "most threads to use (1)");
     for (CLI::Option* option : command.get_options()) {
         if (option->get_name().starts_with("--") && option->get_items_expected_max() > 0) {
@@ -270,9 +292,7 @@ Scene CommonOptions::sceneOfOneBar() const
 {
     if (!segments_.empty()) {
         throw std::invalid_argument(
-            "--segments: allowed only where this command knows such scenes: find, simulate, "
-            "response, "
-            "atlas");
+            "--segments: allowed with find, simulate, response and atlas only");
     }
     return scene();
 }
@@ -301,6 +321,43 @@ Bar CommonOptions::givenBar() const
         throw std::invalid_argument("--young, --density, --area: allowed only all three together");
     }
     return barOfMaterial(bar_.length, *young_, *density_, *area_, bar_.gap);
+}
+
+std::string CommonOptions::restated(std::optional<std::int64_t> grid,
+                                    std::optional<double> damping) const
+{
+    const Scene meant = scene();
+    const Bar first = firstMaterial(meant);
+    const Scales unit = scales(first);
+    std::string text = fmt::format("bar         {}L = {:.6g} m, c = {:.6g} m/s, EA = {:.6g} N, ",
+                                   grid ? fmt::format("N = {}, ", *grid) : "", meant.bar.length,
+                                   first.waveSpeed, first.axialStiffness);
+    text += fmt::format("g = {:.6g} m", meant.bar.gap);
+    if (meant.secondStop) {
+        text += fmt::format(", h = {:.6g} m", *meant.secondStop);
+    }
+    if (damping) {
+        text += fmt::format(", ζ = {:.6g}", *damping);
+    }
+    text += fmt::format("; ω₁ = {:.6g} Hz, ", 0.25 / unit.time);
+    text +=
+        meant.bar.gap == 0.0 ? "no E₁ without a gap" : fmt::format("E₁ = {:.6g} J", unit.energy);
+    if (!meant.segments.empty()) {
+        text += fmt::format("; segments {}, c, EA, ω₁, E₁ of the first", textOf(meant.segments));
+    }
+    text += "\n";
+    constexpr double softest = 1e5;  // Pa; rubber is ten times as stiff
+    if (young_ && *young_ < softest) {
+        text += fmt::format(
+            "note        E = {0:.6g} Pa is softer than rubber: {0:.6g} GPa are --young {1:.6g}\n",
+            *young_, *young_ * 1e9);
+    }
+    if (damping && *damping > 1.0) {
+        text +=
+            fmt::format("note        ζ = {0:.6g} is {1:.6g} %: {0:.6g} % are --damping {2:.6g}\n",
+                        *damping, *damping * 100.0, *damping / 100.0);
+    }
+    return text;
 }
 
 void CommonOptions::useOneThread(std::string_view command) const
@@ -342,7 +399,12 @@ std::vector<Segment> parseSegments(std::string_view name, std::string_view text)
 
 std::vector<Phase> parsePhases(const std::vector<std::string>& words)
 {
-    if (words.empty() || words.size() % 2 != 0) {
+    if (words.empty()) {
+        throw std::invalid_argument(
+            "NC NF is missing: allowed contact and free steps, as in 150 900; find takes --period, "
+            "--frequency or --hertz in their place");
+    }
+    if (words.size() % 2 != 0) {
         refuse("NC NF ...", fmt::format("{} step counts", words.size()),
                "pairs of contact and free steps: an even number of them, at least 2");
     }

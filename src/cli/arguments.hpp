@@ -72,6 +72,16 @@ struct GivenNumber {
 void addWord(CLI::App& command, const char* name, const char* type, const char* help,
              const std::function<void(const std::string&)>& take);
 
+/// An option without a value.
+void addFlag(CLI::App& command, const char* name, bool& flag, const char* help);
+
+/// Words that belong to no option; or an option with `most` of them, or fewer.
+void addWords(CLI::App& command, const char* name, const char* type,
+              std::vector<std::string>& words, const char* help, int most = 0);
+
+/// What the help ends with.
+void addFooter(CLI::App& command, const char* text);
+
 /// A whole number in [low, high]. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,
                                       std::int64_t low, std::int64_t high);
@@ -136,6 +146,10 @@ struct CommonOptions {
     [[nodiscard]] Bar barOfAnyGap() const;
     /// \throws std::invalid_argument on a clash, or numbers that do not go together.
     [[nodiscard]] Scene scene() const;
+    /// The line with which an answer in words begins: the bar that was meant, so that a wrong or
+    /// forgotten option is seen. With cells and damping where they are part of the question.
+    [[nodiscard]] std::string restated(std::optional<std::int64_t> grid = {},
+                                       std::optional<double> damping = {}) const;
     /// For a command that works on one thread: says so where more were allowed. Said last, so that
     /// a wrong call stays one line.
     void useOneThread(std::string_view command) const;

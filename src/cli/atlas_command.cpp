@@ -1,8 +1,5 @@
 #include "atlas_command.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -36,7 +33,7 @@ double parseRatio(const char* name, const std::string& text, const char* unit)
 
 void AtlasCommand::addTo(CLI::App& command)
 {
-    addFile(command, "--database", database, "the atlas, made if it does not exist; required",
+    addFile(command, "--database", database, "the atlas, created if it does not exist; required",
             "FILE.sqlite");
     constexpr std::int64_t maxEach = maxSteps / (2 * maxAtlasPhases);
     addWhole(command, "--max-contact", 1, maxEach, maxContact, "NC", "contact steps 1..NC (2N)");
@@ -45,17 +42,16 @@ void AtlasCommand::addTo(CLI::App& command)
              "schedules of 1..K contact phases (1)");
     addPositive(command, "--max-energy-ratio", "E_1", maxEnergyRatio, "X",
                 "keep schedules with motions of E <= X E_1 (all)");
-    command.add_flag("--all", all, "keep the refuted schedules, too");
-    command.add_flag("--families-only", familiesOnly, "keep table families and no schedules");
-    command.add_flag("--resume", resume, "go on with an interrupted run");
-    command.add_option("--near", near, "ask: families with motions near omega/omega_1, E/E_1")
-        ->type_name("W E")
-        ->expected(1, 2);
+    addFlag(command, "--all", all, "also store the refuted schedules");
+    addFlag(command, "--families-only", familiesOnly, "store families only, no schedules");
+    addFlag(command, "--resume", resume, "continue an interrupted run");
+    addWords(command, "--near", "W E", near,
+             "query: families with motions near omega/omega_1, E/E_1", 2);
     addPositive(command, "--within", "-", within, "X", "how near, relative (0.001)");
-    addWord(command, "--period", "T", "ask: families of this period, as 7/2 or 3.5 [L/c]",
+    addWord(command, "--period", "T", "query: families of this period, as 7/2 or 3.5 [L/c]",
             [this](const std::string& text) { period = parseFraction("--period", text, "L/c"); });
-    command.add_flag("--twins", twins, "ask: different orbits of equal period and energy");
-    command.add_flag("--schedules", schedules, "answer with the schedules of families, too");
+    addFlag(command, "--twins", twins, "query: different orbits of equal period and energy");
+    addFlag(command, "--schedules", schedules, "list the schedules of families as well");
     addFigure(command, "--figure", figureFile, "draw the frequency-energy plot");
     addFigure(command, "--map", mapFile, "draw the existence map over contact and flight times");
     addFile(command, "--csv", csvFile, "write the families, the bars of the plot, as a table");
@@ -262,7 +258,7 @@ ExitStatus AtlasCommand::answer() const
         tell(fmt::format("signorini atlas: {}\n", gaps));
     }
     if (isQuery()) {
-        writeOut(common.wantsJson ? asJson(answer) : asText(answer));
+        writeOut(common.wantsJson ? asJson(answer) : common.restated() + asText(answer));
         return answer.isEmpty() && !answer.coverage.isDecided() ? exitUndecided : exitFound;
     }
     return exitFound;
@@ -354,7 +350,8 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (run.isFinished()) {
         draw(*atlas, range.cells, drawing);
     }
-    writeOut(common.wantsJson ? asJson(run, database, common.scene()) : asText(run, database));
+    writeOut(common.wantsJson ? asJson(run, database, common.scene())
+                              : common.restated() + asText(run, database));
     if (!run.isFinished()) {
         if (!common.quiet) {
             tell(

@@ -38,8 +38,9 @@ void putEnergy(Json& json, const EnergyRange& energy, const Scales& unit)
 
 Json asJson(const AtlasFamily& all, const std::optional<AtlasPoint>& point, const Scales& unit)
 {
-    Json json{{"id", all.id},  {"cells", all.cells},        {"order", nullptr},
-              {"nu", nullptr}, {"contact_blocks", nullptr}, {"schedule", phasesAsJson({all.top})}};
+    Json json{
+        {"id", all.id},  {"cells", all.cells},        {"order", nullptr},
+        {"nu", nullptr}, {"contact_blocks", nullptr}, {"schedule", jsonOf(std::vector{all.top})}};
     if (all.family) {
         json["order"] = all.family->order;
         json["nu"] = all.family->blocks;
@@ -63,7 +64,7 @@ Json asJson(const AtlasEntry& entry, const Scales& unit)
 {
     const AtlasRow& row = entry.row;
     Json json{{"cells", entry.schedule.cells},
-              {"schedule", phasesAsJson(entry.schedule.phases)},
+              {"schedule", jsonOf(entry.schedule.phases)},
               {"family", entry.family ? Json(*entry.family) : Json()}};
     putPeriod(json, period(entry), frequencyRatio(entry), unit);
     json["status"] = name(row.status);
@@ -240,7 +241,7 @@ std::string asJson(const AtlasAnswer& answer)
 {
     const Scales unit = scales(answer.bar);
     Json json = newAnswer();
-    json["bar"] = barAsJson(answer.bar);
+    json["bar"] = jsonOf(answer.bar);
     if (answer.point) {
         json["near"] = {{"frequency", answer.point->frequencyRatio / (4.0 * unit.time)},
                         {"frequency_ratio", answer.point->frequencyRatio},
@@ -299,7 +300,7 @@ std::string asJson(const AtlasRun& run, const std::string& database, const Scene
                      {"undecided", tally.undecided},
                      {"batches", {run.nextBatch, run.batches}},
                      {"seconds", run.seconds}});
-    addScene(scene, json);
+    json.update(jsonOf(scene));
     return asLine(json);
 }
 

@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "energy_bound.hpp"
-#include "report.hpp"
+#include "proofs.hpp"
 #include "stepped_bar.hpp"
 #include "stepped_route.hpp"
-#include "text.hpp"
 
 namespace signorini::cli {
 
@@ -17,125 +16,84 @@ namespace {
 constexpr std::string_view none = R"("certificate":null)";
 constexpr std::size_t longestPiece = 1U << 16U;  ///< characters
 
-class Writer {
-public:
-    explicit Writer(const WriteText& write) : write_(write) {}
+/// Writes the keys of a proof: all rows and multipliers, for what says "verified" can be verified
+/// by others.
+template <typename Proof>
+struct ProofWriter {
+    const Proof& proof;
+    const WriteText& write;
+    std::string text = {};
+    char before = '{';
 
-    void operator()(const FarkasCertificate& c) const
+    static void record(const char*, const char*) {}
+    template <typename Get>
+    void key(const char* name, const char*, const char*, Get get,
+             answers::When when = answers::When::always)
     {
-        begin("paper");
-        write_(fmt::format(R"(,"gap":{},"size":{})", c.gap, c.size));
-        list("periodicity", c.periodicity);
-        list("pressure", c.pressure);
-        list("penetration", c.penetration);
-        write_("}");
-    }
-
-    void operator()(const ProgramProof& proof) const
-    {
-        begin(name(proof.rows));
-        limit("strain_limit", proof.demands.strainLimit * (1.0 + proof.tolerance));
-        limit("tip_floor", proof.demands.tipFloor - proof.tolerance);
-        lists(proof.multipliers);
-    }
-
-    void operator()(const SteppedProof& proof) const
-    {
-        begin(name(Formulation::joints));
-        limit("tip_floor", proof.tipFloor - proof.tolerance);
-        lists(proof.multipliers);
-    }
-
-    void operator()(const EnergyExclusion& exclusion) const
-    {
-        Json json{{"kind", "energy-range"}, {"verified", exclusion.isVerified}};
-        if (!exclusion.isVerified) {
-            json["note"] = rangeNote;
-        }
-        write_(json.dump());
-    }
-
-private:
-    void begin(std::string_view rows) const
-    {
-        write_(fmt::format(R"({{"kind":"farkas","verified":true,"rows":"{}")", rows));
-    }
-
-    /// Of the motions that are excluded; null where it limits nothing.
-    void limit(std::string_view key, double value) const
-    {
-        write_(fmt::format(R"(,"{}":)", key) +
-               (std::isfinite(value) ? Json(value) : Json()).dump());
-    }
-
-    template <typename Proof>
-    void lists(const Proof& proof) const
-    {
-        list("equalities", proof.equalities);
-        list("inequalities", proof.inequalities);
-        write_("}");
-    }
-
-    /// Rows and multipliers as pairs, all of them: what says "verified" can be verified by others.
-    template <typename Rows>
-    void list(std::string_view key, const Rows& rows) const
-    {
-        Text text;
-        const auto flush = [&] {
-            write_({text.data(), text.size()});
-            text.clear();
+        using Value = std::remove_cvref_t<std::invoke_result_t<Get, const Proof&>>;
+        const auto& value = std::invoke(get, proof);
+        const auto begin = [&] {
+            text += fmt::format("{}\"{}\":", std::exchange(before, ','), name);
         };
-        print(text, R"(,"{}":[)", key);
-        std::string_view comma;
-        for (const auto& m : rows) {
-            print(text, "{}[{},", comma, m.row);
-            printValue(text, m.value);
-            text.push_back(']');
-            comma = ",";
-            if (text.size() > longestPiece) {
+        if constexpr (answers::isA<Value, std::vector>) {
+            begin();
+            std::string_view comma = "[";
+            for (const auto& row : value) {
+                text += comma;
+                text += jsonOf(row).dump();
+                comma = ",";
                 flush();
             }
+            text += value.empty() ? "[]" : "]";
+        } else if (const Json json = jsonOf(value); !json.is_null() || !mayBeLeftOut(when)) {
+            begin();
+            text += json.dump();
         }
-        text.push_back(']');
         flush();
     }
-
-    static void printValue(Text& text, std::int64_t value) { print(text, "{}", value); }
-    static void printValue(Text& text, const std::string& fraction)
+    void flush()
     {
-        print(text, R"("{}")", fraction);
+        if (text.size() > longestPiece) {
+            write(text);
+            text.clear();
+        }
     }
-
-    const WriteText& write_;
 };
 
-/// Adds multipliers to a certificate as pairs.
-void addRows(Json& json, const RationalProof& proof)
+/// The waves of a motion at t = 0, which the checker marches.
+Json stateAsJson(const State& state)
 {
-    const auto list = [&json](const char* key, const std::vector<RationalMultiplier>& rows) {
-        json[key] = Json::array();
-        for (const RationalMultiplier& m : rows) {
-            json[key].push_back({m.row, m.value});
-        }
-    };
-    list("equalities", proof.equalities);
-    list("inequalities", proof.inequalities);
+    return {{"a", jsonOf(state.a)}, {"b", jsonOf(state.b)}};
 }
 
 /// That a stepped bar has no motion of less energy than the one found, but for the tolerance.
 std::optional<Json> steppedCertificate(const PeriodicResult& result, const FindOptions& options)
 {
+    const auto agrees = [&](double energyRatio) {
+        return std::abs(result.motion->energyRatio / energyRatio - 1.0) <= options.tolerance;
+    };
     const auto proof = leastSteppedEnergy(result.schedule, options);
-    if (!proof ||
-        !(std::abs(result.motion->energyRatio / proof->energyRatio - 1.0) <= options.tolerance)) {
+    if (!proof) {
+        // More rows than rationals can take: a march backwards proves the same, but for rounding.
+        const auto floor = leastEnergyFloor(result.schedule, options);
+        if (!floor || !agrees(floor->energyRatio)) {
+            return std::nullopt;
+        }
+        Json json = jsonOf(*floor);
+        json["state"] = stateAsJson(result.motion->state);
+        return json;
+    }
+    if (!agrees(proof->energyRatio)) {
         return std::nullopt;
     }
     Json json{{"kind", "energy-range"},
               {"verified", true},
               {"rows", name(Formulation::joints)},
               {"tip_floor", std::isfinite(options.tipFloor) ? Json(options.tipFloor) : Json()},
-              {"energy_ratio", proof->energyRatio}};
-    addRows(json, proof->multipliers);
+              {"energy_ratio", proof->energyRatio},
+              {"state", stateAsJson(result.motion->state)}};
+    json["equalities"] = jsonOf(proof->multipliers.equalities);
+    json["inequalities"] = jsonOf(proof->multipliers.inequalities);
     return json;
 }
 
@@ -153,7 +111,37 @@ bool isOfRange(const PeriodicResult& result, const FindOptions& options)
 
 void writeCertificate(const Absence& absence, const WriteText& write)
 {
-    std::visit(Writer(write), absence.proof);
+    std::visit(
+        [&write](const auto& proof) {
+            ProofWriter<std::remove_cvref_t<decltype(proof)>> writer{proof, write};
+            describe(writer, answers::Type<std::remove_cvref_t<decltype(proof)>>());
+            write(writer.text + "}");
+        },
+        absence.proof);
+}
+
+Json claimOf(const Json& answer, const std::optional<Json>& energies)
+{
+    Json claim = Json::object();
+    for (const char* key : {"schema", "version", "status", "cells", "schedule", "bar", "stops",
+                            "segments", "certificate"}) {
+        claim[key] = answer.at(key);
+    }
+    if (!energies) {
+        return claim;
+    }
+    claim["certificate"] = *energies;
+    claim["energy_ratio_range"] = answer.at("energy_ratio_range");
+    if (energies->at("rows") == name(Formulation::joints)) {
+        claim["energy_ratio_range"][1] = nullptr;  // of the most nothing is proved
+    }
+    const std::string objective = answer.at("objective");
+    if (answer.at("status") == name(Status::found) &&
+        (objective == name(Objective::minEnergy) || objective == name(Objective::maxEnergy))) {
+        claim["objective"] = objective;
+        claim["energy_ratio"] = answer.at("energy_ratio");
+    }
+    return claim;
 }
 
 void writeAnswer(const Json& answer, const PeriodicResult& result, const WriteText& write)
@@ -199,7 +187,8 @@ std::optional<Json> energyCertificate(const PeriodicResult& result, const FindOp
             json["strain_limit"] = exclusion->strainLimit * (1.0 + exclusion->tolerance);
         }
     }
-    addRows(json, *proof);
+    json["equalities"] = jsonOf(proof->equalities);
+    json["inequalities"] = jsonOf(proof->inequalities);
     return json;
 }
 

@@ -17,6 +17,10 @@ using WriteText = std::function<void(std::string_view)>;
 /// "certificate" of an answer.
 void writeCertificate(const Absence& absence, const WriteText& write);
 
+/// Of an answer what a proof says, and no more, with the proof about energies if it is one: a
+/// checker refuses what it does not check.
+[[nodiscard]] Json claimOf(const Json& answer, const std::optional<Json>& energies);
+
 /// An answer, whose certificate is null, as one line with the certificate of its absence in place.
 void writeAnswer(const Json& answer, const PeriodicResult& result, const WriteText& write);
 

@@ -1,8 +1,5 @@
 #include "continuum_command.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -80,7 +77,8 @@ void warnOfWorst(const Continuum& curve)
         curve.points.begin(), curve.points.end(),
         [](const auto& one, const auto& other) { return one.peakStrain < other.peakStrain; });
     if (worst != curve.points.end()) {
-        warnUnlessAdmissible("continuum", physicalOf(*worst, curve));
+        warnUnlessAdmissible("continuum",
+                             physicalOf(extremesOf(worst->state, curve.schedule), curve.scene.bar));
     }
 }
 
@@ -88,8 +86,7 @@ void warnOfWorst(const Continuum& curve)
 
 void ContinuumCommand::addTo(CLI::App& command)
 {
-    command.add_option("steps", steps, "contact and free steps of each phase")
-        ->type_name("NC NF ...");
+    addWords(command, "steps", "NC NF ...", steps, "contact and free steps of each phase");
     addPositive(command, "--energy-ratio", "E_1", energyRatio, "X",
                 "E/E_1 of every motion; this or");
     addPositive(command, "--energy", "J", energy, "J", "their energy in joules");
@@ -97,16 +94,19 @@ void ContinuumCommand::addTo(CLI::App& command)
              "motions along the curve (201)");
     addFile(command, "--from", fromFile, "state to start from, as find --state writes it");
     addFile(command, "--to", toFile, "state to end at");
-    addFile(command, "--direction", directionFile, "or the way to go from there, as a state file");
-    command.add_flag("--sample", sample, "motions spread over the whole set instead of a curve");
+    addFile(command, "--direction", directionFile,
+            "or the direction to take from there, as a state file");
+    addFlag(command, "--sample", sample, "motions spread over the whole set instead of a curve");
     addWhole(command, "--seed", 0, maxSeed, seed, "K",
              "join two members drawn at random; with --sample, which ones");
-    addWord(command, "--engine", "auto|geometric|ipopt|nlopt", "who traces; or a back end (auto)",
+    addWord(command, "--engine", "auto|geometric|ipopt|nlopt",
+            "method that traces the curve, or a back end (auto)",
             [this](const std::string& text) { options.solver = solverOfEngine(text, "--engine"); });
     addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
                 "strain >= -S everywhere, always");
-    addPositive(command, "--resolution", "-", options.resolution, "X",
-                "how far neighbours on a curve by programs may be apart, in √(E/E₁) (0.05)");
+    addPositive(
+        command, "--resolution", "-", options.resolution, "X",
+        "largest distance between neighbours on a curve found by solvers, in √(E/E₁) (0.05)");
     addPositive(command, "--tolerance", "-", options.tolerance, "X",
                 "largest relative residual (1e-7)");
     addFile(command, "--csv", csvFile, "write lambda, a_1..a_N, b_1..b_N, a row per motion");
@@ -159,7 +159,7 @@ ExitStatus ContinuumCommand::run() const
     } else if (outputs.areWanted() && !common.quiet) {
         tell("signorini continuum: no motion to write, so no file was written\n");
     }
-    writeOut(common.wantsJson ? asJson(curve, chosen) : asText(curve, chosen));
+    writeOut(common.wantsJson ? asJson(curve, chosen) : common.restated() + asText(curve, chosen));
     if (!common.quiet) {
         warnOfWorst(curve);
     }

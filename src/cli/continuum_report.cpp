@@ -3,19 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
-#include "engine_names.hpp"
+#include "continuum_answer.hpp"
+#include "json.hpp"
 #include "report.hpp"
 
 namespace signorini::cli {
 
 namespace {
-
-/// No motions have no dimension.
-bool hasDimension(const Continuum& curve)
-{
-    return curve.dimension >= 0 && curve.components != 0;
-}
 
 /// How many different motions the points are.
 std::string orbitsAsText(const Continuum& curve)
@@ -34,11 +30,6 @@ bool hasUnit(const Continuum& curve)
     return curve.scene.bar.gap != 0.0;
 }
 
-double joules(double energyRatio, const Continuum& curve)
-{
-    return energyRatio * scales(curve.scene.bar).energy;
-}
-
 const char* unitOf(const Continuum& curve)
 {
     switch (curve.parameter) {
@@ -52,30 +43,13 @@ const char* unitOf(const Continuum& curve)
     return "";
 }
 
-Json asJson(const ContinuumPoint& point, const Continuum& curve)
-{
-    const Physical physical = physicalOf(point, curve);
-    return {{"lambda", point.lambda},
-            {"energy", joules(point.energyRatio, curve)},
-            {"energy_ratio", hasUnit(curve) ? Json(point.energyRatio) : Json()},
-            {"residual", point.residual},
-            {"peak_strain", point.peakStrain},
-            {"physical", physicalAsJson(physical)},
-            {"admissible", physical.isAdmissible()}};
-}
-
 }  // namespace
-
-Physical physicalOf(const ContinuumPoint& point, const Continuum& curve)
-{
-    return signorini::physicalOf(extremesOf(point.state, curve.schedule), curve.scene.bar);
-}
 
 std::string asText(const Continuum& curve, const std::optional<Member>& member)
 {
-    const std::string energy = hasUnit(curve)
-                                   ? fmt::format("{:.10g} E₁", curve.energyRatio)
-                                   : fmt::format("{:.10g} J", joules(curve.energyRatio, curve));
+    const std::string energy =
+        hasUnit(curve) ? fmt::format("{:.10g} E₁", curve.energyRatio)
+                       : fmt::format("{:.10g} J", answers::joules(curve.energyRatio, curve));
     std::string text =
         fmt::format("{:<12}{}, E = {}, {} motions by the {} engine\n", name(curve.status),
                     describe(curve.schedule), energy, curve.points.size(), engineOf(curve));
@@ -83,11 +57,11 @@ std::string asText(const Continuum& curve, const std::optional<Member>& member)
         text += fmt::format("range       {:.10g} … {:.10g} E₁\n", curve.energyRange->least,
                             curve.energyRange->most);
     }
+    const auto dimension = answers::dimensionOf(curve);
     if (curve.components) {
-        text += fmt::format(
-            "set         {} component{}{} at this energy\n", *curve.components,
-            *curve.components == 1 ? "" : "s",
-            hasDimension(curve) ? fmt::format(" of dimension {}", curve.dimension) : "");
+        text += fmt::format("set         {} component{}{} at this energy\n", *curve.components,
+                            *curve.components == 1 ? "" : "s",
+                            dimension ? fmt::format(" of dimension {}", *dimension) : "");
     }
     text += fmt::format("connected   {}\n", !curve.connected   ? "not known"
                                             : *curve.connected ? "yes"
@@ -128,56 +102,8 @@ std::string asText(const Continuum& curve, const std::optional<Member>& member)
 
 std::string asJson(const Continuum& curve, const std::optional<Member>& member)
 {
-    Json json = newAnswer();
-    json.update(Json{{"status", name(curve.status)},
-                     {"cells", curve.schedule.cells},
-                     {"schedule", phasesAsJson(curve.schedule.phases)},
-                     {"period", period(curve.schedule) * scales(curve.scene.bar).time},
-                     {"period_ratio", period(curve.schedule)},
-                     {"frequency_ratio", frequencyRatio(curve.schedule)},
-                     {"energy", joules(curve.energyRatio, curve)},
-                     {"energy_ratio", hasUnit(curve) ? Json(curve.energyRatio) : Json()},
-                     {"connected", nullptr},
-                     {"components", nullptr},
-                     {"dimension", nullptr},
-                     {"energy_ratio_range", nullptr},
-                     {"resolution", nullptr},
-                     {"engine", engineOf(curve)},
-                     {"family", curve.family},
-                     {"parameter", name(curve.parameter)},
-                     {"reason", nullptr},
-                     {"orbits", curve.orbits},
-                     {"points", Json::array()}});
-    addScene(curve.scene, json);
-    if (curve.connected) {
-        json["connected"] = *curve.connected;
-    }
-    if (curve.components) {
-        json["components"] = *curve.components;
-    }
-    if (hasDimension(curve)) {
-        json["dimension"] = curve.dimension;
-    }
-    if (curve.energyRange && hasUnit(curve)) {
-        json["energy_ratio_range"] = {curve.energyRange->least, curve.energyRange->most};
-    }
-    if (curve.resolution) {
-        json["resolution"] = *curve.resolution;
-    }
-    if (curve.reason) {
-        json["reason"] = name(*curve.reason);
-    }
-    for (const ContinuumPoint& point : curve.points) {
-        json["points"].push_back(asJson(point, curve));
-    }
-    if (member) {
-        json["member"] = asJson(member->point, curve);
-        json["member"]["exact"] = member->isExact;
-    }
-    if (!curve.detail.empty()) {
-        json["detail"] = curve.detail;
-    }
-    return asLine(json);
+    const std::shared_ptr<const Continuum> seen(std::shared_ptr<void>(), &curve);
+    return asLine(wholeJsonOf(answers::ContinuumAnswer{seen, member}));
 }
 
 }  // namespace signorini::cli

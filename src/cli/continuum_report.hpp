@@ -9,9 +9,6 @@
 
 namespace signorini::cli {
 
-/// Of one point of a curve.
-[[nodiscard]] Physical physicalOf(const ContinuumPoint& point, const Continuum& curve);
-
 /// Several lines for people, with a final newline.
 [[nodiscard]] std::string asText(const Continuum& curve, const std::optional<Member>& member);
 

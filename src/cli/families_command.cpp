@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 #include "families_report.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
@@ -17,7 +13,7 @@ namespace signorini::cli {
 namespace {
 
 /// The families, or those found until a signal came or the list was full.
-void fill(FamilyList& list, FamilyBounds bounds, const Stops& stops, bool isQuiet)
+void fill(answers::FamilyList& list, FamilyBounds bounds, const Stops& stops, bool isQuiet)
 {
     const Interrupt interrupt;
     Progress progress(!isQuiet, "listing families");
@@ -56,9 +52,10 @@ void FamiliesCommand::addTo(CLI::App& command)
                 "only families with a motion of E/E_1 <= X (all)");
     addFigure(command, "--figure", figureFile,
               "draw them as a periodic table, period against order");
-    addFile(command, "--csv", tableFile, "write them as a table, one row a family");
+    addFile(command, "--csv", tableFile, "write them as a table, one row per family");
     common.addTo(command);
-    command.footer(
+    addFooter(
+        command,
         "A family (w, nu, k) is all motions of one period T = 2 nu/w and one contact pattern, with "
         "energies from the least one upwards, on every grid with w | 2N. Times are in units of L/c "
         "and energies in E_1: the list holds for every bar. Hz, s and J are those of the bar that "
@@ -69,7 +66,7 @@ ExitStatus FamiliesCommand::run() const
 {
     const Scene scene = common.sceneOfOneBar();
     const Stops stops = stopsOf(scene);
-    FamilyList list{maxOrder, bounds.maxEnergyRatio, scene.bar, {}, {}, scene.secondStop};
+    answers::FamilyList list{maxOrder, bounds.maxEnergyRatio, scene.bar, {}, {}, scene.secondStop};
     Outputs outputs({{"--csv", tableFile}, {"--figure", figureFile}});
     if (list.bar.gap == 0.0 && !figureFile.empty()) {
         throw std::invalid_argument(
@@ -92,6 +89,7 @@ ExitStatus FamiliesCommand::run() const
     if (common.wantsJson) {
         writeJson(list, writeOut);
     } else {
+        writeOut(common.restated());
         writeText(list, writeOut);
     }
     common.useOneThread("families");

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "json.hpp"
 #include "mode_report.hpp"
 #include "report.hpp"
 #include "signorini/modes.hpp"
@@ -42,23 +43,6 @@ FamilyNumbers numbersOf(const Family& family, const Scales& unit)
             .mode = standsOnMode(family) ? std::optional(modeThrough(family)) : std::nullopt};
 }
 
-Json asJson(const Family& family, const Scales& unit)
-{
-    const FamilyNumbers numbers = numbersOf(family, unit);
-    const ExactEnergy least = leastEnergy(family);
-    Json json = familyAsJson(family);
-    json.update(Json{{"least_energy_exact", {least.numerator, least.denominator}},
-                     {"least_energy", numbers.energy},
-                     {"frequency_ratio", numbers.frequencyRatio},
-                     {"frequency", numbers.frequency},
-                     {"period", numbers.period},
-                     {"mode", nullptr}});
-    if (numbers.mode) {
-        json["mode"] = {4 * numbers.mode->a, numbers.mode->b};
-    }
-    return json;
-}
-
 /// Calls `add(text, family)` for each and hands the text on to `write` in pieces.
 template <typename Add, typename Write>
 void inPieces(const std::vector<Family>& families, Add add, Write write)
@@ -76,17 +60,7 @@ void inPieces(const std::vector<Family>& families, Add add, Write write)
 
 }  // namespace
 
-Json familyAsJson(const Family& family)
-{
-    return {{"order", family.order},
-            {"nu", family.blocks},
-            {"contact_blocks", family.contactBlocks},
-            {"period_ratio", {2 * family.blocks, family.order}},
-            {"contact", {2 * family.contactBlocks, family.order}},
-            {"least_energy_ratio", leastEnergy(family).value()}};
-}
-
-void writeText(const FamilyList& list, const Write& write)
+void writeText(const answers::FamilyList& list, const Write& write)
 {
     const Scales unit = scales(list.bar);
     const std::string energy = std::isfinite(list.maxEnergyRatio)
@@ -118,33 +92,24 @@ void writeText(const FamilyList& list, const Write& write)
         write);
 }
 
-void writeJson(const FamilyList& list, const Write& write)
+void writeJson(const answers::FamilyList& list, const Write& write)
 {
-    const Scales unit = scales(list.bar);
-    Json json = newAnswer();
-    addScene({list.bar, list.secondStop}, json);
-    json.update(Json{{"complete", list.isComplete()},
-                     {"max_order", list.maxOrder},
-                     {"max_energy_ratio", list.maxEnergyRatio},
-                     {"count", list.families.size()},
-                     {"families", Json::array()}});
-    // The list goes into its brackets, "]}\n", piece by piece.
-    std::string head = asLine(json);
-    const std::string tail = head.substr(head.size() - 3);
-    head.resize(head.size() - 3);
-    write(head);
-    bool isFirst = true;
+    // The list goes in the place of "null}\n", piece by piece.
+    std::string head = asLine(wholeJsonOf(list, "families"));
+    head.resize(head.size() - std::string_view("null}\n").size());
+    write(head + "[");
+    std::string_view comma;
     inPieces(
         list.families,
         [&](Text& text, const Family& family) {
-            print(text, "{}{}", isFirst ? "" : ",", asJson(family, unit).dump());
-            isFirst = false;
+            print(text, "{}{}", comma, jsonOf(answers::FamilyOf{family, list.bar}).dump());
+            comma = ",";
         },
         write);
-    write(tail);
+    write("]}\n");
 }
 
-void writeFamiliesCsv(const std::string& path, const FamilyList& list)
+void writeFamiliesCsv(const std::string& path, const answers::FamilyList& list)
 {
     const Scales unit = scales(list.bar);
     TextFile file(path);

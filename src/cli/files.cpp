@@ -3,10 +3,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 #include "arguments.hpp"
 #include "faults.hpp"
 #include "signorini/figures.hpp"
@@ -28,7 +24,7 @@ bool isStandardOutput(const std::string& path)
 void addFile(CLI::App& command, const char* name, std::string& file, const std::string& help,
              const char* type)
 {
-    command.add_option(name, file, help)->type_name(type);
+    addWord(command, name, type, help.c_str(), [&file](const std::string& path) { file = path; });
 }
 
 void addFigure(CLI::App& command, const char* name, std::string& file, const std::string& help)

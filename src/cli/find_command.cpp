@@ -1,8 +1,5 @@
 #include "find_command.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <array>
 #include <optional>
 #include <span>
@@ -14,13 +11,12 @@
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
-#include "question_report.hpp"
 #include "report.hpp"
+#include "scene_find.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
-#include "stability_report.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::cli {
@@ -29,12 +25,6 @@ namespace signorini::cli {
 struct FindRequest {
     FindOptions options;
     std::string reading;
-
-    [[nodiscard]] std::optional<TargetReport> target() const
-    {
-        return options.target ? std::optional<TargetReport>({*options.target, reading})
-                              : std::nullopt;
-    }
 };
 
 namespace {
@@ -77,27 +67,29 @@ FindRequest completed(const FindCommand& call)
 }
 
 /// findPeriodic, with signals listened to and a line on a terminal.
-PeriodicResult search(const Schedule& schedule, FindOptions options, bool isQuiet)
+answers::FindAnswer search(const Schedule& schedule, const FindRequest& request, bool isQuiet)
 {
     const Interrupt interrupt;
     const Progress progress(!isQuiet, "finding a motion");
+    FindOptions options = request.options;
     options.cancel = interrupt.cancel();
     PeriodicResult result = findPeriodic(schedule, options);
     if (result.status == Status::undecided && isRequested(options.cancel) && !isQuiet) {
         tell("signorini find: interrupted\n");
     }
-    return result;
+    return answers::answerOf(std::move(result), options, request.reading);
 }
 
 constexpr std::int64_t maxStableSteps = 1'000'000;
 
 /// What becomes of a free motion beside it: as it is, and with a little damping.
-std::vector<StabilityReport> stabilityReports(const FoundMotion& motion, const Schedule& schedule)
+std::vector<answers::StabilityReport> stabilityReports(const FoundMotion& motion,
+                                                       const Schedule& schedule, const Bar& bar)
 {
     const Interrupt interrupt;
-    std::vector<StabilityReport> reports;
+    std::vector<answers::StabilityReport> reports;
     for (const double ratio : {0.0, 0.001}) {
-        StabilityReport report{{ratio}, {}, {}};
+        answers::StabilityReport report{{ratio}, {}, {}, bar};
         report.options.cancel = interrupt.cancel();
         report.result = stabilityOf(motion.state, schedule, report.damping, report.options);
         reports.push_back(std::move(report));
@@ -130,13 +122,9 @@ public:
         if (result.absence || energies) {
             proof_.put("--certificate", [&](const std::string& path) {
                 TextFile file(path);
-                if (energies) {
-                    Json proved = answer;
-                    proved["certificate"] = *energies;
-                    file.write(asLine(proved));
-                } else {
-                    writeAnswer(answer, result, [&](std::string_view text) { file.write(text); });
-                }
+                // Of an answer with the certificate in place there is none to write.
+                writeAnswer(claimOf(answer, energies), result,
+                            [&](std::string_view text) { file.write(text); });
                 file.close();
             });
             proof_.commit();
@@ -208,20 +196,22 @@ private:
 
 void FindCommand::addTo(CLI::App& command)
 {
-    command.add_option("steps", steps, "contact and free steps of each phase")
-        ->type_name("NC NF ...");
-    command
-        .add_option("--solver", options.solver, "a back end listed by signorini --version (auto)")
-        ->type_name("NAME");
+    addWords(
+        command, "steps", "NC NF ...", steps,
+        "contact and free steps of each phase; of a scene with several contacts SET:STEPS ..., "
+        "SET those that are closed, as in 1+2:6 -:35");
+    addWord(command, "--solver", "NAME", "a back end listed by signorini --version (auto)",
+            [this](const std::string& text) { options.solver = text; });
     addName(command, "--formulation", std::span(formulationNames), options.formulation,
             "unknowns of the problem (auto)");
     addName(command, "--objective", std::span(objectiveNames).subspan(1), options.objective,
-            "which motion of the set (least energy; of an energy to hold, least peak strain)");
+            "which motion of the set (least energy; at a given energy, least peak strain)");
     addFile(command, "--target", targetFile,
             "state to come nearest to: as --state writes it, or measured (columns x, velocity and "
             "strain or displacement); may be a pipe");
     question.addTo(command);
     forced.addTo(command);
+    scene.addTo(command);
     addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X",
                 "hold E/E_1 = X: the motion of least peak compression");
     addPositive(command, "--energy", "J", energy, "J", "hold the energy, in joules");
@@ -239,8 +229,8 @@ void FindCommand::addTo(CLI::App& command)
     addFile(command, "--state", stateFile, "write the state at t = 0");
     motionFile.addTo(command);
     addFigure(command, "--figure", figureFile, "draw the motion");
-    command.add_flag("--stability", wantsStability,
-                     "start beside the motion, undamped and with a damping ratio of 0.001");
+    addFlag(command, "--stability", wantsStability,
+            "perturb the motion to test its stability, undamped and with a damping ratio of 0.001");
     addAnimation(command, animationFile);
     addFile(command, "--certificate", certificateFile,
             "write the proof that there is no motion, or of the least energy, for "
@@ -264,8 +254,9 @@ void FindCommand::warn(const Physical& physical) const
     }
 }
 
-/// Forced motions are chosen by amplitude alone, within a limit on strain.
-void FindCommand::requireNothingFree() const
+/// Forced motions are chosen by amplitude alone, within a limit on strain; those of a scene by
+/// their energy.
+void FindCommand::requireNothingElse(const char* with, const char* allowed) const
 {
     const FindOptions usual;
     const std::array<std::pair<const char*, bool>, 13> others{{
@@ -286,23 +277,31 @@ void FindCommand::requireNothingFree() const
     for (const auto& [option, isGiven] : others) {
         if (isGiven) {
             throw std::invalid_argument(
-                fmt::format("{} clashes with --damping, --force and --amplitude: allowed with them "
-                            "--cycles, --strain-limit, --state and --certificate",
-                            option));
+                fmt::format("{} clashes with {}: allowed with {}", option, with, allowed));
         }
     }
 }
 
 ExitStatus FindCommand::run() const
 {
+    if (scene.isGiven()) {
+        requireNothingElse("--scene", "it --state and --certificate");
+        if (forced.isAsked() || std::isfinite(options.strainLimit)) {
+            throw std::invalid_argument(
+                "--force, --damping, --amplitude, --strain-limit clash with --scene: forced "
+                "motions "
+                "and limits of scenes are not known");
+        }
+        return findInScene(*this);
+    }
     if (!forced.isAsked() && forced.cycles != 1) {
         throw std::invalid_argument("--cycles: allowed only together with --damping and --force");
     }
     if (question.isAsked() && (wantsStability || !certificateFile.empty())) {
         throw std::invalid_argument("--stability, --certificate: allowed only together with NC NF");
     }
-    const Scene scene = common.scene();
-    if (!haveOneSpeed(scene.segments) && FindOutputs(*this).areOfMotion()) {
+    const Scene bar = common.scene();
+    if (!haveOneSpeed(bar.segments) && FindOutputs(*this).areOfMotion()) {
         throw std::invalid_argument(
             "--state, --motion, --figure, --animate: allowed only for segments in which waves have "
             "one speed");
@@ -313,17 +312,18 @@ ExitStatus FindCommand::run() const
     }
     ExitStatus status = exitUndecided;
     if (forced.isAsked()) {
-        requireNothingFree();
-        status = forced.answer({common.usualCells(), parsePhases(steps), stopsOf(scene)}, common,
+        requireNothingElse("--damping, --force and --amplitude",
+                           "them --cycles, --strain-limit, --state and --certificate");
+        status = forced.answer({common.usualCells(), parsePhases(steps), stopsOf(bar)}, common,
                                stateFile, certificateFile, options.strainLimit);
     } else if (question.isAsked()) {
-        if (!isUniform(scene.segments)) {
+        if (!isUniform(bar.segments)) {
             throw std::invalid_argument("--segments: allowed only together with NC NF");
         }
-        const AskedPeriod asked = question.on(common.usualCells(), scene.bar);
+        const answers::AskedPeriod asked = question.on(common.usualCells(), bar.bar);
         status = answerQuestion(asked, completed(*this));
     } else {
-        const Schedule schedule{common.usualCells(), parsePhases(steps), stopsOf(scene)};
+        const Schedule schedule{common.usualCells(), parsePhases(steps), stopsOf(bar)};
         status = answerSchedule(schedule, completed(*this));
     }
     common.useOneThread("find");
@@ -347,21 +347,16 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
     validate(schedule);
     requireStable(schedule);
     FindOutputs files(*this);
-    const PeriodicResult result = search(schedule, request.options, common.quiet);
-    Json json = answerWithoutProof(result, request.target());
-    files.write(request.options, result, json);
-    std::string text = asText(result, request.target());
+    answers::FindAnswer answer = search(schedule, request, common.quiet);
+    const PeriodicResult& result = answer.result;
+    files.write(request.options, result, wholeJsonOf(answer, "certificate"));
     if (wantsStability && result.motion) {
-        json["stability"] = Json::array();
-        for (const StabilityReport& report : stabilityReports(*result.motion, schedule)) {
-            json["stability"].push_back(asJson(report, result.scene.bar));
-            text += asText(report, result.scene.bar);
-        }
+        answer.stability = stabilityReports(*result.motion, schedule, result.scene.bar);
     }
     if (common.wantsJson) {
-        writeAnswer(json, result, writeOut);
+        writeAnswer(wholeJsonOf(answer, "certificate"), result, writeOut);
     } else {
-        writeOut(text);
+        writeOut(common.restated() + asText(answer));
     }
     if (result.motion) {
         warn(result.motion->physical);
@@ -369,23 +364,26 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
     return exitStatusOf(result.status);
 }
 
-ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindRequest& request) const
+ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
+                                       const FindRequest& request) const
 {
     const std::int64_t cells = common.usualCells();
     FindOutputs files(*this);
-    QuestionReport report(asked, cells, request.options, request.target());
+    answers::QuestionAnswer answer = answers::questionOf(asked, cells, request.options);
     std::optional<PeriodicResult> first;
     std::vector<Physical> measured;
     for (const Schedule& schedule :
          schedulesOfPeriod(cells, asked.steps, stopsOf(request.options.scene).right)) {
-        PeriodicResult result = search(schedule, request.options, common.quiet);
-        report.add(result);
-        if (result.motion) {
-            measured.push_back(result.motion->physical);
+        PeriodicResult& result =
+            answer.answers.emplace_back(search(schedule, request, common.quiet)).result;
+        if (!result.motion) {
+            continue;
         }
-        if (result.motion && !first) {
-            first = std::move(result);
+        measured.push_back(result.motion->physical);
+        if (!first) {
+            first = result;
         }
+        result.motion->state = {};  // there may be many, each as long as the grid is fine
     }
     if (files.areOfMotion() && measured.size() > 1) {
         throw std::invalid_argument(
@@ -393,11 +391,11 @@ ExitStatus FindCommand::answerQuestion(const AskedPeriod& asked, const FindReque
                         measured.size()));
     }
     files.write(request.options, first.value_or(PeriodicResult{}), {});
-    writeOut(common.wantsJson ? asLine(report.json()) : report.text());
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer)) : common.restated() + asText(answer));
     for (const Physical& physical : measured) {
         warn(physical);
     }
-    return exitStatusOf(report.status());
+    return exitStatusOf(answer.status());
 }
 
 }  // namespace signorini::cli

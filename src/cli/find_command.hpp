@@ -9,6 +9,7 @@
 #include "forced_find.hpp"
 #include "motion_file.hpp"
 #include "question.hpp"
+#include "scene_options.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::cli {
@@ -21,6 +22,7 @@ struct FindCommand {
     std::vector<std::string> steps;
     PeriodQuestion question;
     ForcedFind forced;
+    SceneOptions scene;
     FindOptions options;
     std::optional<double> energy;       ///< [J]
     std::optional<double> yieldStress;  ///< [Pa]
@@ -40,11 +42,11 @@ struct FindCommand {
 
 private:
     void warn(const Physical& physical) const;
-    void requireNothingFree() const;
+    void requireNothingElse(const char* with, const char* allowed) const;
     void requireStable(const Schedule& schedule) const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
                                             const FindRequest& request) const;
-    [[nodiscard]] ExitStatus answerQuestion(const AskedPeriod& asked,
+    [[nodiscard]] ExitStatus answerQuestion(const answers::AskedPeriod& asked,
                                             const FindRequest& request) const;
 };
 

@@ -1,10 +1,7 @@
 #include "force_options.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 #include "excited_names.hpp"
+#include "parts.hpp"
 
 namespace signorini::cli {
 
@@ -20,14 +17,22 @@ void ForceOptions::addTo(CLI::App& command)
                 ratio = value;
             });
     addName(command, "--force", excitedNames, place,
-            "a harmonic force on the tip, or a base that moves");
+            "a harmonic force on the tip, or a moving base");
     addPositive(command, "--amplitude", "N or m", amplitude, "A",
                 "of the force in newtons, or of the base in metres");
 }
 
 double ForceOptions::scaledAmplitude(const Bar& bar) const
 {
-    return amplitude.value() / (place == Excited::tip ? forceUnit(bar) : scales(bar).displacement);
+    constexpr double largest = 1e100;  // so that energies are numbers
+    const double unit = answers::amplitudeUnit(place.value(), bar);
+    const double scaled = amplitude.value() / unit;
+    if (!(scaled >= 1.0 / largest && scaled <= largest)) {
+        refuse("--amplitude", fmt::format("{}", *amplitude),
+               fmt::format("{:.3g}..{:.3g} [{}]", unit / largest, unit * largest,
+                           place == Excited::tip ? "N" : "m"));
+    }
+    return scaled;
 }
 
 }  // namespace signorini::cli

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "arguments.hpp"
-#include "force_report.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::cli {

@@ -1,15 +1,12 @@
 #include "forced_find.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <cmath>
 
 #include "files.hpp"
 #include "forced_report.hpp"
+#include "json.hpp"
 #include "report.hpp"
 #include "stepped_bar.hpp"
-#include "stepped_forced.hpp"
 #include "stops.hpp"
 
 namespace signorini::cli {
@@ -32,12 +29,13 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
         refuse("--force", "missing", "tip|base");
     }
     const Scene scene = common.scene();
-    const bool isStepped = !scene.segments.empty();
+    // Equal segments are one bar.
+    const bool isStepped = !isUniform(scene.segments);
     if (isStepped && std::isfinite(strainLimit)) {
         refuse("--strain-limit", fmt::format("{}", strainLimit),
                "none for a forced bar of several segments");
     }
-    if (!isStepped && canRest(schedule.phases, schedule.stops) && !force.amplitude) {
+    if (canRest(schedule.phases, schedule.stops) && !force.amplitude) {
         refuse("--amplitude", "missing",
                "numbers > 0 [N or m]: without a gap motions are as small as one likes");
     }
@@ -48,14 +46,12 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
     Outputs proofs({ofProof}, {ofState});
     const ForcedLimits limits{strainLimit / scales(bar).strain};
     const Forcing forcing{*force.place, cycles};
-    const ForcedAnswer answer =
-        isStepped ? answerOf(SteppedForced(schedule, scene, force.damping(), forcing), scene,
-                             force.amplitude)
-                  : answerOf(forcedMotions(schedule, force.damping(), forcing, limits), scene,
-                             force.amplitude);
+    const answers::ForcedAnswer answer =
+        answers::answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
+                          scene, force.amplitude);
     if (!answer.motions.empty()) {
         states.put("--state", [&](const std::string& path) {
-            writeStateCsv(path, answer.motions.back().state, bar);
+            writeStateCsv(path, answer.motions.back().value.state, bar);
         });
         states.commit();
     } else if (states.areWanted() && !common.quiet) {
@@ -64,17 +60,18 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
     if (answer.status() == Status::none) {
         proofs.put("--certificate", [&](const std::string& path) {
             TextFile file(path);
-            file.write(asJson(answer));
+            file.write(asLine(wholeJsonOf(answer)));
             file.close();
         });
         proofs.commit();
     } else if (proofs.areWanted() && !common.quiet) {
         tell("signorini find: no proof to write, so --certificate was not written\n");
     }
-    writeOut(common.wantsJson ? asJson(answer) : asText(answer));
-    for (const ForcedMotion& motion : answer.motions) {
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
+                              : common.restated({}, force.ratio) + asText(answer));
+    for (const answers::ForcedMotionOf& motion : answer.motions) {
         if (!common.quiet) {
-            warnUnlessAdmissible("find", physicalOf(motion.extremes, bar));
+            warnUnlessAdmissible("find", physicalOf(motion.value.extremes, bar));
         }
     }
     return exitStatusOf(answer.status());

@@ -2,30 +2,16 @@
 /// \file
 /// JSON pieces that several commands print. Numbers that are not finite print as null.
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
-#include "signorini/bar.hpp"
+#include "parts.hpp"
 #include "signorini/config.hpp"
-#include "signorini/schedule.hpp"
 
 namespace signorini::cli {
 
 using Json = nlohmann::ordered_json;
-
-/// [[n_c, n_f], ...]; a phase on the second stop is [n_c, n_f, "left"].
-inline Json phasesAsJson(const std::vector<Phase>& phases)
-{
-    Json list = Json::array();
-    for (const Phase& phase : phases) {
-        list.push_back({phase.contact, phase.free});
-        if (phase.stop == Stop::left) {
-            list.back().push_back(name(phase.stop));
-        }
-    }
-    return list;
-}
 
 /// The beginning of every answer: which form it has, and who gave it.
 inline Json newAnswer()
@@ -33,32 +19,82 @@ inline Json newAnswer()
     return {{"schema", 2}, {"version", SIGNORINI_VERSION}};
 }
 
-/// The bar asked about, in SI.
-inline Json barAsJson(const Bar& bar)
+/// A value of an answer, or what `answers::describe` says of it. Of a described record the key
+/// `leftNull` stays null: it may be long, and written piece by piece. A whole answer has a head,
+/// also where another refers to it.
+template <typename T>
+[[nodiscard]] Json jsonOf(const T& value, std::string_view leftNull = {});
+template <typename T>
+[[nodiscard]] Json wholeJsonOf(const T& answer, std::string_view leftNull = {});
+
+/// Collects the keys of a described record.
+template <typename T>
+struct JsonKeys {
+    const T& value;
+    std::string_view leftNull;
+    Json json = Json::object();
+
+    static void record(const char*, const char*) {}
+    template <typename Get>
+    void key(const char* name, const char*, const char*, Get get,
+             answers::When when = answers::When::always)
+    {
+        using Value = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;
+        if (name == leftNull) {
+            json[name] = nullptr;
+            return;
+        }
+        if constexpr (answers::isA<Value, std::optional>) {
+            if (const Value& held = std::invoke(get, value); answers::mayBeLeftOut(when)) {
+                if (held) {
+                    json[name] = jsonOf(*held);
+                }
+                return;
+            }
+        }
+        json[name] = jsonOf(std::invoke(get, value));
+    }
+};
+
+template <typename T>
+Json jsonOf(const T& value, std::string_view leftNull)
 {
-    return {{"length", bar.length},
-            {"wave_speed", bar.waveSpeed},
-            {"axial_stiffness", bar.axialStiffness},
-            {"gap", bar.gap},
-            {"young", bar.young ? Json(*bar.young) : Json()}};
+    if constexpr (std::is_enum_v<T>) {
+        return name(value);
+    } else if constexpr (std::is_arithmetic_v<T> || std::is_convertible_v<T, std::string>) {
+        return value;
+    } else if constexpr (answers::isA<T, std::reference_wrapper>) {
+        return wholeJsonOf(value.get());
+    } else if constexpr (answers::isA<T, std::optional>) {
+        return value ? jsonOf(*value) : Json();
+    } else if constexpr (answers::isA<T, std::variant>) {
+        return std::visit([](const auto& held) { return jsonOf(held); }, value);
+    } else if constexpr (answers::isA<T, std::tuple>) {
+        return std::apply([](const auto&... item) { return Json::array({jsonOf(item)...}); },
+                          value);
+    } else if constexpr (std::is_same_v<T, Schedule>) {
+        return jsonOf(value.phases);
+    } else if constexpr (answers::Listed<T>) {
+        return jsonOf(answers::listed(value));
+    } else if constexpr (answers::Described<T>) {
+        JsonKeys<T> keys{value, leftNull};
+        describe(keys, answers::Type<T>());
+        return std::move(keys.json);
+    } else {
+        Json list = Json::array();
+        for (const typename T::value_type& item : value) {  // also of a vector<bool>
+            list.push_back(jsonOf(item));
+        }
+        return list;
+    }
 }
 
-/// Adds bar, stops and segments to an answer.
-inline void addScene(const Scene& scene, Json& json)
+template <typename T>
+Json wholeJsonOf(const T& answer, std::string_view leftNull)
 {
-    json["bar"] = barAsJson(scene.bar);
-    json["stops"] = Json::array({{{"side", name(Stop::right)}, {"place", scene.bar.gap}}});
-    if (scene.secondStop) {
-        json["stops"].push_back({{"side", name(Stop::left)}, {"place", -*scene.secondStop}});
-    }
-    json["segments"] = Json::array();
-    for (const Segment& segment : scene.segments) {
-        json["segments"].push_back({{"cells", segment.cells},
-                                    {"impedance", segment.impedance},
-                                    {"speed", segment.speed},
-                                    {"dashpot", segment.dashpot}});
-    }
-    json["static_force"] = staticForce(scene);
+    Json json = newAnswer();
+    json.update(jsonOf(answer, leftNull));
+    return json;
 }
 
 /// One line. Bytes of a file name that are not UTF-8 become U+FFFD: JSON has no other way. DEL, the

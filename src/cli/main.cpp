@@ -14,16 +14,20 @@
 #include <functional>
 #include <new>
 #include <sstream>
+#include <system_error>
 
 #include "atlas_command.hpp"
 #include "continuum_command.hpp"
 #include "families_command.hpp"
 #include "faults.hpp"
 #include "find_command.hpp"
+#include "hints.hpp"
+#include "json.hpp"
 #include "mode_command.hpp"
 #include "modes_command.hpp"
 #include "ranks.hpp"
 #include "response_command.hpp"
+#include "scene_command.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
 #include "simulate_command.hpp"
@@ -63,9 +67,47 @@ int complain(ExitStatus status, std::string_view text)
     return status;
 }
 
+/// Does the command line ask for an answer in JSON? The commands know it too, but may be gone.
+bool asksForJson(int argc, char** argv)
+{
+    const std::vector<std::string_view> words(argv + std::min(argc, 1), argv + argc);
+    const auto format = std::find(words.rbegin(), words.rend(), "--format");
+    return (format != words.rend() && format != words.rbegin() && format[-1] == "json") ||
+           std::find(words.begin(), words.end(), "--format=json") != words.end();
+}
+
+/// The work ended before there was an answer: docs/schema/unfinished.json.
+int leaveUndecided(bool wantsJson, std::string_view reason)
+{
+    try {
+        if (wantsJson) {
+            Json json = newAnswer();
+            json["status"] = name(Status::undecided);
+            json["detail"] = reason;
+            writeOut(asLine(json));
+        }
+    } catch (const std::exception& error) {
+        return complain(exitUnavailable, error.what());
+    }
+    return complain(exitUndecided, fmt::format("undecided: {}", reason));
+}
+
+/// The options of the commands that were called.
+std::vector<std::string> optionsOf(const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands()) {
+        for (const CLI::Option* option : command->get_options()) {
+            names.push_back(option->get_name());
+        }
+    }
+    return names;
+}
+
 /// Text for words that are not expected: a number is the step count it was meant to be where a
-/// command takes some.
-std::string explainExtras(const std::vector<std::string>& words, bool takesSteps)
+/// command takes some, another word perhaps one of the names.
+std::string explainExtras(const std::vector<std::string>& words, bool takesSteps,
+                          const std::vector<std::string>& names)
 {
     for (const std::string& word : words) {
         if (looksLikeNumber(word) && !takesSteps) {
@@ -83,7 +125,11 @@ std::string explainExtras(const std::vector<std::string>& words, bool takesSteps
     for (const std::string& word : words) {
         text += (text.empty() ? "" : " ") + shortened(word);
     }
-    return fmt::format("{} is not expected; see signorini --help", text);
+    std::string hint;
+    for (const std::string& word : words) {
+        hint += hint.empty() && word.starts_with("--") ? didYouMean(word, names) : "";
+    }
+    return fmt::format("{} is not expected{}; see signorini --help", text, hint);
 }
 
 /// Names the option that was given more often than once, if that is what went wrong.
@@ -118,7 +164,13 @@ Words wordsOf(int argc, char** argv)
             faults.throwIfAny();
         }
     }
-    return {{words.begin(), end}, {end == words.end() ? end : end + 1, words.end()}};
+    Words cut{{words.begin(), end}, {end == words.end() ? end : end + 1, words.end()}};
+    for (std::string& word : cut.before) {
+        if (word.starts_with("-:")) {  // steps in which no contact is closed, and no option
+            word.erase(0, 1);
+        }
+    }
+    return cut;
 }
 
 /// Holds 0, 1 and 2, or a file opened later gets one of them and with it what is meant for people.
@@ -145,20 +197,24 @@ public:
         add(app, mode_, "mode", "the motion of one mode at any period", &mode_.contact);
         add(app, families_, "families",
             "the families of motions by order: each set of orbits once, for any grid");
-        add(app, atlas_, "atlas", "every schedule of a range decided, into a database");
+        add(app, atlas_, "atlas",
+            "decides every schedule of a range and stores the results in a database");
         add(app, response_, "response",
             "all forced, damped motions with one contact phase, frequency by frequency");
-        add(app, simulate_, "simulate", "what the bar does from any state, exactly");
+        add(app, simulate_, "simulate", "the exact motion from any initial state");
+        add(app, scene_, "scene",
+            "bars in a row, with springs, masses, gaps and stops: parsed, converted, drawn",
+            &scene_.words);
     }
 
-    /// "find|continuum|...".
-    [[nodiscard]] std::string names() const
+    /// "find", "continuum", ...
+    [[nodiscard]] std::vector<std::string> names() const
     {
-        std::string text;
+        std::vector<std::string> names;
         for (const Command& command : commands_) {
-            text += (text.empty() ? "" : "|") + command.app->get_name();
+            names.push_back(command.app->get_name());
         }
-        return text;
+        return names;
     }
 
     /// Where the command that was called keeps words that belong to no option; null if it has none.
@@ -197,6 +253,7 @@ private:
     AtlasCommand atlas_;
     ResponseCommand response_;
     SimulateCommand simulate_;
+    SceneCommand scene_;
     std::vector<Command> commands_;
 };
 
@@ -210,14 +267,16 @@ int run(int argc, char** argv)
     app.require_subcommand(1);
     Commands commands(app);
     app.footer(
-        "Exit status: 0 found, 1 proved that none exists, 2 wrong use, 3 undecided,\n"
-        "4 a file, database or back end could not be used.");
+        "Exit status: 0 found, 1 proved that none exists, 2 usage error, 3 undecided,\n"
+        "4 a file, database or back end could not be used; 128 + N ended by signal N: 129 "
+        "hang-up,\n"
+        "130 Ctrl-C, 143 SIGTERM.");
     try {
         const Words words = wordsOf(argc, argv);
         app.parse(std::vector<std::string>(words.before.rbegin(), words.before.rend()));
         std::vector<std::string>* more = commands.words();
         if (more == nullptr && !words.after.empty()) {
-            return complain(exitWrongUse, explainExtras(words.after, false));
+            return complain(exitWrongUse, explainExtras(words.after, false, {}));
         }
         if (more != nullptr) {
             more->insert(more->end(), words.after.begin(), words.after.end());
@@ -232,13 +291,16 @@ int run(int argc, char** argv)
         return exitFound;
     } catch (const CLI::ExtrasError&) {
         return complain(exitWrongUse,
-                        explainExtras(app.remaining(true), app.got_subcommand("find") ||
-                                                               app.got_subcommand("continuum")));
+                        explainExtras(app.remaining(true),
+                                      app.got_subcommand("find") || app.got_subcommand("continuum"),
+                                      optionsOf(app)));
     } catch (const CLI::RequiredError&) {
         const std::string given =
             argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";
-        return complain(exitWrongUse, fmt::format("command{}: allowed {}; see signorini --help",
-                                                  given, commands.names()));
+        return complain(exitWrongUse,
+                        fmt::format("command{}: allowed {}{}; see signorini --help", given,
+                                    fmt::join(commands.names(), "|"),
+                                    argc > 1 ? didYouMean(argv[1], commands.names()) : ""));
     } catch (const CLI::ParseError& error) {
         std::string text = error.what();
         text = text.substr(0, text.find('\n'));
@@ -271,9 +333,15 @@ int main(int argc, char** argv)
     } catch (const BackendUnavailable& error) {
         return complain(exitUnavailable, error.what());
     } catch (const std::bad_alloc&) {
-        return complain(exitUndecided, "undecided: the memory of this machine is not enough");
+        return leaveUndecided(asksForJson(argc, argv), "the memory of this machine is not enough");
+    } catch (const std::system_error& error) {
+        return leaveUndecided(
+            asksForJson(argc, argv),
+            error.code() == std::errc::resource_unavailable_try_again
+                ? "the memory of this machine is not enough: a thread could not be started"
+                : error.what());
     } catch (const std::exception& error) {
-        return complain(exitUndecided, fmt::format("undecided: {}", error.what()));
+        return leaveUndecided(asksForJson(argc, argv), error.what());
     }
     return status;
 }

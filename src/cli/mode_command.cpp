@@ -1,12 +1,10 @@
 #include "mode_command.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "files.hpp"
+#include "json.hpp"
 #include "mode_report.hpp"
 #include "rational.hpp"
 #include "report.hpp"
@@ -120,8 +118,7 @@ std::string draw(const std::string& path, FigureFormat format, const Mode& mode,
 
 void ModeCommand::addTo(CLI::App& command)
 {
-    command.add_option("contact", contact, "the mode of contact time A4 + B T, e.g. 4 -1")
-        ->type_name("A4 B");
+    addWords(command, "contact", "A4 B", contact, "the mode of contact time A4 + B T, e.g. 4 -1");
     addWord(command, "--period", "T", "in L/c: 3.14, 22/7 or 3; required",
             [this](const std::string& text) { period = parseNumber("--period", text, "L/c"); });
     addFile(command, "--state", stateFile, "write the state at t = 0 on the grid");
@@ -165,12 +162,12 @@ ExitStatus ModeCommand::run() const
         warnUnlessAdmissible("mode", physicalOf(motion.extremes(), bar));
     }
     if (common.wantsJson) {
-        writeOut(asJson(mode, motion, bar));
+        writeOut(asLine(wholeJsonOf(answers::ModeAnswer{mode, bar, motion})));
         if (!common.quiet) {
             tell(notes);
         }
     } else {
-        writeOut(asText(mode, motion, bar) + notes);
+        writeOut(common.restated() + asText(answers::ModeAnswer{mode, bar, motion}) + notes);
     }
     common.useOneThread("mode");
     return exitFound;

@@ -36,50 +36,6 @@ std::string rootAsText(const Mode& mode)
     return linearAsText(mode.kappa, mode.mu);
 }
 
-Json fractionAsJson(const ExactPeriod& number)
-{
-    return {number.numerator, number.denominator};
-}
-
-Json identityAsJson(const Mode& mode)
-{
-    Json json{{"contact", {4 * mode.a, mode.b}},
-              {"period_range", {fractionAsJson(mode.lowest), fractionAsJson(mode.highest)}},
-              {"inverse_sqrt_energy", {mode.kappa, mode.mu}},
-              {"family", nullptr}};
-    if (const std::string family = familyName(mode); !family.empty()) {
-        json["family"] = family;
-    }
-    return json;
-}
-
-std::string asJson(const Mode& mode, const ModeMotion& motion, const Bar& bar)
-{
-    const Scales unit = scales(bar);
-    const Physical physical = physicalOf(motion.extremes(), bar);
-    const double energy = energyRatio(mode, motion.period());
-    Json list = Json::array();
-    for (const ModeJump& jump : jumps(mode)) {
-        list.push_back({2 * jump.k, -jump.turns});
-    }
-    Json json = newAnswer();
-    json.update(Json{{"status", name(Status::found)},
-                     {"bar", barAsJson(bar)},
-                     {"mode", identityAsJson(mode)},
-                     {"period", motion.period() * unit.time},
-                     {"period_ratio", motion.period()},
-                     {"frequency", 1.0 / (motion.period() * unit.time)},
-                     {"frequency_ratio", 4.0 / motion.period()},
-                     {"contact_time", motion.contactTime() * unit.time},
-                     {"contact_time_ratio", motion.contactTime()},
-                     {"energy", energy * unit.energy},
-                     {"energy_ratio", energy},
-                     {"jumps", list},
-                     {"physical", physicalAsJson(physical)},
-                     {"admissible", physical.isAdmissible()}});
-    return asLine(json);
-}
-
 int gapSignOfModes(const Bar& bar)
 {
     if (bar.gap == 0.0) {
@@ -92,8 +48,9 @@ int gapSignOfModes(const Bar& bar)
     return bar.gap > 0.0 ? 1 : -1;
 }
 
-std::string asText(const Mode& mode, const ModeMotion& motion, const Bar& bar)
+std::string asText(const answers::ModeAnswer& answer)
 {
+    const auto& [mode, bar, motion] = answer;
     const Scales unit = scales(bar);
     const Physical physical = physicalOf(motion.extremes(), bar);
     const std::string family = familyName(mode);

@@ -2,9 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,20 +22,12 @@ namespace signorini::cli {
 
 namespace {
 
-/// The outcome of one call.
-struct Listing {
-    ModeBounds bounds;
-    Bar bar;
-    std::vector<Mode> modes;
-    bool isComplete = true;
-};
-
 double hertz(const ExactPeriod& period, const Scales& unit)
 {
     return 1.0 / (period.value() * unit.time);
 }
 
-std::string asText(const Listing& listing)
+std::string asText(const answers::ModeList& listing)
 {
     std::string text = fmt::format(
         "{} modes with |b| ≤ {}, T ≤ {} L/c, E ≤ {} E₁{}\n", listing.modes.size(),
@@ -65,36 +54,6 @@ std::string asText(const Listing& listing)
     return text;
 }
 
-Json asJson(const Mode& mode, const Scales& unit)
-{
-    const EnergyRange energy = energyRange(mode);
-    Json json = identityAsJson(mode);
-    json["ends"] = {name(mode.lowestEnd), name(mode.highestEnd)};
-    json["energy_ratio_range"] = {energy.least, nullptr};
-    if (std::isfinite(energy.most)) {
-        json["energy_ratio_range"][1] = energy.most;
-    }
-    json["frequency_range"] = {hertz(mode.highest, unit), hertz(mode.lowest, unit)};
-    json["energy_range"] = {energy.least * unit.energy, energy.most * unit.energy};
-    return json;
-}
-
-std::string asJson(const Listing& listing)
-{
-    const Scales unit = scales(listing.bar);
-    Json json = newAnswer();
-    json.update(Json{{"bar", barAsJson(listing.bar)},
-                     {"complete", listing.isComplete},
-                     {"max_order", listing.bounds.maxOrder},
-                     {"max_period_ratio", listing.bounds.maxPeriod},
-                     {"max_energy_ratio", listing.bounds.maxEnergyRatio},
-                     {"modes", Json::array()}});
-    for (const Mode& mode : listing.modes) {
-        json["modes"].push_back(asJson(mode, unit));
-    }
-    return asLine(json);
-}
-
 /// The periods of a mode with E/E_1 <= most: |kappa T - mu| >= 1/sqrt(most).
 std::pair<double, double> periodsUpTo(const Mode& mode, double most)
 {
@@ -108,7 +67,7 @@ std::pair<double, double> periodsUpTo(const Mode& mode, double most)
 }
 
 /// Motions inside the interval of each mode, evenly in T, with no more than the energy asked for.
-void writeCurves(const std::string& path, const Listing& listing)
+void writeCurves(const std::string& path, const answers::ModeList& listing)
 {
     constexpr int motions = 100;
     TextFile file(path);
@@ -160,7 +119,8 @@ void ModesCommand::addTo(CLI::App& command)
             "write their curves: T, ω/ω₁, t_c and E/E₁ of motions along each");
     addFigure(command, "--figure", figureFile, "draw them, energy against frequency");
     common.addTo(command);
-    command.footer(
+    addFooter(
+        command,
         "Times are in units of L/c and energies in E_1: the list holds for every bar and every "
         "grid. JSON adds frequencies in Hz and energies in J of the bar that the options name.\n"
         "With several contacts chains k/turns→release say which release follows which arrival, s "
@@ -189,8 +149,8 @@ ExitStatus ModesCommand::run() const
         // From the lowest energy there is to where curves are upright lines.
         drawing.maxEnergyRatio = std::clamp(all.maxEnergyRatio, 2.0, 1e6);
     }
-    Listing listing{all, bar, {}};
-    PolytopeListing polytopes{phases, all, bar, {}};
+    answers::ModeList listing{all, bar, {}};
+    answers::PolytopeList polytopes{phases, all, bar, {}};
     Outputs outputs({{"--csv", csvFile}, {"--figure", figureFile}});
     const bool isComplete = runSearch(all, common.quiet, [&](const ModeBounds& given) {
         if (phases == 1) {
@@ -219,9 +179,11 @@ ExitStatus ModesCommand::run() const
         outputs.commit();
     }
     if (phases == 1) {
-        writeOut(common.wantsJson ? asJson(listing) : asText(listing));
+        writeOut(common.wantsJson ? asLine(wholeJsonOf(listing))
+                                  : common.restated() + asText(listing));
     } else {
-        writeOut(common.wantsJson ? asJson(polytopes) : asText(polytopes));
+        writeOut(common.wantsJson ? asLine(wholeJsonOf(polytopes))
+                                  : common.restated() + asText(polytopes));
     }
     common.useOneThread("modes");
     return isComplete ? exitFound : exitUndecided;

@@ -1,8 +1,5 @@
 #include "motion_file.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <filesystem>
 #include <string_view>
 

@@ -17,15 +17,6 @@ std::string asText(double low, double high)
     return fmt::format("]{:.6g}, {:.6g}[", low, high);
 }
 
-std::int64_t contactSum(const ModePolytope& polytope)
-{
-    std::int64_t sum = 0;
-    for (const ModeChain& chain : polytope.chains) {
-        sum += 2 * chain.k;
-    }
-    return sum;
-}
-
 std::string rootAsText(const ModePolytope& polytope)
 {
     std::string form = linearAsText(polytope.kappa, polytope.mu);
@@ -34,17 +25,6 @@ std::string rootAsText(const ModePolytope& polytope)
     }
     return polytope.kappa == 0 ? fmt::format("{}/{}", form, polytope.divisor)
                                : fmt::format("({})/{}", form, polytope.divisor);
-}
-
-Json asJson(const ModePolytope& polytope, const Scales& unit)
-{
-    const EnergyRange energy = energyRange(polytope);
-    const auto hertz = [&unit](const ExactPeriod& end) { return 1.0 / (end.value() * unit.time); };
-    Json json = identityAsJson(polytope);
-    json["energy_ratio_range"] = {energy.least, energy.most};  // infinite ends print as null
-    json["frequency_range"] = {hertz(polytope.highest), hertz(polytope.lowest)};
-    json["energy_range"] = {energy.least * unit.energy, energy.most * unit.energy};
-    return json;
 }
 
 }  // namespace
@@ -59,30 +39,7 @@ std::string chainsAsText(const std::vector<ModeChain>& chains)
     return text;
 }
 
-Json identityAsJson(const ModePolytope& polytope)
-{
-    Json chains = Json::array();
-    for (const ModeChain& chain : polytope.chains) {
-        chains.push_back({{"k", chain.k}, {"turns", chain.turns}, {"release", chain.release + 1}});
-    }
-    Json vertices = Json::array();
-    for (const auto& vertex : polytope.vertices) {
-        vertices.push_back(Json::array());
-        for (const ExactPeriod& coordinate : vertex) {
-            vertices.back().push_back(fractionAsJson(coordinate));
-        }
-    }
-    return {{"chains", chains},
-            {"order", polytope.order},
-            {"free_times", polytope.dimension},
-            {"contact", {contactSum(polytope), -polytope.order}},
-            {"period_range", {fractionAsJson(polytope.lowest), fractionAsJson(polytope.highest)}},
-            {"inverse_sqrt_energy", {polytope.kappa, polytope.mu, polytope.divisor}},
-            {"ends", {name(polytope.lowestEnd), name(polytope.highestEnd)}},
-            {"vertices", vertices}};
-}
-
-std::string asText(const PolytopeListing& listing)
+std::string asText(const answers::PolytopeList& listing)
 {
     std::string text =
         fmt::format("{} types of motions with {} contacts of order ≤ {}, T ≤ {} L/c, E ≤ {} E₁{}\n",
@@ -101,37 +58,20 @@ std::string asText(const PolytopeListing& listing)
         const EnergyRange energy = energyRange(polytope);
         const double low = polytope.lowest.value();
         const double high = polytope.highest.value();
-        text +=
-            fmt::format("{:<{}}{:<6}{:<18}{:<22}{:<24}{:<14}{:<15}{:<22}{}\n",
-                        chainsAsText(polytope.chains), width, polytope.dimension,
-                        fmt::format("]{}, {}[", fractionAsText(polytope.lowest),
-                                    fractionAsText(polytope.highest)),
-                        asText(4.0 / high, 4.0 / low),
-                        asText(1.0 / (high * unit.time), 1.0 / (low * unit.time)),
-                        linearAsText(-polytope.order, -contactSum(polytope)), rootAsText(polytope),
-                        asText(energy.least, energy.most), name(polytope.lowestEnd));
+        text += fmt::format(
+            "{:<{}}{:<6}{:<18}{:<22}{:<24}{:<14}{:<15}{:<22}{}\n", chainsAsText(polytope.chains),
+            width, polytope.dimension,
+            fmt::format("]{}, {}[", fractionAsText(polytope.lowest),
+                        fractionAsText(polytope.highest)),
+            asText(4.0 / high, 4.0 / low),
+            asText(1.0 / (high * unit.time), 1.0 / (low * unit.time)),
+            linearAsText(-polytope.order, -std::get<0>(answers::contactOf(polytope))),
+            rootAsText(polytope), asText(energy.least, energy.most), name(polytope.lowestEnd));
     }
     return text;
 }
 
-std::string asJson(const PolytopeListing& listing)
-{
-    const Scales unit = scales(listing.bar);
-    Json json = newAnswer();
-    json.update(Json{{"bar", barAsJson(listing.bar)},
-                     {"complete", listing.isComplete},
-                     {"phases", listing.phases},
-                     {"max_order", listing.bounds.maxOrder},
-                     {"max_period_ratio", listing.bounds.maxPeriod},
-                     {"max_energy_ratio", listing.bounds.maxEnergyRatio},
-                     {"polytopes", Json::array()}});
-    for (const ModePolytope& polytope : listing.polytopes) {
-        json["polytopes"].push_back(asJson(polytope, unit));
-    }
-    return asLine(json);
-}
-
-void writePolytopes(const std::string& path, const PolytopeListing& listing)
+void writePolytopes(const std::string& path, const answers::PolytopeList& listing)
 {
     constexpr int periods = 20;
     TextFile file(path);

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "arguments.hpp"
+#include "hints.hpp"
 #include "report.hpp"
 #include "signorini/modes.hpp"
 
@@ -55,13 +53,17 @@ Rounded rounded(const GivenNumber& period, std::int64_t cells)
         remedy +=
             fmt::format("; {} needs --cells {} or a multiple", word, period.exact->denominator);
     }
+    constexpr double shortest = 0.08;  // L/c: frequencies above 50 ω₁
+    if (isFrequency && period.value < shortest) {
+        remedy += fmt::format("; in Hz it is --hertz {}", word);
+    }
     refuse(option, word,
            fmt::format("periods of {}..{} whole steps L/({} c) ({})", leastSteps, mostSteps, cells,
                        remedy));
 }
 
-AskedPeriod onGrid(const char* option, const std::string& word, const GivenNumber& period,
-                   std::int64_t cells, bool isFrequency)
+answers::AskedPeriod onGrid(const char* option, const std::string& word, const GivenNumber& period,
+                            std::int64_t cells, bool isFrequency)
 {
     const Rounded on = rounded(period, cells);
     if (!on.isExact) {
@@ -88,7 +90,7 @@ bool PeriodQuestion::isAsked() const
     return !period.empty() || !frequency.empty() || hertz;
 }
 
-AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) const
+answers::AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) const
 {
     if ((period.empty() ? 0 : 1) + (frequency.empty() ? 0 : 1) + (hertz ? 1 : 0) != 1) {
         throw std::invalid_argument("--period, --frequency, --hertz: allowed one of them");
@@ -106,10 +108,10 @@ AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) const
     const double wanted = unit / *hertz;
     if (!(wanted > static_cast<double>(leastSteps) - 0.5 &&
           wanted <= static_cast<double>(mostSteps))) {
-        refuse(
-            "--hertz", fmt::format("{}", *hertz),
-            fmt::format("{}..{} Hz for this bar on {} cells", unit / static_cast<double>(mostSteps),
-                        unit / static_cast<double>(leastSteps), cells));
+        refuse("--hertz", fmt::format("{}", *hertz),
+               fmt::format("{}..{} Hz for this bar ({}) on {} cells",
+                           unit / static_cast<double>(mostSteps),
+                           unit / static_cast<double>(leastSteps), sizeOf(bar), cells));
     }
     return {"hertz", fmt::format("{}", *hertz), std::llround(wanted)};
 }

@@ -11,21 +11,13 @@
 #include <optional>
 #include <string>
 
-#include "signorini/bar.hpp"
-#include "signorini/schedule.hpp"
+#include "question_answer.hpp"
 
 namespace CLI {
 class App;
 }
 
 namespace signorini::cli {
-
-/// A period as it was asked for, and on the grid.
-struct AskedPeriod {
-    std::string option;      ///< without its dashes
-    std::string word;        ///< what was given
-    std::int64_t steps = 0;  ///< [steps], n
-};
 
 /// --period | --frequency | --hertz.
 struct PeriodQuestion {
@@ -39,7 +31,7 @@ struct PeriodQuestion {
 
     /// The period in steps of L/(Nc): the one asked for, exactly, or for hertz the nearest.
     /// \throws std::invalid_argument if more than one is given, or it is not on the grid.
-    [[nodiscard]] AskedPeriod on(std::int64_t cells, const Bar& bar) const;
+    [[nodiscard]] answers::AskedPeriod on(std::int64_t cells, const Bar& bar) const;
 };
 
 }  // namespace signorini::cli

@@ -182,10 +182,40 @@ std::string asText(const SteppedProof& proof)
         proof.multipliers.equalities.size(), proof.multipliers.inequalities.size());
 }
 
+std::string asText(const EnergyFloorProof& proof)
+{
+    return fmt::format(
+        "none below {:.3g} E₁: multipliers of {} distances, {} pushes and of periodicity, checked "
+        "by a march backwards",
+        proof.energyRatio, proof.multipliers.places.size(), proof.multipliers.pushes.size());
+}
+
 std::string asText(const EnergyExclusion& exclusion)
 {
     return fmt::format("{} ({})", describe(exclusion),
-                       exclusion.isVerified ? "checked in rationals" : rangeNote);
+                       exclusion.isVerified ? "checked in rationals" : answers::rangeNote);
+}
+
+std::string asText(const answers::StabilityReport& report)
+{
+    double least = 1e300;
+    double most = 0.0;
+    for (const StabilityTrial& trial : report.result.trials) {
+        const double times = trial.start > 0.0 ? trial.end / trial.start : 0.0;
+        least = std::min(least, times);
+        most = std::max(most, times);
+    }
+    std::string text = fmt::format(
+        "stability   ζ = {}: {}; {} disturbances of 0.01 to 0.1 % became {:.3g} to {:.3g} times as "
+        "large in {} periods",
+        report.damping.ratio, name(report.result.stability), report.result.trials.size(), least,
+        most, report.options.periods);
+    if (report.result.drift > 1e-9) {
+        text += fmt::format("; undisturbed it moved by up to {:.3g} m, with {} contacts",
+                            report.result.drift * scales(report.bar).displacement,
+                            report.result.contacts);
+    }
+    return text + "\n";
 }
 
 std::string absenceAsText(const Absence& absence)
@@ -218,8 +248,10 @@ std::string asText(const Physical& p)
            (p.peakStress ? fmt::format("; stress {:.6g} Pa\n", *p.peakStress) : "\n");
 }
 
-std::string asText(const PeriodicResult& result, const std::optional<TargetReport>& target)
+std::string asText(const answers::FindAnswer& answer)
 {
+    const PeriodicResult& result = answer.result;
+    const auto& target = answer.target;
     std::string text = fmt::format("{:<12}{}, T = {:.10g} s, ω/ω₁ = {:.10g}\n", name(result.status),
                                    describe(result.schedule), result.period, result.frequencyRatio);
     text += fmt::format("set         {}\n", setAsText(result.set));
@@ -234,7 +266,7 @@ std::string asText(const PeriodicResult& result, const std::optional<TargetRepor
             text += motionAsText(result);
             if (target) {
                 text += fmt::format("distance    {:.6g} of the target in the norm of the energy\n",
-                                    target->distanceTo(result.motion->state));
+                                    *target->distance);
             }
             break;
         case Status::none:
@@ -252,7 +284,43 @@ std::string asText(const PeriodicResult& result, const std::optional<TargetRepor
     for (std::size_t k = 0; k < result.how.leftOut.size(); ++k) {
         text += fmt::format("{:<12}{}\n", k == 0 ? "left out" : "", result.how.leftOut[k]);
     }
+    for (const answers::StabilityReport& report : answer.stability) {
+        text += asText(report);
+    }
     return text;
+}
+
+std::string asText(const answers::QuestionAnswer& answer)
+{
+    const std::int64_t cells = answer.period.cells;
+    const ExactPeriod exact = exactPeriod(answer.asked.steps, cells);
+    std::string text =
+        fmt::format("{:<12}T = {} L/c = {:.10g} s, ω/ω₁ = {} ({} steps on {} cells)",
+                    name(answer.status()), fractionAsText(exact), answer.seconds(),
+                    fractionAsText(exactPeriod(4 * exact.denominator, exact.numerator)),
+                    answer.asked.steps, cells);
+    if (answer.energyRatio) {
+        text += fmt::format(", E = {:.10g} E₁", *answer.energyRatio);
+    }
+    if (answer.asked.option == "hertz") {
+        text += fmt::format("; asked {} Hz, nearest on this grid {:.10g} Hz", answer.asked.word,
+                            1.0 / answer.seconds());
+    }
+    std::string found;
+    std::string others;
+    std::size_t count = 0;
+    for (const answers::FindAnswer& set : answer.answers) {
+        const bool isFound = set.result.status == Status::found;
+        count += isFound ? 1 : 0;
+        (isFound ? found : others).append("\n").append(asText(set));
+    }
+    text +=
+        fmt::format("\nsets        {} with this period and one contact in it, {} with a motion\n",
+                    answer.answers.size(), count);
+    if (const auto why = answer.detail()) {
+        text += fmt::format("reason      {}\n", *why);
+    }
+    return text + found + others;
 }
 
 }  // namespace signorini::cli

@@ -1,10 +1,10 @@
 #include "response_command.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cmath>
 
 #include "files.hpp"
+#include "hints.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "response_report.hpp"
@@ -57,6 +57,24 @@ void work(ResponseAnswer& answer, bool wantsStability, std::int64_t threads, con
     answer.isComplete = answer.frequencies.size() == steps.size();
 }
 
+/// Frequencies are in ω₁: where the grid has none so high, hertz may have been meant.
+void requireFrequencies(const ResponseRange& range, const Bar& bar)
+{
+    constexpr double high = 10.0;
+    const double unit = 4.0 * static_cast<double>(range.cells * range.cycles);
+    const double first = std::max(std::ceil(unit / range.mostFrequencyRatio),
+                                  2.0 * static_cast<double>(range.cycles));
+    if (range.leastFrequencyRatio < high || first <= std::floor(unit / range.leastFrequencyRatio)) {
+        return;
+    }
+    const double hertz = 0.25 / scales(bar).time;
+    refuse("--from", fmt::format("{}", range.leastFrequencyRatio),
+           fmt::format("4NK/n for some whole n, n >= 2K [ω₁]; {0:.6g} looks like Hz: ω₁ is {1:.6g} "
+                       "Hz ({2}), so it is --from {3:.6g}",
+                       range.leastFrequencyRatio, hertz, sizeOf(bar),
+                       range.leastFrequencyRatio / hertz));
+}
+
 /// What units mean.
 Bar unitsOf(const Scene& scene)
 {
@@ -78,19 +96,20 @@ void ResponseCommand::addTo(CLI::App& command)
                 "highest frequency of the excitation, ω/ω₁ (2)");
     addWhole(command, "--cycles", 1, maxForcedSteps / 2, range.cycles, "K",
              "cycles of the excitation in a period of the motion (1)");
-    addWhole(
-        command, "--contacts", 1, 2, range.contacts, "K",
-        "most contacts in a period (1); 2: every schedule with two, whose amplitude is its own");
+    addWhole(command, "--contacts", 1, 2, range.contacts, "K",
+             "largest number of contacts in a period (1); 2: also every schedule with two, each at "
+             "its own amplitude");
     addWord(command, "--band", "B",
-            "part of the amplitude by which that of two contacts may differ from it (0.05)",
+            "largest relative deviation from the amplitude for motions with two contacts (0.05)",
             [this](const std::string& text) {
                 band = parsePositive("--band", text, "-");
                 if (*band >= 1.0) {
                     refuse("--band", text, "numbers > 0, below 1 [-]");
                 }
             });
-    command.add_flag("--stability", wantsStability,
-                     "start beside each motion and see whether the bar comes back");
+    addPositive(command, "--yield-stress", "Pa", yieldStress, "PA",
+                "say whether the stress exceeds it (needs --young)");
+    addFlag(command, "--stability", wantsStability, "perturb each motion to test its stability");
     addFile(command, "--csv", csvFile, "write a row for each motion");
     addFigure(command, "--figure", figureFile, "draw impulse and tip against frequency");
     addFigure(command, "--map", mapFile,
@@ -100,13 +119,18 @@ void ResponseCommand::addTo(CLI::App& command)
     addFile(command, "--backbone-csv", backboneFile,
             "write the free motions of the modes, the curves behind the figure");
     common.addTo(command);
-    command.footer(
+    addFooter(
+        command,
         "Of the periods that are n steps of L/(N c): 4 N K/n is the frequency of the excitation in "
         "ω₁.\n--damping, --force and --amplitude are required.\n"
         "--csv: steps n, frequency_ratio ω/ω₁, frequency [Hz], touches (would the bar without a "
         "wall meet it?), linear_peak [m], then of each motion contact, free [steps], phase [rad], "
         "impulse [N s], peak_force [N], tip_lowest [m], stability, amplitude [N or m], "
-        "second_contact, second_free [steps]; one row without them where there is no motion.\n"
+        "second_contact, second_free [steps], stop, then undecided, the number of schedules at "
+        "this "
+        "frequency, and contact_time [s], approach_speed [m/s], peak_compression, peak_tension "
+        "[-], peak_stress [Pa] of the motion; one row without them where there is no motion. "
+        "Contact of all n steps: the tip never leaves the wall.\n"
         "--map-csv: steps, frequency_ratio, frequency, contacts (0, 1 or 2), contact, free, "
         "second_contact, second_free, least_amplitude, most_amplitude [N or m]; no largest one: "
         "empty. Schedules in order of contact; an amplitude has as many motions as rows hold it.\n"
@@ -119,6 +143,10 @@ ExitStatus ResponseCommand::run() const
 {
     const Scene scene = common.scene();
     ResponseAnswer answer{range, scene, unitsOf(scene), 0.0, {}};
+    answer.range.cells = common.usualCells();
+    if (range.leastFrequencyRatio <= range.mostFrequencyRatio) {
+        requireFrequencies(answer.range, answer.bar);
+    }
     if (!force.ratio || !(force.damping().rho() < 1.0)) {
         refuse("--damping", force.ratio ? fmt::format("{}", *force.ratio) : "missing",
                "numbers > 0 [-] with exp(-πζ) < 1");
@@ -133,20 +161,25 @@ ExitStatus ResponseCommand::run() const
         refuse("--from", fmt::format("{}", range.leastFrequencyRatio),
                fmt::format("numbers up to --to = {}", range.mostFrequencyRatio));
     }
+    if (yieldStress && !answer.bar.young) {
+        refuse("--yield-stress", fmt::format("{}", *yieldStress),
+               "it only with --young, --density and --area, of a uniform bar");
+    }
+    answer.yieldStress = yieldStress;
     answer.amplitude = *force.amplitude;
-    answer.range.cells = common.usualCells();
     answer.range.damping = force.damping();
     answer.range.place = *force.place;
     answer.range.amplitude = force.scaledAmplitude(answer.bar);
     answer.range.stops = stopsOf(answer.scene);
     answer.range.segments = scene.segments;
     if (!isUniform(scene.segments) && !backboneFile.empty()) {
-        refuse("--backbone-csv", backboneFile,
-               "nothing for a bar of several segments: its modes "
-               "are not known");
+        throw std::invalid_argument(
+            "--backbone-csv: allowed only for a uniform bar: modes of several segments are not "
+            "known");
     }
     if (band && range.contacts < 2) {
-        refuse("--band", fmt::format("{}", *band), "nothing without --contacts 2");
+        throw std::invalid_argument(
+            fmt::format("--band = {}: allowed only together with --contacts 2", *band));
     }
     answer.range.band = band.value_or(range.band);
     (void)stepsOf(answer.range);
@@ -179,7 +212,7 @@ ExitStatus ResponseCommand::run() const
         outputs.commit();
     }
     const Status status = answer.status();
-    writeOut(common.wantsJson ? asJson(answer) : asText(answer));
+    writeOut(common.wantsJson ? asJson(answer) : common.restated({}, force.ratio) + asText(answer));
     return exitStatusOf(status);
 }
 

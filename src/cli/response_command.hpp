@@ -17,6 +17,7 @@ struct ResponseCommand {
     ForceOptions force;
     ResponseRange range;
     std::optional<double> band;
+    std::optional<double> yieldStress;  ///< [Pa]
     bool wantsStability = false;
     std::string csvFile;
     std::string figureFile;

@@ -1,10 +1,11 @@
 #include "response_report.hpp"
 
-#include "force_report.hpp"
+#include <fmt/format.h>
+
+#include "forced_answer.hpp"
+#include "json.hpp"
 #include "report.hpp"
-#include "segments_text.hpp"
 #include "signorini/output.hpp"
-#include "text.hpp"
 
 namespace signorini::cli {
 
@@ -13,6 +14,17 @@ namespace {
 std::string_view word(const ForcedMotion& motion)
 {
     return motion.stability ? name(*motion.stability) : std::string_view();
+}
+
+Json asJson(const PermanentContact& contact, const Bar& bar)
+{
+    const Physical physical = physicalOf(contact.extremes, bar);
+    return {{"least_force", contact.leastForce * answers::forceUnit(bar)},
+            {"peak_force", physical.peakForce},
+            {"impulse", physical.impulse},
+            {"physical", jsonOf(physical)},
+            {"admissible", physical.isAdmissible()},
+            {"residual", contact.residual}};
 }
 
 Json asJson(const FrequencyResponse& response, const Bar& bar)
@@ -24,61 +36,16 @@ Json asJson(const FrequencyResponse& response, const Bar& bar)
               {"touches", response.touches},
               {"linear_peak", response.linearPeak * unit.displacement},
               {"undecided", response.undecided},
+              {"reason", response.undecided > 0 ? Json(response.detail) : Json()},
+              {"permanent_contact", response.permanent ? asJson(*response.permanent, bar) : Json()},
               {"motions", Json::array()}};
     for (const ForcedMotion& motion : response.motions) {
-        Json one = cli::asJson(motion, bar);
-        one["stable"] = nullptr;
-        if (motion.stability.value_or(Stability::unclear) != Stability::unclear) {
-            one["stable"] = *motion.stability == Stability::attracts;
-        }
-        json["motions"].push_back(std::move(one));
+        json["motions"].push_back(jsonOf(answers::ForcedMotionOf{motion, bar, true}));
     }
     return json;
 }
 
 }  // namespace
-
-std::string asText(const ResponseAnswer& answer)
-{
-    const ResponseRange& range = answer.range;
-    const char* unit = range.place == Excited::tip ? "N" : "m";
-    const std::size_t wide = range.contacts > 1 ? 24 : 14;
-    Text text;
-    print(
-        text,
-        "{} motions with {}{} at {} frequencies: N = {}, ζ = {}, {} of amplitude {} {}{}{}{}\n",
-        answer.motions(), range.contacts > 1 ? "one or two contacts" : "one contact phase",
-        range.stops.left ? " on each stop that is touched" : "", answer.frequencies.size(),
-        range.cells, range.damping.ratio, range.place == Excited::tip ? "force on the tip" : "base",
-        answer.amplitude, unit,
-        range.contacts > 1 ? fmt::format(", for two contacts ± {:.3g} %", 100.0 * range.band) : "",
-        range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
-        answer.isComplete ? "" : ": interrupted, the list is not complete");
-    if (!answer.scene.segments.empty()) {
-        print(text, "segments    {}\n", textOf(answer.scene.segments));
-    }
-    if (answer.undecided() > 0) {
-        print(text, "undecided   {} schedules\n", answer.undecided());
-    }
-    print(text, "\n{:<8}{:<12}{:<14}{:<{}}{:<14}{:<12}{:<14}{:<14}{}\n", "n", "ω/ω₁", "linear u/g",
-          "(n_c, n_f)", wide, fmt::format("amplitude {}", unit), "phase", "impulse N s", "peak N",
-          "stability");
-    for (const FrequencyResponse& response : answer.frequencies) {
-        const std::string begin = fmt::format("{:<8}{:<12.6g}{:<14.6g}", response.steps,
-                                              response.frequencyRatio, response.linearPeak);
-        if (response.motions.empty()) {
-            print(text, "{}{}\n", begin, response.touches ? "none" : "none: stays clear");
-        }
-        for (const ForcedMotion& motion : response.motions) {
-            print(text, "{}{:<{}}{:<14.6g}{:<12.5f}{:<14.6g}{:<14.6g}{}\n", begin,
-                  describe(motion.schedule.phases), wide,
-                  motion.amplitude * amplitudeUnit(range.place, answer.bar), motion.phase,
-                  motion.extremes.impulse * impulseUnit(answer.bar),
-                  motion.extremes.peakForce * forceUnit(answer.bar), word(motion));
-        }
-    }
-    return fmt::to_string(text);
-}
 
 std::string asJson(const ResponseAnswer& answer)
 {
@@ -87,16 +54,16 @@ std::string asJson(const ResponseAnswer& answer)
     json.update(
         Json{{"status", name(answer.status())},
              {"cells", range.cells},
-             {"damping", dampingAsJson(range.damping, answer.bar)},
+             {"damping", jsonOf(answers::Of<Damping>{range.damping, answer.bar})},
              {"force", name(range.place)},
              {"amplitude", answer.amplitude},
              {"cycles", range.cycles},
              {"contacts", range.contacts},
              {"band", range.contacts > 1 ? Json(range.band) : Json()},
              {"frequency_ratio_range", {range.leastFrequencyRatio, range.mostFrequencyRatio}},
-             {"complete", answer.isComplete},
+             {"complete", answer.isComplete && answer.undecided() == 0},
              {"frequencies", Json::array()}});
-    addScene(answer.scene, json);
+    json.update(jsonOf(answer.scene));
     for (const FrequencyResponse& response : answer.frequencies) {
         json["frequencies"].push_back(asJson(response, answer.bar));
     }
@@ -109,28 +76,39 @@ void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
     TextFile file(path);
     file.write(
         "steps,frequency_ratio,frequency,touches,linear_peak,contact,free,phase,impulse,"
-        "peak_force,tip_lowest,stability,amplitude,second_contact,second_free,stop\n");
+        "peak_force,tip_lowest,stability,amplitude,second_contact,second_free,stop,undecided,"
+        "contact_time,approach_speed,peak_compression,peak_tension,peak_stress\n");
     for (const FrequencyResponse& response : answer.frequencies) {
         const std::string begin =
             fmt::format("{},{},{},{},{}", response.steps, response.frequencyRatio,
                         response.frequencyRatio / 4.0 / unit.time, response.touches ? 1 : 0,
                         response.linearPeak * unit.displacement);
-        if (response.motions.empty()) {
-            file.write(begin + ",,,,,,,,,,,\n");
+        const auto end = [&response](const Physical* p) {
+            return p == nullptr
+                       ? fmt::format(",{},,,,,\n", response.undecided)
+                       : fmt::format(",{},{},{},{},{},{}\n", response.undecided, p->contactTime,
+                                     p->approachSpeed, p->peakCompression, p->peakTension,
+                                     p->peakStress ? fmt::format("{}", *p->peakStress) : "");
+        };
+        if (const auto& held = response.permanent) {
+            const Physical p = physicalOf(held->extremes, answer.bar);
+            file.write(fmt::format("{},{},0,0,{},{},{},,{},,,right{}", begin, response.steps,
+                                   p.impulse, p.peakForce, p.tipLowest, answer.amplitude, end(&p)));
+        } else if (response.motions.empty()) {
+            file.write(fmt::format("{},,,,,,,,,,,{}", begin, end(nullptr)));
         }
         for (const ForcedMotion& motion : response.motions) {
             const std::vector<Phase>& phases = motion.schedule.phases;
             const Phase& first = phases.front();
             const bool isOnBoth = first.stop != phases.back().stop;
+            const Physical p = physicalOf(motion.extremes, answer.bar);
             file.write(fmt::format(
-                "{},{},{},{},{},{},{},{},{},{},{}\n", begin, first.contact, first.free,
-                motion.phase, motion.extremes.impulse * impulseUnit(answer.bar),
-                motion.extremes.peakForce * forceUnit(answer.bar),
-                motion.extremes.lowestTip * unit.displacement, word(motion),
-                motion.amplitude * amplitudeUnit(answer.range.place, answer.bar),
+                "{},{},{},{},{},{},{},{},{},{},{}{}", begin, first.contact, first.free,
+                motion.phase, p.impulse, p.peakForce, p.tipLowest, word(motion),
+                motion.amplitude * answers::amplitudeUnit(answer.range.place, answer.bar),
                 phases.size() > 1 ? fmt::format("{},{}", phases[1].contact, phases[1].free)
                                   : std::string(","),
-                isOnBoth ? "both" : name(first.stop)));
+                isOnBoth ? "both" : name(first.stop), end(&p)));
         }
     }
     file.close();

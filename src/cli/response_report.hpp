@@ -2,6 +2,7 @@
 /// \file
 /// A response in words, as JSON and as a table.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct ResponseAnswer {
     Bar bar;                                     ///< what units mean: of the first material
     double amplitude = 0.0;                      ///< [N] or [m]
     std::vector<FrequencyResponse> frequencies;  ///< motions without their states
-    bool isComplete = true;
+    bool isComplete = true;                      ///< false: interrupted
+    std::optional<double> yieldStress = {};      ///< [Pa], the stress is compared with it
 
     [[nodiscard]] std::size_t motions() const
     {
@@ -35,16 +37,14 @@ struct ResponseAnswer {
         }
         return count;
     }
-    /// Found, also if there is no motion: the list is whole. Undecided if it is not, or is empty
-    /// because nothing was decided.
+    /// Found, also if there is no motion: the list is whole. Undecided if it is not.
     [[nodiscard]] Status status() const
     {
-        const bool isEmpty = motions() == 0 && undecided() > 0;
-        return isComplete && !isEmpty ? Status::found : Status::undecided;
+        return isComplete && undecided() == 0 ? Status::found : Status::undecided;
     }
 };
 
-/// Several lines for people, with a final newline.
+/// Several lines for people, with a final newline: where it rattles, the worst values and where.
 [[nodiscard]] std::string asText(const ResponseAnswer& answer);
 
 /// The JSON of the contract, with a final newline.

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "force_report.hpp"
 #include "report.hpp"
 #include "signorini/output.hpp"
 
@@ -13,7 +12,7 @@ namespace signorini::cli {
 void writeResponseMapCsv(const std::string& path, const ResponseAnswer& answer)
 {
     const Scales unit = scales(answer.bar);
-    const double force = amplitudeUnit(answer.range.place, answer.bar);
+    const double force = answers::amplitudeUnit(answer.range.place, answer.bar);
     TextFile file(path);
     file.write(
         "steps,frequency_ratio,frequency,contacts,contact,free,second_contact,second_free,"
@@ -55,8 +54,8 @@ void writeBackboneCsv(const std::string& path, const ResponseAnswer& answer)
                                    backbone.mode.b, familyName(backbone.mode), point.frequencyRatio,
                                    point.frequencyRatio / 4.0 / unit.time, point.extremes.period,
                                    point.energyRatio,
-                                   point.extremes.impulse * impulseUnit(answer.bar),
-                                   point.extremes.peakForce * forceUnit(answer.bar),
+                                   point.extremes.impulse * answers::impulseUnit(answer.bar),
+                                   point.extremes.peakForce * answers::forceUnit(answer.bar),
                                    point.extremes.lowestTip * unit.displacement));
         }
     }

@@ -1,15 +1,14 @@
 #include "simulate_command.hpp"
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
 #include <cmath>
 
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
+#include "scene_simulation.hpp"
 #include "signorini/figures.hpp"
+#include "signorini/settling.hpp"
 #include "simulation_report.hpp"
 #include "stepped_bar.hpp"
 
@@ -26,7 +25,7 @@ void goOn(BarSimulation& simulation, double stretch, double total, bool isQuiet,
     const Interrupt interrupt;
     const Cancel cancel = interrupt.cancel();
     Progress progress(!isQuiet, "simulating");
-    SettlingWatch watch;
+    SettlingWatch watch(static_cast<std::int64_t>(total));
     double done = 0.0;
     for (; done + 1.0 <= total && !isRequested(cancel); done += 1.0) {
         simulation.advance(stretch);
@@ -34,11 +33,12 @@ void goOn(BarSimulation& simulation, double stretch, double total, bool isQuiet,
         progress.show(done, total);
     }
     answer.isComplete = done + 1.0 > total;
+    if (answer.amplitude) {
+        answer.settling =
+            answer.isComplete ? watch.settling(simulation, stretch) : Settling{{}, "interrupted"};
+    }
     if (answer.isComplete && total > done) {
         simulation.advance((total - done) * stretch);
-    }
-    if (answer.amplitude) {
-        answer.settled = watch.settled();
     }
 }
 
@@ -53,29 +53,44 @@ std::vector<Segment> partsOf(const Scene& scene)
 void SimulateCommand::addTo(CLI::App& command)
 {
     addFile(command, "--from", fromFile, "state to start from, as find --state writes it");
-    command.add_flag("--rest", fromRest, "start at rest (so without --from)");
+    addFlag(command, "--rest", fromRest, "start at rest (so without --from)");
     force.addTo(command);
     addPositive(command, "--frequency", "omega_1", frequencyRatio, "W",
                 "frequency of the excitation, ω/ω₁");
     addWord(command, "--phase", "RAD", "of the excitation at the start, cos(ωt - phase) (0)",
             [this](const std::string& text) { phase = parseReal("--phase", text, "rad"); });
-    addPositive(command, "--time", "s", time, "T", "how long, in seconds");
+    addPositive(command, "--time", "s", time, "T", "duration in seconds");
     addWhole(command, "--periods", 1, 1'000'000'000, periods, "P",
              "or how many periods of the excitation");
-    addFile(command, "--events", eventsFile, "write all contacts: start, end, impulse, peak force");
+    addPositive(command, "--resolve", "s", resolution, "S",
+                "merge contacts no further apart, and average forces over S (a step, L/(N c))");
+    addFile(command, "--events", eventsFile,
+            "write all contacts: start, end, impulse, peak force, mean force");
     addFile(command, "--tip", tipFile, "write the path of the tip");
     addFigure(command, "--figure", figureFile, "draw tip, contacts and force");
+    sceneGiven.addTo(command);
+    addWord(command, "--velocity", "V1,V2,...",
+            "start undeformed, each bar with its own speed [m/s], from the left",
+            [this](const std::string& text) {
+                for (std::size_t at = 0; at <= text.size();) {
+                    const std::size_t comma = std::min(text.find(',', at), text.size());
+                    speeds.push_back(parseReal("--velocity", text.substr(at, comma - at), "m/s"));
+                    at = comma + 1;
+                }
+            });
+    addFile(command, "--state", stateFile, "write the final state, which --from continues");
     common.addTo(command);
-    command.footer(
-        "Nothing is on a grid but the excitation, which is constant for L/(N c), or as much as "
-        "fits "
-        "a whole number of\ntimes into its period.");
+    addFooter(command,
+              "Only the excitation is on a grid: it is constant for L/(N c), or a time near it "
+              "that fits a\n"
+              "whole number of times into its period.");
 }
 
 void SimulateCommand::requireWhole() const
 {
-    if (fromRest && !fromFile.empty()) {
-        throw std::invalid_argument("--rest clashes with --from: allowed one of them");
+    if ((fromRest ? 1 : 0) + (fromFile.empty() ? 0 : 1) + (speeds.empty() ? 0 : 1) > 1) {
+        throw std::invalid_argument(
+            "--rest, --from, --velocity: allowed one of them: each is a start");
     }
     const int given = (force.place ? 1 : 0) + (force.amplitude ? 1 : 0) + (frequencyRatio ? 1 : 0);
     if (given != 0 && given != 3) {
@@ -91,12 +106,13 @@ void SimulateCommand::requireWhole() const
     }
 }
 
-Waves SimulateCommand::start(const Scene& scene) const
+Waves SimulateCommand::start(const Scene& scene, double base) const
 {
     const std::vector<Segment> parts = partsOf(scene);
     if (fromFile.empty()) {
-        return parts.empty() ? wavesAtRest(static_cast<double>(common.usualCells()), stopsOf(scene))
-                             : wavesAtRest(parts, stopsOf(scene));
+        return parts.empty()
+                   ? wavesAtRest(static_cast<double>(common.usualCells()), stopsOf(scene), base)
+                   : wavesAtRest(parts, stopsOf(scene), base);
     }
     // A table of waves brings its own grid, whatever --cells says of the excitation.
     const std::int64_t cells = parts.empty() ? common.usualCells() : steppedBar(parts).cells;
@@ -143,6 +159,9 @@ double SimulateCommand::stretches(double stretch, double crossing, const Bar& ba
 
 ExitStatus SimulateCommand::run() const
 {
+    if (isOfNetwork()) {
+        return simulateScene(*this);
+    }
     requireWhole();
     const Scene scene = common.scene();
     const Bar bar = firstMaterial(scene);
@@ -153,23 +172,30 @@ ExitStatus SimulateCommand::run() const
                             .frequencyRatio = frequencyRatio.value_or(0.0),
                             .phase = phase,
                             .cells = 0,
-                            .settled = {}};
+                            .settling = {}};
     Outputs outputs({{"--events", eventsFile}, {"--tip", tipFile}, {"--figure", figureFile}});
-    const Waves waves = start(scene);
+    const auto usual = static_cast<double>(common.usualCells());
+    const Waves waves = start(scene, excitation(bar, usual).baseDisplacement(0));
     answer.cells = static_cast<std::int64_t>(waves.crossing);
-    answer.excitation =
-        excitation(bar, common.cells ? static_cast<double>(*common.cells) : waves.crossing);
+    answer.excitation = excitation(bar, common.cells ? usual : waves.crossing);
+    const double second = scales(bar).time;
+    answer.resolution =
+        resolution ? *resolution / second : 1.0 / answer.excitation.stepsPerCrossing;
     BarSimulation simulation(waves, force.damping(), answer.excitation,
                              {.mergeBelow = {},
                               .recordsTip = !tipFile.empty() || !figureFile.empty(),
                               .stops = stopsOf(scene),
-                              .segments = partsOf(scene)});
+                              .segments = partsOf(scene),
+                              .resolution = answer.resolution});
     // In units of the simulation's; a period of the excitation is a whole number of its steps.
     const double stretch = answer.excitation.steps() > 0
                                ? static_cast<double>(answer.excitation.steps()) * waves.crossing /
                                      answer.excitation.stepsPerCrossing
                                : 16.0 * waves.crossing;
     goOn(simulation, stretch, stretches(stretch, waves.crossing, bar), common.quiet, answer);
+    if (!std::isfinite(simulation.energyRatio() * scales(bar).energy)) {
+        throw std::overflow_error("the energy [J] is beyond the range of numbers");
+    }
     if (answer.isComplete) {
         outputs.put("--events",
                     [&](const std::string& path) { writeEvents(path, simulation, bar); });
@@ -181,7 +207,9 @@ ExitStatus SimulateCommand::run() const
     } else if (!common.quiet) {
         tell("signorini simulate: interrupted; no file was written\n");
     }
-    writeOut(common.wantsJson ? asJson(answer, simulation) : asText(answer, simulation));
+    writeOut(common.wantsJson
+                 ? asJson(answer, simulation)
+                 : common.restated(answer.cells, force.ratio) + asText(answer, simulation));
     common.useOneThread("simulate");
     return answer.isComplete ? exitFound : exitUndecided;
 }

@@ -4,9 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "arguments.hpp"
 #include "force_options.hpp"
+#include "scene_options.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::cli {
@@ -19,11 +21,15 @@ struct SimulateCommand {
     double phase = 0.0;                    ///< [rad]
     std::optional<double> time;            ///< [s]
     std::optional<std::int64_t> periods;
+    std::optional<double> resolution;  ///< [s]
     bool fromRest = false;
     std::string fromFile;
     std::string eventsFile;
     std::string tipFile;
     std::string figureFile;
+    SceneOptions sceneGiven;
+    std::vector<double> speeds;  ///< [m/s], one for each bar
+    std::string stateFile;
 
     void addTo(CLI::App& command);
 
@@ -31,9 +37,18 @@ struct SimulateCommand {
     /// is reported. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
 
-private:
+    /// \throws std::invalid_argument on options that do not go together.
     void requireWhole() const;
-    [[nodiscard]] Waves start(const Scene& scene) const;
+
+private:
+    /// Is it a question for the simulation of a network?
+    [[nodiscard]] bool isOfNetwork() const
+    {
+        return sceneGiven.isGiven() || sceneGiven.gravity != 0.0 || !speeds.empty() ||
+               !stateFile.empty();
+    }
+    /// The start, `base` [g] the place of the base then.
+    [[nodiscard]] Waves start(const Scene& scene, double base) const;
     /// How many stretches of time are asked for, in units of which a crossing takes `crossing`.
     [[nodiscard]] double stretches(double stretch, double crossing, const Bar& bar) const;
     [[nodiscard]] Excitation excitation(const Bar& bar, double cells) const;

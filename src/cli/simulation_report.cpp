@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "force_report.hpp"
+#include "json.hpp"
 #include "signorini/output.hpp"
 #include "stepped_bar.hpp"
 
@@ -20,15 +20,17 @@ std::string asText(const SimulationAnswer& answer, const BarSimulation& simulati
         "{:<12}{:.6g} s ({:.6g} L/c), {} events\n", answer.isComplete ? "simulated" : "interrupted",
         simulation.time() * unit.time, simulation.time(), simulation.events());
     text += fmt::format("contacts    {}, impulse {:.6g} N s in all\n", simulation.contacts().size(),
-                        simulation.impulse() * impulseUnit(bar));
-    if (answer.settled) {
-        const Settled& settled = *answer.settled;
+                        simulation.impulse() * answers::impulseUnit(bar));
+    if (answer.settling.settled) {
+        const Settled& settled = *answer.settling.settled;
         text += fmt::format(
-            "settled     repeats every {} of the excitation: {} contact{}, {:.6g} N s\n",
+            "settled     repeats every {} of the excitation: {} contact{}, {:.6g} N s; residual "
+            "{:.2g}\n",
             settled.periods == 1 ? "period" : fmt::format("{} periods", settled.periods),
-            settled.contacts, settled.contacts == 1 ? "" : "s", settled.impulse * impulseUnit(bar));
+            settled.contacts, settled.contacts == 1 ? "" : "s",
+            settled.impulse * answers::impulseUnit(bar), settled.residual);
     } else if (answer.amplitude) {
-        text += "settled     no\n";
+        text += fmt::format("settled     no: {}\n", answer.settling.why);
     }
     text += fmt::format(
         "tip         u = {:.10g} m at the end{}\n", simulation.tip() * unit.displacement,
@@ -42,8 +44,8 @@ std::string asText(const SimulationAnswer& answer, const BarSimulation& simulati
         balance.work * unit.energy, balance.dissipated * unit.energy,
         balance.size > 0.0 ? std::abs(balance.error) / balance.size : 0.0);
     if (simulation.merged() > 0.0) {
-        text += fmt::format("merged      faded jumps, at most {:.3g} g of displacement in all\n",
-                            simulation.merged());
+        text += fmt::format("merged      faded jumps, at most {:.3g} m of displacement in all\n",
+                            simulation.merged() * unit.displacement);
     }
     return text;
 }
@@ -57,13 +59,15 @@ std::string asJson(const SimulationAnswer& answer, const BarSimulation& simulati
     Json json = newAnswer();
     json.update(Json{{"status", answer.isComplete ? "done" : "interrupted"},
                      {"cells", answer.cells},
-                     {"damping", dampingAsJson(answer.damping, bar)},
+                     {"damping", jsonOf(answers::Of<Damping>{answer.damping, bar})},
                      {"excitation", nullptr},
                      {"time", simulation.time() * unit.time},
                      {"time_ratio", simulation.time()},
                      {"contacts", simulation.contacts().size()},
-                     {"impulse", simulation.impulse() * impulseUnit(bar)},
+                     {"impulse", simulation.impulse() * answers::impulseUnit(bar)},
+                     {"resolution", answer.resolution * unit.time},
                      {"settled", nullptr},
+                     {"why", answer.settling.why.empty() ? Json() : Json(answer.settling.why)},
                      {"tip", simulation.tip() * unit.displacement},
                      {"held", simulation.isHeld()},
                      {"energy", energy * unit.energy},
@@ -75,7 +79,7 @@ std::string asJson(const SimulationAnswer& answer, const BarSimulation& simulati
                      {"events", simulation.events()},
                      {"pieces", simulation.pieces()},
                      {"merged", simulation.merged() * unit.displacement}});
-    addScene(answer.scene, json);
+    json.update(jsonOf(answer.scene));
     if (answer.amplitude) {
         json["excitation"] = {{"force", name(answer.excitation.place)},
                               {"amplitude", *answer.amplitude},
@@ -84,10 +88,11 @@ std::string asJson(const SimulationAnswer& answer, const BarSimulation& simulati
                               {"phase", answer.phase},
                               {"steps", answer.excitation.steps()}};
     }
-    if (answer.settled) {
-        json["settled"] = {{"periods", answer.settled->periods},
-                           {"contacts", answer.settled->contacts},
-                           {"impulse", answer.settled->impulse * impulseUnit(bar)}};
+    if (const auto& settled = answer.settling.settled) {
+        json["settled"] = {{"periods", settled->periods},
+                           {"residual", settled->residual},
+                           {"contacts", settled->contacts},
+                           {"impulse", settled->impulse * answers::impulseUnit(bar)}};
     }
     return asLine(json);
 }
@@ -97,12 +102,13 @@ void writeEvents(const std::string& path, const BarSimulation& simulation, const
     const double second = scales(bar).time;
     const bool hasTwo = simulation.stops().left.has_value();
     TextFile file(path);
-    file.write(fmt::format("start,end,impulse,peak_force{}\n", hasTwo ? ",stop" : ""));
+    file.write(fmt::format("start,end,impulse,peak_force{},mean_force\n", hasTwo ? ",stop" : ""));
     for (const ContactEvent& contact : simulation.contacts()) {
-        file.write(fmt::format("{},{},{},{}{}\n", contact.start * second, contact.end * second,
-                               contact.impulse * impulseUnit(bar),
-                               contact.peakForce * forceUnit(bar),
-                               hasTwo ? fmt::format(",{}", name(contact.stop)) : ""));
+        file.write(fmt::format("{},{},{},{}{},{}\n", contact.start * second, contact.end * second,
+                               contact.impulse * answers::impulseUnit(bar),
+                               contact.peakForce * answers::forceUnit(bar),
+                               hasTwo ? fmt::format(",{}", name(contact.stop)) : "",
+                               contact.meanForce * answers::forceUnit(bar)));
     }
     file.close();
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "signorini/bar.hpp"
+#include "signorini/settling.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::cli {
@@ -19,7 +20,8 @@ struct SimulationAnswer {
     double frequencyRatio = 0.0;  ///< of the excitation, omega/omega_1
     double phase = 0.0;           ///< [rad]
     std::int64_t cells = 0;
-    std::optional<Settled> settled;
+    double resolution = 0.0;  ///< [L/c], SimulationOptions::resolution
+    Settling settling;
     bool isComplete = true;
 
     /// Period of the excitation [L/c]; 0 without.
@@ -35,8 +37,8 @@ struct SimulationAnswer {
 /// The JSON of the contract, with a final newline.
 [[nodiscard]] std::string asJson(const SimulationAnswer& answer, const BarSimulation& simulation);
 
-/// All contacts: start, end [s], impulse [N s], peak force [N], and of two stops
-/// which. \throws FileError.
+/// All contacts: start, end [s], impulse [N s], peak force [N], of two stops which, and the largest
+/// mean force over the resolution [N]. \throws FileError.
 void writeEvents(const std::string& path, const BarSimulation& simulation, const Bar& bar);
 
 /// The path of the tip: time [s], displacement [m]. \throws FileError.

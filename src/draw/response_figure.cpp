@@ -43,8 +43,9 @@ constexpr auto sorts = std::to_array<Sort>({
 constexpr auto touches = std::to_array<Touched>({
     {"wall", "one contact", palette::contact, 1, Stop::right, Stop::right},
     {"second", "one, on the second stop", palette::strain, 1, Stop::left, Stop::left},
-    {"both", "one on each stop, mirrored", palette::ink, 2, Stop::right, Stop::left},
+    {"both", "one on each stop", palette::ink, 2, Stop::right, Stop::left},
     {"two", "two contacts", palette::strain, 2, Stop::right, Stop::right},
+    {"beyond", "two, on the second stop", palette::velocity, 2, Stop::left, Stop::left},
 });
 
 /// omega/omega_1, impulse, swing of each motion of one sort that touches these stops. \return are

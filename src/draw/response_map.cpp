@@ -13,7 +13,7 @@ namespace signorini {
 
 namespace {
 
-constexpr std::size_t most = 4;  // motions at a place that are told apart
+constexpr std::size_t mostTold = 4;  // motions at a place that are told apart
 
 /// How many motions: none, one, ... ; the last stands for more as well.
 struct Count {
@@ -21,11 +21,11 @@ struct Count {
     const char* colour;
 };
 
-constexpr std::array<Count, most + 1> counts{{{"none", "#ffffff"},
-                                              {"one", palette::fading[5]},
-                                              {"two", palette::fading[3]},
-                                              {"three", palette::fading[2]},
-                                              {"more", palette::fading[1]}}};
+constexpr std::array<Count, mostTold + 1> counts{{{"none", "#ffffff"},
+                                                  {"one", palette::fading[5]},
+                                                  {"two", palette::fading[3]},
+                                                  {"three", palette::fading[2]},
+                                                  {"more", palette::fading[1]}}};
 
 /// Between two amplitudes the same number of motions.
 struct CountedBand {
@@ -67,7 +67,8 @@ std::vector<CountedBand> bandsOf(const FrequencyResponse& response, const Respon
     double from = 0.0;
     for (const auto& [amplitude, change] : events) {
         const double to = std::min(amplitude, top);
-        const std::size_t count = std::min(static_cast<std::size_t>(std::max(present, 0)), most);
+        const std::size_t count =
+            std::min(static_cast<std::size_t>(std::max(present, 0)), mostTold);
         if (!bands.empty() && bands.back().count == count) {
             bands.back().to = to;
         } else if (to > from) {
@@ -89,8 +90,8 @@ void drawResponseMap(std::span<const FrequencyResponse> frequencies, const Respo
     }
     const double top = 3.0 * range.amplitude;
     Text script;
-    std::array<Text, most + 1> boxes;
-    std::array<bool, most + 1> isUsed{};
+    std::array<Text, mostTold + 1> boxes;
+    std::array<bool, mostTold + 1> isUsed{};
     print(script, "$edges << EOD\n");
     for (std::size_t k = 0; k < frequencies.size(); ++k) {
         const FrequencyResponse& response = frequencies[k];

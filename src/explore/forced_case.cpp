@@ -1,5 +1,7 @@
 #include "forced_case.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -26,6 +28,57 @@ std::vector<Excitation> shapesOf(const Forcing& forcing, std::int64_t cells, std
                                  forcing.shape.end());
     }
     return {std::move(excitation)};
+}
+
+bool tipRests(const Schedule& schedule, const Forcing& forcing, const ForcedWaves& waves)
+{
+    // Around a class a harmonic adds up to 0 unless it goes through whole cycles in 2N steps.
+    const bool works =
+        forcing.place == Excited::base &&
+        (!forcing.shape.empty() || 2 * schedule.cells * forcing.cycles % steps(schedule) == 0);
+    return schedule.phases.size() == 1 && waves.heldClasses() > 0 && !works;
+}
+
+std::optional<PermanentContact> permanentContact(const ResponseRange& range, std::int64_t steps)
+{
+    // A base moves with the frequencies of the bar between it and the wall where 2NK/n is whole.
+    if (range.stops.right >= 0 ||
+        (range.place == Excited::base && 2 * range.cells * range.cycles % steps == 0)) {
+        return std::nullopt;
+    }
+    const auto cells = static_cast<double>(range.cells);
+    const Harmonic harmonic{.place = range.place,
+                            .amplitude = range.amplitude,
+                            .cycles = range.cycles,
+                            .steps = steps,
+                            .stepsPerCrossing = cells};
+    const Excitation excitation = excitationOf(harmonic);
+    const auto angle = [steps](std::int64_t halfSteps) {  // of the harmonic, one cycle in n steps
+        return std::numbers::pi * static_cast<double>(halfSteps % (2 * steps)) /
+               static_cast<double>(steps);
+    };
+    // p_{m+2N} = p_m + V_{m+N}: beside the waves at rest, p = 1/2, the base makes a harmonic.
+    const double made = range.place == Excited::tip
+                            ? 0.0
+                            : range.amplitude * cells * std::sin(angle(range.cycles)) /
+                                  std::sin(angle(2 * range.cells * range.cycles));
+    PermanentContact contact;
+    contact.leastForce =
+        1.0 - (range.place == Excited::tip ? range.amplitude : 2.0 * std::abs(made));
+    if (!(contact.leastForce >= 0.0)) {
+        return std::nullopt;
+    }
+    State state = stateOfWaves(range.cells, [&](std::int64_t m) {
+        return 0.5 + made * std::cos(angle(range.cycles * (2 * m + 1)));
+    });
+    for (std::int64_t i = 0; i < range.cells; ++i) {
+        state.b[i] += excitation.baseVelocity(i);
+    }
+    const Schedule schedule{range.cells, {{steps, 0}}, range.stops};
+    const ForcedWalk walk = walkForced(state, schedule, range.damping, excitation);
+    contact.extremes = walk.extremes;
+    contact.residual = walk.worst();
+    return contact;
 }
 
 ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const double> free)
@@ -102,13 +155,25 @@ void addBranches(FrequencyResponse& response, std::int64_t contact, const Forced
     add(std::max(line.low, 0.0), line.high);
 }
 
+void addUndecided(FrequencyResponse& response, const std::string& why)
+{
+    if (response.undecided++ == 0) {
+        response.detail = why;
+    }
+}
+
+std::string doubtOf(double residual)
+{
+    return fmt::format("the motion that was found leaves a residual of {:.3g}", residual);
+}
+
 void addBelievable(FrequencyResponse& response, std::vector<ForcedMotion> motions)
 {
     for (ForcedMotion& motion : motions) {
         if (motion.residual <= forcedTolerance) {
             response.motions.push_back(std::move(motion));
         } else {
-            ++response.undecided;
+            addUndecided(response, doubtOf(motion.residual));
         }
     }
 }

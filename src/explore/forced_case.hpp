@@ -3,7 +3,9 @@
 /// What forced motions of one schedule and the response share.
 
 #include <functional>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "forced_check.hpp"
@@ -24,6 +26,18 @@ struct ForcedCase {
     const ForcedWaves& waves;
 };
 
+/// Does the tip rest at its stop all the time in every motion? So it does with one contact phase
+/// and a class of steps without flight, unless a base works on such classes: n_f < G, each other
+/// class flies in one step, and what comes back to it unchanged does not move the tip there.
+[[nodiscard]] bool tipRests(const Schedule& schedule, const Forcing& forcing,
+                            const ForcedWaves& waves);
+
+/// The motion whose tip never leaves the wall and that has no other waves than its excitation
+/// makes. None unless the bar presses on the wall at rest, and by more than the amplitude takes
+/// away. O(n).
+[[nodiscard]] std::optional<PermanentContact> permanentContact(const ResponseRange& range,
+                                                               std::int64_t steps);
+
 /// The motion at a place of the plane, with the amplitudes of the waves that nothing damps, walked
 /// and marched. O(n).
 [[nodiscard]] ForcedMotion forcedMotion(const ForcedCase& all, Plane place,
@@ -40,6 +54,12 @@ struct ForcedCase {
 
 /// The amplitudes on what is left of a line. On both sides of the foot they grow along it.
 void addBranches(FrequencyResponse& response, std::int64_t contact, const ForcedLine& line);
+
+/// What is said of a motion with too large a residual.
+[[nodiscard]] std::string doubtOf(double residual);
+
+/// Counts a schedule that was not decided, and keeps the reason of the first.
+void addUndecided(FrequencyResponse& response, const std::string& why);
 
 /// Motions whose residual says so; the others count as undecided.
 void addBelievable(FrequencyResponse& response, std::vector<ForcedMotion> motions);

@@ -1,29 +1,16 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <tuple>
 
 #include "faults.hpp"
 #include "forced_case.hpp"
-#include "forced_polytope.hpp"
-#include "names.hpp"
-#include "portable.hpp"
+#include "forced_set.hpp"
+#include "resting_tip.hpp"
+#include "stepped_forced.hpp"
 #include "stops.hpp"
 
 namespace signorini {
 
 namespace {
-
-constexpr auto forcedKindNames = std::to_array<Named<ForcedKind>>({
-    {ForcedKind::empty, "empty"},
-    {ForcedKind::point, "point"},
-    {ForcedKind::segment, "segment"},
-    {ForcedKind::ray, "ray"},
-    {ForcedKind::polytope, "polytope"},
-});
-
-// Without a gap: amplitudes of a polygon that are 0 but for rounding.
-constexpr double leastOfCone = 1e-7;
 
 void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimits& limits)
 {
@@ -75,31 +62,17 @@ struct Solved {
     }
 
     [[nodiscard]] bool isPlane() const { return shapes.size() > 1; }
-    [[nodiscard]] bool canRest() const
-    {
-        return signorini::canRest(set.schedule.phases, set.schedule.stops);
-    }
     [[nodiscard]] double waveLimit() const { return 0.5 * set.limits.strain; }
     [[nodiscard]] ForcedCase motions() const { return {set.schedule, set.damping, shapes, waves}; }
-    [[nodiscard]] ForcedMotion at(const std::array<double, 2>& place) const
+    [[nodiscard]] MotionAt motionAt() const
     {
-        const ForcedCorner corner = meanAt(set.corners, place);
-        return forcedMotion(motions(), {corner.place[0], corner.place[1]}, corner.free);
+        return [this](Plane place, std::span<const double> free) {
+            return forcedMotion(motions(), place, free);
+        };
     }
     [[nodiscard]] ForcedQuestion question() const
     {
         return {set.schedule, set.damping.rho(), shapes, waveLimit()};
-    }
-    /// What the set says of its line.
-    [[nodiscard]] ForcedLine line() const
-    {
-        ForcedLine line;
-        line.foot = {set.foot[0], set.foot[1]};
-        line.direction = {set.direction[0], set.direction[1]};
-        line.low = set.low;
-        line.high = set.high;
-        line.canRest = canRest();
-        return line;
     }
 };
 
@@ -122,18 +95,6 @@ std::vector<ForcedCondition> conflictOf(const ForcedLine& line, const ForcedWave
     return conflict;
 }
 
-Reason reasonOf(const std::vector<ForcedCondition>& conflict)
-{
-    const auto has = [&conflict](ForcedRule rule) {
-        return std::any_of(conflict.begin(), conflict.end(),
-                           [rule](const ForcedCondition& c) { return c.rule == rule; });
-    };
-    return has(ForcedRule::strain)                              ? Reason::constraints
-           : has(ForcedRule::penetration)                       ? Reason::penetration
-           : has(ForcedRule::pressure) || has(ForcedRule::held) ? Reason::contactSign
-                                                                : Reason::gap;
-}
-
 void explainAbsence(ForcedSet& set, std::vector<ForcedCondition> conflict,
                     const ForcedQuestion& question)
 {
@@ -144,70 +105,6 @@ void explainAbsence(ForcedSet& set, std::vector<ForcedCondition> conflict,
     set.status = Status::none;
     set.reason = reasonOf(conflict);
     set.conflict = std::move(conflict);
-}
-
-void describeLine(ForcedSet& set, const ForcedLine& line)
-{
-    set.foot = {line.foot.c, line.foot.s};
-    if (set.forcing.shape.empty()) {
-        set.direction = {line.direction.c, line.direction.s};
-    }
-    set.low = line.low;
-    set.high = line.high;
-    const double offset = portable::hypot(line.foot.c, line.foot.s);
-    set.leastAmplitude = portable::hypot(offset, std::clamp(0.0, line.low, line.high));
-    set.mostAmplitude = portable::hypot(offset, std::max(std::abs(line.low), std::abs(line.high)));
-    set.kind = std::isinf(set.mostAmplitude) ? ForcedKind::ray
-               : line.low < line.high        ? ForcedKind::segment
-                                             : ForcedKind::point;
-}
-
-void describePolytope(ForcedSet& set, ForcedPolytope polytope)
-{
-    std::tie(set.leastAmplitude, set.mostAmplitude) = amplitudesOf(polytope);
-    set.corners = std::move(polytope.corners);
-    set.kind = ForcedKind::polytope;
-}
-
-/// Conditions that miss each other by no more than rounding meet in a point: a motion if its
-/// residual says so. Without a gap it is the bar at rest. \return is there one?
-bool describeTouch(ForcedSet& set, ForcedLine line)
-{
-    if (line.canRest || line.blocking || !std::isfinite(line.low) || !std::isfinite(line.high)) {
-        return false;
-    }
-    set.detail.clear();
-    line.low = line.high = 0.5 * (line.low + line.high);
-    describeLine(set, line);
-    return true;
-}
-
-/// Of a line the motion of least amplitude, of a polygon all corners have to be motions, but for
-/// those that only stand for no end. Where the bar at rest is among them some other motion stands
-/// for all: they are its multiples, as far as a second stop lets them.
-double worstResidual(const ForcedSet& set, const Solved& solved)
-{
-    if (solved.canRest()) {
-        ForcedSet tried = set;
-        tried.status = Status::found;
-        const auto motions = motionsOfAmplitude(tried, std::min(1.0, 0.5 * set.mostAmplitude));
-        return motions.empty() ? std::numeric_limits<double>::infinity() : motions.front().residual;
-    }
-    if (set.kind != ForcedKind::polytope) {
-        const ForcedLine line = solved.line();
-        return forcedMotion(solved.motions(), line.at(std::clamp(0.0, line.low, line.high)))
-            .residual;
-    }
-    double worst = solved.at(nearestPlace(set.corners)).residual;
-    for (const ForcedCorner& corner : set.corners) {
-        if (portable::hypot(corner.place[0], corner.place[1]) <=
-            1e3 * std::max(1.0, set.leastAmplitude)) {
-            worst = std::max(worst, forcedMotion(solved.motions(),
-                                                 {corner.place[0], corner.place[1]}, corner.free)
-                                        .residual);
-        }
-    }
-    return worst;
 }
 
 /// The two waves that nothing damps whose rows are least alike; empty if there are none.
@@ -227,6 +124,33 @@ std::vector<ForcedCondition> mostDifferentWork(const Solved& solved)
         }
     }
     return conflict;
+}
+
+/// Beside waves that nothing damps: is there no motion, for a reason that asks no program? Without
+/// a gap a tip that rests does not press; and an excitation that may do no work on two such waves
+/// is none, so that no tip meets a wall beyond a gap.
+bool isExcluded(ForcedSet& set, const Solved& solved)
+{
+    const ForcedWaves& waves = solved.waves;
+    std::vector<ForcedCondition> conflict;
+    if (canRest(set)) {
+        if (!tipRests(set.schedule, set.forcing, waves)) {
+            return false;
+        }
+        conflict.push_back({ForcedRule::rest, 0});
+    } else if (waves.undampedClasses() == 0 && waves.boundsHeld()) {
+        conflict = mostDifferentWork(solved);
+        if (conflict.empty()) {
+            return false;
+        }
+        for (const std::int64_t j : waves.freeClasses()) {
+            conflict.push_back({ForcedRule::held, j});
+        }
+    }
+    if (!conflict.empty()) {
+        explainAbsence(set, std::move(conflict), solved.question());
+    }
+    return set.status == Status::none;
 }
 
 void decide(ForcedSet& set, Solved& solved)
@@ -255,9 +179,20 @@ void decide(ForcedSet& set, Solved& solved)
         }
     }
     if (set.freeWaves > 0) {
-        ForcedPolytope polytope = forcedPolytope(
-            waves.rows(solved.waveLimit()),
-            {solved.isPlane(), static_cast<std::int64_t>(waves.freeClasses().size())});
+        if (isExcluded(set, solved)) {
+            return;
+        }
+        // A harmonic with whole cycles in 2N steps and waves that go with it may have any size.
+        const bool isAnySize =
+            solved.isPlane() &&
+            2 * set.schedule.cells * set.forcing.cycles % steps(set.schedule) == 0;
+        const bool rests = tipRests(set.schedule, set.forcing, waves) && !isAnySize &&
+                           set.schedule.stops.right < 0 && !std::isfinite(set.limits.strain);
+        ForcedPolytope polytope =
+            rests ? restingTip(waves, set.schedule, solved.isPlane())
+                  : forcedPolytope(
+                        waves.rows(solved.waveLimit()),
+                        {solved.isPlane(), static_cast<std::int64_t>(waves.freeClasses().size())});
         set.detail = polytope.detail;
         if (polytope.conflict) {
             explainAbsence(set, std::move(*polytope.conflict), solved.question());
@@ -266,20 +201,28 @@ void decide(ForcedSet& set, Solved& solved)
             return;
         }
         describePolytope(set, std::move(polytope));
-        if (solved.canRest() && set.mostAmplitude <= leastOfCone) {
+        if (canRest(set) && set.mostAmplitude <= leastOfCone) {
             set.kind = ForcedKind::empty;
             set.corners.clear();
             explainAbsence(set, mostDifferentWork(solved), solved.question());
             return;
         }
     }
-    if (const double residual = worstResidual(set, solved); !(residual <= forcedTolerance)) {
-        set.kind = ForcedKind::empty;
-        set.corners.clear();
-        set.detail = fmt::format("the motion that was found leaves a residual of {:.3g}", residual);
-        return;
-    }
-    set.status = Status::found;
+    believe(set, solved.motionAt());
+}
+
+/// Of segments that differ; where they are not kept (a set that was read from a file) anew.
+std::shared_ptr<const SteppedForced> wavesOf(const ForcedSet& set)
+{
+    return set.waves || isUniform(set.segments) ? set.waves
+                                                : std::make_shared<const SteppedForced>(set);
+}
+
+/// Whoever solved the waves.
+auto withMotions(const ForcedSet& set, auto make)
+{
+    const auto stepped = wavesOf(set);
+    return stepped ? make(stepped->motionAt()) : make(Solved(set).motionAt());
 }
 
 void requireMotions(const ForcedSet& set)
@@ -291,13 +234,8 @@ void requireMotions(const ForcedSet& set)
 
 }  // namespace
 
-std::string_view name(ForcedKind kind)
-{
-    return nameIn(forcedKindNames, kind);
-}
-
 ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping, const Forcing& forcing,
-                        const ForcedLimits& limits)
+                        const ForcedLimits& limits, const std::vector<Segment>& segments)
 {
     signorini::validate(schedule);
     signorini::validate(damping);
@@ -307,6 +245,12 @@ ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping, const 
     set.damping = damping;
     set.forcing = forcing;
     set.limits = limits;
+    set.segments = segments;
+    if (!isUniform(segments)) {
+        set.waves = std::make_shared<const SteppedForced>(set);
+        set.waves->decide(set);
+        return set;
+    }
     Solved solved(set);
     decide(set, solved);
     return set;
@@ -322,19 +266,23 @@ ForcedMotion motionAt(const ForcedSet& set, double t)
                                                     : fmt::format("{}..{}", set.low, set.high));
         faults.throwIfAny();
     }
-    const Solved solved(set);
-    return forcedMotion(solved.motions(), solved.line().at(t));
+    return withMotions(set,
+                       [&](const MotionAt& motionAt) { return motionAt(lineOf(set).at(t), {}); });
 }
 
 ForcedMotion leastAmplitudeMotion(const ForcedSet& set)
 {
     requireMotions(set);
-    if (canRest(set.schedule.phases, set.schedule.stops)) {
+    if (canRest(set)) {
         throw std::invalid_argument(
             "set: without a gap motions are as small as one likes: allowed motionsOfAmplitude");
     }
-    return set.kind == ForcedKind::polytope ? Solved(set).at(nearestPlace(set.corners))
-                                            : motionAt(set, std::clamp(0.0, set.low, set.high));
+    if (set.kind != ForcedKind::polytope) {
+        return motionAt(set, std::clamp(0.0, set.low, set.high));
+    }
+    return withMotions(set, [&](const MotionAt& motionAt) {
+        return motionIn(set, nearestPlace(set.corners), motionAt);
+    });
 }
 
 std::vector<ForcedMotion> motionsOfAmplitude(const ForcedSet& set, double amplitude)
@@ -345,35 +293,35 @@ std::vector<ForcedMotion> motionsOfAmplitude(const ForcedSet& set, double amplit
     if (set.status != Status::found) {
         return {};
     }
-    const Solved solved(set);
-    if (set.kind != ForcedKind::polytope) {
-        return motionsOnLine(solved.motions(), solved.line(), amplitude);
-    }
-    if (amplitude < set.leastAmplitude || amplitude > set.mostAmplitude) {
-        return {};
-    }
-    return {solved.at(placeOfAmplitude(set.corners, amplitude))};
+    return withMotions(
+        set, [&](const MotionAt& motionAt) { return motionsOf(set, amplitude, motionAt); });
 }
 
 AmplitudeExclusion exclusionOf(const ForcedSet& set, double amplitude)
 {
     requireMotions(set);
-    AmplitudeExclusion exclusion{amplitude, {}, false};
-    Solved solved(set);
-    if (set.kind == ForcedKind::polytope) {
-        exclusion.conflict = mostDifferentWork(solved);
-        exclusion.isCertain = !exclusion.conflict.empty() &&
-                              forbidsAmplitude(solved.question(), amplitude, exclusion.conflict);
-        return exclusion;
+    if (const auto stepped = wavesOf(set)) {
+        return stepped->exclusion(set, amplitude);
     }
-    exclusion.conflict = conflictOf(solved.waves.line(false, solved.waveLimit()), solved.waves);
-    exclusion.isCertain = forbidsAmplitude(solved.question(), amplitude, exclusion.conflict);
+    AmplitudeExclusion exclusion{amplitude, {}, {}, false};
+    Solved solved(set);
+    exclusion.conflict =
+        set.kind == ForcedKind::polytope
+            ? mostDifferentWork(solved)
+            : conflictOf(solved.waves.line(false, solved.waveLimit()), solved.waves);
+    exclusion.isCertain = (set.kind != ForcedKind::polytope || !exclusion.conflict.empty()) &&
+                          forbidsAmplitude(solved.question(), amplitude, exclusion.conflict);
     return exclusion;
 }
 
 bool isCertain(const ForcedSet& set)
 {
-    return set.status == Status::none && forbidsContact(Solved(set).question(), set.conflict);
+    if (set.status != Status::none) {
+        return false;
+    }
+    const auto stepped = wavesOf(set);
+    return stepped ? stepped->isCertain(set.cuts)
+                   : forbidsContact(Solved(set).question(), set.conflict);
 }
 
 }  // namespace signorini

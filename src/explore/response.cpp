@@ -26,9 +26,6 @@ void validate(const ResponseRange& range)
     if (range.contacts < 1 || range.contacts > 2) {
         faults.add("contacts", range.contacts, "1 or 2");
     }
-    if (range.contacts > 1 && range.stops != Stops{}) {
-        faults.add("contacts", range.contacts, "1 unless the gap is > 0, without a second stop");
-    }
     if (!(range.band > 0.0 && range.band < 1.0)) {
         faults.add("band", range.band, "numbers > 0, below 1");
     }
@@ -71,7 +68,7 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
     double schedules = 0.0;
     for (auto n = static_cast<std::int64_t>(first); n <= static_cast<std::int64_t>(last); ++n) {
         all.push_back(n);
-        schedules += range.contacts > 1 ? twoContactSchedules(n) : 0.0;
+        schedules += range.contacts > 1 ? twoContactSchedules(n, range.stops) : 0.0;
     }
     if (schedules > maxTwoContactSchedules) {
         Faults faults;
@@ -121,6 +118,10 @@ Schedule scheduleOf(const ResponseRange& range, Pattern pattern, std::int64_t st
 void addMotions(FrequencyResponse& response, const ResponseRange& range, const Schedule& schedule,
                 std::span<const Excitation> shapes, ForcedWaves& waves)
 {
+    const Forcing forcing{range.place, range.cycles, {}};
+    if (tipRests(schedule, forcing, waves)) {
+        return;  // said once, as permanent contact
+    }
     ForcedLine line;
     const bool hasLine = waves.heldClasses() == 0 || waves.boundsHeld();
     if (hasLine) {
@@ -132,9 +133,10 @@ void addMotions(FrequencyResponse& response, const ResponseRange& range, const S
     const std::int64_t contact = schedule.phases.front().contact;
     std::vector<ForcedMotion> motions;
     if (waves.heldClasses() > 0) {
-        const ForcedSet set =
-            forcedMotions(schedule, range.damping, {range.place, range.cycles, {}});
-        response.undecided += set.status == Status::undecided ? 1 : 0;
+        const ForcedSet set = forcedMotions(schedule, range.damping, forcing);
+        if (set.status == Status::undecided) {
+            addUndecided(response, set.detail);
+        }
         if (set.status == Status::found) {
             response.branches.push_back({contact, set.leastAmplitude, set.mostAmplitude});
         }
@@ -168,6 +170,7 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
     const auto& [right, left] = range.stops;
     response.touches =
         response.linearPeak >= (left ? std::min<double>(right, left->value()) : right);
+    response.permanent = permanentContact(range, steps);
     for (const Pattern pattern : patternsOf(range, steps)) {
         const std::int64_t most = pattern == Pattern::mirrored ? steps / 2 : steps;
         for (std::int64_t contact = 1; contact < most; ++contact) {

@@ -1,212 +1,325 @@
 #include "stepped_forced.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "energy_floor.hpp"
 #include "faults.hpp"
 #include "forced_case.hpp"
+#include "forced_cut.hpp"
 #include "infinity.hpp"
+#include "signorini/find_periodic.hpp"
 #include "stepped_blocks.hpp"
 #include "stepped_walk.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr double leastPivot = 1e-10;  // of 1 - W; below it the waves are anyone's guess
-constexpr double parallel = 1e-12;    // rows with a smaller part along the line do not cut it
+constexpr double parallel = 1e-12;  // rows with a smaller part along the line do not cut it
 
-Eigen::VectorXd stacked(const State& state)
+SteppedBar checkedBar(const ForcedSet& set)
 {
-    Eigen::VectorXd x(2 * state.cells());
-    x << state.a, state.b;
-    return x;
+    SteppedBar bar = steppedBar(set.segments);
+    requireCells(bar, set.schedule.cells);
+    Faults faults;
+    const char* where = " for a bar of several segments";
+    if (!set.forcing.shape.empty()) {
+        faults.add("shape", set.forcing.shape.size(), std::string("a harmonic") + where);
+    }
+    if (std::isfinite(set.limits.strain)) {
+        faults.add("strain limit", set.limits.strain, std::string("none") + where);
+    }
+    if (bar.cells > maxForcedCells) {
+        faults.add("cells", bar.cells, fmt::format("at most {}{}", maxForcedCells, where));
+    }
+    if (steps(set.schedule) > maxSteppedSteps) {
+        faults.add("steps", steps(set.schedule),
+                   fmt::format("at most {}{}", maxSteppedSteps, where));
+    }
+    faults.throwIfAny();
+    return bar;
 }
 
-State stateOf(const Eigen::VectorXd& x)
+/// With |g| = 1, or L = 1 without a gap.
+Network networkOf(const ForcedSet& set)
 {
-    const Eigen::Index cells = x.size() / 2;
-    return {x.head(cells), x.tail(cells)};
+    Scene scene;
+    scene.bar.gap = set.schedule.stops.right;
+    if (set.schedule.stops.left) {
+        scene.secondStop = set.schedule.stops.left->value();
+    }
+    scene.segments = set.segments;
+    return networkOf(scene, set.schedule.cells, set.damping);
+}
+
+std::vector<StepDrive> drivesOf(std::span<const Excitation> shapes)
+{
+    std::vector<StepDrive> drives;
+    for (const Excitation& shape : shapes) {
+        drives.push_back(driveOf(shape));
+    }
+    return drives;
 }
 
 }  // namespace
 
-SteppedForced::SteppedForced(const Schedule& schedule, const Scene& scene, const Damping& damping,
-                             const Forcing& forcing)
-    : bar_(steppedBar(scene.segments))
+SteppedForced::SteppedForced(const ForcedSet& set)
+    : schedule_(set.schedule),
+      damping_(set.damping),
+      bar_(checkedBar(set)),
+      shapes_(shapesOf(set.forcing, bar_.cells, steps(schedule_))),
+      waves_(networkOf(set), spansOf(schedule_), drivesOf(shapes_)),
+      canRest_(canRest(set))
 {
-    set_.schedule = schedule;
-    set_.schedule.stops = stopsOf(scene);
-    set_.damping = damping;
-    set_.forcing = forcing;
-    signorini::validate(set_.schedule);
-    signorini::validate(damping);
-    requireCells(bar_, schedule.cells);
-    const std::int64_t n = steps(schedule);
-    Faults faults;
-    const char* where = " for a bar of several segments";
-    if (!(scene.bar.gap > 0.0) || scene.secondStop) {
-        faults.add("scene", scene.secondStop ? "a second stop" : "gap <= 0",
-                   std::string("a gap > 0 and one stop") + where);
-    }
-    if (!forcing.shape.empty()) {
-        faults.add("shape", forcing.shape.size(), std::string("a harmonic") + where);
-    }
-    if (bar_.cells > maxForcedCells) {
-        faults.add("cells", bar_.cells, fmt::format("at most {}{}", maxForcedCells, where));
-    }
-    if (n > maxSteppedSteps) {
-        faults.add("steps", n, fmt::format("at most {}{}", maxSteppedSteps, where));
-    } else if (forcing.cycles < 1 || forcing.cycles > (n - 1) / 2) {
-        faults.add("cycles", forcing.cycles,
-                   fmt::format("whole numbers 1..{}, below half of the steps", (n - 1) / 2));
-    }
-    faults.throwIfAny();
-    shapes_ = shapesOf(forcing, bar_.cells, n);
-    isContact_ = contactsOf(schedule);
-    if (!solve()) {
-        set_.detail = "hardly anything damps some waves: 1 - W is singular but for rounding";
-        return;
-    }
-    cut(watch());
 }
 
-/// (1 - W) x_i = f_i. False if W leaves a wave as it is.
-bool SteppedForced::solve()
+MotionAt SteppedForced::motionAt() const
 {
-    const auto carried = [this](const State& start, const Excitation& excitation) {
-        SteppedWaves waves(bar_, start);
-        for (std::size_t m = 0; m < isContact_.size(); ++m) {
-            waves.step(endsOf(bar_, set_.damping, isContact_[m], excitation,
-                              static_cast<std::int64_t>(m)));
+    return [this](Plane place, std::span<const double> free) {
+        const std::vector<double> all = waves_.waves(place, free);
+        State state{Eigen::VectorXd(bar_.cells), Eigen::VectorXd(bar_.cells)};
+        Eigen::Index first = 0;
+        const double* next = all.data();
+        for (const Segment& segment : bar_.segments) {
+            state.a.segment(first, segment.cells) =
+                Eigen::Map<const Eigen::VectorXd>(next, segment.cells);
+            state.b.segment(first, segment.cells) =
+                Eigen::Map<const Eigen::VectorXd>(next + segment.cells, segment.cells);
+            first += segment.cells;
+            next += 2 * segment.cells;
         }
-        return stacked(waves.state());
+        return steppedMotion({bar_, schedule_, damping_, shapes_}, place, std::move(state));
     };
-    const Eigen::Index size = 2 * bar_.cells;
-    Eigen::MatrixXd change = Eigen::MatrixXd::Identity(size, size);
-    for (Eigen::Index k = 0; k < size; ++k) {
-        change.col(k) -= carried(stateOf(Eigen::VectorXd::Unit(size, k)), {});
-    }
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(change);
-    const Eigen::VectorXd pivots = factors.matrixLU().diagonal().cwiseAbs();
-    if (!(pivots.minCoeff() > leastPivot) || !(factors.rcond() > leastPivot)) {
-        return false;
-    }
-    for (const Excitation& shape : shapes_) {
-        states_.push_back(
-            stateOf(factors.solve(carried(stateOf(Eigen::VectorXd::Zero(size)), shape))));
-    }
-    return true;
 }
 
-/// Follows both states. Returns u(L, 0).
-Plane SteppedForced::watch()
+ForcedCondition SteppedForced::named(std::size_t row) const
 {
-    steps_.resize(isContact_.size());
-    std::array<double, 2> first{};
-    for (std::size_t which = 0; which < 2; ++which) {
-        double Plane::*const part = which == 0 ? &Plane::c : &Plane::s;
-        const Excitation& shape = shapes_[which];
-        const auto cells = static_cast<double>(bar_.cells);
-        SteppedWaves waves(bar_, states_[which]);
-        double tip = shape.baseDisplacement(0) + displacement(states_[which])[bar_.cells - 1];
-        first[which] = tip;
-        for (std::size_t m = 0; m < steps_.size(); ++m) {
-            const auto at = static_cast<std::int64_t>(m);
-            const double p = waves.arriving();
-            steps_[m].push.*part = 2.0 * bar_.segments.back().impedance * p + shape.force(at);
-            tip += isContact_[m] ? 0.0 : tipSpeed(bar_, set_.damping, p, shape.force(at)) / cells;
-            steps_[m].tip.*part = tip;
-            waves.step(endsOf(bar_, set_.damping, isContact_[m], shape, at));
+    const NetworkCondition& of = waves_.conditions()[row];
+    const ForcedRule rule = waves_.rows()[row].condition.rule;
+    const bool isAfter = of.kind == NetworkCondition::Kind::place && rule != ForcedRule::gap;
+    const std::int64_t n = steps(schedule_);
+    return {rule, isAfter ? (of.step + n - 1) % n : of.step};
+}
+
+std::vector<ForcedCondition> SteppedForced::named(std::span<const std::size_t> rows) const
+{
+    std::vector<ForcedCondition> all;
+    for (const std::size_t row : rows) {
+        if (waves_.rows()[row].condition.rule != ForcedRule::gap) {
+            all.push_back(named(row));
         }
     }
-    return {first[0], first[1]};
+    return all;
 }
 
-/// What a row leaves of the line.
-void SteppedForced::bound(Plane row, double limit, bool isEquality)
+/// Where every wave is damped. Conditions carry the numbers of rows.
+ForcedLine SteppedForced::line() const
 {
-    const Plane foot{set_.foot[0], set_.foot[1]};
-    const Plane direction{set_.direction[0], set_.direction[1]};
-    const double along = row.dot(direction);
-    const double missing = limit - row.dot(foot);
-    if (std::abs(along) <= parallel * std::hypot(row.c, row.s)) {
-        if (missing > forcedTolerance) {
-            set_.high = -infinity;
+    const std::vector<ForcedRow>& rows = waves_.rows();
+    double scale = 0.0;
+    for (const ForcedRow& row : rows) {
+        scale = std::max(scale, size(row.plane));
+    }
+    ForcedCut cut(rows.front().plane, rows.front().limit, scale, true, canRest_);
+    if (cut.isEmpty()) {
+        return cut.result();
+    }
+    const Plane direction = cut.result().direction;
+    for (const ForcedRow& row : rows) {
+        // Flights that close by themselves leave a row along the line.
+        Plane plane = row.plane;
+        const double slope = plane.dot(direction);
+        const double missing = std::abs(plane.dot(cut.result().foot) - row.limit);
+        if (std::abs(slope) <= parallel * size(plane)) {
+            if (missing <= forcedTolerance * std::max(size(plane), std::abs(row.limit))) {
+                continue;
+            }
+            plane = plane - slope * direction;
+        }
+        row.isEquality ? cut.to(plane, row.condition, row.limit)
+                       : cut.by(plane, row.condition, row.limit);
+    }
+    return cut.result();
+}
+
+double SteppedForced::mostEnergy() const
+{
+    return hugeEnergyRatio * 0.5 * static_cast<double>(bar_.cells);
+}
+
+bool SteppedForced::isCertain(std::span<const EnergyFloor> cuts) const
+{
+    const auto known = cutsOf(cuts, waves_.network(), waves_.schedule(), waves_.shapes());
+    if (!canRest_) {
+        return forbidUpTo(known, mostCutAmplitude, mostEnergy());
+    }
+    // What is touched alone scales with the excitation.
+    const bool scales = std::all_of(cuts.begin(), cuts.end(), [this](const EnergyFloor& cut) {
+        return std::all_of(cut.places.begin(), cut.places.end(), [this](const auto& place) {
+            return waves_.network().contacts[place.contact].gap == 0.0;
+        });
+    });
+    return scales && forbidJust(known, 1.0, mostEnergy());
+}
+
+/// One for each row, and one more for each equality, negated.
+std::vector<EnergyFloor> SteppedForced::floorsOf(std::span<const std::size_t> rows) const
+{
+    std::vector<EnergyFloor> floors;
+    for (const std::size_t row : rows) {
+        const double size = 1.0 / std::max(1e-300, signorini::size(waves_.rows()[row].plane));
+        for (const double sign : {size, -size}) {
+            if (sign > 0.0 || waves_.rows()[row].isEquality) {
+                floors.push_back(waves_.floor(std::array{row}, std::array{sign}));
+            }
+        }
+    }
+    return floors;
+}
+
+void SteppedForced::explainAbsence(ForcedSet& set, const std::vector<std::size_t>& conflict) const
+{
+    set.detail = "conditions exclude each other by no more than rounding can do";
+    std::vector<EnergyFloor> cuts;
+    if (canRest_) {
+        cuts = floorsOf(conflict);
+    } else if (const auto multipliers = waves_.contradiction(conflict); !multipliers.empty()) {
+        cuts.push_back(waves_.floor(conflict, multipliers));
+    }
+    if (isCertain(cuts)) {
+        enterProof(set, conflict, std::move(cuts));
+    }
+}
+
+void SteppedForced::decide(ForcedSet& set) const
+{
+    if (!waves_.isClear()) {
+        set.detail = "hardly anything damps some waves: 1 - W is singular but for rounding";
+        return;
+    }
+    set.freeWaves = waves_.freeWaves();
+    if (set.freeWaves > 0) {
+        decidePolytope(set);
+        return;
+    }
+    const ForcedLine line = this->line();
+    if (!line.hasLine) {
+        explainAbsence(set, {0});
+        if (set.status != Status::none) {
+            set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
         }
         return;
     }
-    const double t = missing / along;
-    if (along > 0.0 || isEquality) {
-        set_.low = std::max(set_.low, t);
+    if (line.isEmpty()) {
+        std::vector<std::size_t> conflict{0};
+        for (const auto& row : {line.blocking, line.lowRow, line.highRow}) {
+            if (row && !(line.blocking && !(line.low > line.high) && row != line.blocking)) {
+                conflict.push_back(static_cast<std::size_t>(row->step));
+            }
+        }
+        explainAbsence(set, conflict);
+        if (set.status == Status::none || !describeTouch(set, line)) {
+            return;
+        }
+    } else {
+        describeLine(set, line);
     }
-    if (along < 0.0 || isEquality) {
-        set_.high = std::min(set_.high, t);
+    believe(set, motionAt());
+}
+
+/// Four programs say that no way from C = S = 0 leads anywhere: each row that is added, C >= 1 and
+/// the like, contradicts others, whose sum is the cut C <= 0.
+void SteppedForced::explainRest(ForcedSet& set) const
+{
+    set.detail = "conditions exclude each other by no more than rounding can do";
+    std::vector<EnergyFloor> cuts;
+    std::vector<std::size_t> used;
+    for (const Plane way : {Plane{1, 0}, Plane{0, 1}, Plane{-1, 0}, Plane{0, -1}}) {
+        std::vector<ForcedRow> rows = waves_.rows();
+        rows.push_back({{ForcedRule::gap, 0}, false, way, {}, 1.0});
+        const auto found = forcedPolytope(std::move(rows), {true, waves_.freeWaves()});
+        if (!found.conflict) {
+            return;
+        }
+        std::vector<std::size_t> conflict{0};
+        for (const ForcedCondition& row : *found.conflict) {
+            conflict.push_back(static_cast<std::size_t>(row.step));
+        }
+        const auto multipliers = waves_.contradiction(conflict, way);
+        if (multipliers.empty()) {
+            return;
+        }
+        cuts.push_back(waves_.floor(conflict, multipliers));
+        used.insert(used.end(), conflict.begin(), conflict.end());
+    }
+    if (isCertain(cuts)) {
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        enterProof(set, used, std::move(cuts));
     }
 }
 
-void SteppedForced::cut(Plane gap)
+void SteppedForced::enterProof(ForcedSet& set, std::span<const std::size_t> conflict,
+                               std::vector<EnergyFloor> cuts) const
 {
-    const double size = std::hypot(gap.c, gap.s);
-    set_.detail =
-        "no motion was found, and as rounding is not enclosed nothing proves that there "
-        "is none";
-    if (!(size > parallel)) {
+    set.detail.clear();
+    set.status = Status::none;
+    set.conflict = named(conflict);
+    set.reason = reasonOf(set.conflict);
+    set.cuts = std::move(cuts);
+}
+
+void SteppedForced::decidePolytope(ForcedSet& set) const
+{
+    ForcedPolytope polytope = forcedPolytope(waves_.rows(), {true, waves_.freeWaves()});
+    set.detail = polytope.detail;
+    if (polytope.conflict) {
+        std::vector<std::size_t> conflict{0};
+        for (const ForcedCondition& row : *polytope.conflict) {
+            conflict.push_back(static_cast<std::size_t>(row.step));
+        }
+        explainAbsence(set, conflict);
+    }
+    if (polytope.corners.empty()) {
         return;
     }
-    set_.foot = {gap.c / (size * size), gap.s / (size * size)};
-    set_.direction = {-gap.s / size, gap.c / size};
-    set_.low = -infinity;
-    set_.high = infinity;
-    for (std::size_t m = 0; m < steps_.size(); ++m) {
-        const bool isLast = m + 1 == steps_.size();
-        if (isContact_[m]) {
-            bound(steps_[m].push, 0.0, false);
-        } else if (!isLast && isContact_[m + 1]) {
-            bound(steps_[m].tip, 1.0, true);
-        } else if (!isLast) {
-            bound(-1.0 * steps_[m].tip, -1.0, false);
+    describePolytope(set, std::move(polytope));
+    if (canRest_ && set.mostAmplitude <= leastOfCone) {
+        set.kind = ForcedKind::empty;
+        set.corners.clear();
+        explainRest(set);
+        return;
+    }
+    believe(set, motionAt());
+}
+
+AmplitudeExclusion SteppedForced::exclusion(const ForcedSet& set, double amplitude) const
+{
+    AmplitudeExclusion exclusion{amplitude, {}, {}, false};
+    std::vector<std::size_t> rows;
+    if (set.kind == ForcedKind::polytope) {
+        for (std::size_t row = 0; row < waves_.rows().size(); ++row) {
+            if (waves_.rows()[row].condition.rule == ForcedRule::work) {
+                rows.push_back(row);
+            }
+        }
+    } else {
+        const ForcedLine line = this->line();
+        rows.push_back(0);
+        for (const auto& row : {line.lowRow, line.highRow}) {
+            if (row) {
+                rows.push_back(static_cast<std::size_t>(row->step));
+            }
         }
     }
-    // Closures of several flights agree but for rounding.
-    if (set_.low > set_.high && set_.low - set_.high <= forcedTolerance * std::abs(set_.low)) {
-        set_.low = set_.high = 0.5 * (set_.low + set_.high);
-    }
-    if (!(set_.low <= set_.high)) {
-        return;
-    }
-    set_.status = Status::found;
-    set_.detail.clear();
-    const double foot = 1.0 / size;
-    set_.leastAmplitude = std::hypot(foot, std::clamp(0.0, set_.low, set_.high));
-    set_.mostAmplitude = std::hypot(foot, std::max(-set_.low, set_.high));
-    set_.kind = set_.low == set_.high               ? ForcedKind::point
-                : std::isfinite(set_.mostAmplitude) ? ForcedKind::segment
-                                                    : ForcedKind::ray;
-}
-
-ForcedMotion SteppedForced::at(double t) const
-{
-    const Plane place{set_.foot[0] + t * set_.direction[0], set_.foot[1] + t * set_.direction[1]};
-    return steppedMotion({bar_, set_.schedule, set_.damping, shapes_}, place,
-                         {place.c * states_[0].a + place.s * states_[1].a,
-                          place.c * states_[0].b + place.s * states_[1].b});
-}
-
-ForcedMotion SteppedForced::leastAmplitude() const
-{
-    return at(std::clamp(0.0, set_.low, set_.high));
-}
-
-std::vector<ForcedMotion> SteppedForced::ofAmplitude(double amplitude) const
-{
-    ForcedLine line;
-    line.foot = {set_.foot[0], set_.foot[1]};
-    line.low = set_.low;
-    line.high = set_.high;
-    return motionsOnLine(line, amplitude, [this](double t) { return at(t); });
+    exclusion.cuts = floorsOf(rows);
+    exclusion.conflict = named(rows);
+    exclusion.isCertain =
+        forbidJust(cutsOf(exclusion.cuts, waves_.network(), waves_.schedule(), waves_.shapes()),
+                   amplitude, mostEnergy());
+    return exclusion;
 }
 
 }  // namespace signorini

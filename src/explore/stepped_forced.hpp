@@ -1,60 +1,52 @@
 #pragma once
 /// \file
-/// Forced, damped motions of one schedule of a bar of several segments.
-///
-/// A period of n steps takes a state x to W x + C f_0 + S f_1, and with damping W is a contraction:
-/// x = C x_0 + S x_1, (1 - W) x_i = f_i. What is left is as for a uniform bar (response.hpp): u(L,
-/// 0) = g is a line in the plane (C, S), and R >= 0 and u(L) <= g cut it. The dashpot at the tip is
-/// that of a uniform bar of the first material. docs/theory.md, section 19.
+/// The forced motions of a schedule of a bar of several segments, as those of a network
+/// (network_forced.hpp). docs/theory.md, section 19.
 
-#include <vector>
-
-#include "forced_line.hpp"
-#include "signorini/response.hpp"
+#include "forced_set.hpp"
+#include "network_forced.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini {
 
 /// Largest number of cells: a matrix of 2N x 2N is factored.
-inline constexpr std::int64_t maxForcedCells = 1000;
+inline constexpr auto maxForcedCells = static_cast<std::int64_t>(mostForcedWaves / 2);
 
 class SteppedForced {
 public:
-    /// O(N^3 + n N). \throws std::invalid_argument on an invalid schedule, scene, damping or
-    /// forcing, a gap that is not > 0, a second stop, a shape, more than maxForcedCells cells or
-    /// maxSteppedSteps steps.
-    SteppedForced(const Schedule& schedule, const Scene& scene, const Damping& damping,
-                  const Forcing& forcing);
+    /// Of a set's schedule, damping, forcing and segments, which are kept. O(N^3 + n N).
+    /// \throws std::invalid_argument on segments that are none or have other cells, a limit, a
+    /// shape, more than maxForcedCells cells or maxSteppedSteps steps.
+    explicit SteppedForced(const ForcedSet& set);
 
-    /// What is left of the plane. Status none is not claimed, as rounding is not enclosed: then it
-    /// is undecided, and `detail` says so; also where hardly anything damps some waves.
-    [[nodiscard]] const ForcedSet& set() const { return set_; }
-    /// The motion at (C, S) = foot + t direction, marched by a simulation that decides contact by
-    /// itself. O(n N). \pre the set is not empty.
-    [[nodiscard]] ForcedMotion at(double t) const;
-    /// \pre the set is not empty.
-    [[nodiscard]] ForcedMotion leastAmplitude() const;
-    /// At most two, by ascending impulse. \pre the set is not empty.
-    [[nodiscard]] std::vector<ForcedMotion> ofAmplitude(double amplitude) const;
+    /// What motions there are. O(n) and a proof, or, where nothing damps some waves, a few dozen
+    /// linear programs.
+    void decide(ForcedSet& set) const;
+    /// The motion at (C, S), walked and marched. O(n N).
+    [[nodiscard]] MotionAt motionAt() const;
+    /// Why none has an amplitude.
+    [[nodiscard]] AmplitudeExclusion exclusion(const ForcedSet& set, double amplitude) const;
+    /// Do the multipliers leave no excitation?
+    [[nodiscard]] bool isCertain(std::span<const EnergyFloor> cuts) const;
 
 private:
-    /// What a step sees of an excitation.
-    struct Step {
-        Plane push;  ///< R in contact
-        Plane tip;   ///< u(L) at its end
-    };
+    [[nodiscard]] ForcedLine line() const;
+    [[nodiscard]] ForcedCondition named(std::size_t row) const;
+    [[nodiscard]] std::vector<ForcedCondition> named(std::span<const std::size_t> rows) const;
+    void explainAbsence(ForcedSet& set, const std::vector<std::size_t>& conflict) const;
+    void explainRest(ForcedSet& set) const;
+    void enterProof(ForcedSet& set, std::span<const std::size_t> conflict,
+                    std::vector<EnergyFloor> cuts) const;
+    void decidePolytope(ForcedSet& set) const;
+    [[nodiscard]] std::vector<EnergyFloor> floorsOf(std::span<const std::size_t> rows) const;
+    [[nodiscard]] double mostEnergy() const;
 
-    [[nodiscard]] bool solve();
-    [[nodiscard]] Plane watch();
-    void cut(Plane gap);
-    void bound(Plane row, double limit, bool isEquality);
-
+    Schedule schedule_;
+    Damping damping_;
     SteppedBar bar_;
-    ForcedSet set_;
     std::vector<Excitation> shapes_;
-    std::vector<bool> isContact_;  ///< of each step
-    std::vector<State> states_;    ///< x_0, x_1
-    std::vector<Step> steps_;
+    NetworkForced waves_;
+    bool canRest_;
 };
 
 }  // namespace signorini

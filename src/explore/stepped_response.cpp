@@ -78,7 +78,7 @@ private:
     {
         const auto line = waves_.line();
         if (!line) {
-            ++response_.undecided;
+            addUndecided(response_, "rounding spoils the pushes of so long a contact");
         } else if (!line->isEmpty() && waves_.freePushes() > 0) {
             addPolytope();
         } else if (!line->isEmpty()) {
@@ -93,7 +93,9 @@ private:
     {
         const ForcedPolytope found = forcedPolytope(waves_.rows(), {true, waves_.freePushes()});
         if (found.corners.empty()) {
-            response_.undecided += found.conflict ? 0 : 1;
+            if (!found.conflict) {
+                addUndecided(response_, found.detail);
+            }
             return;
         }
         const auto [least, most] = amplitudesOf(found);

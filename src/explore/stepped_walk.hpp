@@ -11,9 +11,6 @@
 
 namespace signorini {
 
-/// Is the tip held, in each step of a period?
-[[nodiscard]] std::vector<bool> contactsOf(const Schedule& schedule);
-
 /// v of the tip in flight, p arriving.
 [[nodiscard]] double tipSpeed(const SteppedBar& bar, const Damping& damping, double p,
                               double force);

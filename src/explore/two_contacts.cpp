@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "forced_case.hpp"
 #include "forced_cut.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -22,49 +24,47 @@ public:
         : forcing_{range.place, range.cycles, {}},
           range_(range),
           steps_(steps),
-          waves_(range.cells, range.damping.rho(), shapesOf(forcing_, range.cells, steps))
+          waves_(range.cells, range.damping.rho(), shapesOf(forcing_, range.cells, steps),
+                 range.stops)
     {
+        if (const auto& left = range.stops.left) {
+            way_ = static_cast<double>(2 * range.cells) * (range.stops.right + left->value()) /
+                   (1.0 + range.damping.rho());
+        }
     }
 
-    /// Every schedule with these first two parts whose second contact is not longer than the first
-    /// one; of equal contacts the first flight is the longer one.
-    void visit(std::int64_t contact, std::int64_t free, FrequencyResponse& response)
+    /// Every schedule with these first two parts and both contacts on one stop whose second contact
+    /// is not longer than the first one; of equal contacts the first flight is the longer one.
+    void visit(std::int64_t contact, std::int64_t free, Stop stop, FrequencyResponse& response)
     {
         const std::int64_t left = steps_ - contact - free;
         for (std::int64_t second = 1; second <= std::min(contact, left - shortestFlight);
              ++second) {
-            phases_ = {{{contact, free}, {second, left - second}}};
-            if (second < contact || free > left - second) {
-                waves_.setPhases(phases_);
-                if (!isRefuted()) {
-                    decide(response);
-                }
+            if (free >= shortestFlight && (second < contact || free > left - second)) {
+                look({{{contact, free, stop}, {second, left - second, stop}}}, response);
+            }
+        }
+    }
+
+    /// The same with the first contact on the wall and the second on the other stop. Those that
+    /// mirror each other at equal distances are no points, but lines: they are not looked at here.
+    void visitBoth(std::int64_t contact, std::int64_t free, FrequencyResponse& response)
+    {
+        const std::int64_t left = steps_ - contact - free;
+        for (std::int64_t second = 1; second < left; ++second) {
+            const std::array<Phase, 2> phases{
+                {{contact, free, Stop::right}, {second, left - second, Stop::left}}};
+            if (range_.cycles % 2 == 0 || !isMirrored(phases, range_.stops)) {
+                look(phases, response);
             }
         }
     }
 
 private:
-    /// Do signs along the line on which the first flight closes exclude each other?
-    bool isRefuted()
+    void look(const std::array<Phase, 2>& phases, FrequencyResponse& response)
     {
-        const std::int64_t leave = phases_[0].contact;
-        const std::int64_t back = leave + phases_[0].free;
-        Plane closure;
-        for (std::int64_t m = leave; m < back; ++m) {
-            closure = closure + waves_.push(m);
-        }
-        double scale = 0.0;
-        for (std::int64_t m = 0; m < steps_; m += 1 + steps_ / 16) {
-            scale = std::max(scale, size(waves_.push(m)));
-        }
-        if (size(closure) <= nearlyZero * scale) {
-            // The flight closes whatever the excitation: what is left is as with one contact.
-            const ForcedLine line = waves_.line(true);
-            return line.hasLine && line.isEmpty();
-        }
-        along_ = (1.0 / size(closure)) * Plane{-closure.s, closure.c};
-        zero_ = nearlyZero * scale;
-        sign_ = 0.0;
+        phases_ = phases;
+        waves_.setPhases(phases_);
         held_.clear();
         if (waves_.heldClasses() > 0) {
             held_.resize(static_cast<std::size_t>(waves_.classes()), false);
@@ -72,6 +72,177 @@ private:
                 held_[static_cast<std::size_t>(j)] = true;
             }
         }
+        if (!(phases_[0].stop == phases_[1].stop ? isRefuted() : isRefutedBetween())) {
+            decide(response);
+        }
+    }
+
+    /// Of the first flight, which has to close.
+    [[nodiscard]] Plane closure() const
+    {
+        Plane sum;
+        for (std::int64_t m = 0; m < phases_[0].free; ++m) {
+            sum = sum + waves_.push(phases_[0].contact + m);
+        }
+        return sum;
+    }
+
+    [[nodiscard]] double sizeOfPushes() const
+    {
+        double scale = 0.0;
+        for (std::int64_t m = 0; m < steps_; m += 1 + steps_ / 16) {
+            scale = std::max(scale, size(waves_.push(m)));
+        }
+        return scale;
+    }
+
+    [[nodiscard]] bool isHeld(std::int64_t m) const
+    {
+        return !held_.empty() && held_[static_cast<std::size_t>(m % waves_.classes())];
+    }
+
+    /// Does no class fly twice? Then the tip rests, as with one contact (tipRests): permanent
+    /// contact, which is said once.
+    [[nodiscard]] bool isPermanent() const
+    {
+        if (held_.empty() ||
+            (range_.place == Excited::base && 2 * range_.cells * range_.cycles % steps_ == 0)) {
+            return false;
+        }
+        std::vector<bool> flies(held_.size(), false);
+        std::int64_t m = 0;
+        for (const Phase& phase : phases_) {
+            m += phase.contact;
+            for (const std::int64_t end = m + phase.free; m < end; ++m) {
+                const auto j = static_cast<std::size_t>(m % waves_.classes());
+                if (flies[j]) {
+                    return false;
+                }
+                flies[j] = true;
+            }
+        }
+        return true;
+    }
+
+    /// The step of a class with the least push on the wall, or the most on the other stop, for an
+    /// excitation; none: it never touches that stop.
+    [[nodiscard]] std::optional<Plane> leastPush(std::int64_t j, Stop stop, Plane place) const
+    {
+        std::optional<Plane> least;
+        const std::int64_t second = phases_[0].contact + phases_[0].free;
+        for (std::int64_t m = j; m < steps_; m += waves_.classes()) {
+            const Plane push = pushSign(stop) * waves_.push(m);
+            if ((m < second) == (stop == Stop::right) &&
+                (!least || push.dot(place) < least->dot(place))) {
+                least = push;
+            }
+        }
+        return least;
+    }
+
+    /// Classes that are always in contact share in u(L, 0) = g: on the wall each has to be so large
+    /// that it presses in all its steps, on the other stop so small. Their sum is bounded by convex
+    /// functions of (C, S), which are cut off by their tangents at the ends of what is left.
+    /// \return is anything left?
+    [[nodiscard]] bool heldAllow(ForcedCut& cut) const
+    {
+        constexpr int mostCuts = 20;
+        const auto classes = static_cast<double>(waves_.classes());
+        const Plane gap = classes * waves_.tip(0);
+        const double place = classes * range_.stops.right;
+        const double slack = nearlyZero * classes * (1.0 + std::abs(range_.stops.right));
+        for (int pass = 0; pass < mostCuts; ++pass) {
+            const ForcedLine before = cut.result();
+            for (const double end : {before.low, before.high}) {
+                const Plane at = std::isfinite(end) ? before.at(end)
+                                                    : std::copysign(1.0, end) * before.direction;
+                for (const Stop stop : {Stop::right, Stop::left}) {
+                    const double sign = pushSign(stop);
+                    Plane row = sign * gap;
+                    bool areAll = true;
+                    for (const std::int64_t j : waves_.freeClasses()) {
+                        const auto push = leastPush(j, stop, at);
+                        areAll = areAll && push;
+                        row = push ? row + *push : row;
+                    }
+                    if (areAll && !cut.by(row, {}, sign * place - slack)) {
+                        return false;
+                    }
+                }
+            }
+            const ForcedLine after = cut.result();
+            if (after.low == before.low && after.high == before.high) {
+                return true;
+            }
+        }
+        return true;
+    }
+
+    /// From one stop to the other a flight closes on a line beside 0. It and u(L, 0) = g leave a
+    /// point, or, where waves that are always held share in u(L, 0), the line.
+    [[nodiscard]] bool isRefutedBetween() const
+    {
+        const double scale = sizeOfPushes();
+        const Plane end = closure();
+        ForcedCut cut(end, -way_, scale, true, false);
+        if (!cut.result().hasLine) {
+            return false;
+        }
+        const double nothing = nearlyZero * scale;
+        const auto by = [&](Plane row, double limit) {
+            return size(row) <= nothing || cut.by(row, {}, limit - nearlyZero * way_);
+        };
+        if (held_.empty()) {
+            const Plane gap = waves_.tip(0);
+            const double area = gap.c * end.s - gap.s * end.c;
+            if (!(std::abs(area) > nearlyZero * size(gap) * size(end))) {
+                return false;
+            }
+            const double slack = nearlyZero * (1.0 + std::abs(range_.stops.right));
+            by(gap, range_.stops.right - slack);
+            by(-1.0 * gap, -range_.stops.right - slack);
+        }
+        std::int64_t m = 0;
+        for (const Phase& phase : phases_) {
+            const double sign = pushSign(phase.stop);
+            for (const std::int64_t leave = m + phase.contact; m < leave; ++m) {
+                if (!isHeld(m) && !by(sign * waves_.push(m), 0.0)) {
+                    return true;
+                }
+            }
+            Plane way;
+            for (const std::int64_t back = m + phase.free - 1; m < back; ++m) {
+                way = way - sign * waves_.push(m);
+                if (!by(way, 0.0) || !by(-1.0 * way, -way_)) {
+                    return true;
+                }
+            }
+            ++m;
+        }
+        return cut.isEmpty() || (!held_.empty() && !heldAllow(cut));
+    }
+
+    /// Do signs along the line on which the first flight closes exclude each other?
+    bool isRefuted()
+    {
+        const std::int64_t leave = phases_[0].contact;
+        const std::int64_t back = leave + phases_[0].free;
+        const Plane end = closure();
+        const double scale = sizeOfPushes();
+        if (isPermanent()) {
+            return true;
+        }
+        if (size(end) <= nearlyZero * scale) {
+            // The flight closes whatever the excitation: what is left is as with one contact.
+            if (!held_.empty() && !waves_.boundsHeld()) {
+                return false;
+            }
+            const ForcedLine line = waves_.line(true);
+            return line.hasLine && line.isEmpty();
+        }
+        along_ = (1.0 / size(end)) * Plane{-end.s, end.c};
+        zero_ = nearlyZero * scale;
+        sign_ = 0.0;
         return pulls(0, leave) || pulls(back, back + phases_[1].contact) ||
                penetrates(leave, back) || penetrates(back + phases_[1].contact, steps_) ||
                staysAway();
@@ -90,9 +261,7 @@ private:
     bool pulls(std::int64_t from, std::int64_t to)
     {
         for (std::int64_t m = from; m < to; ++m) {
-            const bool isHeld =
-                !held_.empty() && held_[static_cast<std::size_t>(m % waves_.classes())];
-            if (!isHeld && differs(waves_.push(m).dot(along_))) {
+            if (!isHeld(m) && differs(waves_.push(m).dot(along_))) {
                 return true;
             }
         }
@@ -111,11 +280,15 @@ private:
         return false;
     }
 
-    /// u(L, 0) = g needs the sign that the other rows have. Waves that are always in contact have
-    /// to press by so much that R >= 0, which only lowers u(L, 0).
+    /// u(L, 0) = g, or -h on the second stop, needs the sign that the other rows have, or, without
+    /// a gap, to be 0 with them. Waves that are always in contact have to press by so much that R
+    /// >= 0, which only takes the tip away from the stop: where the bar presses on it at rest, that
+    /// is no obstacle.
     [[nodiscard]] bool staysAway() const
     {
-        if (sign_ == 0.0) {
+        const Stop stop = phases_[0].stop;
+        const double place = pushSign(stop) * placeOf(range_.stops, stop).value();
+        if (sign_ == 0.0 || (place < 0.0 && !held_.empty())) {
             return false;
         }
         double reach = sign_ * waves_.tip(0).dot(along_);
@@ -128,7 +301,10 @@ private:
         for (const double one : lack) {
             reach -= 2.0 / static_cast<double>(waves_.classes()) * one;
         }
-        return reach <= zero_;
+        if (place == 0.0) {
+            return reach < -zero_ || (held_.empty() && reach > zero_);
+        }
+        return place * reach <= zero_;
     }
 
     /// Is it a motion of n/2 steps, gone through twice?
@@ -150,32 +326,40 @@ private:
         return change <= forcedTolerance * most;
     }
 
+    /// Does the tip rest at its stop all the time? It is said once that it does.
+    [[nodiscard]] bool isAtRest(const ForcedMotion& motion) const
+    {
+        return !held_.empty() &&
+               motion.extremes.approachSpeed <= forcedTolerance * amplitude(motion.state);
+    }
+
     void decide(FrequencyResponse& response) const
     {
-        const Schedule schedule{range_.cells, {phases_.begin(), phases_.end()}};
+        const Schedule schedule{range_.cells, {phases_.begin(), phases_.end()}, range_.stops};
         const ForcedSet set = forcedMotions(schedule, range_.damping, forcing_);
-        response.undecided += set.status == Status::undecided ? 1 : 0;
+        if (set.status == Status::undecided) {
+            addUndecided(response, set.detail);
+        }
         if (set.status != Status::found) {
             return;
         }
-        std::vector<ForcedMotion> motions{leastAmplitudeMotion(set)};
-        if (set.freeWaves == 0 && isTwice(motions.front())) {
+        const double nearest = std::clamp(range_.amplitude, set.leastAmplitude, set.mostAmplitude);
+        std::vector<ForcedMotion> motions;
+        if (nearest > set.leastAmplitude) {
+            motions = motionsOfAmplitude(set, nearest);
+        } else {
+            motions.push_back(leastAmplitudeMotion(set));
+        }
+        if (motions.empty() || (set.freeWaves == 0 && isTwice(motions.front()))) {
+            return;
+        }
+        std::erase_if(motions, [this](const ForcedMotion& motion) { return isAtRest(motion); });
+        if (motions.empty()) {
             return;
         }
         response.twoContacts.push_back({phases_, set.leastAmplitude, set.mostAmplitude});
-        const double nearest = std::clamp(range_.amplitude, set.leastAmplitude, set.mostAmplitude);
-        if (std::abs(nearest - range_.amplitude) > range_.band * range_.amplitude) {
-            return;
-        }
-        if (nearest > set.leastAmplitude) {
-            motions = motionsOfAmplitude(set, nearest);
-        }
-        for (ForcedMotion& motion : motions) {
-            if (motion.residual <= forcedTolerance) {
-                response.motions.push_back(std::move(motion));
-            } else {
-                ++response.undecided;
-            }
+        if (std::abs(nearest - range_.amplitude) <= range_.band * range_.amplitude) {
+            addBelievable(response, std::move(motions));
         }
     }
 
@@ -184,6 +368,7 @@ private:
     std::int64_t steps_;
     ForcedWaves waves_;
     std::array<Phase, 2> phases_ = {};
+    double way_ = 0.0;        ///< sum of the pushes of a flight from stop to stop
     std::vector<bool> held_;  ///< classes whose waves nothing damps; empty: none
     Plane along_;             ///< where the first flight closes
     double zero_ = 0.0;
@@ -192,23 +377,29 @@ private:
 
 }  // namespace
 
-double twoContactSchedules(std::int64_t steps)
+double twoContactSchedules(std::int64_t steps, const Stops& stops)
 {
     // Those of two steps less with flights of one step or more.
     const auto n = static_cast<double>(steps - 2 * (shortestFlight - 1));
     const double half = steps % 2 == 0 ? 0.5 * n - 1.0 : 0.0;
-    return n < 4.0 ? 0.0 : 0.5 * ((n - 1.0) * (n - 2.0) * (n - 3.0) / 6.0 - half);
+    const double onOne = n < 4.0 ? 0.0 : 0.5 * ((n - 1.0) * (n - 2.0) * (n - 3.0) / 6.0 - half);
+    const auto all = static_cast<double>(steps);
+    return stops.left ? 2.0 * onOne + (all - 1.0) * (all - 2.0) * (all - 3.0) / 6.0 : onOne;
 }
 
 bool addTwoContacts(FrequencyResponse& response, const ResponseRange& range, const Cancel& cancel)
 {
     Sweep sweep(range, response.steps);
     for (std::int64_t contact = 1; contact < response.steps; ++contact) {
-        for (std::int64_t free = shortestFlight; contact + free < response.steps; ++free) {
+        for (std::int64_t free = 1; contact + free < response.steps; ++free) {
             if (isRequested(cancel)) {
                 return false;
             }
-            sweep.visit(contact, free, response);
+            sweep.visit(contact, free, Stop::right, response);
+            if (range.stops.left) {
+                sweep.visit(contact, free, Stop::left, response);
+                sweep.visitBoth(contact, free, response);
+            }
         }
     }
     return true;

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "backend_choice.hpp"
-#include "echo.hpp"
 #include "formulation.hpp"
+#include "limited_energy.hpp"
 #include "lumped_proof.hpp"
 #include "stops.hpp"
 #include "tolerated.hpp"
@@ -20,16 +20,6 @@ std::optional<InfeasibilityProof> proofFor(const Request& request, const Demands
     return proveUnmet(
         request.schedule, demands, formulation, simplex.get(),
         {.tolerance = request.options.tolerance, .timeLimit = request.options.timeLimit});
-}
-
-/// No motion with p <= limit/2 has more: sum z^2 <= max |z| sum |z|.
-double energyWithin(const OnePhaseSet& whole, double strainLimit)
-{
-    const double most = 0.5 * strainLimit;
-    const double squares = whole.set.kind == SetKind::box
-                               ? most * most * static_cast<double>(whole.set.count)
-                               : most * whole.set.sum;
-    return energyOf(squares, whole.schedule.cells, whole.window);
 }
 
 /// Why a program without solution has none.
@@ -85,11 +75,15 @@ std::optional<Absence> absenceByEnergy(const Request& request)
     EnergyExclusion exclusion{.energyRatio = *wanted, .range = *range, .tolerance = tolerance};
     if (!isOutOfRange(*wanted, *range, tolerance)) {
         const double limit = request.demands.strainLimit;
-        if (!request.known.onePhase || !std::isfinite(limit)) {
+        if (!std::isfinite(limit)) {
+            return std::nullopt;
+        }
+        const auto within = energyWithin(request.known, limit * (1.0 + tolerance));
+        if (!within) {
             return std::nullopt;
         }
         exclusion.strainLimit = limit;
-        exclusion.range.most = energyWithin(*request.known.onePhase, limit * (1.0 + tolerance));
+        exclusion.range.most = within->most;
         if (!isOutOfRange(*wanted, exclusion.range, tolerance)) {
             return std::nullopt;
         }

@@ -110,9 +110,11 @@ public:
                 return holds(proof, request_.schedule, request_.options.scene);
             },
             absence.proof);
-        if (auto* energies = std::get_if<EnergyExclusion>(&absence.proof)) {
+        auto* energies = std::get_if<EnergyExclusion>(&absence.proof);
+        if (energies != nullptr) {
             energies->isVerified = isVerified;
-        } else if (!isVerified) {
+        }
+        if (!isVerified && (energies == nullptr || std::isfinite(energies->strainLimit))) {
             result_.detail = std::holds_alternative<FarkasCertificate>(absence.proof)
                                  ? "the certificate of absence does not hold in 64-bit integers"
                                  : "the proof of absence does not hold";

@@ -3,6 +3,7 @@
 #include "absence_claims.hpp"
 #include "backend_choice.hpp"
 #include "echo.hpp"
+#include "limited_energy.hpp"
 #include "nearest_motion.hpp"
 #include "routes.hpp"
 
@@ -77,6 +78,19 @@ std::optional<Absence> absenceByLimits(const Request& request)
     return absenceByProgram(request, Formulation::lumped);
 }
 
+/// Of an energy to hold, if any motion will do: the flattest one keeps a limit on strain if one
+/// does, others need not.
+std::optional<State> motionWithinLimit(const Request& request)
+{
+    const Demands& demands = request.demands;
+    if (!demands.energyRatio || !std::isfinite(demands.strainLimit) ||
+        demands.objective != Objective::any) {
+        return std::nullopt;
+    }
+    auto state = motionWithin(request.known, demands.strainLimit, *demands.energyRatio);
+    return state && request.isMetBy(*state) ? state : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Claim> closedFormRoute(const Request& request)
@@ -105,6 +119,9 @@ std::optional<Claim> closedFormRoute(const Request& request)
         }
         if (auto absence = absenceByLimits(request)) {
             return claim(std::move(*absence));
+        }
+        if (auto within = motionWithinLimit(request)) {
+            return claim(std::move(*within));
         }
     }
     if (request.demands.needsExactRoute()) {

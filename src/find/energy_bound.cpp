@@ -1,12 +1,14 @@
 #include "energy_bound.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
+#include "double_description.hpp"
 #include "echo.hpp"
 #include "formulation.hpp"
+#include "lumped_rows.hpp"
 #include "program_rows.hpp"
 #include "rational.hpp"
 #include "signorini/lumped_set.hpp"
@@ -117,16 +119,123 @@ Rational boundByProjection(const ClassTypes& classes, const std::vector<const Cl
     return dualBound(live, c, value);
 }
 
-/// The largest sum of squares of steps between 0, corners -1 or 0 and the end -1, in units of N.
-std::int64_t mostOfCorners(std::int64_t count)
+/// The largest sum of squares of so many steps from 0 to a sum between two bounds, none longer than
+/// the cap: between places where a walk is at a bound or an end all steps but one are as long as
+/// the cap. Empty if that is more than rational arithmetic can take.
+std::optional<Rational> mostOfWalk(std::int64_t count, const Rational& sum, const Rational& lower,
+                                   const Rational& upper, const std::optional<Rational>& cap)
 {
-    constexpr std::int64_t impossible = -1;
-    std::array<std::int64_t, 2> best{0, impossible};  // at 0, at -1
-    for (std::int64_t j = 0; j < count; ++j) {
-        const auto [up, down] = best;
-        best = {std::max(up, down < 0 ? impossible : down + 1), std::max(up + 1, down)};
+    constexpr double mostStates = 3e5;
+    std::map<Rational, Rational> ways;  // the most squares on the way to a place
+    std::vector<Rational> places;
+    for (const Rational& anchor : {Rational(0), sum, lower, upper}) {
+        places.push_back(anchor);
+        const double longest = cap ? static_cast<double>(Rational((upper - lower) / *cap)) : 0.0;
+        if (!(longest * static_cast<double>(count) <= mostStates)) {
+            return std::nullopt;
+        }
+        for (int sign = -1; cap && sign <= 1; sign += 2) {
+            for (Rational at = anchor + sign * *cap; at >= lower && at <= upper;
+                 at += sign * *cap) {
+                places.push_back(at);
+            }
+        }
     }
-    return best[1];
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    ways.emplace(0, 0);
+    for (std::int64_t step = 0; step < count; ++step) {
+        std::map<Rational, Rational> next;
+        for (const Rational& to : places) {
+            const auto first = cap ? ways.lower_bound(to - *cap) : ways.begin();
+            const auto last = cap ? ways.upper_bound(to + *cap) : ways.end();
+            for (auto from = first; from != last; ++from) {
+                const Rational way = to - from->first;
+                Rational squares = from->second + way * way;
+                const auto [known, isNew] = next.try_emplace(to, squares);
+                known->second = isNew ? known->second : std::max(known->second, squares);
+            }
+        }
+        ways = std::move(next);
+    }
+    const auto end = ways.find(sum);
+    return end == ways.end() ? Rational(-1) : end->second;
+}
+
+/// All of a sum in one amplitude, or in as many of the size of the cap as it fills; -1: it is more
+/// than all of them.
+Rational mostOfSimplex(std::int64_t count, const Rational& sum, const std::optional<Rational>& cap)
+{
+    if (!cap || sum <= *cap) {
+        return sum * sum;
+    }
+    const Rational filled = sum / *cap;
+    const Integer full = numerator(filled) / denominator(filled);
+    const Rational rest = sum - *cap * full;
+    return full > count || (full == count && rest > 0) ? Rational(-1)
+                                                       : Rational(full * *cap * *cap + rest * rest);
+}
+
+/// No motion with these sums has larger squares; with several vertices of the sums only what holds
+/// for all in between, sum z^2 <= max |z| sum |z|. -1: there is none; empty: not known.
+std::optional<Rational> mostSquaresAt(const ClassTypes& classes,
+                                      const std::vector<const ClassType*>& live,
+                                      const RationalVector& sums, bool isOnly,
+                                      const std::optional<Rational>& limit)
+{
+    Rational squares = 0;
+    for (std::size_t i = 0; i < live.size(); ++i) {
+        const ClassType& type = *live[i];
+        const bool isCompressed =
+            std::find(type.signs.begin(), type.signs.end(), 1) != type.signs.end();
+        const auto cap = isCompressed ? limit : std::nullopt;
+        const bool isPressing = type.kind == TypeKind::pressing;
+        std::optional<Rational> own;
+        if (!isOnly) {
+            if (!cap && (!isPressing || limit)) {
+                return std::nullopt;
+            }
+            own = !cap         ? Rational(sums[i] * sums[i])
+                  : isPressing ? Rational(*cap * sums[i])
+                               : Rational(*cap * *cap * type.count);
+        } else if (isPressing) {
+            own = mostOfSimplex(type.count, sums[i], cap);
+        } else if (type.count == 1) {
+            own = cap && abs(sums[i]) > *cap ? Rational(-1) : Rational(sums[i] * sums[i]);
+        } else {
+            const auto [lower, upper] = boundsOf<Rational>(classes, sums, i, 1);
+            own = mostOfWalk(type.count, sums[i], lower, upper, cap);
+        }
+        if (!own || *own < 0) {
+            return own;
+        }
+        squares += *own;
+    }
+    return squares;
+}
+
+/// The largest squares of all motions, by the vertices of the sums in rational numbers.
+std::optional<Rational> mostSquaresOf(const ClassTypes& classes,
+                                      const std::vector<const ClassType*>& live,
+                                      const std::optional<Rational>& limit)
+{
+    constexpr std::size_t mostRays = 512;
+    const Program program = formulate(classes.schedule, Formulation::lumped).program;
+    const auto rows = ProgramRows::of(program);
+    const auto corners = rows ? generatorsOf(*rows, mostRays) : std::nullopt;
+    if (!corners || !corners->directions.empty() || corners->vertices.empty()) {
+        return std::nullopt;
+    }
+    Rational most = -1;
+    for (const Homogeneous& vertex : corners->vertices) {
+        const auto here =
+            mostSquaresAt(classes, live, asRationals(vertex), corners->vertices.size() == 1, limit);
+        if (!here) {
+            return std::nullopt;
+        }
+        most = std::max(most, *here);
+    }
+    return most;
 }
 
 }  // namespace
@@ -175,27 +284,13 @@ bool stayBelowEnergy(const Schedule& schedule, double energyRatio, double strain
 {
     const ClassTypes classes = classTypes(schedule);
     const auto live = liveTypesOf(classes);
-    if (schedule.phases.size() != 1 || schedule.stops.left || live.size() != 1 ||
-        live.front()->windowSum == 0) {
+    if (!isWithinReach(classes.schedule, live.size()) || isCone(schedule.stops)) {
         return false;
     }
-    const ClassType& type = *live.front();
-    const Rational sum =
-        Rational(gapSum(classes.schedule.cells, schedule.stops.right)) / type.windowSum;
-    // On a grazing box Z runs from -N to 0, which is as far as from 0 to S.
-    if (type.kind == TypeKind::grazing && type.windowSum != 1) {
-        return false;
-    }
-    const bool isBox = type.kind == TypeKind::grazing;
-    const Rational wanted = squaresOf(energyRatio, classes);
-    if (std::isfinite(strainLimit)) {
-        const Rational most = Rational(strainLimit) / 2;
-        const Rational reached = most * (isBox ? Rational(most * type.count) : sum);
-        if (reached < wanted) {
-            return true;
-        }
-    }
-    return sum * sum * (isBox ? mostOfCorners(type.count) : 1) < wanted;
+    const std::optional<Rational> cap =
+        std::isfinite(strainLimit) ? std::optional(Rational(strainLimit) / 2) : std::nullopt;
+    const auto most = mostSquaresOf(classes, live, cap);
+    return most && *most < squaresOf(energyRatio, classes);
 }
 
 }  // namespace signorini

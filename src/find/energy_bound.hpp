@@ -30,10 +30,11 @@ namespace signorini {
 /// unknowns are more than exact arithmetic can take. O(rows).
 [[nodiscard]] std::optional<RationalProof> leastEnergyProof(const Schedule& schedule);
 
-/// Is every motion's E/E_1 proved to stay below the ratio? One phase only: z >= 0 and sum z = S
-/// give sum z^2 <= S^2; on the box of a grazing set squares are largest at its corners, which are
-/// walked through from class to class. With a strain limit [g/L] also |z| <= limit/2 is known, so
-/// that sum z^2 <= S limit/2, on a box d limit^2/4. O(G).
+/// Is every motion's E/E_1 proved to stay below the ratio? Squares are largest at a vertex of the
+/// sums, with a pressing sum in one class, or, with a strain limit [g/L], in as many of |z| =
+/// limit/2 as it fills; a box is walked through from class to class. Where sums vary a limit is
+/// used as sum z^2 <= limit/2 sum |z|, d limit^2/4 on a box. False as above, and where boxes vary
+/// or are walked in more than 3e5 places. O(rows + G places).
 [[nodiscard]] bool stayBelowEnergy(const Schedule& schedule, double energyRatio,
                                    double strainLimit = std::numeric_limits<double>::infinity());
 

@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "backend_choice.hpp"
+#include "energy_floor.hpp"
 #include "faults.hpp"
 #include "infeasibility.hpp"
 #include "request.hpp"
 #include "stepped_check.hpp"
+#include "stepped_existence.hpp"
 #include "stepped_motions.hpp"
 #include "stepped_proof.hpp"
 #include "stops.hpp"
@@ -65,14 +67,60 @@ void requireKnown(const Schedule& schedule, const FindOptions& options)
     faults.throwIfAny();
 }
 
+/// E/E_1 that multipliers prove, rounded downwards.
+double provedRatio(const EnergyFloor& floor, const SteppedBlocks& blocks, const Scene& scene,
+                   double tipFloor)
+{
+    const double energy =
+        provedEnergy(floor, networkOf(blocks, scene, tipFloor), spansOf(blocks.schedule));
+    constexpr double downwards = 1.0 - 1e-12;
+    return 2.0 * energy / static_cast<double>(blocks.bar.cells) * downwards;
+}
+
+/// What multipliers prove of the motions with the tip above a floor.
+EnergyFloorProof floorProof(const std::vector<SteppedMultiplier>& multipliers,
+                            const SteppedBlocks& blocks, const FindOptions& options,
+                            double tolerance)
+{
+    EnergyFloorProof proof{{}, 0.0, options.tipFloor, tolerance, {}};
+    const double floor = options.tipFloor - tolerance;
+    proof.multipliers =
+        floorOf(multipliers, blocks, networkOf(blocks, options.scene, floor), options.cancel);
+    proof.energyRatio = provedRatio(proof.multipliers, blocks, options.scene, floor);
+    return proof;
+}
+
+/// Those that matter.
+std::vector<SteppedCondition> conditionsOf(const std::vector<SteppedMultiplier>& multipliers)
+{
+    constexpr double negligible = 1e-9;  // of the largest
+    double size = 0.0;
+    for (const SteppedMultiplier& m : multipliers) {
+        size = std::max(size, std::abs(m.value));
+    }
+    std::vector<SteppedCondition> conditions;
+    for (const SteppedMultiplier& m : multipliers) {
+        if (m.of.rule != SteppedRule::gap && std::abs(m.value) > negligible * size) {
+            conditions.push_back(m.of);
+        }
+    }
+    return conditions;
+}
+
+/// Does what is proved exclude what was asked for?
+bool isExcluded(const EnergyFloorProof& proof)
+{
+    return proof.held ? proof.energyRatio > *proof.held * (1.0 + proof.tolerance)
+                      : proof.energyRatio >= hugeEnergyRatio;
+}
+
 /// One request, on its way to an answer.
 class SteppedSearch {
 public:
     SteppedSearch(const Schedule& schedule, const FindOptions& options)
         : options_(options),
           bar_(steppedBar(options.scene.segments)),
-          blocks_(blocksOf(bar_, schedule, options.tipFloor, true)),
-          simplex_(makeSolver(choose({.duals = true})))
+          blocks_(blocksOf(bar_, schedule, options.tipFloor, true))
     {
         result_.schedule = schedule;
         result_.scene = options.scene;
@@ -94,15 +142,7 @@ public:
     PeriodicResult answer()
     {
         const Stopwatch watch;
-        const SteppedExistence there = decide();
-        result_.how.solver.iterations = there.iterations;
-        if (there.status == Status::found) {
-            enterMotion(there);
-        } else if (there.status == Status::none) {
-            enterAbsence(there);
-        } else {
-            result_.detail = fmt::format("{}: {}", simplex_->name(), there.detail);
-        }
+        decide();
         result_.how.solver.seconds = watch.seconds();
         return std::move(result_);
     }
@@ -115,97 +155,128 @@ private:
                 .timeLimit = options_.timeLimit};
     }
 
-    /// The program of a request: in kernel coordinates where they can be had.
-    [[nodiscard]] std::optional<SteppedProgram> pose(const SteppedBlocks& blocks)
+    /// In kernel coordinates where they can be had, twice where rounding hides how many there are.
+    void decide()
     {
-        isKernel_ = false;
         if (options_.formulation != Formulation::joints) {
-            if (auto kernel = kernelOf(blocks)) {
-                isKernel_ = true;
-                result_.set.kernelDimension = kernel->dimension;
-                return kernelForm(blocks, *kernel);
+            for (const double zero : {noPivot, clearPivot}) {
+                const auto kernel = kernelOf(blocks_, zero);
+                if (!kernel) {
+                    result_.detail = fmt::format(
+                        "the kernel of W - 1 is out of reach: more than "
+                        "{} waves in a block",
+                        mostKernelState);
+                    break;
+                }
+                if (kernel->isClear) {
+                    result_.set.kernelDimension = kernel->dimension;
+                }
+                posed_ = kernelForm(blocks_, *kernel);
+                enter(leastMotion(*posed_, options_.cancel), "active-set");
+                if (result_.status != Status::undecided || kernel->isClear ||
+                    isRequested(options_.cancel)) {
+                    break;
+                }
             }
-            if (options_.formulation == Formulation::kernel) {
-                return std::nullopt;
-            }
         }
-        return jointsForm(blocks);
-    }
-
-    [[nodiscard]] SteppedExistence decide()
-    {
-        posed_ = pose(blocks_);
-        result_.how.solver.name = simplex_->name();
-        result_.how.route = fmt::format("{} on the {} formulation", simplex_->name(),
-                                        isKernel_ ? "kernel" : "joints");
-        if (!posed_) {
-            return {.detail = fmt::format("the kernel of W - 1 is out of reach: more than {} waves "
-                                          "in a block, or rounding hides its dimension",
-                                          mostKernelState)};
-        }
-        if (isRequested(options_.cancel)) {
-            return {.detail = "cancelled"};
-        }
-        if (!isKernel_ && proofOf({}, blocks_)) {
-            // Rounding hides whether W - 1 has a kernel; in rationals it has none that counts.
-            return {.status = Status::none};
-        }
-        SteppedExistence there = existence(*posed_, *simplex_, settings());
-        if (there.status == Status::undecided && isKernel_ &&
-            options_.formulation == Formulation::automatic) {
+        const bool isWorthMore = result_.status == Status::undecided && !knowsMotions_ &&
+                                 !isRequested(options_.cancel) &&
+                                 options_.formulation != Formulation::kernel;
+        if (isWorthMore && (options_.formulation == Formulation::joints ||
+                            preferred({.duals = true}) != nullptr)) {
+            const auto simplex = makeSolver(choose({.duals = true}));
+            isKernel_ = false;
             posed_ = jointsForm(blocks_);
-            there = existence(*posed_, *simplex_, settings());
+            enter(existence(*posed_, *simplex, settings()), simplex->name());
         }
-        return there;
     }
 
-    /// What one form says, the other confirms if it can: a conflict that proves nothing may be one
-    /// that rounding made up.
+    void enter(const SteppedExistence& there, std::string_view method)
+    {
+        result_.how.solver.name = method;
+        result_.how.solver.iterations += there.iterations;
+        result_.how.route =
+            fmt::format("{} on the {} formulation", method, isKernel_ ? "kernel" : "joints");
+        if (there.status == Status::found) {
+            enterMotion(there);
+        } else if (there.status == Status::none) {
+            enterAbsence(there);
+        } else {
+            result_.detail = fmt::format("{}: {}", method, there.detail);
+        }
+    }
+
+    /// Demands relaxed by the tolerance are what has to be impossible.
     void enterAbsence(const SteppedExistence& there)
     {
-        // Demands relaxed by the tolerance are what has to be impossible.
+        const Reason reason = reasonOf(there.multipliers, blocks_, result_.set.kernelDimension);
         const SteppedBlocks relaxed =
             blocksOf(bar_, result_.schedule, options_.tipFloor - options_.tolerance, true);
-        auto conflict = there.conflict;
-        auto proof = proofOf(conflict, relaxed);
-        if (!proof && isKernel_) {
-            const SteppedExistence other = existence(jointsForm(blocks_), *simplex_, settings());
-            if (other.status == Status::none) {
-                conflict = other.conflict;
-                proof = proofOf(conflict, relaxed);
-            }
-        }
-        if (!proof) {
-            result_.detail = fmt::format(
-                "{} finds no motion, but no exact proof came of it{}", simplex_->name(),
-                blocks_.stateSize() * static_cast<std::int64_t>(blocks_.types.size()) >
-                        mostExactRows
-                    ? fmt::format(": more than {} waves close upon themselves", mostExactRows)
-                    : "");
+        if (auto exact = proofOf(conditionsOf(there.multipliers), relaxed)) {
+            enterProof(SteppedProof{std::move(*exact), options_.tipFloor, options_.tolerance},
+                       reason);
+            result_.set.kind = SetKind::empty;
             return;
         }
-        result_.status = Status::none;
+        EnergyFloorProof proof =
+            floorProof(there.multipliers, blocks_, options_, options_.tolerance);
+        if (!(proof.energyRatio >= hugeEnergyRatio)) {
+            result_.detail = fmt::format(
+                "{} finds no motion, but its multipliers only prove that none has less than "
+                "{:.3g} E_1",
+                result_.how.route, proof.energyRatio);
+            return;
+        }
+        enterProof(std::move(proof), reason);
         result_.set.kind = SetKind::empty;
-        result_.absence =
-            Absence{reasonOf(conflict, blocks_, result_.set.kernelDimension),
-                    SteppedProof{std::move(*proof), options_.tipFloor, options_.tolerance}};
+    }
+
+    template <typename Proof>
+    void enterProof(Proof proof, Reason reason)
+    {
+        result_.status = Status::none;
+        result_.detail.clear();
+        result_.absence = Absence{reason, std::move(proof)};
+    }
+
+    /// Where the energy to hold is less than all.
+    bool enterExclusion(const SteppedExistence& least)
+    {
+        EnergyFloorProof proof =
+            floorProof(least.multipliers, blocks_, options_, options_.tolerance);
+        proof.held = options_.energyRatio;
+        if (!isExcluded(proof)) {
+            return false;
+        }
+        enterProof(std::move(proof), Reason::constraints);
+        return true;
     }
 
     void enterMotion(const SteppedExistence& there)
     {
-        const Objective objective = objectiveOf(options_);
+        knowsMotions_ = true;
+        Objective objective = objectiveOf(options_);
+        if (isKernel_ && options_.solver == automaticChoice &&
+            options_.objective == Objective::automatic && !options_.energyRatio) {
+            objective = Objective::minEnergy;
+        }
         SteppedPoint point;
         SteppedBlocks single;
         const SteppedBlocks* used = &blocks_;
         if (options_.energyRatio) {
+            if (isKernel_ && enterExclusion(there)) {
+                return;
+            }
             // Motions of more than the least energy have different waves in a block.
             single = blocksOf(bar_, result_.schedule, options_.tipFloor, false);
             used = &single;
-            posed_ = pose(single);
+            const auto kernel = isKernel_ ? kernelOf(single) : std::nullopt;
+            isKernel_ = kernel.has_value();
+            posed_ = kernel ? kernelForm(single, *kernel) : jointsForm(single);
             point = pointOfEnergy(*posed_, options_);
-        } else if (objective == Objective::any) {
+        } else if (objective == Objective::any || (isKernel_ && objective == Objective::minEnergy &&
+                                                   options_.solver == automaticChoice)) {
             point.x = there.x;
-            point.solver = simplex_->name();
         } else {
             point = extremePoint(*posed_, objective, options_);
         }
@@ -254,6 +325,7 @@ private:
         const double unit = scales(bar).energy;
         bar.young.reset();  // it is known of the first segment only
         result_.status = Status::found;
+        result_.detail.clear();
         result_.motion =
             FoundMotion{.state = std::move(state),
                         .contact = seen.canonical.empty() ? Contact::grazing : Contact::pressing,
@@ -269,9 +341,9 @@ private:
     const FindOptions& options_;
     SteppedBar bar_;
     SteppedBlocks blocks_;
-    std::unique_ptr<Solver> simplex_;
     std::optional<SteppedProgram> posed_;
-    bool isKernel_ = false;
+    bool isKernel_ = true;
+    bool knowsMotions_ = false;
     PeriodicResult result_;
 };
 
@@ -301,11 +373,36 @@ std::optional<SteppedEnergyProof> leastSteppedEnergy(const Schedule& schedule,
         blocksOf(steppedBar(options.scene.segments), schedule, options.tipFloor, true));
 }
 
+std::optional<EnergyFloorProof> leastEnergyFloor(const Schedule& schedule,
+                                                 const FindOptions& options)
+{
+    const SteppedBlocks blocks =
+        blocksOf(steppedBar(options.scene.segments), schedule, options.tipFloor, true);
+    const auto kernel = kernelOf(blocks);
+    if (!kernel) {
+        return std::nullopt;
+    }
+    const SteppedExistence least = leastMotion(kernelForm(blocks, *kernel), options.cancel);
+    if (least.status != Status::found) {
+        return std::nullopt;
+    }
+    EnergyFloorProof proof = floorProof(least.multipliers, blocks, options, 0.0);
+    return proof.energyRatio > 0.0 ? std::optional(std::move(proof)) : std::nullopt;
+}
+
 bool holds(const SteppedProof& proof, const Schedule& schedule, const Scene& scene)
 {
     const double relaxed = proof.tipFloor - proof.tolerance;
     const SteppedBlocks blocks = blocksOf(steppedBar(scene.segments), schedule, relaxed, true);
     return proof.tolerance >= 0.0 && isProof(proof.multipliers, jointsForm(blocks).program);
+}
+
+bool holds(const EnergyFloorProof& proof, const Schedule& schedule, const Scene& scene)
+{
+    const double relaxed = proof.tipFloor - proof.tolerance;
+    const SteppedBlocks blocks = blocksOf(steppedBar(scene.segments), schedule, relaxed, true);
+    return proof.tolerance >= 0.0 && isExcluded(proof) &&
+           provedRatio(proof.multipliers, blocks, scene, relaxed) >= proof.energyRatio;
 }
 
 }  // namespace signorini

@@ -22,7 +22,13 @@ namespace signorini {
 [[nodiscard]] std::optional<SteppedEnergyProof> leastSteppedEnergy(const Schedule& schedule,
                                                                    const FindOptions& options);
 
-/// Checks a proof of absence against rows made anew.
+/// The same for a bar of any size, proved by a march backwards.
+[[nodiscard]] std::optional<EnergyFloorProof> leastEnergyFloor(const Schedule& schedule,
+                                                               const FindOptions& options);
+
+/// Checks a proof of absence against rows made anew, or by a march backwards.
 [[nodiscard]] bool holds(const SteppedProof& proof, const Schedule& schedule, const Scene& scene);
+[[nodiscard]] bool holds(const EnergyFloorProof& proof, const Schedule& schedule,
+                         const Scene& scene);
 
 }  // namespace signorini

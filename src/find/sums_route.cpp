@@ -5,6 +5,7 @@
 #include "absence_claims.hpp"
 #include "backend_choice.hpp"
 #include "known_motions.hpp"
+#include "limited_energy.hpp"
 #include "nearest_motion.hpp"
 #include "routes.hpp"
 
@@ -65,14 +66,18 @@ std::optional<State> candidate(const LumpedSet& sums, const LumpedShape& shape,
 std::optional<State> motionHoldingEnergy(const Request& request)
 {
     const Known& known = request.known;
-    if (!known.sums || known.sums->absence || !request.allowsExact() ||
-        !request.demands.energyRatio || !std::isfinite(known.shape.energy.most)) {
+    const Demands& demands = request.demands;
+    if (!known.sums || known.sums->absence || !request.allowsExact() || !demands.energyRatio) {
         return std::nullopt;
     }
-    State state =
-        motionOfEnergy(equalMotion(*known.sums, known.sums->leastSums),
-                       mostEnergyMotion(*known.sums, known.shape), *request.demands.energyRatio);
-    return request.isMetBy(state) ? std::optional(std::move(state)) : std::nullopt;
+    std::optional<State> state;
+    if (std::isfinite(demands.strainLimit)) {
+        state = motionWithin(known, demands.strainLimit, *demands.energyRatio);
+    } else if (std::isfinite(known.shape.energy.most)) {
+        state = motionOfEnergy(equalMotion(*known.sums, known.sums->leastSums),
+                               mostEnergyMotion(*known.sums, known.shape), *demands.energyRatio);
+    }
+    return state && request.isMetBy(*state) ? state : std::nullopt;
 }
 
 }  // namespace

@@ -120,7 +120,7 @@ private:
             if (block.isContact) {
                 const auto sign = static_cast<double>(block.push);
                 below_.add({{p, -sign}}, 0.0);
-                result_.conditions.push_back({number, false});
+                result_.conditions.push_back({SteppedRule::push, number});
                 result_.impulse[p] += sign * force;
                 begins = true;
                 continue;

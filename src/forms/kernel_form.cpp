@@ -9,9 +9,6 @@ namespace signorini {
 
 namespace {
 
-constexpr double negligiblePivot = 1e-12;  // of U - 1, which has singular values up to 2
-constexpr double significant = 1e-8;       // smaller ones than this leave the rank open
-
 /// The waves of one type over n/G turns and a state, as functions of the state: one row for each
 /// r^j_k, k < turns + M_j.
 class Propagation {
@@ -97,21 +94,16 @@ private:
 };
 
 /// An orthonormal basis of the kernel.
-std::optional<Eigen::MatrixXd> kernelBasis(const Eigen::MatrixXd& change)
+Eigen::MatrixXd kernelBasis(const Eigen::MatrixXd& change, double zero, bool& isClear)
 {
     const Eigen::Index size = change.cols();
     // The rows of change^T = Q R P^T: what Q has beyond the rank is orthogonal to its columns.
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(change.transpose());
-    Eigen::Index rank = size;
+    Eigen::Index rank = 0;
     for (Eigen::Index k = 0; k < size; ++k) {
         const double pivot = std::abs(factors.matrixR()(k, k));
-        if (pivot <= negligiblePivot) {
-            rank = k;
-            break;
-        }
-        if (pivot < significant) {
-            return std::nullopt;
-        }
+        rank += pivot > zero ? 1 : 0;
+        isClear = isClear && !(pivot > noPivot && pivot < clearPivot);
     }
     Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(size, size - rank);
     basis.bottomRows(size - rank).setIdentity();
@@ -137,29 +129,26 @@ Row rowOf(const Form& form)
 
 }  // namespace
 
-std::optional<SteppedKernel> kernelOf(const SteppedBlocks& blocks)
+std::optional<SteppedKernel> kernelOf(const SteppedBlocks& blocks, double zero)
 {
-    constexpr std::int64_t mostValues = 20'000'000;
+    constexpr std::int64_t mostValues = 40'000'000;
     const std::int64_t size = blocks.stateSize();
-    if (size > mostKernelState || blocks.turns + size > mostValues / size) {
+    const auto segments = static_cast<Eigen::Index>(blocks.delays.size());
+    if (size > mostKernelState || segments * blocks.turns + size > mostValues / size) {
         return std::nullopt;
     }
     SteppedKernel kernel;
-    const auto segments = static_cast<Eigen::Index>(blocks.delays.size());
     for (std::size_t t = 0; t < blocks.types.size(); ++t) {
         const Propagation propagation(blocks, t);
-        const auto basis = kernelBasis(propagation.change());
-        if (!basis) {
-            return std::nullopt;
-        }
-        const Eigen::MatrixXd states = propagation.scales().cwiseInverse().asDiagonal() * *basis;
-        Eigen::MatrixXd waves(segments * blocks.turns, basis->cols());
+        const Eigen::MatrixXd basis = kernelBasis(propagation.change(), zero, kernel.isClear);
+        const Eigen::MatrixXd states = propagation.scales().cwiseInverse().asDiagonal() * basis;
+        Eigen::MatrixXd waves(segments * blocks.turns, basis.cols());
         for (Eigen::Index j = 0; j < segments; ++j) {
             waves.middleRows(j * blocks.turns, blocks.turns) =
                 propagation.wave(static_cast<std::size_t>(j)).topRows(blocks.turns) * states;
         }
         kernel.waves.push_back(std::move(waves));
-        kernel.dimension += blocks.types[t].width * basis->cols();
+        kernel.dimension += blocks.types[t].width * basis.cols();
     }
     return kernel;
 }
@@ -204,19 +193,20 @@ SteppedProgram kernelForm(const SteppedBlocks& blocks, const SteppedKernel& kern
         add(p, tip, block.type, block.turn);
         if (block.isContact) {
             below.add(rowOf(-block.push * p), 0.0);
-            result.conditions.push_back({number, false});
+            result.conditions.push_back({SteppedRule::push, number});
             result.impulse += block.push * force * p;
             continue;
         }
         prefix += p;
         if (block.isFlightEnd && !isLast) {
             equal.add(rowOf(prefix), block.landing);
+            result.landings.push_back(number);
         } else if (!isLast) {
             below.add(rowOf(prefix), block.bound);
-            result.conditions.push_back({number, false});
+            result.conditions.push_back({SteppedRule::bound, number});
             if (std::isfinite(block.floor)) {
                 below.add(rowOf(-prefix), -block.floor);
-                result.conditions.push_back({number, true});
+                result.conditions.push_back({SteppedRule::floor, number});
             }
         }
         if (block.isFlightEnd) {

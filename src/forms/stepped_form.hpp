@@ -11,10 +11,11 @@
 ///     p >= 0 in contact,  y_k = y_{k-1} + p_k <= 0 in flight, 0 at its end
 ///     sum_i sum_{k < M_i} r^i_k = -N g/|g|
 ///
-/// All coefficients are whole numbers, so proofs over these rows are exact.
-///
 /// **kernel**: x = coordinates of ker(W - 1), orthonormal in the norm of the energy; few, but with
-/// full rows, and rounded. Only for finding motions.
+/// full rows, and rounded.
+///
+/// Both find motions, and multipliers of what contradicts itself; what these prove is seen by a
+/// march backwards (energy_floor.hpp).
 
 #include <optional>
 #include <utility>
@@ -25,10 +26,19 @@
 
 namespace signorini {
 
-/// A condition of the schedule: the push of a block, or a bound of the prefix sum at its end.
+/// What a schedule asks of waves. Each is a number that is 0 or, for pushes and bounds, >= 0.
+enum class SteppedRule {
+    gap,      ///< sum r + N times the place of the first contact
+    push,     ///< of a block of contact, the sum of the waves that press
+    bound,    ///< of a block of flight, bound - prefix sum
+    floor,    ///< prefix sum - floor
+    landing,  ///< of the last block of a flight, prefix sum - landing
+};
+
+/// A rule for a block.
 struct SteppedCondition {
-    std::size_t block = 0;  ///< number
-    bool isFloor = false;   ///< the lower bound
+    SteppedRule rule = SteppedRule::gap;
+    std::size_t block = 0;  ///< number; none of the gap
 
     friend bool operator==(const SteppedCondition&, const SteppedCondition&) = default;
 };
@@ -37,6 +47,8 @@ struct SteppedCondition {
 struct SteppedProgram {
     Program program;
     std::vector<SteppedCondition> conditions;  ///< one for each inequality
+    /// Flights' last blocks, one for each equality after the gap's; kernel form only.
+    std::vector<std::size_t> landings;
     /// Unknowns that are prefix sums, each with the number of its block; joints form only.
     std::vector<std::pair<Eigen::Index, std::size_t>> prefixes;
     /// Of the unknowns, E/E_1 = sum weight x^2.
@@ -86,14 +98,22 @@ struct SteppedKernel {
     std::vector<Eigen::MatrixXd> waves;
     /// sum of width times columns.
     std::int64_t dimension = 0;
+    /// No pivot lies between `noPivot` and `clearPivot`: rounding does not hide the dimension.
+    bool isClear = true;
 };
 
-/// Empty if the state is larger than `mostKernelState`, the waves do not fit in 160 MB, or where
-/// rounding does not tell its dimension. O(turns state^2 + state^3) for each type.
-[[nodiscard]] std::optional<SteppedKernel> kernelOf(const SteppedBlocks& blocks);
+/// Pivots of W - 1, whose singular values are at most 2, that are 0 but for rounding; and those
+/// that are not.
+inline constexpr double noPivot = 1e-12;
+inline constexpr double clearPivot = 1e-8;
+
+/// Pivots up to `zero` are taken for 0. Empty if the state is larger than `mostKernelState`, or the
+/// waves do not fit in 320 MB. O(turns state^2 + state^3) for each type.
+[[nodiscard]] std::optional<SteppedKernel> kernelOf(const SteppedBlocks& blocks,
+                                                    double zero = noPivot);
 
 /// Largest state of a block whose kernel is computed.
-inline constexpr std::int64_t mostKernelState = 256;
+inline constexpr std::int64_t mostKernelState = 1500;
 
 /// The kernel form. O(blocks unknowns).
 [[nodiscard]] SteppedProgram kernelForm(const SteppedBlocks& blocks, const SteppedKernel& kernel);

@@ -1,69 +1,11 @@
 #include "stepped_proof.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "exact_multipliers.hpp"
-#include "homogeneous.hpp"
 #include "infeasibility.hpp"
 
 namespace signorini {
-
-namespace {
-
-constexpr double negligibleMultiplier = 1e-9;  // of the largest multiplier
-
-/// Conditions with a multiplier: of inequalities, and of bounds of prefix sums.
-std::vector<SteppedCondition> conflictOf(const SteppedProgram& posed, const SolverResult& answer)
-{
-    const Program& program = posed.program;
-    const Eigen::VectorXd y = -answer.equalityDuals.head(program.equalities.rows());
-    const Eigen::VectorXd mu = -answer.inequalityDuals.head(program.inequalities.rows());
-    const double size = std::max(y.size() > 0 ? y.lpNorm<Eigen::Infinity>() : 0.0,
-                                 mu.size() > 0 ? mu.lpNorm<Eigen::Infinity>() : 0.0);
-    std::vector<SteppedCondition> conflict;
-    for (Eigen::Index k = 0; k < mu.size(); ++k) {
-        if (mu[k] > negligibleMultiplier * size) {
-            conflict.push_back(posed.conditions[static_cast<std::size_t>(k)]);
-        }
-    }
-    const Eigen::VectorXd combined =
-        program.equalities.transpose() * y + program.inequalities.transpose() * mu;
-    for (const auto& [unknown, block] : posed.prefixes) {
-        const bool isFixed = program.lower[unknown] == program.upper[unknown];
-        if (!isFixed && std::abs(combined[unknown]) > negligibleMultiplier * size) {
-            conflict.push_back({block, combined[unknown] > 0.0});
-        }
-    }
-    return conflict;
-}
-
-}  // namespace
-
-SteppedExistence existence(const SteppedProgram& posed, const Solver& simplex,
-                           const SolverOptions& options)
-{
-    SteppedExistence result;
-    if (posed.program.variables() == 0) {
-        result.status = Status::none;
-        return result;
-    }
-    const SolverResult answer = simplex.solve(homogeneous(posed.program), options);
-    result.iterations = answer.iterations;
-    if (answer.status != SolverStatus::optimal) {
-        result.detail = answer.detail;
-        return result;
-    }
-    const Eigen::Index unknowns = posed.program.variables();
-    if (const double theta = answer.x[unknowns]; theta > 0.5) {
-        result.status = Status::found;
-        result.x = answer.x.head(unknowns) / theta;
-        return result;
-    }
-    result.status = Status::none;
-    result.conflict = conflictOf(posed, answer);
-    return result;
-}
 
 std::optional<RationalProof> proofOf(const std::vector<SteppedCondition>& conflict,
                                      const SteppedBlocks& blocks)
@@ -109,30 +51,14 @@ std::optional<RationalProof> proofOf(const std::vector<SteppedCondition>& confli
             support.bounds.push_back({unknown, upper});
             continue;
         }
-        if (isUsed({block, false})) {
+        if (isUsed({SteppedRule::bound, block})) {
             support.bounds.push_back({unknown, upper});
         }
-        if (isUsed({block, true})) {
+        if (isUsed({SteppedRule::floor, block})) {
             support.bounds.push_back({unknown, lower});
         }
     }
     return proof();
-}
-
-Reason reasonOf(const std::vector<SteppedCondition>& conflict, const SteppedBlocks& blocks,
-                std::optional<std::int64_t> kernelDimension)
-{
-    if (kernelDimension == 0) {
-        return Reason::noLiveClass;
-    }
-    if (conflict.empty()) {
-        return Reason::gap;
-    }
-    const bool isOfContact =
-        std::all_of(conflict.begin(), conflict.end(), [&blocks](const SteppedCondition& condition) {
-            return blocks.blocks[condition.block].isContact;
-        });
-    return isOfContact ? Reason::contactSign : Reason::penetration;
 }
 
 }  // namespace signorini

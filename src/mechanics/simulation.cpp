@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "compensated_sum.hpp"
 #include "faults.hpp"
+#include "infinity.hpp"
 #include "segment_lines.hpp"
 
 namespace signorini {
@@ -14,8 +14,8 @@ namespace signorini {
 namespace {
 
 constexpr double sameInstant = 1e-12;  // [L/c]
-constexpr double atWall = 1e-9;        // [g], where a start counts as being there
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double atWall = 1e-9;        // of what waves and stops reach: a start there is at a stop
+constexpr double largest = 1e100;      // of any size, so that its square is a number
 
 void requirePieces(Faults& faults, const char* field, const std::vector<Piece>& pieces,
                    double crossing)
@@ -45,17 +45,58 @@ void requireWaves(const Waves& waves)
     faults.throwIfAny();
 }
 
-/// What pieces may differ by and still become one.
-double mergedBelow(const Damping& damping, const SimulationOptions& options)
+/// The largest wave at the start, or that the excitation sends [g/L].
+double largestWave(const Waves& start, const Excitation& excitation)
 {
-    const bool isExact = damping.ratio == 0.0 && options.segments.empty();
-    const double below = options.mergeBelow.value_or(isExact ? 0.0 : 1e-12);
-    if (!(below >= 0.0 && std::isfinite(below))) {
-        Faults faults;
-        faults.add("mergeBelow", below, "finite and >= 0 [g/L]");
-        faults.throwIfAny();
+    double most = 0.0;
+    for (const auto* wave : {&start.a, &start.b}) {
+        for (const Piece& piece : *wave) {
+            most = std::max(most, std::abs(piece.value));
+        }
     }
-    return below;
+    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+        most =
+            std::max({most, std::abs(excitation.force(m)), std::abs(excitation.baseVelocity(m))});
+    }
+    return most;
+}
+
+/// What pieces may differ by and still become one [g/L].
+double mergedBelow(const Waves& start, const Damping& damping, const Excitation& excitation,
+                   const SimulationOptions& options)
+{
+    requireWaves(start);
+    signorini::validate(excitation);
+    const bool isExact = damping.ratio == 0.0 && options.segments.empty();
+    const double below = options.mergeBelow.value_or(isExact ? 0.0 : 1e-11);
+    const double size = largestWave(start, excitation);
+    Faults faults;
+    if (!(below >= 0.0 && std::isfinite(below))) {
+        faults.add("mergeBelow", below, "finite and >= 0 [-]");
+    }
+    if (!(options.resolution >= 0.0 && std::isfinite(options.resolution))) {
+        faults.add("resolution", options.resolution, "finite and >= 0 [L/c]");
+    }
+    if (size > largest || (size > 0.0 && size < 1.0 / largest)) {
+        faults.add(
+            "largest wave of start and excitation", size,
+            fmt::format("0 or {}..{}, so that its energy is a number", 1.0 / largest, largest));
+    }
+    faults.throwIfAny();
+    return below * size;
+}
+
+/// How far start and stops reach [g].
+double reachOf(const Waves& start, const Excitation& excitation, const Stops& stops)
+{
+    double reach = std::abs(excitation.baseDisplacement(0));
+    for (const auto* wave : {&start.a, &start.b}) {
+        for (const Piece& piece : *wave) {
+            reach += piece.duration / start.crossing * std::abs(piece.value);
+        }
+    }
+    const double left = stops.left ? std::abs(stops.left->value()) : 0.0;
+    return std::max({reach, left, std::abs(static_cast<double>(stops.right))});
 }
 
 }  // namespace
@@ -84,16 +125,16 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
       admittance_(1.0 / (1.0 + damping.eta())),
       recordsTip_(options.recordsTip),
       stops_(options.stops),
-      way_(never),
+      way_(infinity),
       excitation_(std::move(excitation)),
-      echo_(mergedBelow(damping, options))
+      echo_(mergedBelow(start, damping, excitation_, options)),
+      parts_(options.segments),
+      resolution_(options.resolution)
 {
-    requireWaves(start);
     signorini::validate(damping);
-    signorini::validate(excitation_);
-    if (!options.segments.empty()) {
-        const SteppedBar bar = steppedBar(options.segments);
-        segments_.emplace_back(bar, start, mergedBelow(damping, options));
+    if (!parts_.empty()) {
+        const SteppedBar bar = steppedBar(parts_);
+        segments_.emplace_back(bar, start, mergedBelow(start, damping, excitation_, options));
         impedance_ = bar.segments.back().impedance;
         rho_ = (impedance_ - eta_) / (impedance_ + eta_);
         admittance_ = 1.0 / (impedance_ + eta_);
@@ -102,7 +143,8 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
     place(start);
     const double room = opening_.total() / crossing_;
     const double roomBehind = way_ / crossing_ - room;
-    if (room < -atWall || roomBehind < -atWall) {
+    const double same = atWall * reachOf(start, excitation_, stops_);
+    if (room < -same || roomBehind < -same) {
         Faults faults;
         faults.add("start: u(L)/g", stops_.right - room,
                    room < 0.0 ? fmt::format("at most {}, the wall", stops_.right)
@@ -110,9 +152,9 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
                                             stops_.right - way_ / crossing_));
         faults.throwIfAny();
     }
-    if (room <= atWall) {
+    if (room <= same) {
         hold(Stop::right);
-    } else if (roomBehind <= atWall) {
+    } else if (roomBehind <= same) {
         hold(Stop::left);
     }
     start_ = storedSquares();
@@ -128,8 +170,8 @@ BarSimulation::~BarSimulation() = default;
 /// Starts the excitation.
 void BarSimulation::setClocks()
 {
-    force_.left = never;
-    base_.left = never;
+    force_.left = infinity;
+    base_.left = infinity;
     const std::int64_t steps = excitation_.steps();
     if (steps == 0) {
         return;
@@ -175,11 +217,68 @@ void BarSimulation::place(const Waves& start)
     mergedBefore_ = echo_.merged();
 }
 
+BarSimulation BarSimulation::fork(bool recordsTip) const
+{
+    BarSimulation other(*this);
+    other.contacts_.clear();
+    other.path_.clear();
+    other.contact_ = {};
+    other.impulse_ = 0.0;
+    other.events_ = 0;
+    other.time_ = {};
+    other.start_ = other.storedSquares();
+    other.work_ = {};
+    other.dissipated_ = {};
+    other.recordsTip_ = recordsTip;
+    other.recordTip();
+    return other;
+}
+
+/// The stop is pressed with a force, for a time in units.
+void BarSimulation::press(double push, double lasts)
+{
+    const double now = time();
+    lasts /= crossing_;
+    if (contact_.impulse == 0.0) {
+        const bool goesOn = !contacts_.empty() && contacts_.back().stop == stop_ &&
+                            now - contacts_.back().end <= resolution_;
+        if (goesOn && resolution_ > 0.0) {
+            contact_ = contacts_.back();
+            contacts_.pop_back();
+        } else {
+            contact_ = {.start = now, .stop = stop_};
+            stretchEnd_ = now + resolution_;
+            stretchImpulse_ = 0.0;
+        }
+    }
+    const double impulse = push * lasts;
+    contact_.impulse += impulse;
+    contact_.peakForce = std::max(contact_.peakForce, push);
+    impulse_ += impulse;
+    if (resolution_ == 0.0) {
+        contact_.meanForce = contact_.peakForce;
+        return;
+    }
+    const auto see = [&](double mean) { contact_.meanForce = std::max(contact_.meanForce, mean); };
+    if (now >= stretchEnd_) {  // since then nothing pressed
+        stretchEnd_ += resolution_ * (1.0 + std::floor((now - stretchEnd_) / resolution_));
+        stretchImpulse_ = 0.0;
+    }
+    const double end = now + lasts;
+    stretchImpulse_ += push * (std::min(end, stretchEnd_) - now);
+    see(stretchImpulse_ / resolution_);
+    if (end > stretchEnd_) {
+        const double whole = std::floor((end - stretchEnd_) / resolution_);
+        stretchEnd_ += resolution_ * (1.0 + whole);
+        stretchImpulse_ = push * (end - (stretchEnd_ - resolution_));
+        see(whole > 0.0 ? push : stretchImpulse_ / resolution_);
+    }
+}
+
 void BarSimulation::closeContact()
 {
     if (contact_.impulse > 0.0) {
         contact_.end = time();
-        contact_.stop = stop_;
         contacts_.push_back(contact_);
     }
     contact_ = {};
@@ -221,7 +320,7 @@ void BarSimulation::step(double most)
     }
     bool arrives = false;
     const Stop ahead = v > 0.0 ? Stop::right : Stop::left;
-    if (v > 0.0 || (v < 0.0 && way_ < never)) {
+    if (v > 0.0 || (v < 0.0 && way_ < infinity)) {
         const double room = v > 0.0 ? opening_.total() : way_ - opening_.total();
         const double hit = room / std::abs(v);
         arrives = hit <= lasts + same_;
@@ -233,13 +332,7 @@ void BarSimulation::step(double most)
     }
     ++events_;
     if (isHeld_ && push > 0.0) {
-        if (contact_.impulse == 0.0) {
-            contact_.start = time();
-        }
-        const double impulse = push * lasts / crossing_;
-        contact_.impulse += impulse;
-        contact_.peakForce = std::max(contact_.peakForce, push);
-        impulse_ += impulse;
+        press(push, lasts);
     } else if (!isHeld_) {
         opening_.add(-v * lasts);
         if (eta_ > 0.0) {
@@ -253,8 +346,8 @@ void BarSimulation::step(double most)
         work_.add(base_.value * (base_.value - 2.0 * atBase) * lasts);
     }
     send(isHeld_ ? -p : rho_ * p + admittance_ * force_.value, lasts);
-    force_.left < never ? force_.pass(lasts, same_) : void();
-    base_.left < never ? base_.pass(lasts, same_) : void();
+    force_.left < infinity ? force_.pass(lasts, same_) : void();
+    base_.left < infinity ? base_.pass(lasts, same_) : void();
     time_.add(lasts);
     if (arrives) {
         hold(ahead);
@@ -334,7 +427,7 @@ Waves BarSimulation::wavesOfEcho() const
             put(waves.a, lasts, clock.value - piece.value);
             piece.duration -= lasts;
             left -= lasts;
-            clock.left < never ? clock.pass(lasts, same_) : void();
+            clock.left < infinity ? clock.pass(lasts, same_) : void();
         }
         if (piece.duration > 0.0) {
             put(waves.b, piece.duration, piece.value);

@@ -12,6 +12,7 @@
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -182,7 +183,7 @@ double energyRatio(const State& state, std::span<const Segment> segments)
     return 2.0 * sum / static_cast<double>(state.cells());
 }
 
-Waves wavesAtRest(std::span<const Segment> segments, const Stops& stops)
+Waves wavesAtRest(std::span<const Segment> segments, const Stops& stops, double base)
 {
     const SteppedBar bar = steppedBar(segments);
     const auto cells = static_cast<double>(bar.cells);
@@ -190,7 +191,7 @@ Waves wavesAtRest(std::span<const Segment> segments, const Stops& stops)
     for (const Segment& segment : bar.segments) {
         compliance += static_cast<double>(segment.cells) / (segment.impedance * cells);
     }
-    const double force = stops.right < 0 ? 1.0 / compliance : 0.0;  // u(L) = -1
+    const double force = 0.0 - restingStrain(stops, base) / compliance;
     Waves waves{cells, {}, {}};
     for (std::size_t i = 0; i < bar.segments.size(); ++i) {
         const auto piece = [&](const Segment& segment, double sign) {

@@ -26,6 +26,15 @@ Fraction placeOf(const Stops& stops, Stop stop)
                : Fraction{-stops.left.value().numerator, stops.left.value().denominator};
 }
 
+double restingStrain(const Stops& stops, double base)
+{
+    double place = std::min(base, static_cast<double>(stops.right));
+    if (stops.left) {
+        place = std::max(place, -stops.left->value());
+    }
+    return place - base;
+}
+
 WaveSum gapSum(const Schedule& schedule)
 {
     const Fraction place = placeOf(schedule.stops, schedule.phases.front().stop);

@@ -62,6 +62,9 @@ struct FlightLimits {
 /// distances mirror each other.
 [[nodiscard]] bool isMirrored(std::span<const Phase> phases, const Stops& stops);
 
+/// Mean strain [g/L] of a bar at rest whose base stands at `base` [g]: 0, or what a stop presses.
+[[nodiscard]] double restingStrain(const Stops& stops, double base);
+
 /// p >= 0 is a push on the stop if this is 1, p <= 0 if it is -1.
 [[nodiscard]] constexpr int pushSign(Stop stop)
 {

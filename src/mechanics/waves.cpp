@@ -5,6 +5,7 @@
 #include "compensated_sum.hpp"
 #include "faults.hpp"
 #include "signorini/simulation.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -47,12 +48,12 @@ Waves wavesOf(const State& state)
     return waves;
 }
 
-Waves wavesAtRest(double stepsPerCrossing, const Stops& stops)
+Waves wavesAtRest(double stepsPerCrossing, const Stops& stops, double base)
 {
     Faults faults;
     faults.requirePositive("stepsPerCrossing", stepsPerCrossing, "-");
     faults.throwIfAny();
-    const double wave = stops.right < 0 ? 0.5 : 0.0;  // u = -x where the tip is at -1
+    const double wave = 0.0 - 0.5 * restingStrain(stops, base);
     return {stepsPerCrossing, {{stepsPerCrossing, wave}}, {{stepsPerCrossing, -wave}}};
 }
 

@@ -6,6 +6,7 @@
 
 #include "echo.hpp"
 #include "energy_section.hpp"
+#include "energy_segment.hpp"
 #include "vertex_graph.hpp"
 
 namespace signorini {
@@ -33,7 +34,16 @@ public:
             return;
         }
         facts_.dimension = shape_.dimension - 1;
+        findSegment();
+        if (segment_) {
+            facts_.isFinite = true;
+            setComponents(static_cast<double>(segment_->places().size()));
+            return;
+        }
         if (!knowsVertices()) {
+            if (facts_.simplex && facts_.isWhole && !facts_.isShared) {
+                countInSimplex();
+            }
             return;
         }
         graph_ = std::make_unique<VertexGraph>(set_, shape_.vertices, squares());
@@ -47,6 +57,13 @@ public:
     {
         if (facts_.isConnected == true) {
             return true;
+        }
+        if (segment_) {
+            return segment_->nearest(amplitudesOf(set_.classes, from)) ==
+                   segment_->nearest(amplitudesOf(set_.classes, to));
+        }
+        if (!graph_ && facts_.components) {
+            return dominant(sharesOf(from)) == dominant(sharesOf(to));
         }
         if (!graph_) {
             return std::nullopt;
@@ -69,10 +86,26 @@ public:
         return true;
     }
 
-    /// On the straight ways from equal amplitudes to the vertices above.
+    /// On the segment, or on the straight ways from equal amplitudes to the vertices above.
     [[nodiscard]] std::vector<State> isolated(std::int64_t most) const override
     {
         std::vector<State> motions;
+        if (segment_) {
+            for (const double place : segment_->places()) {
+                if (static_cast<std::int64_t>(motions.size()) < most) {
+                    motions.push_back(signorini::motionOf(set_.classes, segment_->at(place)));
+                }
+            }
+            return motions;
+        }
+        if (!graph_ && facts_.components > 1) {
+            for (std::int64_t j = 0; j < std::min(most, typeOf(*spread_).count); ++j) {
+                std::vector<double> shares(static_cast<std::size_t>(typeOf(*spread_).count), 0.0);
+                shares[static_cast<std::size_t>(j)] = 1.0;
+                motions.push_back(motionOf(shares));
+            }
+            return motions;
+        }
         if (!graph_) {
             motions.push_back(equalMotion(set_, set_.leastSums));
             return motions;
@@ -144,6 +177,52 @@ private:
         }
     }
 
+    /// Equal amplitudes of sums S.
+    [[nodiscard]] std::vector<double> equalAmplitudes(const std::vector<double>& sums) const
+    {
+        std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            for (std::int64_t j = 0; j < typeOf(t).count; ++j) {
+                z[static_cast<std::size_t>(typeOf(t).first + j)] =
+                    sums[t] / static_cast<double>(typeOf(t).count);
+            }
+        }
+        return z;
+    }
+
+    /// A set of one dimension has two ends. Either the sums go from one vertex to the other, and
+    /// leave no choice of amplitudes, or one pair of classes shares a sum.
+    void findSegment()
+    {
+        if (shape_.dimension != 1) {
+            return;
+        }
+        if (shape_.spanning.size() == 2) {
+            if (shape_.isBounded && shape_.vertices.size() == 2) {
+                segment_.emplace(equalAmplitudes(shape_.vertices.front()),
+                                 equalAmplitudes(shape_.vertices.back()), squares());
+            }
+            return;
+        }
+        const std::vector<double>& sums = shape_.spanning.front();
+        for (std::size_t t = 0; t < set_.live.size(); ++t) {
+            const AmplitudeSet pair = amplitudesAt(set_, sums, t);
+            const bool isBox = pair.kind == SetKind::box;
+            const double low = isBox ? pair.lower : 0.0;
+            const double high = isBox ? pair.upper : pair.sum;
+            if (pair.count == 2 && low < high) {
+                std::vector<double> from = equalAmplitudes(sums);
+                std::vector<double> to = from;
+                const auto first = static_cast<std::size_t>(typeOf(t).first);
+                from[first] = low;
+                from[first + 1] = pair.sum - low;
+                to[first] = high;
+                to[first + 1] = pair.sum - high;
+                segment_.emplace(std::move(from), to, squares());
+            }
+        }
+    }
+
     /// Boxes of several classes have vertices of their own, which nobody lists.
     [[nodiscard]] bool knowsVertices() const
     {
@@ -188,6 +267,18 @@ private:
         facts_.unit =
             sum * std::sqrt(energyOf(1.0, set_.classes.schedule.cells, set_.classes.window));
         facts_.largestWave = std::min(facts_.largestWave, largest);
+    }
+
+    /// Motions differ in one simplex only: those of one contact phase, whatever boxes without room
+    /// stand beside it.
+    void countInSimplex()
+    {
+        const auto& [count, ratio] = *facts_.simplex;
+        setComponents(ratio <= 0.5 ? 1.0 : static_cast<double>(count));
+        if (energy_ >= facts_.range.most * (1.0 - vertexRounding)) {
+            facts_.dimension = 0;
+            facts_.isFinite = true;
+        }
     }
 
     /// Types of equal width with sums that are the same for all motions can carry the same pulse,
@@ -295,6 +386,7 @@ private:
     LumpedShape shape_;
     double energy_;
     std::optional<std::size_t> spread_;  ///< the live type in which alone motions differ
+    std::optional<EnergySegment> segment_;
     std::unique_ptr<VertexGraph> graph_;
 };
 

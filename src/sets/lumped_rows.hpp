@@ -95,7 +95,8 @@ std::pair<Number, Number> boundsOf(const ClassTypes& classes, const std::vector<
                                    std::size_t wanted, const Number& unit)
 {
     const std::vector<FlightLimits> limits = flightLimits(classes.schedule);
-    Number prefix = 0;
+    const Number zero(0);
+    Number prefix = zero;
     std::optional<Number> lower;
     std::optional<Number> upper;
     const auto keepBelow = [&upper](const Number& bound) {
@@ -125,7 +126,7 @@ std::pair<Number, Number> boundsOf(const ClassTypes& classes, const std::vector<
                 prefix -= sums[place];
             }
         },
-        [&prefix](std::size_t) { prefix = 0; });
+        [&](std::size_t) { prefix = zero; });
     return {*lower, *upper};
 }
 

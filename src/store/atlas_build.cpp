@@ -4,12 +4,72 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "atlas_batches.hpp"
 #include "signorini/atlas_database.hpp"
 
 namespace signorini {
+
+namespace {
+
+/// The rows that the batches of a run have left: what was counted, or, where the energy decided
+/// what to keep, what they give once more.
+AtlasTally rowsLeft(const AtlasRun& run, const Cancel& cancel)
+{
+    AtlasTally rows = run.tally;
+    if (std::isfinite(run.range.maxEnergyRatio)) {
+        rows = {};
+        std::vector<std::int8_t> signs;
+        for (std::int64_t k = 0; k < run.nextBatch && !isRequested(cancel); ++k) {
+            const auto batch = decideBatch(run.range, k, signs, cancel);
+            for (const AtlasRow& row : batch ? batch->rows : std::vector<AtlasRow>{}) {
+                ++(row.status == Status::none         ? rows.refuted
+                   : row.status == Status::undecided  ? rows.undecided
+                   : row.contact == Contact::pressing ? rows.pressing
+                                                      : rows.grazing);
+            }
+            rows.families += batch ? static_cast<std::int64_t>(batch->families.size()) : 0;
+        }
+    }
+    rows.decided = 0;
+    if (!run.range.keepsRefuted) {
+        rows.refuted = 0;
+    }
+    if (run.range.familiesOnly) {
+        rows.pressing = rows.grazing = rows.undecided = 0;
+    }
+    return rows;
+}
+
+/// A run that is there already is believed only if its rows are.
+void requireRows(const AtlasDatabase& database, const AtlasRun& run, bool isAlone,
+                 const Cancel& cancel)
+{
+    const AtlasTally rows = database.rowsOf(run.range);
+    const AtlasTally left = rowsLeft(run, cancel);
+    if (isRequested(cancel)) {
+        return;
+    }
+    const auto require = [&run](const char* what, std::int64_t there, std::int64_t wanted) {
+        if (there != wanted) {
+            throw FileError("run " + std::to_string(run.id),
+                            fmt::format("cannot use: it left {} rows of {}, and {} are there: "
+                                        "decide its range anew into another file",
+                                        wanted, what, there));
+        }
+    };
+    require("schedules that press", rows.pressing, left.pressing);
+    require("schedules that graze", rows.grazing, left.grazing);
+    require("refuted schedules", rows.refuted, left.refuted);
+    require("undecided schedules", rows.undecided, left.undecided);
+    // Of other ranges of the same grid there may be more.
+    require("families", isAlone ? rows.families : std::min(rows.families, left.families),
+            left.families);
+}
+
+}  // namespace
 
 AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const AtlasOptions& options)
 {
@@ -49,6 +109,10 @@ AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const Atla
             "resume (--resume), or another file",
             before->nextBatch, before->batches));
     }
+    const bool isAlone = std::count_if(runs.begin(), runs.end(), [&range](const AtlasRun& run) {
+                             return run.range.cells == range.cells;
+                         }) == 1;
+    requireRows(database, *before, isAlone, options.cancel);
     return *before;
 }
 

@@ -60,6 +60,21 @@ std::string onFamily(AtlasSchedules which)
     return which == AtlasSchedules::withoutFamily ? " AND family IS NULL" : "";
 }
 
+/// Would a range have kept what has such energies?
+bool isInside(const AtlasRange& range, const EnergyRange& energy)
+{
+    return energy.least <= range.maxEnergyRatio;
+}
+
+/// Does a range decide such a schedule?
+bool isInside(const AtlasRange& range, const std::vector<Phase>& phases)
+{
+    return static_cast<std::int64_t>(phases.size()) <= range.maxPhases &&
+           std::all_of(phases.begin(), phases.end(), [&range](const Phase& phase) {
+               return phase.contact <= range.maxContact && phase.free <= range.maxFree;
+           });
+}
+
 const EnergyRange& energyOf(const AtlasFamily& family)
 {
     return family.energy;
@@ -200,6 +215,40 @@ void join(std::vector<AtlasEntry>& group, AtlasEntry entry)
 }
 
 }  // namespace
+
+AtlasTally AtlasDatabase::rowsOf(const AtlasRange& range) const
+{
+    connection_->use([](SQLite::Database& database) {
+        std::string said = database.execAndGet("PRAGMA quick_check(1)").getString();
+        if (said != "ok") {
+            std::replace(said.begin(), said.end(), '\n', ' ');
+            throw SQLite::Exception("damaged: " + said);
+        }
+    });
+    AtlasTally rows;
+    const std::string where = "WHERE 1" + onCells(range.cells);
+    forEachRow<Families>(*connection_, where, [&](const AtlasFamily& family) {
+        rows.families += isInside(range, family.energy) ? 1 : 0;
+    });
+    forEachRow<Schedules>(*connection_, where, [&](const AtlasEntry& entry) {
+        if (range.familiesOnly || !isInside(range, entry.schedule.phases)) {
+            return;
+        }
+        switch (entry.row.status) {
+            case Status::found:
+                if (isInside(range, entry.row.energy)) {
+                    ++(entry.row.contact == Contact::pressing ? rows.pressing : rows.grazing);
+                }
+                return;
+            case Status::none:
+                rows.refuted += range.keepsRefuted ? 1 : 0;
+                return;
+            case Status::undecided:
+                ++rows.undecided;
+        }
+    });
+    return rows;
+}
 
 void AtlasDatabase::forEachFamily(std::optional<std::int64_t> cells,
                                   const std::function<void(const AtlasFamily&)>& action) const

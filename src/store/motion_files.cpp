@@ -152,6 +152,17 @@ std::string inXml(const std::string& text)
     return result;
 }
 
+/// The middle of the cell that ends at each node, at the clamp of the first one.
+std::vector<double> middlesOf(const std::vector<std::int64_t>& nodes, double cell)
+{
+    std::vector<double> middles;
+    middles.reserve(nodes.size());
+    for (const std::int64_t node : nodes) {
+        middles.push_back((static_cast<double>(std::max<std::int64_t>(node, 1)) - 0.5) * cell);
+    }
+    return middles;
+}
+
 /// EA of the cell that ends at each node, relative to the first: Z = EA/c.
 std::vector<double> stiffnessAt(const std::vector<std::int64_t>& nodes,
                                 const std::vector<Segment>& segments)
@@ -179,6 +190,7 @@ MotionSamples::MotionSamples(const Motion& motion, const Scene& scene, std::int6
     const std::vector<std::int64_t> nodes = thinned(motion.cells(), maxMotionNodes);
     const std::vector<std::int64_t> instants = thinned(motion.steps(), mostInstants);
     x_ = inUnits(nodes, bar.length / cells);
+    xCell_ = middlesOf(nodes, bar.length / cells);
     times_ = inUnits(instants, scales(bar).time / cells);
     displacement_ = [&motion, nodes, instants](std::size_t i, std::size_t m) {
         return motion.displacement(nodes[i], instants[m]);
@@ -200,17 +212,13 @@ MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int6
 {
     const std::vector<std::int64_t> counts = thinned(cells, maxMotionNodes);
     const std::vector<double> nodes = inUnits(counts, 1.0 / static_cast<double>(cells));
-    std::vector<double> middles;
-    middles.reserve(counts.size());
-    for (const std::int64_t i : counts) {
-        middles.push_back((static_cast<double>(std::max<std::int64_t>(i, 1)) - 0.5) /
-                          static_cast<double>(cells));
-    }
+    const std::vector<double> middles = middlesOf(counts, 1.0 / static_cast<double>(cells));
     // As many steps as the grid would make, of equal length.
     const double steps = std::max(1.0, std::round(motion.period() * static_cast<double>(cells)));
     const std::vector<double> instants =
         inUnits(thinned(static_cast<std::int64_t>(steps), mostInstants), motion.period() / steps);
     x_ = inUnits(counts, bar.length / static_cast<double>(cells));
+    xCell_ = middlesOf(counts, bar.length / static_cast<double>(cells));
     for (const double t : instants) {
         times_.push_back(t * scales(bar).time);
     }
@@ -249,11 +257,12 @@ double MotionSamples::strain(std::size_t node, std::size_t instant) const
 void writeMotionCsv(const std::string& path, const MotionSamples& samples)
 {
     TextFile file(path);
-    file.write("time,x,displacement,velocity,strain\n");
+    file.write("time,x,displacement,velocity,strain,x_cell\n");
     for (std::size_t m = 0; m < samples.instants(); ++m) {
         for (std::size_t i = 0; i < samples.nodes(); ++i) {
-            print(file, "{},{},{},{},{}\n", samples.time(m), samples.x(i),
-                  samples.displacement(i, m), samples.velocity(i, m), samples.strain(i, m));
+            print(file, "{},{},{},{},{},{}\n", samples.time(m), samples.x(i),
+                  samples.displacement(i, m), samples.velocity(i, m), samples.strain(i, m),
+                  samples.xCell(i));
         }
     }
     file.close();

@@ -34,9 +34,12 @@ StateReading readWaves(Table& table, double unit, std::int64_t mostCells)
             fmt::format("waves a, b in {} rows, one per cell", size)};
 }
 
-/// The longer name of a quantity if the header has it, else the shorter one.
+/// The longer name of a quantity if the header has it, else the shorter one; not both.
 std::string_view nameIn(const Table& table, std::string_view longer, std::string_view shorter)
 {
+    if (table.has(longer) && table.has(shorter)) {
+        table.refuse(fmt::format("columns {} and {}: allowed one of them", longer, shorter));
+    }
     return !table.has(longer) && table.has(shorter) ? shorter : longer;
 }
 

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """That no curve joins two motions is shown by a checker that shares no code with the program.
 
-apart_test.py PROGRAM CHECKER [--count N] [--patience S] [--seed K]
+apart_test.py PROGRAM [--count N] [--patience S] [--seed K]
 
 Pairs of motions of random schedules, of one phase and of several, on one stop and on two: on the way
 from the middle of all motions to two corners, at one energy. Where the program says that no curve
-joins them, CHECKER has to show it; where it says that one does, and for states that were spoilt, it has to refuse
+joins them, the checker has to show it; where it says that one does, and for states that were spoilt, it has to refuse
 whatever the answer claims.
 """
 import argparse
@@ -18,7 +18,11 @@ import sys
 import tempfile
 from collections import Counter
 
-from certificates_test import existing, load
+from certificates_test import existing
+from checkers import apart
+from checkers.energies import Energies
+from checkers.reading import NoProof, simplest
+from checkers.sums import Sums
 
 GAP = 1e-3
 
@@ -26,7 +30,7 @@ GAP = 1e-3
 class Scene:
     """The motions of a schedule, from words of the program."""
 
-    def __init__(self, words, checker):
+    def __init__(self, words):
         self.words = words
         count = next(k for k, word in enumerate(words) if word.startswith("--"))
         given = dict(zip(words[count::2], words[count + 1::2]))
@@ -36,10 +40,10 @@ class Scene:
         gap, second = float(given.get("--gap", GAP)), given.get("--second-stop")
         where = {"right": 1 if gap > 0 else -1}
         if second:
-            where["left"] = -checker.simplest(float(second) / abs(gap))
+            where["left"] = -simplest(float(second) / abs(gap))
         self.cells = int(given["--cells"])
-        self.sums = checker.Sums(self.cells, phases, stops, where)
-        self.energies = checker.Energies(self.sums)
+        self.sums = Sums(self.cells, phases, stops, where)
+        self.energies = Energies(self.sums)
         self.corners = self.energies.corners
         self.least = [float(sum(column) / len(self.corners)) for column in zip(*self.corners)]
         self.is_box = any(width > 1 and not may_press for width, may_press in
@@ -103,7 +107,7 @@ def scaled(words, factor):
     return steps + rest[:place] + [str(factor * int(rest[place]))] + rest[place + 1:]
 
 
-def random_scene(calls, checker, draw):
+def random_scene(calls, draw):
     """A schedule with motions, on a grid on which many differ: one of four sorts."""
     sort = draw.randrange(4)
     while True:
@@ -113,7 +117,7 @@ def random_scene(calls, checker, draw):
             words = [str(half), str(6 * half), "--cells", str(2 * half)]
         else:
             words = scaled(draw.choice(calls[kind]), draw.choice([1, 1, 2, 3, 5]))
-        scene = Scene(words, checker)
+        scene = Scene(words)
         if scene.energies.is_bounded and sum(scene.sums.widths) > 1 and \
                 (not scene.is_box or len(scene.sums.widths) == 1) and \
                 (True, len(scene.sums.widths) > 1, len(scene.corners) > 1,
@@ -124,10 +128,10 @@ def random_scene(calls, checker, draw):
 class Pairs:
     """Asks the program and the checker about pairs of motions."""
 
-    def __init__(self, options, apart, folder):
-        self.program, self.patience, self.apart = options.program, options.patience, apart
+    def __init__(self, options, folder):
+        self.program, self.patience = options.program, options.patience
         self.one, self.two = folder / "one.csv", folder / "two.csv"
-        self.counts = Counter()
+        self.counts, self.why = Counter(), None
 
     def ask(self, scene, pair, energy):
         """What the program says of two motions of this energy."""
@@ -147,8 +151,9 @@ class Pairs:
     def verdict(self, answer, one, two):
         """What the checker shows if the answer says that they are apart, or None."""
         try:
-            return self.apart.check(dict(answer, connected=False), one, two)
-        except self.apart.NoProof:
+            return apart.check(dict(answer, connected=False), one, two)
+        except NoProof as why:
+            self.why = why
             return None
 
     def compare(self, scene, pair, energy):
@@ -161,7 +166,7 @@ class Pairs:
         if answer["connected"] is None:
             self.counts["not known to the program"] += 1
         elif bool(shown) == answer["connected"]:
-            sys.exit(f"{words}: connected is {answer['connected']}, and the checker: {shown}")
+            sys.exit(f"{words}: connected is {answer['connected']}, and the checker: {shown or self.why}")
         else:
             self.counts["shown" if shown else "refused"] += 1
         return answer
@@ -206,19 +211,17 @@ class Pairs:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("program")
-    parser.add_argument("checker")
     parser.add_argument("--count", type=int, default=150)
     parser.add_argument("--patience", type=float, default=0.5, help="seconds for one answer")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
-    apart = load(options.checker)
     draw = random.Random(options.seed)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         calls = existing(options, folder)
-        pairs = Pairs(options, apart, folder)
+        pairs = Pairs(options, folder)
         while pairs.counts["shown"] < options.count:
-            scene = random_scene(calls, apart.PROOFS, draw)
+            scene = random_scene(calls, draw)
             pairs.look(scene, [scene.corner(draw) for _ in range(2)], draw)
     print("continua: {shown} pairs are apart, {of several sums} of several sums, {of several corners} of "
           "several corners, {of boxes} of boxes; {refused} that are not and {spoilt} spoilt ones are "

@@ -1,6 +1,9 @@
 // signorini atlas where something is wrong: locks, names, limits, and databases edited by hand.
 
 #include <chrono>
+#include <fstream>
+#include <utility>
+#include <vector>
 
 #include "database.hpp"
 #include "program.hpp"
@@ -135,6 +138,64 @@ TEST_CASE("cli atlas: an edited database is status 4 with the column, never a wr
     const auto former = program.run("atlas --database e.sqlite --twins");
     checkRefusal(former);
     CHECK_THAT(former.err, containsText("version 1") && containsText("anew"));
+}
+
+TEST_CASE("cli atlas: a run that is there already is done only if all its rows are")
+{
+    const Program program;
+    // Of one grid, and all kinds of rows; of two ranges, one of which holds few energies.
+    REQUIRE(program.run("atlas --database all.sqlite --cells 4 --phases 2 --all").status == 0);
+    REQUIRE(program.run("atlas --database two.sqlite --cells 6 --max-energy-ratio 5").status == 0);
+    REQUIRE(program.run("atlas --database two.sqlite --cells 6 --max-free 9").status == 0);
+    REQUIRE(program.run("atlas --database fam.sqlite --cells 9 --families-only").status == 0);
+    const std::vector<std::pair<std::string, std::string>> runs{
+        {"all.sqlite", "--cells 4 --phases 2 --all"},
+        {"two.sqlite", "--cells 6 --max-energy-ratio 5"},
+        {"two.sqlite", "--cells 6 --max-free 9"},
+        {"fam.sqlite", "--cells 9 --families-only"}};
+    for (const auto& [file, range] : runs) {
+        INFO(file << " " << range);
+        CHECK(program.run("atlas --database " + file + " --resume " + range).status == 0);
+        // What the other range has left, too, stays: its own rows come first and last.
+        const bool isShared = file == "two.sqlite";
+        const bool isFirst = range.find("energy") != std::string::npos;
+        for (const std::string table : {"schedules", "families"}) {
+            const std::string count = "SELECT COUNT(*) FROM " + table;
+            const auto rows =
+                static_cast<std::int64_t>(number(program.file(file.c_str()), count.c_str()));
+            for (const std::int64_t at : {std::int64_t{1}, rows / 2, rows}) {
+                fs::copy_file(program.file(file.c_str()), program.file("e.sqlite"),
+                              fs::copy_options::overwrite_existing);
+                SQLite::Database database = opened(program.file("e.sqlite"));
+                const int changed =
+                    database.exec("DELETE FROM " + table + " WHERE rowid = " + std::to_string(at));
+                const bool isOther =
+                    isShared && (table == "families" || at != (isFirst ? 1 : rows));
+                if (changed == 0 || isOther) {
+                    continue;
+                }
+                INFO(table << " without row " << at);
+                checkRefusal(program.run("atlas --database e.sqlite --resume " + range));
+            }
+        }
+    }
+}
+
+TEST_CASE("cli atlas: a database with damaged pages is no atlas that is done")
+{
+    const Program program;
+    const std::string call = " --cells 12 --all";
+    REQUIRE(program.run("atlas --database a.sqlite" + call).status == 0);
+    const std::string whole = contentOf(program.file("a.sqlite"));
+    constexpr std::size_t page = 4096;
+    REQUIRE(whole.size() > 20 * page);
+    for (std::size_t at = page; at + page <= whole.size(); at += 7 * page) {
+        std::string damaged = whole;
+        damaged.replace(at, page / 2, page / 2, '\xff');
+        std::ofstream(program.file("e.sqlite"), std::ios::binary) << damaged;
+        INFO("page " << at / page);
+        checkRefusal(program.run("atlas --database e.sqlite --resume" + call));
+    }
 }
 
 TEST_CASE("cli atlas: an answer that is empty because nothing was decided there is status 3")

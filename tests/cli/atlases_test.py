@@ -157,7 +157,7 @@ def main():
                 holds, text = checked(options.checker, made(options.program, folder, words + gap))
                 if not holds:
                     sys.exit(f"{' '.join(words + gap)}: {text}")
-                decided += int(text.split(":")[3].split()[0])
+                decided += numbers(text)[0]
         spoilt = 0
         for words in (["--cells", "4"], ["--cells", "4", "--second-stop", "1.5e-3"],
                       ["--cells", "4", "--second-stop", "1.5e-3", "--gap", "-1e-3"]):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Certificates the program prints prove absence to a checker that shares no code with it.
 
-certificates_test.py PROGRAM CHECKER [--count N] [--seed S]
+certificates_test.py PROGRAM [--count N] [--seed S]
 
 Random schedules of uniform bars and of bars of several segments: every "none" must come with a
 proof, and a proof spoilt in one number is refused.
@@ -9,8 +9,6 @@ The same with two stops or several phases, where no proof may fit a schedule tha
 """
 import argparse
 import copy
-import importlib.machinery
-import importlib.util
 import json
 import pathlib
 import random
@@ -20,31 +18,33 @@ import sys
 import tempfile
 from fractions import Fraction
 
-
-def load(path):
-    """The checker as a module."""
-    loader = importlib.machinery.SourceFileLoader("checker", path)
-    spec = importlib.util.spec_from_loader("checker", loader)
-    module = importlib.util.module_from_spec(spec)
-    sys.dont_write_bytecode = True
-    loader.exec_module(module)
-    return module
+if (tools := str(pathlib.Path(__file__).resolve().parents[2] / "tools")) not in sys.path:
+    sys.path.append(tools)
+from checkers import certificate as certificates, lift, paper, segments
+from checkers.reading import NoProof
+from checkers.scene import ASKED, Scene
 
 
-def require_proof(checker, answer, words):
+def require_proof(check, answer, words):
     """Ends the run if the checker does not accept the proof."""
     try:
-        checker.check(answer)
-    except checker.NoProof as why:
+        check(answer)
+    except NoProof as why:
         sys.exit(f"{words}: {why}")
 
 
-def refuse(checker, answer, words):
+def refuse(check, answer, words):
     """Ends the run if the checker accepts a proof of what is not so."""
     try:
-        sys.exit(f"{words}: {checker.check(answer)}")
-    except checker.NoProof:
+        sys.exit(f"{words}: {check(answer)}")
+    except NoProof:
         pass
+
+
+def bare(answer, certificate=None):
+    """What is claimed of a schedule, and nothing of its motions; as none, with another certificate."""
+    claim = {key: answer[key] for key in ASKED}
+    return claim if certificate is None else {**claim, "status": "none", "certificate": certificate}
 
 
 def spoilt(answer, draw):
@@ -84,20 +84,18 @@ def random_bar(draw):
     return ["--segments", ",".join(words)], sum(cells for cells, _ in parts)
 
 
-def joints_without_effect(checker, answer, other):
+def joints_without_effect(answer, other):
     """Do they differ only in rows that read 0 = 0?"""
-    rows = checker.JointRows(answer, answer["cells"],
-                             [(*phase[:2], "left" if phase[2:] else "right")
-                              for phase in answer["schedule"]])
+    rows = segments.JointRows(Scene(answer))
     first, second = (dict(map(tuple, a["certificate"]["equalities"])) for a in (answer, other))
     changed = [row for row in first.keys() | second.keys() if first.get(row, 0) != second.get(row, 0)]
     return bool(changed) and not any(any(rows.equalities[row].values()) for row in changed)
 
 
-def is_without_effect(checker, answer, other):
+def is_without_effect(answer, other):
     """Do they differ only in rows of (30) that read 0 = 0, where W leaves the unknown alone?"""
     if answer["certificate"]["rows"] == "joints":
-        return joints_without_effect(checker, answer, other)
+        return joints_without_effect(answer, other)
     first, second = (dict(map(tuple, a["certificate"]["periodicity"])) for a in (answer, other))
     changed = [row for row in first.keys() | second.keys() if first.get(row, 0) != second.get(row, 0)]
     if not changed:  # the landing of a flight whose p add up to 0 whatever they are
@@ -107,7 +105,7 @@ def is_without_effect(checker, answer, other):
                                    for row in first if first[row] != second.get(row, 0))
     state = [(unknown, 1) for unknown in range(2 * answer["cells"])]
     for contact, free in answer["schedule"]:
-        state = checker.carried(checker.carried(state, checker.dd, contact), checker.dn, free)
+        state = paper.carried(paper.carried(state, paper.dd, contact), paper.dn, free)
     return bool(changed) and all(state[row] == (row, 1) for row in changed)
 
 
@@ -130,25 +128,24 @@ def random_scene(draw):
     return words
 
 
-def refuse_spoilt(checker, answer, draw, words):
+def refuse_spoilt(answer, draw, words):
     """How many of three spoilt proofs are refused; the others must not have lost anything."""
     refused = 0
     for _ in range(3):
         bad, what = spoilt(answer, draw)
         try:
-            checker.check(bad)
-        except checker.NoProof:
+            certificates.check(bad)
+        except NoProof:
             refused += 1
             continue
-        if not is_without_effect(checker, answer, bad):
+        if not is_without_effect(answer, bad):
             sys.exit(f"{words}: spoilt ({what}), and still taken for a proof")
     return refused
 
 
-def check_lifted(options, checker, draw):
+def check_lifted(options, draw):
     """Proofs over sums as proofs over the paper's rows; how many hold, how many spoilt ones are
     refused."""
-    lifter = load(str(pathlib.Path(options.checker).parent / "lift-certificate"))
     lifted = refused = 0
     while lifted < options.count:
         words = random_scene(draw)
@@ -158,14 +155,15 @@ def check_lifted(options, checker, draw):
                                            check=False).stdout or "{}")
         if (answer.get("certificate") or {}).get("rows") != "lumped":
             continue
-        answer["certificate"] = lifter.lifted(answer)
-        require_proof(checker, answer, f"{' '.join(words)}, lifted")
+        answer = bare(answer)
+        answer["certificate"] = lift.lifted(answer)
+        require_proof(certificates.check, answer, f"{' '.join(words)}, lifted")
         lifted += 1
-        refused += refuse_spoilt(checker, answer, draw, " ".join(words))
+        refused += refuse_spoilt(answer, draw, " ".join(words))
     return lifted, refused
 
 
-def check_scenes(options, checker, draw):
+def check_scenes(options, draw):
     """Proofs over the rows of sums; how many hold, and how many are refused where motions exist."""
     proved = refused = 0
     mirrored = ["1", "5", "L:1", "5", "--cells", "4", "--second-stop", "1e-3", "--format", "json"]
@@ -181,13 +179,12 @@ def check_scenes(options, checker, draw):
             continue
         if answer["reason"] == "constraints":
             continue  # between two stops without a gap only the bar at rest, and no energy
-        require_proof(checker, answer, " ".join(words))
+        require_proof(certificates.check, answer, " ".join(words))
         proved += 1
         proofs.append(answer["certificate"])
     for answer in found:
         for certificate in proofs:
-            bad = {**answer, "status": "none", "certificate": certificate}
-            refuse(checker, bad, f"{answer['schedule']} has motions")
+            refuse(certificates.check, bare(answer, certificate), f"{answer['schedule']} has motions")
             refused += 1
     return proved, refused
 
@@ -241,7 +238,7 @@ def existing(options, folder):
     return calls
 
 
-def check_all_energies(options, checker, draw):
+def check_all_energies(options, draw):
     """Least and most energies of random schedules; how many hold, how many spoilt ones are refused."""
     proved = refused = several = most_known = beyond = limited = 0
     with tempfile.TemporaryDirectory() as name:
@@ -262,8 +259,8 @@ def check_all_energies(options, checker, draw):
                 continue  # an energy or an end that the closed form does not know
             answer = json.loads(path.read_text(encoding="utf-8"))
             try:
-                checker.check(answer)
-            except checker.NoProof as why:
+                certificates.check(answer)
+            except NoProof as why:
                 if "not known to this checker" in str(why):
                     continue
                 sys.exit(f"{' '.join(words)}: {why}")
@@ -274,7 +271,7 @@ def check_all_energies(options, checker, draw):
             beyond += answer["status"] == "none"
             limited += "strain_limit" in certificate
             bad, what = spoilt_energies(answer, draw)
-            refuse(checker, bad, f"{' '.join(words)}: spoilt ({what})")
+            refuse(certificates.check, bad, f"{' '.join(words)}: spoilt ({what})")
             refused += 1
     if limited < options.count // 50:
         sys.exit(f"energies: only {limited} of them within a limit of strain")
@@ -283,7 +280,7 @@ def check_all_energies(options, checker, draw):
             "spoilt ones are refused")
 
 
-def check_stepped_energies(options, checker, draw):
+def check_stepped_energies(options, draw):
     """Least energies of bars of several segments; how many hold, how many spoilt ones are refused."""
     proved = refused = 0
     with tempfile.TemporaryDirectory() as name:
@@ -296,7 +293,7 @@ def check_stepped_energies(options, checker, draw):
             answer = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
             if answer.get("status") != "found" or answer["certificate"]["rows"] != "joints":
                 continue
-            require_proof(checker, answer, " ".join(words))
+            require_proof(certificates.check, answer, " ".join(words))
             proved += 1
             for factor in (1 - 1e-6, 1 + 1e-6, None):
                 bad = copy.deepcopy(answer)
@@ -304,9 +301,52 @@ def check_stepped_energies(options, checker, draw):
                     bad["energy_ratio"] *= factor
                 else:
                     del bad["certificate"]["equalities"][-1]  # the gap
-                refuse(checker, bad, f"{' '.join(words)}: spoilt ({factor})")
+                refuse(certificates.check, bad, f"{' '.join(words)}: spoilt ({factor})")
                 refused += 1
     return proved, refused
+
+
+def check_floors(options, draw):
+    """Bars of many cells, whose absence is proved below a huge energy; how many hold, how many spoilt ones
+    are refused."""
+    proved = refused = 0
+    while proved < max(3, options.count // 40):
+        counts = [draw.randint(13, 40) for _ in range(draw.choice([2, 3, 4]))]
+        bar = ",".join(f"{count}:{draw.uniform(0.3, 3)!r}" for count in counts)
+        steps = draw.randint(3 * sum(counts), 4 * sum(counts))
+        contact = draw.randint(1, steps - 1)
+        scene = draw.choice([[], ["--gap", "-1e-3"], ["--second-stop", "2e-3"], ["--tip-floor", "-3e-2"]])
+        words = ["find", str(contact), str(steps - contact), "--segments", bar, *scene, "--format", "json"]
+        answer = json.loads(subprocess.run([options.program, *words], capture_output=True, check=False).stdout)
+        if answer["status"] != "none" or answer["certificate"]["rows"] != "network":
+            continue
+        require_proof(certificates.check, answer, " ".join(words))
+        proved += 1
+        for name, spoil in FLOOR_SPOILS.items():
+            bad = copy.deepcopy(answer)
+            spoil(bad, bad["certificate"])
+            refuse(certificates.check, bad, f"{' '.join(words)}: {name}")
+            refused += 1
+    return proved, refused
+
+
+FLOOR_SPOILS = {
+    "a larger energy": lambda answer, proof: proof.update(energy_ratio=proof["energy_ratio"] * 1e12),
+    "an energy that a bar bears": lambda answer, proof: proof.update(energy_ratio=1e6),
+    "no energy": lambda answer, proof: proof.pop("energy_ratio"),
+    "a wave off": lambda answer, proof: proof["periodicity"].__setitem__(0, proof["periodicity"][0] + 1.0),
+    "a wave less": lambda answer, proof: proof["periodicity"].pop(),
+    "a place twice": lambda answer, proof: proof["places"].append(proof["places"][0]),
+    "no place": lambda answer, proof: proof.update(places=[]),
+    "a pull": lambda answer, proof: proof["pushes"].append([1, 0, -1e-9]),
+    "a push in flight": lambda answer, proof: proof["pushes"].append([1, answer["schedule"][0][0], 1.0]),
+    "a contact more": lambda answer, proof: proof["places"].append([4, 0, 1.0]),
+    "a key that nobody knows": lambda answer, proof: proof.update(damping=0.1),
+    "another gap": lambda answer, proof: (answer["bar"].update(gap=-answer["bar"]["gap"]),
+                                          answer["stops"][0].update(place=-answer["stops"][0]["place"])),
+    "another bar": lambda answer, proof: answer["segments"][0].update(
+        impedance=answer["segments"][0]["impedance"] * 1.01),
+}
 
 
 def call_of_few_cells(draw):
@@ -349,7 +389,7 @@ def with_limits(draw, motion):
     return draw.choice([strain, floor, [*floor, "--strain-limit", repr(1.1 * seen["peak_compression"])]])
 
 
-def check_limits(options, checker, draw, has_simplex):
+def check_limits(options, draw, has_simplex):
     """That no motion keeps limits of strain and tip: how many proofs hold, how many of them limit each,
     and how many are refused with limits that a motion keeps, which is known. The tip wants a simplex
     method."""
@@ -367,7 +407,8 @@ def check_limits(options, checker, draw, has_simplex):
         certificate = answer.get("certificate")
         if answer.get("reason") != "constraints" or certificate["kind"] != "farkas":
             continue  # other motions keep them, or it is not the closed form that knows
-        require_proof(checker, answer, " ".join(words))
+        answer = bare(answer)
+        require_proof(certificates.check, answer, " ".join(words))
         proved += 1
         gap = abs(motion["bar"]["gap"])
         kept = {"strain_limit": motion["physical"]["peak_compression"] / gap * (1 + 1e-9),
@@ -376,14 +417,14 @@ def check_limits(options, checker, draw, has_simplex):
             if certificate[name] is not None:
                 held[name] += 1
                 certificate[name] = value
-        refuse(checker, answer, f"{' '.join(words)}: with limits {kept}")
+        refuse(certificates.check, answer, f"{' '.join(words)}: with limits {kept}")
         refused += 1
     if min(held.values() if has_simplex else [held["strain_limit"]]) < options.count // 4:
         sys.exit(f"limits: one of them is hardly ever there: {held}")
     return proved, held, refused
 
 
-def check_many(options, checker, draw, is_stepped):
+def check_many(options, draw, is_stepped):
     """So many proofs of one sort of bar, and spoilt ones; fewer of those that cost more."""
     proved = refused = 0
     while proved < (options.count // 4 if is_stepped else options.count):
@@ -391,11 +432,11 @@ def check_many(options, checker, draw, is_stepped):
         answer = json.loads(subprocess.run([options.program, *call], capture_output=True,
                                            check=False).stdout)
         words = " ".join(call)
-        if answer["status"] != "none" or answer["certificate"]["rows"] == "lumped":
+        if answer["status"] != "none" or answer["certificate"]["rows"] in ("lumped", "network"):
             continue
-        require_proof(checker, answer, words)
+        require_proof(certificates.check, answer, words)
         proved += 1
-        refused += refuse_spoilt(checker, answer, draw, words)
+        refused += refuse_spoilt(answer, draw, words)
     print(f"{'stepped' if is_stepped else 'uniform'} bars: {proved} proofs hold, "
           f"{refused} spoilt ones are refused")
 
@@ -403,34 +444,35 @@ def check_many(options, checker, draw, is_stepped):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("program")
-    parser.add_argument("checker")
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
-    checker = load(options.checker)
     draw = random.Random(options.seed)
-    check_many(options, checker, draw, is_stepped=False)
+    check_many(options, draw, is_stepped=False)
     print("scenes: {} proofs hold, {} of others are refused".format(
-        *check_scenes(options, checker, draw)))
+        *check_scenes(options, draw)))
     print("lifted to the paper's rows: {} proofs hold, {} spoilt ones are refused".format(
-        *check_lifted(options, checker, draw)))
-    stepped = ["find", "3", "25", "--segments", "4:1,4:1.3", "--format", "json"]
-    has_simplex = bool(subprocess.run([options.program, *stepped], capture_output=True,
-                                      check=False).stdout)
+        *check_lifted(options, draw)))
+    backends = subprocess.run([options.program, "--version"], capture_output=True, text=True,
+                              check=True).stdout
+    has_simplex = not any(line.split()[0] == "glpk-simplex" and "not in this build" in line
+                          for line in backends.splitlines() if line.strip())
     print("limits: {} proofs hold, {}; {} are refused with limits of a motion".format(
-        *check_limits(options, checker, draw, has_simplex)))
-    print("energies:", check_all_energies(options, checker, draw))
+        *check_limits(options, draw, has_simplex)))
+    print("energies:", check_all_energies(options, draw))
     if not has_simplex:
         print("stepped bars: this build has no simplex method")
         return
-    check_many(options, checker, draw, is_stepped=True)
+    check_many(options, draw, is_stepped=True)
+    print("stepped bars of many cells: {} proofs hold, {} spoilt ones are refused".format(
+        *check_floors(options, draw)))
     least = subprocess.run([options.program, "find", "4", "25", "--segments", "4:1,4:1.3", "--objective",
                             "min-energy"], capture_output=True, check=False)
     if least.returncode not in (0, 1):
         print("energies of stepped bars: this build has no solver for them")
         return
     print("energies of stepped bars: {} proofs hold, {} spoilt ones are refused".format(
-        *check_stepped_energies(options, checker, draw)))
+        *check_stepped_energies(options, draw)))
 
 
 if __name__ == "__main__":

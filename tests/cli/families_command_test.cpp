@@ -153,13 +153,13 @@ TEST_CASE("cli families: in words, one line a family")
     const Program program;
     const auto outcome = program.run("families");
     CHECK(outcome.status == 0);
-    CHECK(lines(outcome.out) == 3 + 33);
+    CHECK(lines(outcome.out) == 4 + 33);
     CHECK_THAT(outcome.out, containsText("33 families") && containsText("f [Hz]") &&
                                 containsText("E [J]") && containsText("10/3") &&
                                 containsText("4 - T"));
     const auto none = program.run("families --max-order 2");
     CHECK(none.status == 0);
-    CHECK(lines(none.out) == 1);
+    CHECK(lines(none.out) == 2);
     CHECK_THAT(program.run("families --threads 2").err, containsText("one thread"));
 }
 

@@ -266,17 +266,17 @@ TEST_CASE("cli: without a motion no file is written, and old ones stay")
     CHECK(program.files() == 1);
 }
 
-TEST_CASE("cli: --certificate is the answer with all of its proof, of a motion that of its energy")
+TEST_CASE("cli: --certificate is the claim with all of its proof, of a motion that of its energy")
 {
     const Program program;
     CHECK(program.run("find 2 4 --cells 2 --certificate proof.json --state s.csv").status == 1);
     CHECK(program.files() == 1);
-    json written = json::parse(contentOf(program.file("proof.json")));
-    json printed = json::parse(program.run("find 2 4 --cells 2 --format json").out);
-    for (json* answer : {&written, &printed}) {
-        (*answer)["solver"]["seconds"] = 0;
+    const json written = json::parse(contentOf(program.file("proof.json")));
+    const json printed = json::parse(program.run("find 2 4 --cells 2 --format json").out);
+    CHECK(written.size() == 9);
+    for (const auto& [key, value] : written.items()) {
+        CHECK(value == printed.at(key));
     }
-    CHECK(written == printed);
     CHECK(written["certificate"]["verified"] == true);
     CHECK(!written["certificate"]["periodicity"].empty());
 

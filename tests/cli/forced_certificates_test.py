@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Proofs that there are no forced motions are shown by a checker that shares no code with the program.
 
-forced_certificates_test.py PROGRAM CHECKER [--count N] [--seed S]
+forced_certificates_test.py PROGRAM [--count N] [--seed S]
 
 Random schedules of one to three contacts, on one stop and on two, damped or not, under a force on the tip
-or a moving base: CHECKER has to show every "none". What is not so it must not show, whatever the
+or a moving base: the checker has to show every "none". What is not so it must not show, whatever the
 proof: an amplitude that motions have, a schedule that has motions. Those have to meet every row that the
 checker writes down.
 """
@@ -17,7 +17,9 @@ import subprocess
 import sys
 from collections import Counter
 
-from certificates_test import load, refuse, require_proof
+from certificates_test import refuse, require_proof
+from checkers import forced, forced_rows
+from checkers.reading import NoProof
 
 RULES = ("pressure", "held", "penetration", "second-stop", "closure", "work", "strain")
 
@@ -53,6 +55,25 @@ def random_question(draw):
         words += ["--amplitude", repr(draw.choice([1, 3]) * 10 ** draw.uniform(-5, -2))]
     if place == "tip" and draw.random() < 0.15:
         words += ["--strain-limit", draw.choice(["1e-3", "3e-3"])]
+    return words + random_bar(draw)
+
+
+def random_segments(draw):
+    """Words about a bar of several segments, damped or not."""
+    parts = [draw.randint(1, 4) for _ in range(draw.randint(2, 3))]
+    impedances = [10 ** draw.uniform(-1, 1) for _ in parts]
+    words = [f"{count}:{impedance:.3g}" for count, impedance in zip(parts, impedances)]
+    cells, phases = sum(parts), []
+    has_two = draw.random() < 0.3
+    for _ in range(draw.choice([1, 1, 2])):
+        left = "L:" if has_two and draw.random() < 0.5 else ""
+        phases += [f"{left}{draw.randint(1, 2 * cells)}", str(draw.randint(1, 5 * cells))]
+    gap = draw.choice(["1e-3", "1e-3", "-1e-3", "0"])
+    words = [*phases, "--segments", ",".join(words), "--force", draw.choice(["tip", "base"]), "--gap", gap,
+             "--damping", draw.choice(["0", "0.02", "0.1", "0.5"])]
+    words += ["--second-stop", draw.choice(["2e-3", "3e-3"])] if has_two else []
+    if gap == "0" or draw.random() < 0.4:
+        words += ["--amplitude", repr(draw.choice([1, 3]) * 10 ** draw.uniform(-5, -2))]
     return words + random_bar(draw)
 
 
@@ -92,16 +113,64 @@ class Answers:
     """Asks the program, and holds what it says against the checker."""
 
     def __init__(self, options):
-        self.program, self.checker = options.program, load(options.checker)
+        self.program = options.program
         self.draw = random.Random(options.seed)
         self.counts = Counter()
         self.conflicts = []  # conditions that proved something
+        self.cuts = []  # multipliers that did
 
     def ask(self, words):
         """An answer; None of a question that is refused."""
         call = subprocess.run([self.program, "find", *words, "--format", "json", "--quiet"],
                               capture_output=True, check=False)
         return json.loads(call.stdout) if call.stdout else None
+
+    def look_at_segments(self, words):
+        """A bar of several segments: "none" is proved, a multiplier changed or another amplitude is not."""
+        answer = self.ask(words)
+        if answer is None:
+            return
+        self.counts[f"segments: {answer['status']}"] += 1
+        if answer["status"] == "found":
+            for amplitude in inner_amplitudes(answer)[:1]:
+                self.segments_without(dict(answer, amplitude=amplitude), words)
+            return
+        if answer["status"] != "none" or "cuts" not in answer["certificate"]:  # equal segments are one bar
+            return
+        said = " ".join(words)
+        require_proof(forced.check, answer, said)
+        self.cuts.append(answer["certificate"]["cuts"])
+        for change in range(3):
+            bad = copy.deepcopy(answer)
+            cut = self.draw.choice(bad["certificate"]["cuts"])
+            listed = cut["places"] + cut["pushes"]
+            if change == 0:
+                cut["periodicity"][self.draw.randrange(len(cut["periodicity"]))] += 1e-2
+            elif change == 1:
+                bad["certificate"]["cuts"] = []
+            elif listed:
+                listed[0][2] = -listed[0][2]
+            self.counts["segments: changed"] += 1
+            try:
+                forced.check(bad)
+            except NoProof:
+                self.counts["segments: refused"] += 1
+        if answer["certificate"]["kind"] == "amplitude-range":
+            found = self.ask([word for k, word in enumerate(words)
+                              if "--amplitude" not in words[max(k - 1, 0):k + 1]])
+            for amplitude in inner_amplitudes(found) if found and found["status"] == "found" else []:
+                refuse(forced.check, dict(answer, amplitude=amplitude), f"{said}: has {amplitude}")
+                self.counts["segments: wrong amplitude"] += 1
+
+    def segments_without(self, answer, words):
+        """A schedule that has motions of this amplitude: no multipliers prove the contrary."""
+        waves = 2 * answer["cells"]
+        for cuts in [[dict(c) for c in cuts] for cuts in self.cuts if len(cuts[0]["periodicity"]) == waves][:5]:
+            for kind in ("forced", "amplitude-range"):
+                bad = dict(answer, status="none", phase=None, motions=[],
+                           certificate={"kind": kind, "rows": "network", "cuts": cuts})
+                refuse(forced.check, bad, " ".join(words))
+                self.counts["segments: has motions"] += 1
 
     def look(self, words):
         """One answer, whatever it is."""
@@ -117,7 +186,7 @@ class Answers:
     def confirm(self, answer, words):
         """A proof has to hold; spoilt ones must not, unless other conditions prove the same."""
         said = " ".join(words)
-        require_proof(self.checker, answer, said)
+        require_proof(forced.check, answer, said)
         certificate = answer["certificate"]
         conditions = certificate["conditions"]
         self.conflicts.append(conditions)
@@ -129,13 +198,13 @@ class Answers:
                      *{condition["rule"] for condition in conditions}]:
             self.counts[f"proved: {what}"] += 1
         for bad in self.spoilt(answer):
-            refuse(self.checker, bad, f"{said}: {bad['certificate']}")
+            refuse(forced.check, bad, f"{said}: {bad['certificate']}")
             self.counts["spoilt"] += 1
         for bad in self.changed(answer):
             self.counts["changed"] += 1
             try:
-                self.checker.check(bad)
-            except self.checker.NoProof:
+                forced.check(bad)
+            except NoProof:
                 self.counts["changed: refused"] += 1
 
     def spoilt(self, answer):
@@ -184,7 +253,7 @@ class Answers:
     def deny(self, answer, words):
         """A schedule that has motions: no conditions must prove the contrary, at no amplitude it has."""
         said = " ".join(words)
-        waves = self.checker.Waves(self.checker.Question(answer))
+        waves = forced_rows.Waves(forced_rows.Question(dict(answer, phase=None, motions=[])))
         self.meet(answer, waves, said)
         known = [{"rule": rule, "step": m} for rule in RULES for m in range(waves.steps)
                  if waves.RULES[rule](waves, m)]
@@ -193,11 +262,14 @@ class Answers:
             conditions = self.draw.sample(known, min(len(known), self.draw.randint(1, 3)))
             if trial % 2 and self.conflicts:  # what proved something of another schedule
                 conditions = [c for c in self.draw.choice(self.conflicts) if c in known]
+            if trial % 5 == 4:
+                conditions = [{"rule": "rest", "step": 0}]
             kind = self.draw.choice(["forced", "amplitude-range"] if amplitudes else ["forced"])
-            bad = dict(answer, status="none", certificate={"kind": kind, "conditions": conditions})
+            bad = dict(answer, status="none", phase=None, motions=[], amplitude=None,
+                       certificate={"kind": kind, "conditions": conditions})
             if amplitudes:
                 bad["amplitude"] = self.draw.choice(amplitudes)
-            refuse(self.checker, bad, f"{said}: has motions, {bad['certificate']}")
+            refuse(forced.check, bad, f"{said}: has motions, {bad['certificate']}")
             self.counts["has motions"] += 1
 
     def meet(self, answer, waves, said):
@@ -249,7 +321,7 @@ def check_unmoved(answers):
         if answer["status"] == "found":
             sys.exit(f"{words}: a motion of amplitude {answer['amplitude']}")
         certificate = {"kind": "forced", "conditions": []}
-        require_proof(answers.checker, dict(answer, status="none", certificate=certificate), words)
+        require_proof(forced.check, dict(answer, status="none", certificate=certificate), words)
 
 
 def require(counts, name, least):
@@ -261,7 +333,6 @@ def require(counts, name, least):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("program")
-    parser.add_argument("checker")
     parser.add_argument("--count", type=int, default=450)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
@@ -270,6 +341,8 @@ def main():
         answers.look(random_question(answers.draw))
         if answers.draw.random() < 0.3:
             answers.beyond(likely_question(answers.draw))
+    for _ in range(options.count // 3):
+        answers.look_at_segments(random_segments(answers.draw))
     check_unmoved(answers)
     counts = answers.counts
     for name in sorted(counts):
@@ -282,7 +355,8 @@ def main():
             ("proved: gap 0.001", part / 4), ("proved: gap -0.001", part / 20), ("proved: gap 0.0", part / 20),
             *((f"proved: {rule}", 2) for rule in RULES), ("spoilt", 5 * part),
             ("wrong amplitude", part / 10), ("changed: refused", counts["changed"] / 2),
-            ("has motions", part / 2), ("rows met", 5 * part)]:
+            ("has motions", part / 2), ("rows met", 5 * part), ("segments: none", part / 6),
+            ("segments: refused", 0.8 * counts["segments: changed"])]:
         require(counts, name, least)
     print(f"{counts['proved']} proofs hold; {counts['spoilt']} spoilt ones and {counts['has motions']} about schedules "
           f"with motions are refused")

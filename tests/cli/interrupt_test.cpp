@@ -60,13 +60,32 @@ TEST_CASE("cli: Ctrl-C ends a program whose solver cannot be stopped, and leaves
     const Program program;
     const auto start = std::chrono::steady_clock::now();
     const auto outcome =
-        program.run(slowCall("60000", "glpk-interior"), "timeout --preserve-status -s INT 1");
+        program.run(slowCall("60000", "glpk-interior"), "timeout --preserve-status -s INT 4");
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
     INFO(outcome.out << outcome.err);
     CHECK(outcome.status == 128 + SIGINT);
     CHECK(outcome.out.empty());
     CHECK(program.files() == 0);
     CHECK(spent.count() < 20.0);
+}
+
+TEST_CASE("cli: a signal ends the program with 128 and its number, as the help says")
+{
+    const Program program;
+    const std::string help = program.run("--help").out;
+    for (const auto& [name, status] : {std::pair{"HUP", 129}, {"INT", 130}, {"TERM", 143}}) {
+        // It waits for a table that nobody writes.
+        const auto outcome =
+            program.run("find 3 18 --cells 6 --objective nearest --target pipe --state s.csv",
+                        std::string("rm -f pipe; mkfifo pipe; sleep 3 >pipe & timeout "
+                                    "--preserve-status -s ") +
+                            name + " 1");
+        INFO(name << "\n" << outcome.err);
+        CHECK(outcome.status == status);
+        CHECK(outcome.out.empty());
+        CHECK(program.files() == 1);  // the pipe
+        CHECK_THAT(help, containsText(std::to_string(status)));
+    }
 }
 
 TEST_CASE("cli: long work shows a line on a terminal, and only there")

@@ -50,11 +50,12 @@ TEST_CASE("cli: no back end ends the process when memory is short")
             return;  // not in this build
         }
         REQUIRE((outcome.status == 0 || outcome.status == 3));
-        if (outcome.out.empty()) {
+        const json answer = json::parse(outcome.out);
+        if (!answer.contains("bar")) {  // it ended before there was an answer
+            CHECK(answer["status"] == "undecided");
+            CHECK_THAT(answer["detail"].get<std::string>(), containsText("memory"));
             CHECK_THAT(outcome.err, containsText("memory"));
             CHECK(lines(outcome.err) == 1);
-        } else {
-            CHECK(json::accept(outcome.out));
         }
     }
 }

@@ -55,8 +55,13 @@ TEST_CASE("cli mode: on the grid of its period it is what find answers there")
     const json mode = json::parse(program.run("mode 4 -1 --period 3.50 --format json").out);
     CHECK(mode["energy_ratio"].get<double>() == Approx(found["energy_ratio"].get<double>()));
     CHECK(mode["period"].get<double>() == Approx(found["period"].get<double>()));
-    CHECK(lines(contentOf(program.file("mode-motion.csv"))) ==
-          lines(contentOf(program.file("find-motion.csv"))));
+    const std::string table = contentOf(program.file("mode-motion.csv"));
+    CHECK(lines(table) == lines(contentOf(program.file("find-motion.csv"))));
+    // Velocity and strain belong to the middle of a cell, and the table says which.
+    CHECK(table.starts_with("time,x,displacement,velocity,strain,x_cell\n"));
+    CHECK_THAT(table, containsText("\n0,1,"));
+    const std::string last = table.substr(0, table.find('\n', table.find("\n0,1,") + 1));
+    CHECK(std::stod(last.substr(last.rfind(',') + 1)) == Approx(11.5 / 12.0));
 }
 
 TEST_CASE("cli mode: between the grids the state holds means, and comes back as a target")

@@ -100,6 +100,17 @@ inline std::vector<json> rowsOf(const std::string& csv)
     return rows;
 }
 
+/// The cells of a row of a table; the last may be empty.
+inline std::vector<std::string> cellsOf(const std::string& row)
+{
+    std::vector<std::string> cells;
+    std::istringstream rest(row + ",");
+    for (std::string cell; std::getline(rest, cell, ',');) {
+        cells.push_back(cell);
+    }
+    return cells;
+}
+
 inline std::ptrdiff_t lines(const std::string& text)
 {
     return std::count(text.begin(), text.end(), '\n');

@@ -6,6 +6,7 @@ schema_test.py PROGRAM FOLDER_OF_SCHEMAS
 
 import json
 import pathlib
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -91,6 +92,8 @@ CALLS = [
     ("find-forced", f"find 3 17 L:3 17 --cells 10 --second-stop 1e-3 {FORCE}"),
     ("find-forced", f"find 3 17 L:4 18 --cells 10 --second-stop 1e-3 {FORCE}"),
     ("response", f"response --cells 10 --gap -1e-3 {FORCE} --from 1 --to 1.2 --stability"),
+    ("response", f"response --cells 6 --gap -1e-3 --second-stop 2e-3 {FORCE} --from 1.2 --to 1.4 --contacts 2"),
+    ("find-forced", "find 13 3 --cells 6 --gap 0 --damping 0.0033 --force tip --amplitude 0.165"),
     ("response", f"response --cells 10 --gap 0 {FORCE} --from 1 --to 1.2"),
     ("response", f"response --cells 10 --second-stop 1e-3 {FORCE} --from 1 --to 1.2"),
     ("response", f"response --segments 4:1,4:1.3 {FORCE} --from 1 --to 1.2 --stability"),
@@ -107,6 +110,20 @@ CALLS = [
     ("simulate", "simulate --rest --gap -1e-3 --time 3"),
     ("simulate", "simulate --rest --second-stop 1e-3 --damping 0.05 --force tip --amplitude 1e-3"
                  " --frequency 1 --periods 20 --cells 20"),
+    ("scene", "scene clamp 150 gap=1e-3 200:1.3 clamp"),
+    ("scene", "scene clamp shaken 30 stop=-1e-5 30:2:0.5 mass=1e-3 dash=0.1 9 driven stop=1e-5"
+              " --length 2 --young 210e9 --density 7800 --area 1e-4"),
+    ("scene", "scene stop=-1e-3 300 stop=1e-3 --gravity -9.81"),
+    ("simulate-scene", "simulate --scene '50:3 gap=0 200' --velocity 1,0 --time 0.5"),
+    ("find-scene", "find --scene 'clamp 3 stop=1e-3 3 clamp' 1 10"),
+    ("find-scene", "find --scene 'clamp 3 stop=1e-3 3 gap=1e-3 4 clamp' 1:2 -:9 1+2:3 -:8"),
+    ("simulate-scene", "simulate --scene 'clamp 20 driven stop=1e-3 dash=0.05' --amplitude 4e-4"
+                       " --frequency 1 --periods 60"),
+    ("simulate-scene", "simulate --scene 'clamp 20 gap=-1e-3 spring=3 dash=1' --time 3"
+                       " --state {}/state.csv"),
+    ("simulate-scene", "simulate --scene 'clamp 20 gap=-1e-3 spring=3 dash=1' --time 3"
+                       " --from {}/state.csv"),
+    ("simulate-scene", "simulate --cells 30 --velocity 0.1 --time 9"),
 ]
 # Spoilt answers that a schema worth its name refuses.
 SPOILT = [
@@ -118,6 +135,10 @@ SPOILT = [
     ("find", "find 15 90 --cells 30 --stability",
      lambda answer: answer["stability"][0].pop("trials")),
     ("find", "find 20 109 --cells 40", lambda answer: answer.update(reason=None)),
+    ("find", "find 150 900", lambda answer: answer.update(surplus=1)),
+    ("find", "find 150 900", lambda answer: answer["physical"].update(surplus=1)),
+    ("find", "find 20 109 --cells 40", lambda answer: answer["certificate"].update(surplus=1)),
+    ("find", "find 20 109 --cells 40", lambda answer: answer.update(energy=1.0)),
     ("find-question", "find --period 7/2", lambda answer: answer.update(motions=[])),
     ("find-question", "find --period 7/2", lambda answer: answer["motions"][0].pop("bar")),
     ("continuum", "continuum 150 900 --energy-ratio 20 --points 5",
@@ -132,6 +153,10 @@ SPOILT = [
      lambda answer: answer["certificate"]["conditions"][0].pop("rule")),
     ("simulate", "simulate --time 3", lambda answer: answer.pop("settled")),
     ("modes", "modes --max-order 3", lambda answer: answer["modes"][0].update(contact=[4])),
+    ("scene", "scene clamp 3 stop=1", lambda answer: answer["scene"]["parts"].append({"kind": "x"})),
+    ("scene", "scene clamp 3 stop=1", lambda answer: answer["scene"]["parts"][1].pop("cells")),
+    ("simulate-scene", "simulate --scene '3 stop=1' --velocity 1 --time 9",
+     lambda answer: answer["contacts"][0].pop("impulse")),
     ("modes-phases", "modes --phases 2 --max-order 3",
      lambda answer: answer["polytopes"][0]["vertices"][0].append([1])),
 ]
@@ -150,7 +175,7 @@ def main():
 
     with tempfile.TemporaryDirectory() as work:
         def answer(call):
-            words = [program, *call.format(work).split(), "--format", "json"]
+            words = [program, *shlex.split(call.format(work)), "--format", "json"]
             done = subprocess.run(words, capture_output=True, text=True, check=False)
             assert done.returncode in (0, 1, 3), f"{call}: status {done.returncode}: {done.stderr}"
             return json.loads(done.stdout)

@@ -76,7 +76,6 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --cells 9",
             "cells of all segments = 8");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only", "families only");
-    refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --gap -1e-3", "gap");
     refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --strain-limit 1",
             "--strain-limit");
     const std::string response = "response --damping 0.1 --force tip --amplitude 1e-4 --segments ";
@@ -120,9 +119,18 @@ TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and 
     const json& balance = settled["balance"];
     CHECK(std::abs(balance["error"].get<double>()) < 1e-9 * balance["work"].get<double>());
     CHECK(balance["dissipated"].get<double>() > 0.0);
-    const auto words = program.run("find 6 26 --segments 4:1,4:1.3 --damping 0.1 --force tip");
-    CHECK((words.status == 0 || words.status == 3));
-    CHECK_THAT(words.out, containsText("force on the tip"));
+    CHECK(
+        program.find("6 26 --segments 4:1,4:1.3 --damping 0.1 --force tip", 0)["motions"].size() ==
+        1);
+    const std::string absent = "5 24 --segments 4:1,4:1.3 --damping 0.05 --force tip";
+    const json none = program.find(absent + " --certificate none.json", 1);
+    CHECK(none["certificate"]["verified"] == true);
+    CHECK(none["certificate"]["cuts"][0]["periodicity"].size() == 16);
+    CHECK(json::parse(contentOf(program.file("none.json")))["certificate"] == none["certificate"]);
+    CHECK_THAT(program.run("find " + absent).out, containsText("checked with enclosed numbers"));
+    const json pressed = program.find(
+        "6 26 --segments 4:1,4:1.3 --damping 0.1 --force tip --gap -1e-3 --second-stop 3e-3", 1);
+    CHECK(pressed["reason"] == "penetration");
 }
 
 TEST_CASE("cli stepped: the response says what find says of each schedule, in all its files",

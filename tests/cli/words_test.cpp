@@ -105,3 +105,32 @@ TEST_CASE("cli: a value of any length is answered in few words")
         CHECK(outcome.err.size() < 400);
     }
 }
+
+TEST_CASE("cli: every answer in words begins with the bar that was meant")
+{
+    const Program program;
+    // c = 5000 m/s: ω₁ = 5000/(4·2) Hz, E₁ = 2e7·(1e-6)²/(2·2) J.
+    const std::string steel = " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6";
+    const std::string forced = " --damping 5 --force tip --amplitude 20";
+    for (const std::string call :
+         {"find 3 25 --cells 8", "find --period 7/2", "continuum 6 36 --cells 12 --energy-ratio 8",
+          "modes", "modes --phases 2 --max-order 3", "mode 4 -1 --period 3.2", "families",
+          "atlas --database a.sqlite --cells 6", "atlas --database a.sqlite --period 7/2",
+          "simulate --rest --cells 10 --time 1e-3"}) {
+        const auto outcome = program.run(call + steel);
+        INFO(call << "\n" << outcome.out << outcome.err);
+        const std::string first = outcome.out.substr(0, outcome.out.find('\n'));
+        CHECK_THAT(first, containsText("L = 2 m, c = 5000 m/s, EA = 2e+07 N, g = 1e-06 m"));
+        CHECK_THAT(first, containsText("ω₁ = 625 Hz, E₁ = 5e-06 J"));
+    }
+    for (const std::string call : {"find 10 60 --cells 20", "response --cells 8 --from 0.9 --to 1",
+                                   "simulate --rest --cells 10 --frequency 1 --periods 2"}) {
+        const auto outcome = program.run(call + forced);
+        INFO(call << "\n" << outcome.out << outcome.err);
+        CHECK_THAT(outcome.out.substr(0, outcome.out.find('\n')), containsText(", ζ = 5; "));
+    }
+    const std::string stepped = program.run("find 3 25 --segments 4:1,4:1.3").out;
+    CHECK_THAT(stepped.substr(0, stepped.find('\n')), containsText("segments 4:1"));
+    const std::string touching = program.run("find 225 675 --gap 0 --energy 1e-6").out;
+    CHECK_THAT(touching.substr(0, touching.find('\n')), containsText("no E₁"));
+}

@@ -1,6 +1,6 @@
-// Text of strangers: state files, segments, schedules, numbers, questions of the page. Whatever it
-// is, it is read or refused with words; and what was read obeys the range that the words name, and
-// comes back from text. The first byte says what reads the rest.
+// Text of strangers: state files, segments, scenes, schedules, numbers, questions of the page.
+// Whatever it is, it is read or refused with words; and what was read obeys the range that the
+// words name, and comes back from text. The first byte says what reads the rest.
 
 #include <sys/mman.h>
 #include <unistd.h>
@@ -14,7 +14,9 @@
 #include <string_view>
 
 #include "arguments.hpp"
+#include "network.hpp"
 #include "request.hpp"
+#include "scene_options.hpp"
 #include "segments_text.hpp"
 #include "signorini/output.hpp"
 
@@ -70,6 +72,29 @@ void readsPhases(const std::string& text)
     for (const Phase& phase : cli::parsePhases(words)) {
         require(phase.contact >= 1 && phase.free >= 1);
     }
+}
+
+/// Words of a scene: what was read comes back, and what is a scene has a network that is one.
+void readsScene(std::string_view text)
+{
+    const std::vector<AssemblyPart> parts = partsOf(text);
+    require(partsOf(textOf(parts)) == parts);
+    std::int64_t cells = 0;
+    for (const AssemblyPart& part : parts) {
+        cells += part.cells;
+    }
+    const Network network = networkOf(Assembly{.parts = parts});
+    require(network.cells() == cells && !network.contacts.empty());
+    const SceneReference reference = referenceOf(network);
+    require(reference.frequency >= 0.0 && reference.energy.value_or(0.0) >= 0.0);
+}
+
+/// The same from a file.
+void readsSceneFile(std::string_view text)
+{
+    const Assembly assembly = cli::assemblyOfJson(text, "scene.json");
+    const std::string json = cli::asLine(cli::asJson(assembly));
+    require(cli::assemblyOfJson(json, "scene.json") == assembly);
 }
 
 void readsNumbers(std::string_view text)
@@ -149,6 +174,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                 break;
             case 'p':
                 readsPhases(text);
+                break;
+            case 'c':
+                readsScene(text);
+                break;
+            case 'f':
+                readsSceneFile(text);
                 break;
             case 'n':
                 readsNumbers(text);

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <new>
 #include <stdexcept>
 
 #include "views.hpp"
@@ -21,6 +22,13 @@ const std::map<std::string, Reply (*)(const Request&)>& views()
     return table;
 }
 
+Reply refusal(const char* why)
+{
+    Reply reply;
+    reply.json["error"] = why;
+    return reply;
+}
+
 }  // namespace
 
 Reply answer(const std::string& question)
@@ -33,10 +41,12 @@ Reply answer(const std::string& question)
                                         ": there is no such view");
         }
         return view->second(request);
+    } catch (const std::bad_alloc&) {
+        return refusal(
+            "A page has not the memory for that: fewer cells, or a shorter time; the "
+            "command line has no such limit");
     } catch (const std::exception& fault) {
-        Reply reply;
-        reply.json["error"] = fault.what();
-        return reply;
+        return refusal(fault.what());
     }
 }
 

@@ -88,7 +88,7 @@ std::optional<Schedule> nearestSchedule(const ModePolytope& polytope, const Mode
     return best == all.end() ? std::nullopt : std::optional(*best);
 }
 
-cli::PolytopeListing listingOf(const Request& request)
+answers::PolytopeList listingOf(const Request& request)
 {
     ModeBounds bounds;
     bounds.maxOrder = request.whole("order", 1, 25);
@@ -104,7 +104,7 @@ Reply showPolygons(const Request& request)
     reply.json["polygons"] = Json::array();
     std::vector<double> samples;  // T, E/E_1, least and most first contact
     for (const ModePolytope& polytope : listingOf(request).polytopes) {
-        Json one = cli::identityAsJson(polytope);
+        Json one = cli::jsonOf(answers::PolytopeOf{polytope, bar});
         one["text"] = cli::chainsAsText(polytope.chains);
         one["lowest"] = polytope.lowest.value();
         one["highest"] = polytope.highest.value();
@@ -132,7 +132,7 @@ Reply showPolygon(const Request& request)
     const ModePoint point = pointOf(request, polytope, period);
     const ModeMotion motion(polytope, point);
     const std::int64_t cells = request.whole("cells", 2, mostCells);
-    reply.json["answer"] = {{"polytope", cli::identityAsJson(polytope)},
+    reply.json["answer"] = {{"polytope", cli::jsonOf(answers::PolytopeOf{polytope, bar})},
                             {"text", cli::chainsAsText(polytope.chains)},
                             {"period_ratio", period},
                             {"frequency_ratio", 4.0 / period},
@@ -140,11 +140,11 @@ Reply showPolygon(const Request& request)
                             {"energy_ratio", energyRatio(polytope, period)},
                             {"stretches", stretches(polytope, point)},
                             {"first_contact_range", motions.contacts},
-                            {"physical", cli::physicalAsJson(physicalOf(motion.extremes(), bar))}};
+                            {"physical", cli::jsonOf(physicalOf(motion.extremes(), bar))}};
     reply.json["period"] = period;
     reply.json["nearest"] = nullptr;
     if (const auto schedule = nearestSchedule(polytope, motion, cells)) {
-        reply.json["nearest"] = cli::phasesAsJson(schedule->phases);
+        reply.json["nearest"] = cli::jsonOf(schedule->phases);
     }
     addMode(reply, motion, cells);
     return reply;
@@ -162,7 +162,7 @@ std::string polygonMotion(const Request& request)
 
 std::string polygonsJson(const Request& request)
 {
-    return cli::asJson(listingOf(request));
+    return cli::asLine(cli::wholeJsonOf(listingOf(request)));
 }
 
 std::string polygonsTable(const Request& request)

@@ -49,7 +49,7 @@ Text scheduleJson(const Request& of)
         const Continuum& curve = curveOf(of.schedule(), of.number("energy", 0.0, 1e12));
         return cli::asJson(curve, memberOf(of, curve));
     }
-    return cli::asLine(cli::answerOf(found(of)));
+    return cli::asLine(cli::wholeJsonOf(answers::FindAnswer{found(of)}));
 }
 
 Text scheduleState(const Request& of)
@@ -85,23 +85,23 @@ Text modeMotionFile(const Request& of)
 
 Text forcedState(const Request& of)
 {
-    const cli::ForcedAnswer answer = forcedAnswer(of);
+    const answers::ForcedAnswer answer = forcedAnswer(of);
     if (answer.motions.empty()) {
         throw std::invalid_argument("there is no motion to write");
     }
-    return stateOf(answer.motions.back().state);
+    return stateOf(answer.motions.back().value.state);
 }
 
 Text simulationFile(const Request& of, void (*write)(const Text&, const BarSimulation&, const Bar&))
 {
-    const Simulated result = simulated(of);
+    const Simulated result = simulated(of, true);
     return textOf([&](const Text& path) { write(path, result.simulation, bar); });
 }
 
 Text familiesFile(const Request& of)
 {
     const FamilyBounds bounds;
-    cli::FamilyList list{of.whole("order", 1, 200), bounds.maxEnergyRatio, bar, {}, {}};
+    answers::FamilyList list{of.whole("order", 1, 200), bounds.maxEnergyRatio, bar, {}, {}};
     list.families = findFamilies(list.maxOrder);
     return textOf([&](const Text& path) { cli::writeFamiliesCsv(path, list); });
 }
@@ -110,7 +110,8 @@ const std::map<Text, std::function<Text(const Request&)>>& files()
 {
     static const std::map<Text, std::function<Text(const Request&)>> table{
         {"schedule.json", scheduleJson},
-        {"schedule.text", [](const Request& of) { return cli::asText(found(of)); }},
+        {"schedule.text",
+         [](const Request& of) { return cli::asText(answers::FindAnswer{found(of)}); }},
         {"schedule.state", scheduleState},
         {"schedule.motion", scheduleMotion},
         {"schedule.continuum",
@@ -119,12 +120,16 @@ const std::map<Text, std::function<Text(const Request&)>>& files()
              return textOf([&](const Text& path) { writeContinuumCsv(path, curve); });
          }},
         {"mode.json",
-         [](const Request& of) { return cli::asJson(modeOf(of), modeMotion(of), bar); }},
+         [](const Request& of) {
+             return cli::asLine(
+                 cli::wholeJsonOf(answers::ModeAnswer{modeOf(of), bar, modeMotion(of)}));
+         }},
         {"mode.motion", modeMotionFile},
         {"polygon.motion", polygonMotion},
         {"polygons.json", polygonsJson},
         {"polygons.csv", polygonsTable},
-        {"forced.json", [](const Request& of) { return cli::asJson(forcedAnswer(of)); }},
+        {"forced.json",
+         [](const Request& of) { return cli::asLine(cli::wholeJsonOf(forcedAnswer(of))); }},
         {"forced.state", forcedState},
         {"simulation.json",
          [](const Request& of) {

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "excited_names.hpp"
-#include "force_report.hpp"
 #include "measurements.hpp"
 #include "names.hpp"
+#include "signorini/settling.hpp"
 #include "views.hpp"
 
 namespace signorini::web {
@@ -103,10 +103,10 @@ struct Pluck {
 };
 
 /// The state that `simulate --from` reads from the table of a pluck.
-Waves startOf(const Request& start, std::int64_t cells)
+Waves startOf(const Request& start, std::int64_t cells, double base)
 {
     if (start.word("kind") == "rest") {
-        return wavesAtRest(static_cast<double>(cells));
+        return wavesAtRest(static_cast<double>(cells), {}, base);
     }
     Measurements measured;
     measured.isDisplacement = true;
@@ -129,12 +129,15 @@ struct Course {
     double total;    ///< in stretches
 };
 
+/// In all, which a page takes seconds for; longer runs are a matter for the command line.
+constexpr std::int64_t mostExcitedSteps = 20'000'000;
+
 Course courseOf(const Request& request)
 {
     const std::int64_t cells = request.whole("cells", 2, mostCells);
     const auto perCrossing = static_cast<double>(cells);
     Course course{cells,
-                  startOf(request.part("start"), cells),
+                  {},
                   {request.number("damping", 0.0, mostDamping)},
                   {.stepsPerCrossing = perCrossing},
                   16.0 * perCrossing,
@@ -143,14 +146,17 @@ Course courseOf(const Request& request)
         const Excited place = placeOf(request);
         course.excitation =
             excitationOf({.place = place,
-                          .amplitude = amplitudeOf(request) / cli::amplitudeUnit(place, bar),
+                          .amplitude = amplitudeOf(request) / answers::amplitudeUnit(place, bar),
                           .steps = request.whole("steps", 3, 100 * cells),
                           .stepsPerCrossing = perCrossing});
         course.stretch = static_cast<double>(course.excitation.steps());
-        course.total = static_cast<double>(request.whole("periods", 1, 2000));
+        course.total = static_cast<double>(request.whole(
+            "periods", 1,
+            std::min<std::int64_t>(2000, mostExcitedSteps / course.excitation.steps())));
     } else {
         course.total = request.number("crossings", 0.1, 1000.0) * perCrossing / course.stretch;
     }
+    course.start = startOf(request.part("start"), cells, course.excitation.baseDisplacement(0));
     return course;
 }
 
@@ -165,11 +171,11 @@ std::string pluckTable(const Request& start)
     return table;
 }
 
-cli::ForcedAnswer forcedAnswer(const Request& request)
+answers::ForcedAnswer forcedAnswer(const Request& request)
 {
     const Excited place = placeOf(request);
     const double amplitude = amplitudeOf(request);
-    return cli::answerOf(
+    return answers::answerOf(
         forcedMotions(request.schedule(), {request.number("damping", 1e-6, mostDamping)},
                       {.place = place}),
         bar, amplitude);
@@ -178,15 +184,15 @@ cli::ForcedAnswer forcedAnswer(const Request& request)
 Reply showForced(const Request& request)
 {
     Reply reply;
-    const cli::ForcedAnswer answer = forcedAnswer(request);
-    reply.json["answer"] = Json::parse(cli::asJson(answer));
+    const answers::ForcedAnswer answer = forcedAnswer(request);
+    reply.json["answer"] = cli::wholeJsonOf(answer);
     reply.json["period"] = period(answer.set.schedule);
     if (answer.motions.empty()) {
         return reply;
     }
     const auto which = std::min<std::size_t>(static_cast<std::size_t>(request.whole("which", 0, 1)),
                                              answer.motions.size() - 1);
-    const ForcedMotion& motion = answer.motions[which];
+    const ForcedMotion& motion = answer.motions[which].value;
     reply.json["which"] = which;
     BarSimulation simulation(wavesOf(motion.state), motion.damping, motion.excitation);
     Camera camera(simulation, answer.set.schedule.cells);
@@ -201,7 +207,7 @@ Reply showForced(const Request& request)
     return reply;
 }
 
-Simulated simulated(const Request& request)
+Simulated simulated(const Request& request, bool recordsTip)
 {
     const Course course = courseOf(request);
     const bool isForced = course.excitation.steps() > 0;
@@ -212,23 +218,28 @@ Simulated simulated(const Request& request)
                       .frequencyRatio = 0.0,
                       .phase = 0.0,
                       .cells = course.cells,
-                      .settled = {}},
+                      .resolution = 1.0 / static_cast<double>(course.cells),
+                      .settling = {}},
                      BarSimulation(course.start, course.damping, course.excitation,
-                                   {.mergeBelow = {}, .recordsTip = true})};
+                                   {.mergeBelow = {},
+                                    .recordsTip = recordsTip,
+                                    .stops = {},
+                                    .segments = {},
+                                    .resolution = 1.0 / static_cast<double>(course.cells)})};
     if (isForced) {
         result.answer.frequencyRatio = 4.0 / result.answer.period();
     }
-    SettlingWatch watch;
+    SettlingWatch watch(static_cast<std::int64_t>(course.total));
     double done = 0.0;
     for (; done + 1.0 <= course.total; done += 1.0) {
         result.simulation.advance(course.stretch);
         watch.see(result.simulation);
     }
+    if (isForced) {
+        result.answer.settling = watch.settling(result.simulation, course.stretch);
+    }
     if (course.total > done) {
         result.simulation.advance((course.total - done) * course.stretch);
-    }
-    if (isForced) {
-        result.answer.settled = watch.settled();
     }
     return result;
 }

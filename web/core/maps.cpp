@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "force_report.hpp"
 #include "mode_report.hpp"
 #include "signorini/atlas.hpp"
 #include "signorini/modes.hpp"
@@ -33,7 +32,7 @@ void addModes(Reply& reply, double energy)
     reply.json["modes"] = Json::array();
     std::vector<double> samples;  // T and E/E_1, samplesOfMode of them for each mode
     for (const Mode& mode : findModes({.maxEnergyRatio = energy})) {
-        Json one = cli::identityAsJson(mode);
+        Json one = cli::jsonOf(answers::ModeOf{mode, bar});
         one["contact_text"] = cli::contactAsText(mode);
         one["root_text"] = cli::rootAsText(mode);
         one["lowest"] = mode.lowest.value();
@@ -70,7 +69,7 @@ ResponseRange rangeOf(const Request& request)
     range.cells = request.whole("cells", 4, mostCells);
     range.damping = {request.number("damping", 1e-4, 1.0)};
     range.place = request.word("place") == "base" ? Excited::base : Excited::tip;
-    const double unit = range.place == Excited::tip ? cli::forceUnit(bar) : bar.gap;
+    const double unit = range.place == Excited::tip ? answers::forceUnit(bar) : bar.gap;
     range.amplitude = request.number("amplitude", 1e-9, 10.0) / unit;
     range.leastFrequencyRatio = request.number("least", 0.1, 10.0);
     range.mostFrequencyRatio = request.number("most", 0.1, 10.0);
@@ -161,7 +160,7 @@ Reply showFamily(const Request& request)
                                least;
     const Schedule schedule = scheduleOf(*family, cells);
     reply.json["cells"] = cells;
-    reply.json["phases"] = cli::phasesAsJson(schedule.phases);
+    reply.json["phases"] = cli::jsonOf(schedule.phases);
     reply.json["least_energy_ratio"] = leastEnergy(*family).value();
     return reply;
 }

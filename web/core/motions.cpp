@@ -112,7 +112,7 @@ Reply showSchedule(const Request& request)
     Reply reply;
     const Schedule schedule = request.schedule();
     const PeriodicResult result = found(request);
-    reply.json["answer"] = cli::answerOf(result);
+    reply.json["answer"] = cli::wholeJsonOf(answers::FindAnswer{result});
     // The page has no use for the stopwatch, and two runs are to give one answer.
     reply.json["answer"]["solver"].erase("seconds");
     reply.json["period"] = period(schedule);
@@ -133,9 +133,10 @@ Reply showSchedule(const Request& request)
             if (request.has("pause")) {
                 const Member member = memberAt(curve, request.number("pause", first, last));
                 state = member.point.state;
-                const Physical physical = cli::physicalOf(member.point, curve);
+                const Physical physical =
+                    physicalOf(extremesOf(member.point.state, curve.schedule), curve.scene.bar);
                 reply.json["answer"]["energy_ratio"] = member.point.energyRatio;
-                reply.json["answer"]["physical"] = cli::physicalAsJson(physical);
+                reply.json["answer"]["physical"] = cli::jsonOf(physical);
                 reply.json["residual"] = member.point.residual;
             }
         }
@@ -162,7 +163,7 @@ Reply showMode(const Request& request)
     Reply reply;
     const Mode mode = modeOf(request);
     const ModeMotion motion(mode, request.number("period", 0.0, 4.0));
-    reply.json["answer"] = Json::parse(cli::asJson(mode, motion, bar));
+    reply.json["answer"] = cli::wholeJsonOf(answers::ModeAnswer{mode, bar, motion});
     reply.json["period"] = motion.period();
     reply.json["least_energy_ratio"] = energyRange(mode).least;
     addMode(reply, motion, request.whole("cells", 2, mostCells));

@@ -42,7 +42,7 @@ namespace signorini::web {
 [[nodiscard]] PeriodicResult found(const Request& request);
 /// The continuum through the schedule's motions of an energy; the last one is kept.
 [[nodiscard]] const Continuum& curveOf(const Schedule& schedule, double energyRatio);
-[[nodiscard]] cli::ForcedAnswer forcedAnswer(const Request& request);
+[[nodiscard]] answers::ForcedAnswer forcedAnswer(const Request& request);
 /// The response as far as it was asked for with `showResponse`.
 [[nodiscard]] const cli::ResponseAnswer& responseOf(const Request& request);
 
@@ -51,8 +51,8 @@ struct Simulated {
     cli::SimulationAnswer answer;
     BarSimulation simulation;
 };
-/// Simulated as the command line does, with the path of the tip.
-[[nodiscard]] Simulated simulated(const Request& request);
+/// Simulated as the command line does; its tip file needs the path of the tip.
+[[nodiscard]] Simulated simulated(const Request& request, bool recordsTip = false);
 /// The table from which a plucked bar starts, as `simulate --from` reads it.
 [[nodiscard]] std::string pluckTable(const Request& start);
 

@@ -13,6 +13,7 @@ export class Film {
   readonly mostStrain: number;
   readonly mostForce: number;
   readonly mostDisplacement: number;
+  readonly mostCompression: number;  // of a part between two nodes [g/L]
 
   constructor(answer: Answer) {
     this.times = answer.array('times');
@@ -24,6 +25,11 @@ export class Film {
     this.mostStrain = most(this.s);
     this.mostForce = most(this.force);
     this.mostDisplacement = most(this.u);
+    let shortest = 0;
+    for (let row = 0; row < this.u.length; row += this.nodes) {
+      for (let i = row + 1; i < row + this.nodes; ++i) shortest = Math.min(shortest, this.u[i] - this.u[i - 1]);
+    }
+    this.mostCompression = -shortest * (this.nodes - 1);
   }
 
   get begin(): number { return this.times[0]; }
@@ -45,10 +51,18 @@ export class Film {
   }
 }
 
+/** As asked, or as many times as leave the bar in order: its compression is given in g/L, the gap in g. */
+export function drawnTimes(asked: number, compression: number, gap: number): number {
+  const limit = (most: number, size: number): number => (size > 0 ? most / (gapShare * size) : Infinity);
+  return Math.min(asked, limit(mostShortened, compression), limit(mostGap, gap));
+}
+
 export type Drawing = CanvasRenderingContext2D;
 
 const levels = 65;
 const gapShare = 1e-3;  // g/L
+const mostShortened = 0.9;  // of a part of the bar as it is drawn: nothing passes its neighbour, and so no clamp and no wall
+const mostGap = 0.5;        // of the bar's length, as it is drawn
 
 export interface Pluck { place: number; displacement: number }
 
@@ -56,7 +70,7 @@ export class BarView {
   private readonly context: Drawing;
   private lut: string[] = [];
   film: Film | undefined;
-  magnified = 100;
+  magnified = 100;            // as the reader wants it
   pluck: Pluck | undefined;  // shown instead of the motion while the bar is held
   share = 0;
   gap = 1;                    // of the wall, in g of the usual bar: 0, or less where the bar at rest is pressed
@@ -82,12 +96,18 @@ export class BarView {
     this.canvas.height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
   }
 
+  /** Displacements are drawn so many times larger. */
+  get drawn(): number {
+    const { pluck } = this;
+    return drawnTimes(this.magnified, pluck ? -pluck.displacement / pluck.place : this.film?.mostCompression ?? 0, this.gap);
+  }
+
   /** Left end and length of the bar at rest, in CSS pixels. */
   private frame(): { left: number; length: number } {
     const width = this.canvas.clientWidth;
     const left = 34;
     // Room for the gap as it is drawn, at most a quarter of the bar, and the wall.
-    return { left, length: (width - left - 44) / (1 + Math.min(gapShare * this.magnified, 0.5)) };
+    return { left, length: (width - left - 44) / (1 + gapShare * this.drawn * Math.max(this.gap, 0)) };
   }
 
   /** Where on the bar at rest a pointer is, 0..1 and beyond. */
@@ -95,9 +115,10 @@ export class BarView {
     const { left, length } = this.frame();
     return (x - left) / length;
   }
-  /** How far [g] the bar is pulled when the hand has moved so far. */
-  pulledBy(pixels: number): number {
-    return pixels / (this.frame().length * gapShare * this.magnified);
+  /** How far [g] the bar is pulled when the hand, at a share of the length, has moved so far. */
+  pulledBy(pixels: number, place: number): number {
+    const unit = gapShare * this.magnified;
+    return Math.max(pixels / (this.frame().length * unit), (-mostShortened * place) / unit);
   }
 
   paint(): void {
@@ -107,7 +128,7 @@ export class BarView {
   draw(c: Drawing, width: number, height: number, ratio: number): void {
     const { ink, paper, faint } = tones();
     const { left, length } = this.frame();
-    const unit = length * gapShare * this.magnified;  // pixels of one g
+    const unit = length * gapShare * this.drawn;  // pixels of one g
     const [top, thick] = [height * 0.3, height * 0.36];
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.fillStyle = paper;
@@ -143,7 +164,9 @@ export class BarView {
     c.textAlign = 'left';
     c.fillText('clamp', left - 15, top + thick + 20);
     c.textAlign = 'center';
-    c.fillText(`displacements × ${this.magnified}`, left + length / 2, top + thick + 20);
+    const magnified = `displacements × ${Number(this.drawn.toPrecision(3))}`;
+    c.fillText(this.drawn < this.magnified ? `${magnified}: × ${this.magnified} would draw the bar through itself` : magnified,
+      left + length / 2, top + thick + 20);
   }
 
   private force(): number {
@@ -201,7 +224,7 @@ export class BarView {
     const tip = this.film && !this.pluck ? this.film.displacement(this.film.nodes - 1, this.film.locate(this.share)) : this.pluck?.displacement ?? 0;
     const { left, length } = this.frame();
     c.fillStyle = tones().ink;
-    c.fillRect(left + length + length * gapShare * this.magnified * tip - 3, top - 18, 3, thick + 36);
+    c.fillRect(left + length + length * gapShare * this.drawn * tip - 3, top - 18, 3, thick + 36);
   }
 
   private drawBar(c: Drawing, left: number, length: number, unit: number, top: number, thick: number, ink: string): void {

@@ -238,7 +238,7 @@ export class Controls {
     canvas.addEventListener('pointermove', (event) => {
       if (!from || Math.abs(event.offsetX - from.x) < 4) return;
       this.start = { kind: 'pluck', place: from.place,
-        displacement: round(Math.min(Math.max(explorer.bar.pulledBy(event.offsetX - from.x), -20), 1), 3) };
+        displacement: round(Math.min(Math.max(explorer.bar.pulledBy(event.offsetX - from.x, from.place), -20), 1), 3) };
       explorer.bar.pluck = this.start;
       explorer.bar.paint();
     });
@@ -276,7 +276,8 @@ export class Controls {
       byId(id).textContent = text;
     };
     put('pace-value', `${shown(view.pace, 3)} L/c a second`);
-    put('magnified-value', `× ${view.magnified}`);
+    const { drawn } = this.explorer.bar;
+    put('magnified-value', `× ${view.magnified}${drawn < view.magnified ? `, drawn × ${shown(drawn, 3)}` : ''}`);
     put('damping-value', shown(view.forcing.damping, 3));
     const amount = shown(view.forcing.amplitude * 1000, 4);
     put('amplitude-value', view.forcing.place === 'tip' ? `${amount} mN = ${amount} EA g/L` : `${amount} mm = ${amount} g`);

@@ -14,6 +14,9 @@ export function shown(value: number, digits = 6): string {
   return String(Number(value.toPrecision(digits))).replace('-', '−');
 }
 
+/** "1 contact", "2 contacts". */
+export const counted = (count: number, what: string): string => `${count} ${what}${count === 1 ? '' : 's'}`;
+
 /** A value that stays readable in a link. */
 export const round = (value: number, digits = 6): number => Number(value.toPrecision(digits));
 

@@ -11,7 +11,7 @@ import { Plot } from './plots';
 import { Polygons } from './polygons';
 import { SurfaceView } from './surface';
 import { polygonOrder } from './takeaway';
-import { asLink, fromLink, type MapKind, type View } from './view';
+import { asLink, fromLink, whatOf, type MapKind, type View } from './view';
 
 const usualGap = 1e-3;  // [m], of the bar of the page
 const atlasQuestion = { show: 'map', cells: 300, order: 60, energy: 60 };
@@ -34,6 +34,7 @@ export class Explorer {
   private linkFault: string | undefined;
   private responseRun = 0;
   private linkTimer = 0;
+  private isChoice = false;  // what the reader did last: chosen, not dragged
   private lastFrame = 0;
   private frames = 0;
 
@@ -42,6 +43,10 @@ export class Explorer {
     this.asked = this.view.motion;
     this.map = new MapView(byId('map'), (pick) => void this.pick(pick));
     addEventListener('hashchange', () => this.follow(location.hash));
+    const isDragged = (event: Event): boolean => event.target instanceof HTMLInputElement && event.target.type === 'range';
+    for (const kind of ['click', 'change', 'submit', 'input']) {
+      addEventListener(kind, (event) => { this.isChoice = !isDragged(event); }, { capture: true });
+    }
     requestAnimationFrame((now) => this.frame(now));
   }
 
@@ -186,8 +191,8 @@ export class Explorer {
     byId('map-legend').textContent = {
       energy: 'Black curves: modes, a motion for every period. Blue half-lines: families, each a continuum; a dot is their least energy. The ring is what you see.',
       existence: 'A dot for each schedule of 300 cells that has a motion: dark for little energy, bright for much; grey ones only touch the wall. Each tent is one family.',
-      contacts: 'Two contacts in a period, on no grid. Filled: polygons; at one period their motions share the contact time between both contacts as they like, with one energy. Dashed: at each period a single motion. Drag the ring.',
-      response: 'A dot for each motion with one contact in a period. Full: tried, it attracts; open: it repels, or was not tried yet. Grey: without a wall the bar would stay clear of it.',
+      contacts: 'Two contacts in a period, on no grid. Filled: polygons; at one period their motions divide the contact time between the two contacts freely, at one energy. Dashed: at each period a single motion. Drag the ring.',
+      response: 'A dot for each motion with one contact in a period. Full: tested, it attracts; open: it repels, or was not tested yet. Grey: without a wall the bar would not reach it.',
     }[kind];
     if (kind === 'response') void this.loadResponse();
     if (kind === 'contacts' && !this.map.polygons) void this.loadPolygons();
@@ -221,7 +226,7 @@ export class Explorer {
         }
         const places = answer.array('lines');
         for (let i = 0; i < places.length; i += 4) seen.push([places[i + 1], places[i + 2], places[i + 3]]);
-        byId('progress').textContent = done < all ? `${stability ? 'trying what attracts' : 'computing'}: ${done} of ${all} frequencies`
+        byId('progress').textContent = done < all ? `${stability ? 'testing stability' : 'computing'}: ${done} of ${all} frequencies`
           : `${points.length} motions at ${all} frequencies${stability ? ', each tried' : ''}`;
         if (!stability || done === all) {
           response.splice(0, response.length, ...points);
@@ -287,10 +292,18 @@ export class Explorer {
     if (!isPlaying) this.keepLink();
   }
 
-  /** The address follows a moment later, so that dragging does not write it a hundred times. */
+  /**
+   * The address follows a moment later, so that dragging does not write it a hundred times. Another
+   * motion or map that was chosen is an entry of its own, to which Back leads; what is dragged is not.
+   */
   keepLink(): void {
     clearTimeout(this.linkTimer);
-    this.linkTimer = window.setTimeout(() => history.replaceState(null, '', `#${asLink(this.view)}`), 150);
+    this.linkTimer = window.setTimeout(() => {
+      const link = `#${asLink(this.view)}`;
+      const isEntry = this.isChoice && location.hash !== '' && whatOf(link) !== whatOf(location.hash);
+      this.isChoice = false;
+      history[isEntry ? 'pushState' : 'replaceState'](null, '', link);
+    }, 150);
   }
 
   recolour(): void {

@@ -3,6 +3,7 @@
 import type uPlot from 'uplot';
 import { asText, palette, through, tones } from './colours';
 import type { Answer, Motion, Phases } from './core';
+import { shown } from './dom';
 import { at, Plot } from './plots';
 import type { Polygons, PolygonPick } from './polygons';
 import type { Forcing, MapKind, View } from './view';
@@ -82,27 +83,35 @@ export class MapView {
       const frame = plot.over.getBoundingClientRect();
       this.pickAt(plot, event.clientX - frame.left, event.clientY - frame.top);
     });
+    // The wheel scrolls the page, until one has clicked here, or with Ctrl.
+    let isEntered = false;
+    plot.over.addEventListener('pointerdown', () => { isEntered = true; });
+    plot.over.addEventListener('pointerleave', () => { isEntered = false; });
     plot.over.addEventListener('wheel', (event) => {
+      if (!event.ctrlKey && !isEntered) return;
       event.preventDefault();
       const frame = plot.over.getBoundingClientRect();
       this.scale(event.deltaY < 0 ? 0.8 : 1.25, (event.clientX - frame.left) / frame.width, 1 - (event.clientY - frame.top) / frame.height);
     }, { passive: false });
   }
 
-  /** Shows `factor` of what is shown now, around a place given as shares of width and height. */
+  /** Shows `factor` of what is shown now, at most the whole, around a place given as shares of width and height. */
   scale(factor: number, shareX = 0.5, shareY = 0.5): void {
     const plot = this.plot.inner;
     if (!plot) return;
-    const part = (low: number, high: number, share: number): [number, number] => {
+    const part = (low: number, high: number, share: number, [least, most]: [number, number]): [number, number] => {
       const centre = low + share * (high - low);
-      return [centre + (low - centre) * factor, centre + (high - centre) * factor];
+      return [Math.max(centre + (low - centre) * factor, least), Math.min(centre + (high - centre) * factor, most)];
     };
     const { x, y } = plot.scales;
+    const whole = this.plot.whole();
     const isLog = this.kind === 'energy';
-    const low = isLog ? Math.log(y.min!) : y.min!;
-    const high = isLog ? Math.log(y.max!) : y.max!;
-    const vertical = part(low, high, shareY);
-    this.plot.zoom(part(x.min!, x.max!, shareX), isLog ? [Math.exp(vertical[0]), Math.exp(vertical[1])] : vertical);
+    const there = isLog ? Math.log : (value: number): number => value;
+    const back = isLog ? Math.exp : there;
+    const [bottom, top] = part(there(y.min!), there(y.max!), shareY, [there(whole.y[0]), there(whole.y[1])]);
+    // At its edges the whole, to the last digit.
+    const exact = (value: number, edge: number): number => (value === there(edge) ? edge : back(value));
+    this.plot.zoom(part(x.min!, x.max!, shareX, whole.x), [exact(bottom, whole.y[0]), exact(top, whole.y[1])]);
   }
 
   private pickAt(plot: uPlot, px: number, py: number): void {
@@ -211,8 +220,46 @@ export class MapView {
 
   private drawHere(plot: uPlot): void {
     if (!this.here) return;
-    const [x, y] = at(plot, this.here.x, this.here.y);
     const r = 7 * devicePixelRatio;
+    const { left, top, width, height } = plot.bbox;
+    const [trueX, trueY] = at(plot, this.here.x, this.here.y);
+    const inside = (value: number, low: number, high: number): number => Math.min(Math.max(value, low), high);
+    const [x, y] = [inside(trueX, left + 3 * r, left + width - 3 * r), inside(trueY, top + 3 * r, top + height - 3 * r)];
+    const isOutside = trueX < left || trueX > left + width || trueY < top || trueY > top + height;
+    if (isOutside) return this.drawAway(plot, x, y, Math.atan2(trueY - y, trueX - x), r);
+    this.drawRing(plot, trueX, trueY, r);
+  }
+
+  /** The motion is beyond what the map shows: an arrow there, and where it is. */
+  private drawAway(plot: uPlot, x: number, y: number, angle: number, r: number): void {
+    const c = plot.ctx;
+    c.save();
+    c.translate(x, y);
+    c.rotate(angle);
+    c.strokeStyle = palette.contact;
+    c.fillStyle = palette.contact;
+    c.lineWidth = 3 * devicePixelRatio;
+    c.beginPath();
+    c.moveTo(-r, 0);
+    c.lineTo(1.6 * r, 0);
+    c.stroke();
+    c.beginPath();
+    c.moveTo(2.6 * r, 0);
+    c.lineTo(1.2 * r, -r);
+    c.lineTo(1.2 * r, r);
+    c.closePath();
+    c.fill();
+    c.restore();
+    const { left, width } = plot.bbox;
+    c.fillStyle = tones().ink;
+    c.font = `${13 * devicePixelRatio}px system-ui, sans-serif`;
+    c.textAlign = x > left + width / 2 ? 'right' : 'left';
+    c.textBaseline = 'middle';
+    const what = this.kind === 'energy' ? `E = ${shown(this.here!.y, 4)} E₁ at ${shown(this.here!.x, 4)} ω₁` : `at ${shown(this.here!.x, 4)}, ${shown(this.here!.y, 4)}`;
+    c.fillText(what, x + (c.textAlign === 'left' ? 3 : -3) * r, y);
+  }
+
+  private drawRing(plot: uPlot, x: number, y: number, r: number): void {
     plot.ctx.strokeStyle = palette.contact;
     plot.ctx.lineWidth = 3 * devicePixelRatio;
     dot(plot.ctx, x, y, r);

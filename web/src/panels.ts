@@ -1,7 +1,7 @@
 // What is said of a motion: a headline, what is proved, computed and assumed.
 
 import type { Answer, Motion } from './core';
-import { byId, fill, shown } from './dom';
+import { byId, counted, fill, shown } from './dom';
 import { assumed } from './words';
 
 type Json = Record<string, any>;
@@ -37,9 +37,10 @@ export function headlineOf(motion: Motion, answer: Answer): string {
     return `Mode t_c = ${motion.contact} − ${motion.turns === -1 ? '' : -motion.turns}T at T = ${shown(motion.period, 10)} L/c: contact ${shown(a.contact_time_ratio)} L/c, E = ${shown(a.energy_ratio)} E₁.`;
   }
   const from = motion.start.kind === 'rest' ? 'Started at rest' : `Held at ${shown(motion.start.place)} L, pulled by ${shown(motion.start.displacement)} g, let go`;
-  const end = a.settled ? ` It settles: ${a.settled.contacts} contacts every ${a.settled.periods} periods.`
+  const every = a.settled?.periods === 1 ? 'every period' : `every ${a.settled?.periods} periods`;
+  const end = a.settled ? ` It settles: ${a.settled.contacts > 0 ? `${counted(a.settled.contacts, 'contact')} ${every}` : `clear of the wall, the same ${every}`}.`
     : motion.steps !== undefined ? ' It has not settled.' : '';
-  return `${from}: ${a.contacts} contacts in ${shown(a.time_ratio)} L/c.${end}`;
+  return `${from}: ${counted(a.contacts, 'contact')} in ${shown(a.time_ratio)} L/c.${end}`;
 }
 
 function provedOf(motion: Motion, answer: Answer): string[] {
@@ -73,10 +74,10 @@ function provedOf(motion: Motion, answer: Answer): string[] {
       : 'For irrational T they are isolated: nothing can be shared out otherwise.'];
   }
   if (motion.show === 'forced') {
-    if (a.status !== 'found') return [a.certificate?.verified ? 'That there is none is checked with numbers enclosed from both sides.' : 'Nothing.'];
+    if (a.status !== 'found') return [a.certificate?.verified ? 'Absence is proved with interval arithmetic.' : 'Nothing.'];
     return [`The forced motions of this schedule are a segment or a ray; at most two have one amplitude. Here ${a.motions.length}.`];
   }
-  return ['That each event follows from the one before, with no approximation but rounding. Nothing is proved of what it settles on.'];
+  return ['Each event follows from the one before, exact up to rounding. Nothing is proved about what it settles on.'];
 }
 
 function computedOf(motion: Motion, answer: Answer): [string, string][] {
@@ -102,7 +103,7 @@ function computedOf(motion: Motion, answer: Answer): [string, string][] {
     const residuals = a.residuals as Record<string, number> | null;
     if (residuals) {
       const worst = answer.json.residual ?? Math.max(...Object.values(residuals));
-      list.push(['Worst residual', `${shown(worst as number, 2)}, by a march that decides contact itself`]);
+      list.push(['Worst residual', `${shown(worst as number, 2)}, by an independent time-stepping check`]);
     }
   }
   if (motion.show === 'forced' && a.status === 'found') {

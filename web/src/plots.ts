@@ -99,15 +99,20 @@ export class Plot {
 
   redraw(): void { this.plot?.redraw(false, true); }
 
+  /** What is shown at first. */
+  whole(): { x: [number, number]; y: [number, number] } {
+    return { x: this.axes.xRange ?? [0, 1], y: this.axes.yRange ?? [0, 1] };
+  }
+
   /** Shows a part; without one the whole. */
   zoom(x?: [number, number], y?: [number, number]): void {
-    const { plot, axes } = this;
+    const { plot } = this;
     if (!plot) return;
     this.isZoomed = x !== undefined;
-    const [wholeX, wholeY] = [axes.xRange ?? [0, 1], axes.yRange ?? [0, 1]];
+    const whole = this.whole();
     plot.batch(() => {
-      plot.setScale('x', { min: (x ?? wholeX)[0], max: (x ?? wholeX)[1] });
-      plot.setScale('y', { min: (y ?? wholeY)[0], max: (y ?? wholeY)[1] });
+      plot.setScale('x', { min: (x ?? whole.x)[0], max: (x ?? whole.x)[1] });
+      plot.setScale('y', { min: (y ?? whole.y)[0], max: (y ?? whole.y)[1] });
     });
   }
 

@@ -3,7 +3,7 @@
 import type { Motion, ScheduleMotion } from './core';
 import { byId, input, round, shown } from './dom';
 import type { Explorer } from './explorer';
-import { paperCase, phasesAsText, phasesOf } from './view';
+import { paperCase, phasesAsText, typedPhases } from './view';
 
 /** A motion of each scene, to begin with. */
 const scenes: Record<string, Motion> = {
@@ -33,7 +33,7 @@ export class SceneControls {
   private showTyped(): void {
     const { gap, second_stop: stop, energy } = this.explorer.view.motion as ScheduleMotion;
     try {
-      const motion: ScheduleMotion = { show: 'schedule', cells: Number(input('schedule-cells').value), phases: phasesOf(input('schedule-text').value),
+      const motion: ScheduleMotion = { show: 'schedule', cells: Number(input('schedule-cells').value), phases: typedPhases(input('schedule-text').value),
         ...(gap === undefined ? {} : { gap }), ...(stop === undefined ? {} : { second_stop: stop }), ...(gap === 0 && energy !== undefined ? { energy } : {}) };
       void this.explorer.show(motion);
     } catch (fault) {

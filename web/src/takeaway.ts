@@ -50,7 +50,7 @@ export function pythonOf(motion: Motion, nearest?: Phases): string {
   const head = 'import signorini\n';
   if (motion.show === 'schedule') {
     if (motion.pause !== undefined) {
-      return `${head}curve = signorini.continuum(${argumentsOf(motion)}, energy_ratio=${motion.energy}${cells})`;
+      return `${head}member = signorini.continuum(${argumentsOf(motion)}, energy_ratio=${motion.energy}${cells}).member(${motion.pause})`;
     }
     const scene = given(', gap=', motion.gap) + given(', second_stop=', motion.second_stop) + given(', energy_ratio=', motion.energy);
     return `${head}result = signorini.find(${argumentsOf(motion)}${scene}${cells})`;

@@ -63,6 +63,9 @@ export function asLink(view: View): string {
   return words.toString().replaceAll('%3A', ':').replaceAll('%2C', ',');
 }
 
+/** Of a link all but how and when one looks. */
+export const whatOf = (link: string): string => link.replace(/&(magnified|pace|time)=[^&]*/g, '');
+
 const mostLetters = 60;
 
 /** A word of a stranger, to be quoted. */
@@ -80,6 +83,13 @@ export function phasesOf(text: string): Phases {
     }
     return [Number(found[2]), Number(found[3]), ...(found[1] ? ['L' as const] : [])] as Phases[number];
   });
+}
+
+/** The same as people type it: "150 900", "(75, 375) L:(75, 375)", "75:375, L:75:375". */
+export function typedPhases(text: string): Phases {
+  const words = text.replace(/[(),;]/g, ' ').replace(/\s*:\s*/g, ':').trim();
+  if (!/^((L:)?\d+[\s:]+\d+(\s+|$))+$/.test(words)) return phasesOf(text);
+  return phasesOf([...words.matchAll(/(L:)?(\d+)[\s:]+(\d+)/g)].map(([, stop, contact, free]) => `${stop ?? ''}${contact}:${free}`).join(','));
 }
 
 class Words {

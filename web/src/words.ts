@@ -7,10 +7,10 @@ export const glossary: [string, string][] = [
   ['step', 'The time L/(Nc) in which a wave crosses one of the N cells of the bar.'],
   ['schedule', 'The contacts and flights of one period, such as (150, 900) on 300 cells.'],
   ['motion', 'What the bar does. A periodic one repeats itself after the period T.'],
-  ['orbit', 'A motion, whatever the instant at which one starts to look: two motions that differ by a shift in time are one orbit.'],
+  ['orbit', 'A motion regardless of the initial instant: two motions that differ by a shift in time are one orbit.'],
   ['family', 'All motions of one period and one contact pattern, named by three whole numbers (w, ν, k): T = 2ν/w, longest contact 2k/w, and every energy from a least one upwards.'],
   ['mode', 'A curve of motions, one for each period T of an interval, rational or not, with contact time t_c = 4a + bT.'],
-  ['polygon', 'The motions with two contacts of one kind, over period and length of the first contact: contact time is shared between both as one likes.'],
+  ['polygon', 'The motions with two contacts of one kind, over period and length of the first contact: the contact time can be divided between them freely.'],
   ['second stop', 'A stop on the other side of the tip, at u(L) = −h. Contacts with it are written L:(n_c, n_f).'],
   ['continuum', 'Motions of one period and one energy that can be changed into each other without a jump: the paper’s discovery.'],
   ['grazing', 'The tip touches the wall without force: a linear motion.'],
@@ -18,14 +18,14 @@ export const glossary: [string, string][] = [
   ['ω₁', 'πc/(2L), the first frequency of the bar without a wall. A period T in L/c is the frequency ω/ω₁ = 4/T.'],
   ['impulse', 'The force of the wall added up over a period, in EA g/c.'],
   ['damping ratio ζ', 'A dashpot at the tip takes energy: a wave that is reflected there keeps the share ρ = exp(−πζ).'],
-  ['attracts', 'A bar that starts beside the motion comes back to it. It was tried, not proved.'],
+  ['attracts', 'A slightly perturbed bar returns to the motion: it is stable. This was tested, not proved.'],
 ];
 
 export const assumed = [
   'The bar is thin, straight, linear elastic and uniform; it moves along its axis only.',
   'The wall is rigid and fixed; it pushes and never pulls. There is no law of restitution: what the tip does follows from the waves.',
-  'Nothing is lost unless damping is asked for.',
-  'Displacements are drawn larger than they are; at g/L = 10⁻³ you would not see them.',
+  'Energy is conserved unless damping is set.',
+  'Displacements are drawn magnified; at g/L = 10⁻³ they would be invisible.',
 ];
 
 export interface Control { title: string; text: string; formula: string }
@@ -64,7 +64,7 @@ export const controls: Record<string, Control> = {
   },
   polygon: {
     title: 'Two contacts in a period',
-    text: 'Between the grids motions with two contacts fill polygons: beside the period T one may choose how the contact time is shared between both contacts. Energy and period stay as they are while you move the slider.',
+    text: 'Between the grids motions with two contacts fill polygons: besides the period T, the division of the contact time between the two contacts is free. Energy and period stay as they are while you move the slider.',
     formula: 'e_π(i) = s_i + 2k_i − m_i T, c₁ + c₂ = 2Σk − MT, 1/√(E/E₁) = κT − μ for all of them.',
   },
   damping: {
@@ -84,17 +84,17 @@ export const controls: Record<string, Control> = {
   },
   simulate: {
     title: 'From where you let the bar go',
-    text: 'Starts the forced, damped bar from your pluck and looks where it settles. Compare its impulse with the curve: the part of the fold that repels is never reached.',
+    text: 'Starts the forced, damped bar from your pluck and follows it until it settles. Compare its impulse with the curve: the part of the fold that repels is never reached.',
     formula: 'Next event: the end of a wave, of a step of F, or (g − u)/v, when the tip meets the wall.',
   },
   time: {
     title: 'Time',
-    text: 'Where in the period you look. Slow motion is so many L/c in one of your seconds.',
+    text: 'The instant within the period. Slow motion is given in L/c per second.',
     formula: 'u(x, t) = −(P(t + 1 + x) − P(t + 1 − x)), P the running sum of p.',
   },
   magnified: {
     title: 'Exaggeration',
-    text: 'Displacements are drawn so many times larger. At 1 you see the bar as it is, and nothing moves.',
+    text: 'Displacements are magnified by this factor. At 1 the bar is drawn to scale, and no motion is visible.',
     formula: 'drawn at x + M·u(x, t), with g/L = 10⁻³.',
   },
 };

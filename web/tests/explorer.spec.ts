@@ -120,6 +120,9 @@ test('schedule: any can be typed, and nonsense gets a sentence', async ({ page }
   await page.fill('#schedule-cells', '2');
   await page.click('#schedule-form button');
   await expect(page.locator(headline)).toContainText('(3, 5) on 2 cells');
+  await page.fill('#schedule-text', '3 6');
+  await page.click('#schedule-form button');
+  await expect(page.locator(headline)).toContainText('(3, 6) on 2 cells');
   await page.fill('#schedule-text', '3 and 5');
   await page.click('#schedule-form button');
   await expect(page.locator('#notice')).toContainText('allowed contact:free steps');
@@ -191,6 +194,78 @@ for (const [link, says] of [
     await expect(page.locator(headline)).toContainText('E = 4 E₁');
   });
 }
+
+test('memory: a simulation that no page can hold is refused in words, not with the name of a C++ error', async ({ page }) => {
+  await open(page, 'show=simulation&cells=1200&start=1:-20&dashpot=0.0001&steps=120000&periods=2000&from=0&span=100');
+  await expect(page.locator('#notice')).toContainText('periods = 2000: allowed whole numbers 1..166');
+  await expect(page.locator(headline)).toContainText('E = 4 E₁');
+});
+
+test('picture: at high energies the bar is drawn less enlarged, and it is said', async ({ page }) => {
+  await open(page, 'show=schedule&cells=300&phases=150:900&energy=500&magnified=100');
+  await expect(page.locator('#magnified-value')).toContainText('× 100, drawn × ');
+  await slide(page, 'magnified', 0.5);
+  await expect(page.locator('#magnified-value')).toHaveText('× 3');
+  // The ring would be above the map: something of its colour points there.
+  const marked = await page.locator('#map canvas').evaluate((canvas: HTMLCanvasElement) => {
+    const top = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, Math.round(canvas.height / 5)).data;
+    const wanted = getComputedStyle(document.documentElement).getPropertyValue('--contact').trim();
+    const [r, g, b] = [1, 3, 5].map((at) => parseInt(wanted.slice(at, at + 2), 16));
+    let count = 0;
+    for (let i = 0; i < top.length; i += 4) if (top[i] === r && top[i + 1] === g && top[i + 2] === b) ++count;
+    return count;
+  });
+  expect(marked).toBeGreaterThan(20);
+});
+
+test('back: what was chosen before comes back, what was dragged is no stop', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  await open(page);
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain('phases=150:900');
+  await page.locator('input[name="kind"][value="mode"]').check();
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain('show=mode');
+  for (const share of [0.3, 0.5, 0.7]) {
+    await slide(page, 'period', share);
+    await page.waitForTimeout(300);
+  }
+  await page.locator('input[name="map"][value="existence"]').check();
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain('map=existence');
+  await page.goBack();
+  await expect.poll(() => page.evaluate(() => location.hash)).toContain('map=energy');
+  await expect(page.locator(headline)).toContainText('Mode t_c');
+  await page.goBack();
+  await expect(page.locator(headline)).toContainText('(150, 900)');
+});
+
+test('wheel: it scrolls the page over the map, zooms with Ctrl, and never below 1 E₁', async ({ page }) => {
+  await open(page);
+  const over = page.locator('#map .u-over');
+  await over.scrollIntoViewIfNeeded();
+  const box = (await over.boundingBox())!;
+  const labels = () => page.locator('#map canvas').evaluate((canvas: HTMLCanvasElement) =>
+    [...canvas.toDataURL()].reduce((sum, letter) => (31 * sum + letter.charCodeAt(0)) % 1e9, 7));
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  const before = await labels();
+  const scrolled = await page.evaluate(() => scrollY);
+  await page.mouse.wheel(0, scrolled > 200 ? -200 : 200);
+  await expect.poll(() => page.evaluate(() => scrollY)).not.toBe(scrolled);
+  expect(await labels()).toBe(before);
+  const moved = (await over.boundingBox())!;
+  await page.mouse.move(moved.x + moved.width / 2, moved.y + moved.height / 2);
+  await page.keyboard.down('Control');
+  await page.mouse.wheel(0, 300);
+  await page.waitForTimeout(300);
+  expect(await labels()).toBe(before);  // already the whole
+  await page.mouse.wheel(0, -300);
+  await expect.poll(labels).not.toBe(before);
+  await page.keyboard.up('Control');
+});
+
+test('settled: clear of the wall is not “0 contacts every 1 periods”', async ({ page }) => {
+  await open(page, 'show=simulation&cells=20&start=rest&dashpot=0.3&steps=73&periods=200&from=0&span=8&damping=0.3&amplitude=0.00001');
+  await expect(page.locator(headline)).toContainText('It settles: clear of the wall, the same every period.');
+  await expect(page.locator(headline)).toContainText('0 contacts in');
+});
 
 test('none: a schedule without motions is answered by its proof', async ({ page }) => {
   await page.goto(address('show=schedule&cells=40&phases=20:109'));

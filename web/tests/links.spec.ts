@@ -1,10 +1,11 @@
-// Addresses of strangers, without a page: whatever stands behind #, a view comes of it whose every
+// Untrusted links, without a page: whatever follows #, a view comes of it whose every
 // number is allowed, and a sentence where something was passed over. The same in every run.
 
 import { isDeepStrictEqual } from 'node:util';
 import { expect, test } from '@playwright/test';
 import type { Phases } from '../src/core';
-import { type View, asLink, fromLink, maps, usual } from '../src/view';
+import { pythonOf } from '../src/takeaway';
+import { type View, asLink, fromLink, maps, typedPhases, usual, whatOf } from '../src/view';
 
 let seed = 19;
 /** Mulberry32. */
@@ -127,6 +128,25 @@ function requireAllowed({ motion: m, forcing: f, ...view }: View): void {
     }
   }
 }
+
+test('schedules: blanks, brackets and colons are all understood, nonsense is not', () => {
+  for (const text of ['150 900', '150:900', ' (150, 900) ', '150, 900', '150 : 900']) expect(typedPhases(text), text).toEqual([[150, 900]]);
+  for (const text of ['75 375 L:75 375', '75:375, L:75:375', '(75, 375) L:(75, 375)']) {
+    expect(typedPhases(text), text).toEqual([[75, 375], [75, 375, 'L']]);
+  }
+  for (const text of ['150', '150 900 3', '3 and 5', '', '150 -900', '1.5 3', '0 3']) expect(() => typedPhases(text), text).toThrow('allowed contact:free');
+});
+
+test('take away: the Python line of a member of a continuum names the member', () => {
+  expect(pythonOf({ show: 'schedule', cells: 300, phases: [[150, 900]], energy: 20, pause: 0.25 }))
+    .toContain('signorini.continuum(150, 900, energy_ratio=20).member(0.25)');
+});
+
+test('links: when and how one looks is no other view', () => {
+  const view = anyView();
+  expect(whatOf(asLink({ ...view, time: 0.5, pace: 3, magnified: 7 }))).toBe(whatOf(asLink(view)));
+  expect(whatOf(asLink({ ...view, map: view.map === 'energy' ? 'response' : 'energy' }))).not.toBe(whatOf(asLink(view)));
+});
 
 test('links: three thousand views come back as they were', () => {
   for (let k = 0; k < 3000; ++k) {

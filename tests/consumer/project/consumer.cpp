@@ -1,4 +1,4 @@
-// The example of the README, built against an installed signorini.
+// A program against an installed signorini, as in the README and with a proof.
 
 #include <iostream>
 #include <signorini/signorini.hpp>

@@ -316,7 +316,8 @@ TEST_CASE("energy section: grazing classes of several phases are counted right, 
             }
         }
     }
-    CHECK(known == 6);  // all of the first two: their grazing types are of one class
+    // All of the first two, whose grazing types are of one class, and of a set of one dimension.
+    CHECK(known == 9);
 }
 
 TEST_CASE("energy section: of more sums than vertices are listed for nothing is said to be joined")

@@ -305,9 +305,10 @@ TEST_CASE("forced motions: a walk finds no motion in a bar without waves, work t
     State state{Eigen::VectorXd::Zero(4), Eigen::VectorXd::Zero(4)};
     const Excitation none{Excited::tip, std::vector<double>(16, 0.0), 4.0};
     CHECK(std::isinf(walkForced(state, schedule, {}, none).worst()));
-    // Hardly a wave: all the energy comes from the force, and nothing damps.
+    // Hardly a wave: all the energy comes from the force, and nothing damps: in
+    // units of the square of the largest wave that the force makes, a half.
     state.a[1] = 1e-3;
-    CHECK(walkForced(state, schedule, {}, push).balance == Approx(1.0));
+    CHECK(walkForced(state, schedule, {}, push).balance == Approx(0.5).epsilon(1e-3));
 }
 
 TEST_CASE("forced motions: on the second stop a walk sees what it sees on the wall, mirrored")

@@ -60,6 +60,12 @@ public:
     /// By how much inequalities have to be missed; NaN: the equalities contradict each other.
     [[nodiscard]] double leastMissed() const { return program_.leastMissed(); }
 
+    /// The largest c C + s S, with |C|, |S| <= most.
+    [[nodiscard]] double farthest(double c, double s, double most) const
+    {
+        return program_.farthest(c, s, most);
+    }
+
     /// The largest amplitude in four directions, with |C|, |S| <= 1.
     [[nodiscard]] double reach() const
     {

@@ -161,6 +161,8 @@ public:
                 row.add(wave(m), -1.0);
                 row.limit = -waveLimit;
                 return std::isfinite(waveLimit) ? std::optional(row) : std::nullopt;
+            case ForcedRule::rest:
+                return std::nullopt;
         }
         return std::nullopt;
     }

@@ -8,51 +8,22 @@
 #include <vector>
 
 #include "catch.hpp"
-#include "cddlib.hpp"
-#include "scene_oracle.hpp"
+#include "scene_vertices.hpp"
 #include "signorini/continuum.hpp"
 #include "support.hpp"
 
 using namespace signorini;
+using test::verticesOf;
 
 namespace {
 
-using Point = std::vector<double>;
+using Point = test::Waves2N;
 
 const Scene noGap{Bar{.gap = 0.0}};
 
 double squaresOf(const Point& point)
 {
     return std::inner_product(point.begin(), point.end(), point.begin(), 0.0);
-}
-
-/// The vertices of all motions, in the waves p_0, p_1, ... that arrive first.
-std::vector<Point> verticesOf(const Schedule& schedule)
-{
-    const auto rows = test::OracleRows(schedule).rows();
-    const auto unknowns = rows.front().values.size();
-    const test::CddMatrix input = test::cddRows(rows.size(), unknowns);
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        const double sign = rows[k].kind == GLP_UP ? -1.0 : 1.0;
-        mpq_set_d(input->matrix[k][0], -sign * rows[k].rhs);
-        for (std::size_t i = 0; i < unknowns; ++i) {
-            mpq_set_d(input->matrix[k][i + 1], sign * rows[k].values[i]);
-        }
-        if (rows[k].kind == GLP_FX) {
-            set_addelem(input->linset, static_cast<long>(k) + 1);
-        }
-    }
-    const test::CddMatrix output = test::cddGenerators(input);
-    REQUIRE(set_card(output->linset) == 0);
-    std::vector<Point> vertices;
-    for (dd_rowrange k = 0; k < output->rowsize; ++k) {
-        REQUIRE(mpq_sgn(output->matrix[k][0]) != 0);  // the set is bounded
-        Point& vertex = vertices.emplace_back();
-        for (std::size_t i = 1; i <= unknowns; ++i) {
-            vertex.push_back(mpq_get_d(output->matrix[k][i]));
-        }
-    }
-    return vertices;
 }
 
 /// How many groups of vertices with Q >= q there are, two joined if Q >= q between them.

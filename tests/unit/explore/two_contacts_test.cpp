@@ -46,6 +46,20 @@ std::vector<Pair> allPairs(std::int64_t steps)
     return all;
 }
 
+/// The first contact on the wall, the second on the other stop: any four lengths.
+std::vector<Pair> allBetween(std::int64_t steps)
+{
+    std::vector<Pair> all;
+    for (std::int64_t a = 1; a < steps; ++a) {
+        for (std::int64_t b = 1; a + b < steps; ++b) {
+            for (std::int64_t c = 1; a + b + c < steps; ++c) {
+                all.push_back({Phase{a, b}, Phase{c, steps - a - b - c, Stop::left}});
+            }
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 TEST_CASE("response, two contacts: every schedule is looked at once")
@@ -107,6 +121,68 @@ TEST_CASE("response, two contacts: it lists what find has of the schedules one b
     }
     CHECK(branches > 50);
     CHECK(motions > 10);
+}
+
+TEST_CASE("response, two contacts: with other stops it lists what find has, and no tip that rests")
+{
+    const std::vector<Stops> scenes{
+        {-1, {}}, {0, {}}, {1, Fraction{1, 1}}, {1, Fraction{2, 3}}, {-1, Fraction{3, 2}}};
+    std::size_t branches = 0;
+    std::size_t both = 0;
+    for (const Stops& stops : scenes) {
+        for (const Excited place : {Excited::tip, Excited::base}) {
+            for (const std::int64_t n : {9, 10, 12, 13, 15}) {
+                ResponseRange range = pairsOn(4, {0.03}, 0.8);
+                range.stops = stops;
+                range.place = place;
+                const auto response = responseAt(range, n);
+                REQUIRE(response);
+                std::vector<Pair> all;
+                for (const Stop stop : {Stop::right, Stop::left}) {
+                    for (Pair pair :
+                         stop == Stop::right || stops.left ? allPairs(n) : std::vector<Pair>{}) {
+                        pair[0].stop = pair[1].stop = stop;
+                        all.push_back(pair);
+                    }
+                }
+                for (const Pair& pair : stops.left ? allBetween(n) : std::vector<Pair>{}) {
+                    all.push_back(pair);
+                }
+                CHECK(twoContactSchedules(n, stops) == static_cast<double>(all.size()));
+                for (const Pair& pair : all) {
+                    const Schedule schedule{4, {pair.begin(), pair.end()}, stops};
+                    const ForcedSet set = forcedMotions(schedule, range.damping, {place, 1, {}});
+                    const bool isListed =
+                        std::any_of(response->twoContacts.begin(), response->twoContacts.end(),
+                                    [&pair](const auto& one) { return one.phases == pair; });
+                    const bool isMirrored =
+                        pair[0].stop != pair[1].stop && stops.left == Fraction{stops.right, 1} &&
+                        pair[0].contact == pair[1].contact && pair[0].free == pair[1].free;
+                    INFO(describe(schedule) << " stops " << stops.right << " " << name(place) << " "
+                                            << set.detail << " least " << set.leastAmplitude);
+                    branches += isListed ? 1 : 0;
+                    both += isListed && pair[0].stop != pair[1].stop ? 1 : 0;
+                    if (isListed || set.status != Status::found || isMirrored) {
+                        CHECK((!isListed || set.status == Status::found));
+                        continue;
+                    }
+                    // What is not listed has a tip that rests.
+                    CHECK(set.freeWaves > 0);
+                    const double some = std::clamp(0.8, set.leastAmplitude, set.mostAmplitude);
+                    for (const ForcedMotion& motion :
+                         some > 0.0 ? motionsOfAmplitude(set, some) : std::vector<ForcedMotion>{}) {
+                        CHECK(motion.extremes.approachSpeed < 1e-8);
+                    }
+                }
+                for (const ForcedMotion& motion : response->motions) {
+                    CHECK(motion.residual <= forcedTolerance);
+                    CHECK(std::abs(motion.amplitude - 0.8) <= 0.8 * range.band * (1.0 + 1e-9));
+                }
+            }
+        }
+    }
+    CHECK(branches > 50);
+    CHECK(both > 10);
 }
 
 TEST_CASE("response, two contacts: every motion simulated for ten periods returns to itself")

@@ -249,7 +249,7 @@ TEST_CASE("output: motion files hold every node and instant of a small case")
     writeMotionCsv(folder.file("m.csv"), MotionSamples(motion, Bar{}));
     const auto rows = rowsOf(contentOf(folder.file("m.csv")));
     REQUIRE(rows.size() == 18 * 6);
-    CHECK(rows.front() == std::vector<double>{0, 0, 0, rows[1][3], rows[1][4]});
+    CHECK(rows.front() == std::vector<double>{0, 0, 0, rows[1][3], rows[1][4], rows[1][5]});
     CHECK(rows.back()[0] == Approx(3.4));
     CHECK(rows.back()[2] == Approx(1e-3));
 

@@ -1,0 +1,62 @@
+"""Pickles that were damaged are refused, and nothing is read beyond them."""
+
+from __future__ import annotations
+
+import marshal
+import pickle
+import subprocess
+import sys
+import zlib
+from typing import Any
+
+import pytest
+from support import ROOT
+
+import signorini as sg
+
+
+def resealed(name: str, content: Any) -> Any:
+    """The state of a pickle with a sum that fits: what a forger makes."""
+    maker = f"{sg.__version__} {name}".encode()
+    return content, zlib.crc32(marshal.dumps(content, 2), zlib.crc32(maker))
+
+
+def state_of(content: Any) -> sg.State:
+    state = sg.State.__new__(sg.State)
+    state.__setstate__(  # type: ignore[attr-defined]
+        resealed("State", content))
+    return state
+
+
+@pytest.mark.parametrize("length", [1, 7, 8 * 10 - 1, 8 * 10 + 1, 8 * 9])
+def test_waves_of_another_length_are_refused(length: int) -> None:
+    """Lengths that 8 does not divide were written beyond their place."""
+    state = sg.find(5, 30, cells=10).state
+    content, _ = state.__getstate__()
+    (a, b), *rest = content
+    assert state_of(content).to_dict() == state.to_dict()
+    whole = bytes(length)
+    for waves in ((whole, b), (a, whole), (whole[:7], whole[:7])):
+        with pytest.raises(ValueError, match="damaged"):
+            state_of((waves, *rest))
+
+
+def test_what_was_changed_on_its_way_is_refused() -> None:
+    bar = sg.Bar(gap=2e-3)
+    data = pickle.dumps(bar, 4)
+    at = data.index(bytes(reversed(marshal.dumps(2e-3, 2)[1:])))
+    with pytest.raises(ValueError, match="damaged"):
+        pickle.loads(data[:at] + b"\x3e" + data[at + 1:])
+    for state in (None, 3, (), ((), 0), (bar, 0)):
+        with pytest.raises(ValueError, match="damaged"):
+            sg.Bar.__new__(sg.Bar).__setstate__(  # type: ignore[attr-defined]
+                state)
+
+
+def test_drawn_damages() -> None:
+    """The campaign of tests/robustness, in short, in a process of its own."""
+    campaign = ROOT / "tests" / "robustness" / "damaged_pickles.py"
+    done = subprocess.run([sys.executable, campaign, "--count", "1500"],
+                          capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    assert "forged pickles accepted" in done.stdout

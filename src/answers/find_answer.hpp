@@ -1,0 +1,209 @@
+#pragma once
+/// \file
+/// What `find` says of a schedule, and of a period.
+
+#include <string>
+#include <string_view>
+
+#include "parts.hpp"
+#include "proofs.hpp"
+#include "signorini/response.hpp"
+
+namespace signorini::answers {
+
+/// What a motion was to be near.
+struct Target {
+    std::string how;  ///< it was read
+    /// [-], of the motion, in the norm of the energy, relative to the target's.
+    std::optional<double> distance;
+};
+
+/// Whether the bar stays near a motion, and what was tried.
+struct StabilityReport {
+    Damping damping;
+    StabilityOptions options;
+    StabilityResult result;
+    Bar bar;  ///< whose units the report has
+};
+
+/// One disturbance, [m].
+struct StabilityTrialOf {
+    static constexpr bool isDictionary = true;
+    StabilityTrial value;
+    double unit = 1.0;  ///< [m]
+};
+
+/// An answer about one schedule.
+struct FindAnswer {
+    PeriodicResult result;
+    std::optional<Target> target = {};
+    std::vector<StabilityReport> stability = {};  ///< where it was asked for
+
+    /// Without a gap there is no E_1: nothing but the energy held gives a motion its size.
+    [[nodiscard]] bool hasUnit() const { return result.scene.bar.gap != 0.0; }
+    /// Why it is undecided, or what the proof says.
+    [[nodiscard]] std::optional<std::string> detail() const;
+    /// Why there is none.
+    [[nodiscard]] std::optional<Reason> reason() const
+    {
+        return result.absence ? std::optional(result.absence->reason) : std::nullopt;
+    }
+    /// E/E_1 of the whole set.
+    [[nodiscard]] std::optional<EnergyRange> energies() const;
+};
+
+/// What was found, and if the options have a target, read as `how` says, how far it is.
+[[nodiscard]] FindAnswer answerOf(PeriodicResult result, const FindOptions& options,
+                                  const std::string& how = {});
+
+/// A key of the motion, if there is one.
+template <typename Get>
+auto ofMotion(Get get)
+{
+    return [get](const FindAnswer& answer) {
+        const auto& motion = answer.result.motion;
+        using Value = std::remove_cvref_t<decltype(std::invoke(get, *motion))>;
+        return motion ? std::optional<Value>(std::invoke(get, *motion)) : std::optional<Value>();
+    };
+}
+
+template <typename D>
+void describe(D& d, Type<StabilityTrialOf>)
+{
+    using T = StabilityTrialOf;
+    d.record("StabilityTrial", "One disturbance.");
+    d.key("size", "-", "Largest change of a wave, relative.",
+          [](const T& t) { return t.value.size; });
+    d.key("start", "m >= 0", "Of displacements.",
+          [](const T& t) { return t.value.start * t.unit; });
+    d.key("end", "m >= 0", "Of displacements.", [](const T& t) { return t.value.end * t.unit; });
+}
+
+template <typename D>
+void describe(D& d, Type<StabilityReport>)
+{
+    using T = StabilityReport;
+    d.record("StabilityReport", "What became of disturbances.");
+    d.key("damping", "-", "That was added.", [](const T& r) {
+        return Of<Damping>{r.damping, r.bar};
+    });
+    d.key("verdict", "-", "Does the bar stay near the motion?",
+          [](const T& r) { return r.result.stability; });
+    d.key("periods", "- >= 1", "Waited.", [](const T& r) { return r.options.periods; });
+    d.key("drift", "m >= 0", "Of the undisturbed motion.",
+          [](const T& r) { return r.result.drift * scales(r.bar).displacement; });
+    d.key("contacts", "- >= 0", "Of the undisturbed motion.",
+          [](const T& r) { return r.result.contacts; });
+    d.key("trials", "-", "One for each disturbance.", [](const T& r) {
+        std::vector<StabilityTrialOf> trials;
+        for (const StabilityTrial& trial : r.result.trials) {
+            trials.push_back({trial, scales(r.bar).displacement});
+        }
+        return trials;
+    });
+}
+
+/// Where the motion is asked about, and what is known of all motions there.
+template <typename D>
+void describeSet(D& d)
+{
+    using T = FindAnswer;
+    d.key("status", "-", R"("found", "none" or "undecided".)",
+          [](const T& a) { return a.result.status; });
+    d.key("cells", "- >= 1", "N.", [](const T& a) { return a.result.schedule.cells; });
+    d.key("schedule", "-", "Asked about.", [](const T& a) { return a.result.schedule; });
+    d.key("period", "s > 0", "T.", [](const T& a) { return a.result.period; });
+    d.key("period_ratio", "L/c > 0", "c T/L.",
+          [](const T& a) { return period(a.result.schedule); });
+    d.key("frequency_ratio", "- > 0", "omega/omega_1.",
+          [](const T& a) { return a.result.frequencyRatio; });
+    d.key("kernel_dimension", "- >= 0", "dim ker(W - 1), where the route knows it.",
+          [](const T& a) { return a.result.set.kernelDimension; });
+    d.key("solution_set", "-", "What the set of all motions looks like.", [](const T& a) {
+        const MotionSet& set = a.result.set;
+        return set.kind ? std::optional(SolutionSet{*set.kind, set.dimension}) : std::nullopt;
+    });
+    d.key("family", "-", "To which it belongs, of one contact that presses.",
+          [](const T& a) { return a.result.set.family; });
+}
+
+/// Who answered.
+template <typename D>
+void describeRoute(D& d)
+{
+    using T = FindAnswer;
+    d.key("route", "-", "Taken.", [](const T& a) { return a.result.how.route; });
+    d.key("route_reason", "-", "Why that one.", [](const T& a) { return a.result.how.reason; });
+    d.key("left_out", "-", "What the request did not need.",
+          [](const T& a) { return a.result.how.leftOut; });
+    d.key("solver", "-", "Who solved.", [](const T& a) { return a.result.how.solver; });
+}
+
+template <typename D>
+void describe(D& d, Type<FindAnswer>)
+{
+    using T = FindAnswer;
+    using M = FoundMotion;
+    d.record("Result", R"(What is known of a schedule.
+
+`status` is "found", "none" (proved) or "undecided" (`detail` says why). Times, energies and forces
+are in SI units, names that end in ``_ratio`` have none: energies in E_1, periods in L/c,
+frequencies in omega_1.
+)");
+    describeScene(d, [](const T& a) -> const Scene& { return a.result.scene; });
+    describeSet(d);
+    d.key("objective", "-", "Which motion of the set this is.",
+          [](const T& a) { return a.result.how.objective; });
+    d.key("contact", "-", "Does the wall feel it?", ofMotion(&M::contact), When::found);
+    d.key("canonical_schedule", "-",
+          "[(n_c, n_f), ...] with contact exactly where the wall is pressed.",
+          ofMotion(&M::canonical), When::found);
+    d.key("energy", "J > 0", "E.", ofMotion(&M::energy), When::found);
+    d.key("energy_ratio", "- > 0", "E/E_1, where there is a gap.",
+          [](const T& a) { return a.hasUnit() ? ofMotion(&M::energyRatio)(a) : std::nullopt; });
+    d.key("energy_ratio_range", "-",
+          "(least, most) E/E_1 of the whole set; nothing where unbounded or unknown.",
+          &T::energies);
+    d.key("energy_section", "-", "The motions of the energy that was held.",
+          [](const T& a) { return a.result.set.held; });
+    d.key("physical", "-", "What can be measured, in SI units.", ofMotion(&M::physical),
+          When::found);
+    d.key("admissible", "-", "Is s > -1 everywhere?",
+          ofMotion([](const M& m) { return m.physical.isAdmissible(); }), When::found);
+    d.key("residuals", "-", "Recomputed by code that did not solve.", ofMotion(&M::residuals),
+          When::found);
+    d.key("reason", "-", "Why there is no motion, in a word.", &T::reason, When::none);
+    d.key(
+        "certificate", "-", "The proof that there is none.",
+        [](const T& a) {
+            const auto& absence = a.result.absence;
+            return absence ? std::optional(absence->proof) : std::nullopt;
+        },
+        When::none);
+    describeRoute(d);
+    d.key("repetitions", "- >= 1",
+          "How often the motion repeats within the period of the schedule.",
+          ofMotion(&M::repetitions), When::any);
+    d.key("pressing_phases", "-", "For each phase: is the wall pressed at all?",
+          ofMotion(&M::pressing), When::any);
+    d.key("symmetric", "-", "Two stops: is the second half of the period the first, mirrored?",
+          ofMotion(&M::isSymmetric), When::any);
+    d.key("peak_strain", "-", "Deepest compression.",
+          ofMotion([](const M& m) { return m.physical.peakCompression; }), When::any);
+    d.key(
+        "target", "-", "How the target came onto the cells.",
+        [](const T& a) { return a.target ? std::optional(a.target->how) : std::nullopt; },
+        When::any);
+    d.key(
+        "distance", "-", "To the target, relative, in the norm of the energy.",
+        [](const T& a) { return a.target ? std::make_optional(a.target->distance) : std::nullopt; },
+        When::any);
+    d.key("detail", "-", "Why it is undecided, or what the proof says.", &T::detail,
+          When::undecided);
+    d.key(
+        "stability", "-", "Started beside the motion, without and with damping.",
+        [](const T& a) { return a.stability.empty() ? std::nullopt : std::optional(a.stability); },
+        When::program);
+}
+
+}  // namespace signorini::answers

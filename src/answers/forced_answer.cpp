@@ -1,0 +1,109 @@
+#include "forced_answer.hpp"
+
+#include <fmt/format.h>
+
+#include "stepped_bar.hpp"
+
+namespace signorini::answers {
+
+namespace {
+
+/// Adds the motions of the amplitude asked for, or the one of the least. \returns is there none?
+template <typename Least, typename OfAmplitude>
+bool lacksMotions(ForcedAnswer& answer, Least least, OfAmplitude ofAmplitude)
+{
+    if (answer.set.status != Status::found) {
+        return false;
+    }
+    const auto motions = answer.asked ? ofAmplitude(*answer.asked / answer.unit())
+                                      : std::vector<ForcedMotion>{least()};
+    for (const ForcedMotion& motion : motions) {
+        answer.motions.push_back({motion, answer.bar});
+    }
+    return motions.empty();
+}
+
+}  // namespace
+
+ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked)
+{
+    ForcedAnswer answer{std::move(set), scene, scene.bar, asked, {}};
+    if (!isUniform(scene.segments)) {
+        answer.bar = firstMaterial(scene);
+        answer.bar.young.reset();  // it is known of the first segment only
+    }
+    const auto ofAmplitude = [&](double size) { return motionsOfAmplitude(answer.set, size); };
+    if (lacksMotions(
+            answer, [&] { return leastAmplitudeMotion(answer.set); }, ofAmplitude)) {
+        answer.exclusion = exclusionOf(answer.set, *asked / answer.unit());
+    }
+    return answer;
+}
+
+std::optional<std::optional<bool>> ForcedMotionOf::stable() const
+{
+    if (!isOfResponse) {
+        return std::nullopt;
+    }
+    const Stability seen = value.stability.value_or(Stability::unclear);
+    return std::optional<bool>(
+        seen == Stability::unclear ? std::nullopt : std::optional(seen == Stability::attracts));
+}
+
+Status ForcedAnswer::status() const
+{
+    return !exclusion ? set.status : exclusion->isCertain ? Status::none : Status::undecided;
+}
+
+const char* ForcedAnswer::unitName() const
+{
+    return set.forcing.place == Excited::tip ? "N" : "m";
+}
+
+std::string ForcedAnswer::amplitudes() const
+{
+    const double most = set.mostAmplitude * unit();
+    return fmt::format("{:.6g} … {} {}", set.leastAmplitude * unit(),
+                       std::isfinite(most) ? fmt::format("{:.6g}", most) : "∞", unitName());
+}
+
+std::optional<std::string> ForcedAnswer::detail() const
+{
+    if (set.status != Status::found) {
+        return set.detail.empty() ? std::nullopt : std::optional(set.detail);
+    }
+    if (!exclusion) {
+        return std::nullopt;
+    }
+    return fmt::format(
+        "the motions have amplitudes of {}{}", amplitudes(),
+        exclusion->isCertain ? "" : "; that none has this one was computed, not proved");
+}
+
+std::optional<Reason> ForcedAnswer::reason() const
+{
+    return exclusion && exclusion->isCertain ? Reason::constraints : set.reason;
+}
+
+std::optional<double> ForcedAnswer::amplitude() const
+{
+    return motions.empty() ? asked : motions.back().amplitude();
+}
+
+std::optional<ForcedProof> proofOf(const ForcedAnswer& answer)
+{
+    if (answer.status() == Status::undecided || !answer.motions.empty()) {
+        return std::nullopt;
+    }
+    const auto& exclusion = answer.exclusion;
+    ForcedProof proof =
+        exclusion ? ForcedProof{"amplitude-range", exclusion->isCertain, exclusion->conflict}
+                  : ForcedProof{"forced", isCertain(answer.set), answer.set.conflict};
+    if (!isUniform(answer.set.segments)) {
+        proof.rows = "network";
+        proof.cuts = exclusion ? exclusion->cuts : answer.set.cuts;
+    }
+    return proof;
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,192 @@
+#pragma once
+/// \file
+/// What is said of a schedule that is damped and forced.
+
+#include "parts.hpp"
+#include "signorini/response.hpp"
+
+namespace signorini::answers {
+
+/// One motion, what gives it units, and its segments.
+struct ForcedMotionOf {
+    ForcedMotion value;
+    Bar bar;
+    bool isOfResponse = false;  ///< or of one schedule: other keys
+    std::vector<Segment> segments = {};
+
+    /// [N] or [m], of the excitation.
+    [[nodiscard]] double amplitude() const
+    {
+        return value.amplitude * amplitudeUnit(value.excitation.place, bar);
+    }
+    [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
+    /// Of a response: does the bar stay near it? Nothing: not tried, or unclear.
+    [[nodiscard]] std::optional<std::optional<bool>> stable() const;
+};
+
+/// What is known of a schedule.
+struct ForcedAnswer {
+    ForcedSet set;
+    Scene scene;
+    Bar bar;                              ///< whose scales the answer has
+    std::optional<double> asked;          ///< [N] or [m]
+    std::vector<ForcedMotionOf> motions;  ///< by ascending impulse
+    /// Where the set has motions, but none of the amplitude.
+    std::optional<AmplitudeExclusion> exclusion = {};
+
+    [[nodiscard]] Status status() const;
+    /// What an amplitude of 1 is [N] or [m].
+    [[nodiscard]] double unit() const { return amplitudeUnit(set.forcing.place, bar); }
+    /// "N" or "m".
+    [[nodiscard]] const char* unitName() const;
+    /// "1 … 2 N", of the motions of the schedule.
+    [[nodiscard]] std::string amplitudes() const;
+    /// Why there is no motion, or no verdict.
+    [[nodiscard]] std::optional<std::string> detail() const;
+    [[nodiscard]] std::optional<Reason> reason() const;
+    /// [N] or [m], of the last motion, or asked for.
+    [[nodiscard]] std::optional<double> amplitude() const;
+};
+
+/// The motions of an amplitude [N] or [m], or if none is asked for the one of the least.
+[[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked);
+
+/// Kind and undamped waves of a set.
+struct ForcedSetPart {
+    static constexpr bool isDictionary = true;
+    ForcedKind kind = ForcedKind::empty;
+    std::int64_t freeWaves = 0;
+};
+
+/// Why there is no motion, or none of an amplitude.
+struct ForcedProof {
+    static constexpr bool isDictionary = true;
+    const char* kind;
+    bool isVerified;
+    std::vector<ForcedCondition> conditions;
+    std::optional<const char*> rows = {};               ///< of segments that differ
+    std::optional<std::vector<EnergyFloor>> cuts = {};  ///< of segments that differ
+};
+[[nodiscard]] std::optional<ForcedProof> proofOf(const ForcedAnswer& answer);
+
+template <>
+inline constexpr bool isDictionary<ForcedCondition> = true;
+
+template <>
+inline constexpr bool isDictionary<EnergyFloor> = true;
+
+template <typename D>
+void describe(D& d, Type<EnergyFloor>)
+{
+    d.record("EnergyFloor", "Multipliers for a march backwards.");
+    d.key("periodicity", "-", "One for each wave.", &EnergyFloor::periodicity);
+    d.key("places", "-", "[(contact, step, multiplier), ...], contacts from 1.",
+          &EnergyFloor::places);
+    d.key("pushes", "-", "[(contact, step, multiplier >= 0), ...].", &EnergyFloor::pushes);
+}
+
+template <typename D>
+void describe(D& d, Type<ForcedCondition>)
+{
+    d.record("ForcedCondition", "A condition on the motion in one step.");
+    d.key("rule", "-", "What has to hold.", &ForcedCondition::rule);
+    d.key("step", "- >= 0", "From the start of the first contact.", &ForcedCondition::step);
+}
+
+template <typename D>
+void describe(D& d, Type<ForcedProof>)
+{
+    d.record("ForcedProof", "Conditions that contradict each other.");
+    d.key("kind", "-", R"("forced", or "amplitude-range": of motions, but none of the amplitude.)",
+          &ForcedProof::kind);
+    d.key("verified", "-", "Whatever was rounded, says code that did not find it.",
+          &ForcedProof::isVerified);
+    d.key("conditions", "-", "With u(L, 0) = g they cannot all hold.", &ForcedProof::conditions);
+    d.key("rows", "-", R"("network": of segments that differ.)", &ForcedProof::rows, When::any);
+    d.key("cuts", "-", "Of these: multipliers that leave no excitation.", &ForcedProof::cuts,
+          When::any);
+}
+
+template <typename D>
+void describe(D& d, Type<ForcedSetPart>)
+{
+    d.record("ForcedSetPart", "What the motions of a schedule look like.");
+    d.key("kind", "-", "Their shape.", &ForcedSetPart::kind);
+    d.key("free_waves", "- >= 0", "Classes of steps whose waves nothing damps.",
+          &ForcedSetPart::freeWaves);
+}
+
+template <typename D>
+void describe(D& d, Type<ForcedMotionOf>)
+{
+    using T = ForcedMotionOf;
+    d.record("ForcedMotion", "One forced, damped motion.");
+    d.key("schedule", "-", "Contact and flight.", [](const T& m) { return m.value.schedule; });
+    d.key("amplitude", "N or m >= 0", "Of the excitation.", &T::amplitude);
+    d.key("phase", "rad", "Of the excitation at the start of contact.",
+          [](const T& m) { return m.value.phase; });
+    d.key("impulse", "N s >= 0", "In a period.", [](const T& m) { return m.physical().impulse; });
+    d.key("peak_force", "N >= 0", "Of the tip on the wall.",
+          [](const T& m) { return m.physical().peakForce; });
+    d.key("tip_lowest", "m", "min u(L, t).", [](const T& m) { return m.physical().tipLowest; });
+    d.key("physical", "-", "What can be measured, in SI units.", &T::physical);
+    d.key("admissible", "-", "Is s > -1 everywhere?",
+          [](const T& m) { return m.physical().isAdmissible(); });
+    d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
+          [](const T& m) { return m.value.residual; });
+    d.key("stable", "-", "Does the bar stay near it? Nothing: not tried, or unclear.", &T::stable,
+          When::any);
+}
+
+/// What was asked.
+template <typename D>
+void describeForcing(D& d)
+{
+    using T = ForcedAnswer;
+    d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
+    d.key("cells", "- >= 1", "N.", [](const T& a) { return a.set.schedule.cells; });
+    d.key("schedule", "-", "Asked about.", [](const T& a) { return a.set.schedule; });
+    d.key("damping", "-", "A dashpot.", [](const T& a) {
+        return Of<Damping>{a.set.damping, a.bar};
+    });
+    d.key("force", "-", "What is excited.", [](const T& a) { return a.set.forcing.place; });
+    d.key("cycles", "- >= 1", "Of the excitation in a period.",
+          [](const T& a) { return a.set.forcing.cycles; });
+    d.key("period", "s > 0", "T.",
+          [](const T& a) { return period(a.set.schedule) * scales(a.bar).time; });
+    d.key("period_ratio", "L/c > 0", "c T/L.", [](const T& a) { return period(a.set.schedule); });
+    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.", [](const T& a) {
+        return static_cast<double>(a.set.forcing.cycles) * frequencyRatio(a.set.schedule);
+    });
+}
+
+template <typename D>
+void describe(D& d, Type<ForcedAnswer>)
+{
+    using T = ForcedAnswer;
+    d.record("ForcedResult", "What is known of a schedule that is damped and forced.");
+    describeForcing(d);
+    d.key("solution_set", "-", "What its motions look like.", [](const T& a) {
+        return ForcedSetPart{a.set.kind, a.set.freeWaves};
+    });
+    d.key("strain_limit", "- > 0", "Of all motions, if any.",
+          [](const T& a) { return known(a.set.limits.strain * scales(a.bar).strain); });
+    d.key("amplitude", "N or m", "Of the last motion, or asked for.", &T::amplitude);
+    d.key("amplitude_range", "N or m", "(least, most) that have a motion; nothing: without end.",
+          [](const T& a) {
+              const EnergyRange range{a.set.leastAmplitude * a.unit(),
+                                      a.set.mostAmplitude * a.unit()};
+              return a.set.status == Status::found ? std::optional(range) : std::nullopt;
+          });
+    d.key("phase", "rad", "Of the last motion.", [](const T& a) {
+        return a.motions.empty() ? std::nullopt : std::optional(a.motions.back().value.phase);
+    });
+    d.key("motions", "-", "By ascending impulse.", &T::motions, When::found);
+    d.key("reason", "-", "Why there is none.", &T::reason, When::none);
+    d.key("certificate", "-", "The proof that there is none.", &proofOf, When::none);
+    describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
+    d.key("detail", "-", "Why it is not decided, or which amplitudes have motions.", &T::detail,
+          When::undecided);
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,25 @@
+#include "modes_answer.hpp"
+
+namespace signorini::answers {
+
+std::tuple<std::int64_t, std::int64_t> contactOf(const Mode& mode)
+{
+    return {4 * mode.a, mode.b};
+}
+
+std::tuple<std::int64_t, std::int64_t> contactOf(const ModePolytope& polytope)
+{
+    std::int64_t sum = 0;
+    for (const ModeChain& chain : polytope.chains) {
+        sum += 2 * chain.k;
+    }
+    return {sum, -polytope.order};
+}
+
+std::optional<std::string> knownName(const Mode& mode)
+{
+    std::string name = familyName(mode);
+    return name.empty() ? std::nullopt : std::optional(std::move(name));
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,410 @@
+#include "energy_floor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "rational.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double upwards = 1.0 + 1e-9;  // more than a sum of squares of 10^8 doubles loses
+
+/// sqrt(sum v_i^2/Z_i), rounded upwards.
+class DualNorm {
+public:
+    explicit DualNorm(const Network& network)
+    {
+        for (const CellRow& row : network.rows) {
+            weights_.insert(weights_.end(), 2 * static_cast<std::size_t>(row.cells),
+                            1.0 / row.impedance);
+        }
+        for (const Stub& stub : network.stubs) {
+            weights_.push_back(1.0 / stub.impedance);
+        }
+    }
+
+    [[nodiscard]] double of(std::span<const double> values) const
+    {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            sum += values[k] * values[k] * weights_[k];
+        }
+        return std::sqrt(sum) * upwards;
+    }
+
+    /// Takes away what ties (contact_spans.hpp) make of values: as they are 0 for every motion, any
+    /// multiples of them may be, so rounding does no harm.
+    void leaveOut(std::vector<std::vector<double>> ties, std::vector<double>& values) const
+    {
+        const auto dot = [this](const std::vector<double>& x, const std::vector<double>& y) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                sum += x[k] * y[k] * weights_[k];
+            }
+            return sum;
+        };
+        const auto take = [&](const std::vector<double>& tie, std::vector<double>& from) {
+            const double part = dot(tie, from) / dot(tie, tie);
+            for (std::size_t k = 0; k < from.size(); ++k) {
+                from[k] -= part * tie[k];
+            }
+        };
+        for (std::size_t i = 0; i < ties.size(); ++i) {
+            take(ties[i], values);
+            for (std::size_t j = i + 1; j < ties.size(); ++j) {
+                take(ties[i], ties[j]);
+            }
+        }
+    }
+
+private:
+    std::vector<double> weights_;
+};
+
+/// The conditions of a schedule, by the step in which they are met on the way back.
+class Conditions {
+public:
+    Conditions(const EnergyFloor& multipliers, const Network& network,
+               std::span<const ContactSpan> schedule)
+        : network_(network), schedule_(schedule)
+    {
+        for (const ContactSpan& span : schedule) {
+            steps_ += span.steps;
+            areGood_ = areGood_ && span.steps > 0;
+        }
+        areGood_ = areGood_ && multipliers.periodicity.size() == network.waves() &&
+                   std::all_of(multipliers.periodicity.begin(), multipliers.periodicity.end(),
+                               [](double value) { return std::isfinite(value); }) &&
+                   std::all_of(network.nodes.begin(), network.nodes.end(),
+                               [](const NetworkNode& node) { return node.force == 0.0; });
+        for (const ContactMultiplier& m : multipliers.places) {
+            takePlace(m);
+        }
+        for (const ContactMultiplier& m : multipliers.pushes) {
+            const bool isGood = isThere(m) && isClosed(m.contact, m.step) && m.value >= 0.0;
+            areGood_ = areGood_ && isGood;
+            pushes_[m.step].push_back(m);
+        }
+        areGood_ = areGood_ && std::all_of(drift_.begin(), drift_.end(),
+                                           [](const auto& sum) { return sum.second == 0; });
+    }
+
+    [[nodiscard]] bool areGood() const { return areGood_; }
+    /// delta.
+    [[nodiscard]] Interval right() const { return right_; }
+    [[nodiscard]] const auto& places() const { return places_; }
+    [[nodiscard]] const auto& pushes() const { return pushes_; }
+
+private:
+    [[nodiscard]] bool isThere(const ContactMultiplier& m) const
+    {
+        return areGood_ && m.contact < network_.contacts.size() && m.step >= 0 && m.step < steps_ &&
+               std::isfinite(m.value);
+    }
+
+    /// Steps are counted around the period.
+    [[nodiscard]] bool isClosed(std::size_t contact, std::int64_t step) const
+    {
+        std::int64_t left = (step + steps_) % steps_;
+        for (const ContactSpan& span : schedule_) {
+            if (left < span.steps) {
+                return (span.closed >> contact & 1U) != 0;
+            }
+            left -= span.steps;
+        }
+        return false;
+    }
+
+    void takePlace(const ContactMultiplier& m)
+    {
+        areGood_ =
+            areGood_ && isThere(m) &&
+            (m.value >= 0.0 || isClosed(m.contact, m.step) || isClosed(m.contact, m.step - 1));
+        if (!areGood_) {
+            return;
+        }
+        const NetworkContact& contact = network_.contacts[m.contact];
+        // The gap is the simplest fraction that rounds to it.
+        right_ = right_ - Interval(m.value) * Interval(contact.gap).widened();
+        places_[m.step].push_back(m);
+        const auto drifts = [&](std::size_t node, int sign) {
+            if (displacementOf(network_, node).hasDrift) {
+                drift_[network_.nodes[node].bar] += sign * Rational(m.value);
+            }
+        };
+        drifts(contact.node, contact.kind == ContactKind::stopLeft ? 1 : -1);
+        if (contact.kind == ContactKind::gap) {
+            drifts(contact.node + 1, 1);
+        }
+    }
+
+    const Network& network_;
+    std::span<const ContactSpan> schedule_;
+    std::int64_t steps_ = 0;
+    bool areGood_ = true;
+    Interval right_;
+    std::map<std::int64_t, std::vector<ContactMultiplier>> places_;
+    std::map<std::int64_t, std::vector<ContactMultiplier>> pushes_;
+    std::map<std::size_t, Rational> drift_;  ///< by bar: factor of its displacement
+};
+
+/// `Number`: double, or long double where sums of many steps are to be known well.
+template <typename Number>
+class BackwardMarch {
+public:
+    BackwardMarch(const EnergyFloor& multipliers, const Network& network,
+                  std::span<const ContactSpan> schedule, const Conditions& conditions,
+                  std::span<const StepDrive> shapes = {})
+        : network_(network),
+          conditions_(conditions),
+          shapes_(shapes),
+          norm_(network),
+          end_(multipliers.periodicity),
+          waves_(network, std::vector<Number>(end_.begin(), end_.end())),
+          size_(norm_.of(end_)),
+          driven_(shapes.size())
+    {
+        measure();
+        for (const ContactSpan& span : schedule) {
+            step_ += span.steps;
+        }
+        std::map<ContactSet, NetworkLaw<Number>> laws;
+        for (std::size_t k = schedule.size(); k-- > 0;) {
+            const ContactSet closed = schedule[k].closed;
+            const auto& law = laws.try_emplace(closed, network, closed).first->second;
+            for (std::int64_t m = 0; m < schedule[k].steps; ++m) {
+                stepBack(law);
+            }
+        }
+    }
+
+    /// sqrt(sum eta^2/Z), rounded upwards.
+    [[nodiscard]] double norm() const
+    {
+        const std::vector<Number> last = waves_.waves();
+        std::vector<double> eta;
+        for (std::size_t k = 0; k < last.size(); ++k) {
+            eta.push_back(static_cast<double>(last[k] - end_[k]));
+        }
+        const double rounding = 64.0 * std::numeric_limits<double>::epsilon() * norm_.of(eta);
+        norm_.leaveOut(tiesOf(network_), eta);
+        return (norm_.of(eta) + rounding + error_) * upwards;
+    }
+
+    /// What is left of the excitation.
+    [[nodiscard]] ExcitationCut cut(double right) const
+    {
+        const auto part = [this](std::size_t k) {
+            return k < driven_.size() ? driven_[k] + Interval(-drivenError_, drivenError_)
+                                      : Interval();
+        };
+        return {part(0), part(1), norm(), right};
+    }
+
+private:
+    void measure()
+    {
+        for (const CellRow& row : network_.rows) {
+            impedances_ += 2.0 * row.impedance;
+            least_ = std::min(least_, row.impedance);
+        }
+        for (const Stub& stub : network_.stubs) {
+            impedances_ += stub.impedance;
+            least_ = std::min(least_, stub.impedance);
+        }
+        for (const NetworkNode& node : network_.nodes) {
+            impedances_ += node.dashpot;
+        }
+    }
+
+    /// Adds derivatives by force, velocity and place of the base in this step; `error`: of each.
+    void drive(double byForce, double byVelocity, double byPlace, double error)
+    {
+        const auto at = static_cast<std::size_t>(step_);
+        for (std::size_t k = 0; k < shapes_.size(); ++k) {
+            const StepDrive& shape = shapes_[k];
+            driven_[k] = driven_[k] + Interval(byForce).widened() * Interval(shape.forces[at]) +
+                         Interval(byVelocity).widened() * Interval(shape.velocities[at]) +
+                         Interval(byPlace) * Interval(shape.places[at]);
+            drivenError_ +=
+                error * upwards * (std::abs(shape.forces[at]) + std::abs(shape.velocities[at]));
+        }
+    }
+
+    void stepBack(const NetworkLaw<Number>& law)
+    {
+        --step_;
+        // Sums of a node's waves are at most |lambda| sqrt(sum Z), over sum Z if it moves.
+        const double reach = std::sqrt(impedances_) + 1.0 / std::sqrt(least_);
+        const double before =
+            error_ + (static_cast<double>(network_.channels()) + 8.0) * unitRoundoff * size_;
+        const auto driven = waves_.stepBack(law);
+        drive(static_cast<double>(driven.force), static_cast<double>(driven.base), 0.0,
+              before * reach);
+        // For a node of impedance sum Z, w(sum g) - g is rounded by less than (2 channels + 8) u
+        // (|w| sum |g| + |g|), and the norm of the first term is at most 2 |g|: sum |g| is at most
+        // |g| sqrt(sum Z), that of w = 2 Z_k/(sum Z + D) at most 2/sqrt(sum Z).
+        const auto channels = static_cast<double>(network_.channels());
+        error_ += 3.0 * (2.0 * channels + 8.0) * unitRoundoff * size_;
+        if (const auto now = conditions_.pushes().find(step_); now != conditions_.pushes().end()) {
+            for (const ContactMultiplier& m : now->second) {
+                push(law, m);
+            }
+        }
+        if (const auto now = conditions_.places().find(step_); now != conditions_.places().end()) {
+            for (const ContactMultiplier& m : now->second) {
+                place(m);
+            }
+        }
+    }
+
+    void push(const NetworkLaw<Number>& law, const ContactMultiplier& m)
+    {
+        double square = 0.0;
+        for (const auto& term : law.push(m.contact).terms) {
+            const Number change = m.value * term.coefficient;
+            waves_.add(term.channel, change);
+            const auto value = static_cast<double>(change);
+            square += value * value / network_.impedanceOf(term.channel);
+        }
+        const auto terms = static_cast<double>(law.push(m.contact).terms.size());
+        const double size = std::sqrt(square) * upwards;
+        // Coefficients are sums and differences of impedances, each at most 4 of their sum.
+        error_ += (terms + 4.0) * unitRoundoff *
+                  (size_ + size + 16.0 * m.value * impedances_ * terms / std::sqrt(least_));
+        size_ += size;
+        drive(m.value * static_cast<double>(law.push(m.contact).perForce),
+              m.value * static_cast<double>(law.push(m.contact).perBase), 0.0,
+              16.0 * unitRoundoff * m.value * (1.0 + impedances_) * (1.0 + impedances_ / least_));
+    }
+
+    void place(const ContactMultiplier& m)
+    {
+        std::vector<Number> waves = waves_.waves();
+        std::vector<double> row(waves.size(), 0.0);
+        drive(0.0, 0.0, addDistance(row, network_, m.contact, m.value), 0.0);
+        for (std::size_t k = 0; k < waves.size(); ++k) {
+            waves[k] += row[k];
+        }
+        waves_ = NetworkWaves<Number>(network_, waves);
+        const double size = norm_.of(row);
+        error_ += 2.0 * unitRoundoff * (size_ + size);
+        size_ += size;
+    }
+
+    static constexpr double unitRoundoff =
+        0.5 * static_cast<double>(std::numeric_limits<Number>::epsilon());
+
+    const Network& network_;
+    const Conditions& conditions_;
+    std::span<const StepDrive> shapes_;
+    DualNorm norm_;
+    const std::vector<double>& end_;
+    NetworkWaves<Number> waves_;
+    std::int64_t step_ = 0;
+    double size_;         ///< at least |lambda|
+    double error_ = 0.0;  ///< at least |rounding in lambda|
+    double impedances_ = 0.0;
+    double least_ = infinity;
+    std::vector<Interval> driven_;  ///< by shape
+    double drivenError_ = 0.0;
+};
+
+/// c C + s S >= limit.
+struct HalfPlane {
+    Interval c;
+    Interval s;
+    double limit;
+
+    HalfPlane(const ExcitationCut& cut, double energy)
+        : c(cut.c), s(cut.s), limit(cut.right - cut.norm * std::sqrt(energy) * upwards)
+    {
+    }
+    [[nodiscard]] double reach() const { return (c * c + s * s).root().high; }
+};
+
+}  // namespace
+
+double provedEnergy(const EnergyFloor& multipliers, const Network& network,
+                    std::span<const ContactSpan> schedule)
+{
+    const Conditions conditions(multipliers, network, schedule);
+    if (!conditions.areGood() || !(conditions.right().low > 0.0)) {
+        return 0.0;
+    }
+    const double norm = BackwardMarch<double>(multipliers, network, schedule, conditions).norm();
+    if (!std::isfinite(norm)) {
+        return 0.0;
+    }
+    const double ratio = conditions.right().low / norm / upwards;
+    return ratio * ratio / upwards;
+}
+
+std::vector<ExcitationCut> cutsOf(std::span<const EnergyFloor> multipliers, const Network& network,
+                                  std::span<const ContactSpan> schedule,
+                                  std::span<const StepDrive> shapes)
+{
+    std::vector<ExcitationCut> cuts;
+    for (const EnergyFloor& one : multipliers) {
+        const Conditions conditions(one, network, schedule);
+        if (!conditions.areGood()) {
+            return {};
+        }
+        cuts.push_back(BackwardMarch<long double>(one, network, schedule, conditions, shapes)
+                           .cut(conditions.right().low));
+        if (!std::isfinite(cuts.back().norm)) {
+            return {};
+        }
+    }
+    return cuts;
+}
+
+bool forbidUpTo(std::span<const ExcitationCut> cuts, double amplitude, double energy)
+{
+    return std::any_of(cuts.begin(), cuts.end(), [&](const ExcitationCut& cut) {
+        const HalfPlane half(cut, energy);
+        return half.limit > half.reach() * amplitude * upwards;
+    });
+}
+
+bool forbidJust(std::span<const ExcitationCut> cuts, double amplitude, double energy)
+{
+    if (forbidUpTo(cuts, amplitude, energy)) {
+        return true;
+    }
+    bool isCut = false;
+    for (std::size_t k = 0; k < cuts.size(); ++k) {
+        // Ends of its arc: across by +-sqrt(A^2 |c|^2 - limit^2), over |c|^2.
+        const HalfPlane half(cuts[k], energy);
+        const Interval squares = half.c * half.c + half.s * half.s;
+        const Interval limit(half.limit);
+        const Interval across = Interval(amplitude) * Interval(amplitude) * squares - limit * limit;
+        if (half.limit <= 0.0 && across.isNegative()) {
+            continue;  // the whole circle
+        }
+        if (!squares.isPositive()) {
+            return false;
+        }
+        isCut = true;
+        for (const double side : {1.0, -1.0}) {
+            const Interval way = Interval(side) * across.root();
+            const Interval c = (limit * half.c - way * half.s) / squares;
+            const Interval s = (limit * half.s + way * half.c) / squares;
+            const bool isOut = std::any_of(cuts.begin(), cuts.end(), [&](const ExcitationCut& cut) {
+                const HalfPlane other(cut, energy);
+                return &cut != &cuts[k] &&
+                       (other.c * c + other.s * s - Interval(other.limit)).isNegative();
+            });
+            if (!isOut) {
+                return false;
+            }
+        }
+    }
+    return isCut;
+}
+
+}  // namespace signorini

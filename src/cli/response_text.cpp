@@ -1,0 +1,253 @@
+// A response in words: what a machine does over its range of frequencies, worst values first.
+
+#include <algorithm>
+#include <array>
+#include <functional>
+
+#include "forced_answer.hpp"
+#include "response_report.hpp"
+#include "segments_text.hpp"
+#include "text.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+/// Neighbours in the list of frequencies.
+struct Band {
+    const FrequencyResponse* low;
+    const FrequencyResponse* high;
+};
+
+/// Frequencies in Hz and their bands, ascending.
+class Frequencies {
+public:
+    explicit Frequencies(const ResponseAnswer& answer)
+        : answer_(answer), unit_(1.0 / 4.0 / scales(answer.bar).time)
+    {
+    }
+
+    [[nodiscard]] double hertz(const FrequencyResponse& at) const
+    {
+        return at.frequencyRatio * unit_;
+    }
+
+    /// "400 … 410 Hz (0.95 … 0.98 ω₁), 530 Hz (1.26 ω₁) and 2 more"; empty: nowhere.
+    [[nodiscard]] std::string where(
+        const std::function<bool(const FrequencyResponse&)>& holds) const
+    {
+        constexpr std::size_t most = 4;
+        const std::vector<Band> bands = bandsWhere(holds);
+        std::string text;
+        for (std::size_t k = 0; k < std::min(most, bands.size()); ++k) {
+            text += text.empty() ? "" : ", ";
+            text += textOf(bands[k]);
+        }
+        return bands.size() > most ? text + fmt::format(" and {} more", bands.size() - most) : text;
+    }
+
+private:
+    [[nodiscard]] std::string textOf(const Band& band) const
+    {
+        const double low = band.low->frequencyRatio;
+        const double high = band.high->frequencyRatio;
+        return band.low == band.high ? fmt::format("{:.6g} Hz ({:.4g} ω₁)", low * unit_, low)
+                                     : fmt::format("{:.6g} … {:.6g} Hz ({:.4g} … {:.4g} ω₁)",
+                                                   low * unit_, high * unit_, low, high);
+    }
+
+    [[nodiscard]] std::vector<Band> bandsWhere(
+        const std::function<bool(const FrequencyResponse&)>& holds) const
+    {
+        // Listed with the number of steps ascending, so the highest frequency is the first.
+        std::vector<Band> bands;
+        bool goesOn = false;
+        for (std::size_t k = answer_.frequencies.size(); k-- > 0;) {
+            const FrequencyResponse& at = answer_.frequencies[k];
+            if (!holds(at)) {
+                goesOn = false;
+            } else if (goesOn) {
+                bands.back().high = &at;
+            } else {
+                bands.push_back({&at, &at});
+                goesOn = true;
+            }
+        }
+        return bands;
+    }
+
+    const ResponseAnswer& answer_;
+    double unit_;  ///< [Hz], omega_1
+};
+
+/// The bar without stops would meet one, and does not stay at it: it has to rattle.
+bool mustRattle(const FrequencyResponse& response)
+{
+    return response.touches && !response.permanent;
+}
+
+bool canRattle(const FrequencyResponse& response)
+{
+    return !response.motions.empty() || mustRattle(response);
+}
+
+/// The largest of one number over all motions, and where.
+struct Worst {
+    double value = 0.0;
+    const FrequencyResponse* at = nullptr;
+    const ForcedMotion* motion = nullptr;
+};
+
+void keepLarger(Worst& worst, double value, const FrequencyResponse& at, const ForcedMotion& motion)
+{
+    if (worst.at == nullptr || value > worst.value) {
+        worst = {value, &at, &motion};
+    }
+}
+
+void addWorst(const ResponseAnswer& answer, const Frequencies& frequencies, Text& text)
+{
+    Worst force;
+    Worst impulse;
+    Worst speed;
+    Worst stress;
+    Worst strain;
+    for (const FrequencyResponse& at : answer.frequencies) {
+        for (const ForcedMotion& motion : at.motions) {
+            const Physical physical = physicalOf(motion.extremes, answer.bar);
+            keepLarger(force, physical.peakForce, at, motion);
+            keepLarger(impulse, physical.impulse, at, motion);
+            keepLarger(speed, physical.approachSpeed, at, motion);
+            keepLarger(stress, physical.peakStress.value_or(0.0), at, motion);
+            keepLarger(strain, std::max(physical.peakCompression, physical.peakTension), at,
+                       motion);
+        }
+    }
+    const auto line = [&](const char* label, const Worst& worst, const char* unit,
+                          const std::string& remark = {}) {
+        print(text, "{:<12}at most {:.6g} {} at {:.6g} Hz, {}{}\n", label, worst.value, unit,
+              frequencies.hertz(*worst.at), describe(worst.motion->schedule.phases), remark);
+    };
+    line("force", force, "N");
+    line("impulse", impulse, "N s per period");
+    line("speed", speed, "m/s before an impact");
+    if (!answer.bar.young) {
+        line("strain", strain, "[-]");
+        return;
+    }
+    std::string remark;
+    if (const auto limit = answer.yieldStress) {
+        remark = fmt::format(": {:.3g} % of the yield stress, {}", 100.0 * stress.value / *limit,
+                             stress.value > *limit ? "the bar yields" : "no yield");
+    }
+    line("stress", stress, "Pa", remark);
+}
+
+/// Frequencies where the list may not be all there is.
+void addGaps(const ResponseAnswer& answer, const Frequencies& frequencies, Text& text)
+{
+    const bool hasOne = answer.range.contacts == 1;
+    const std::string unmet = frequencies.where([](const FrequencyResponse& at) {
+        return at.motions.empty() && mustRattle(at) && at.undecided == 0;
+    });
+    if (!unmet.empty()) {
+        print(text, "no motion   with {}, though the linear response meets a stop: {}{}\n",
+              hasOne ? "one contact" : "one or two contacts", unmet,
+              hasOne ? "; see --contacts 2" : "");
+    }
+    if (answer.undecided() > 0) {
+        const auto first =
+            std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
+                         [](const FrequencyResponse& at) { return at.undecided > 0; });
+        print(text, "undecided   {} schedules: {}; the first: {}\n", answer.undecided(),
+              frequencies.where([](const FrequencyResponse& at) { return at.undecided > 0; }),
+              first->detail);
+    }
+}
+
+void addStability(const ResponseAnswer& answer, Text& text)
+{
+    std::array<std::int64_t, 3> counts{};
+    for (const FrequencyResponse& at : answer.frequencies) {
+        for (const ForcedMotion& motion : at.motions) {
+            if (motion.stability) {
+                ++counts.at(static_cast<std::size_t>(*motion.stability));
+            }
+        }
+    }
+    const auto count = [&counts](Stability which) {
+        return counts.at(static_cast<std::size_t>(which));
+    };
+    if (counts == decltype(counts){}) {
+        return;  // nobody asked
+    }
+    print(text, "stability   tried: {} attract, {} repel, {} unclear\n", count(Stability::attracts),
+          count(Stability::repels), count(Stability::unclear));
+}
+
+void addPermanent(const ResponseAnswer& answer, const Frequencies& frequencies, Text& text)
+{
+    const std::string held =
+        frequencies.where([](const FrequencyResponse& at) { return at.permanent.has_value(); });
+    if (held.empty()) {
+        return;
+    }
+    double least = 0.0;
+    double most = 0.0;
+    bool isFirst = true;
+    for (const FrequencyResponse& at : answer.frequencies) {
+        if (at.permanent) {
+            least = isFirst ? at.permanent->leastForce : std::min(least, at.permanent->leastForce);
+            most = std::max(most, at.permanent->extremes.peakForce);
+            isFirst = false;
+        }
+    }
+    const double unit = answers::forceUnit(answer.bar);
+    print(text, "permanent   contact, {:.6g} to {:.6g} N: {}\n", least * unit, most * unit, held);
+}
+
+}  // namespace
+
+std::string asText(const ResponseAnswer& answer)
+{
+    const ResponseRange& range = answer.range;
+    const Frequencies frequencies(answer);
+    Text text;
+    print(
+        text,
+        "{} motions with {}{} at {} frequencies: N = {}, ζ = {}, {} of amplitude {} {}{}{}{}\n",
+        answer.motions(), range.contacts > 1 ? "one or two contacts" : "one contact phase",
+        range.stops.left ? " on each stop that is touched" : "", answer.frequencies.size(),
+        range.cells, range.damping.ratio, range.place == Excited::tip ? "force on the tip" : "base",
+        answer.amplitude, range.place == Excited::tip ? "N" : "m",
+        range.contacts > 1 ? fmt::format(", for two contacts ± {:.3g} %", 100.0 * range.band) : "",
+        range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
+        answer.isComplete ? "" : ": interrupted, the list is not complete");
+    if (!answer.scene.segments.empty()) {
+        print(text, "segments    {}\n", textOf(answer.scene.segments));
+    }
+    print(text, "asked       {}\n",
+          frequencies.where([](const FrequencyResponse&) { return true; }));
+    const std::string all = frequencies.where(canRattle);
+    const std::string must = frequencies.where(mustRattle);
+    if (all.empty()) {
+        print(text, "rattles     nowhere{}\n",
+              answer.undecided() > 0 ? " that was decided"
+              : range.stops.right > 0
+                  ? ": the linear response stays clear, and is the only motion found"
+                  : "");
+    } else {
+        print(text, "rattles     can: {}; must, as the linear response meets a stop: {}\n", all,
+              must.empty() ? "nowhere" : must);
+    }
+    addPermanent(answer, frequencies, text);
+    addGaps(answer, frequencies, text);
+    if (answer.motions() > 0) {
+        addWorst(answer, frequencies, text);
+        addStability(answer, text);
+        print(text, "each motion --csv FILE.csv, --format json, --figure FILE.png\n");
+    }
+    return fmt::to_string(text);
+}
+
+}  // namespace signorini::cli

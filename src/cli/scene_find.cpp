@@ -1,0 +1,261 @@
+#include "scene_find.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "files.hpp"
+#include "find_command.hpp"
+#include "interrupt.hpp"
+#include "network_find.hpp"
+#include "network_state_file.hpp"
+#include "scene_report.hpp"
+#include "signorini/find_periodic.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+constexpr std::int64_t mostSceneSteps = 1'000'000;
+
+/// A whole number from 1 to `most`; 0 if it is none.
+std::int64_t wholeIn(std::string_view text, std::int64_t most)
+{
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool isWhole = error == std::errc() && end == text.data() + text.size();
+    return isWhole && value >= 1 && value <= most ? value : 0;
+}
+
+ContactSet setOf(std::string_view text, std::size_t contacts, const std::string& word)
+{
+    if (text == "-" || text.empty()) {
+        return 0;
+    }
+    ContactSet closed = 0;
+    for (bool isLast = false; !isLast;) {
+        const std::size_t plus = text.find('+');
+        isLast = plus == std::string_view::npos;
+        const auto number = wholeIn(text.substr(0, plus), static_cast<std::int64_t>(contacts));
+        const ContactSet one = number > 0 ? ContactSet{1} << (number - 1) : 0;
+        if (number == 0 || (closed & one) != 0) {
+            refuse(
+                "schedule", word,
+                fmt::format("SET:STEPS, SET - or different contacts 1..{} joined by +", contacts));
+        }
+        closed |= one;
+        text.remove_prefix(isLast ? text.size() : plus + 1);
+    }
+    return closed;
+}
+
+/// A schedule and what is known of it.
+struct Answer {
+    Assembly assembly;
+    Network network;
+    std::vector<ContactSpan> schedule;
+    double unit = 1.0;  ///< E_1 [Z_1 delta^2/h]
+    NetworkMotions motions;
+
+    [[nodiscard]] double joules(double energy) const { return energy * network.scales.energy(); }
+    [[nodiscard]] double period() const
+    {
+        double steps = 0.0;
+        for (const ContactSpan& span : schedule) {
+            steps += static_cast<double>(span.steps);
+        }
+        return steps * network.scales.time;
+    }
+};
+
+std::string asText(ContactSet closed)
+{
+    std::string text;
+    for (std::size_t j = 0; j < maxContacts; ++j) {
+        if ((closed >> j & 1U) != 0) {
+            text += fmt::format("{}{}", text.empty() ? "" : "+", j + 1);
+        }
+    }
+    return text.empty() ? "-" : text;
+}
+
+Json scheduleAsJson(const std::vector<ContactSpan>& schedule)
+{
+    Json list = Json::array();
+    for (const ContactSpan& span : schedule) {
+        Json closed = Json::array();
+        for (std::size_t j = 0; j < maxContacts; ++j) {
+            if ((span.closed >> j & 1U) != 0) {
+                closed.push_back(j + 1);
+            }
+        }
+        list.push_back({{"closed", closed}, {"steps", span.steps}});
+    }
+    return list;
+}
+
+/// [contact, step, multiplier]; contacts count from 1.
+Json listed(const std::vector<ContactMultiplier>& list)
+{
+    Json json = Json::array();
+    for (const ContactMultiplier& m : list) {
+        json.push_back({m.contact + 1, m.step, m.value});
+    }
+    return json;
+}
+
+Json certificateAsJson(const Answer& answer)
+{
+    if (answer.motions.status == Status::undecided) {
+        return nullptr;
+    }
+    Json json{{"kind", "energy-floor"}, {"verified", true}, {"rows", "network"}};
+    json["energy_ratio"] = answer.motions.provedEnergy / answer.unit;
+    json["periodicity"] = answer.motions.multipliers.periodicity;
+    json["places"] = listed(answer.motions.multipliers.places);
+    json["pushes"] = listed(answer.motions.multipliers.pushes);
+    return json;
+}
+
+Json asJson(const Answer& answer)
+{
+    const NetworkMotions& motions = answer.motions;
+    const NetworkScales& scales = answer.network.scales;
+    const bool isFound = motions.status == Status::found;
+    Json json = newAnswer();
+    json.update(Json{{"status", name(motions.status)},
+                     {"scene", cli::asJson(answer.assembly)},
+                     {"reference", referenceAsJson(answer.network)},
+                     {"cells", answer.network.cells()},
+                     {"schedule", scheduleAsJson(answer.schedule)},
+                     {"period", answer.period()},
+                     {"kernel_dimension", motions.kernelDimension},
+                     {"contacts", contactsAsJson(answer.network, answer.assembly.length)},
+                     {"energy", nullptr},
+                     {"energy_ratio", nullptr},
+                     {"energy_ratio_proved", nullptr},
+                     {"residuals", nullptr},
+                     {"certificate", certificateAsJson(answer)},
+                     {"detail", motions.detail}});
+    if (!isFound) {
+        return json;
+    }
+    json["energy"] = answer.joules(motions.energy);
+    json["energy_ratio"] = motions.energy / answer.unit;
+    json["energy_ratio_proved"] = motions.provedEnergy / answer.unit;
+    json["residuals"] = {{"periodicity", motions.residuals.periodicity},
+                         {"tie", motions.residuals.tie},
+                         {"gap", motions.residuals.gap},
+                         {"pressure", motions.residuals.pressure},
+                         {"penetration", motions.residuals.penetration}};
+    for (std::size_t j = 0; j < answer.network.contacts.size(); ++j) {
+        json["contacts"][j]["peak_force"] = motions.residuals.peakForces[j] * scales.force();
+        json["contacts"][j]["impulse"] =
+            motions.residuals.impulses[j] * scales.force() * scales.time;
+    }
+    return json;
+}
+
+std::string asText(const Answer& answer)
+{
+    const NetworkMotions& motions = answer.motions;
+    std::string text = headline(answer.assembly, answer.network);
+    text += fmt::format("{:<12}", name(motions.status));
+    for (const ContactSpan& span : answer.schedule) {
+        text += fmt::format("{}:{} ", asText(span.closed), span.steps);
+    }
+    text.back() = '\n';
+    text += fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.period());
+    if (motions.status == Status::none) {
+        text += fmt::format("proof       none below {:.3g} E₁; checked by a march backwards\n",
+                            motions.provedEnergy / answer.unit);
+    } else if (motions.status == Status::undecided) {
+        text += fmt::format("why         {}\n", motions.detail);
+    } else {
+        text += fmt::format(
+            "energy      {:.6g} J, {:.6g} E₁, the least; proved: none has less than {:.6g} E₁\n",
+            answer.joules(motions.energy), motions.energy / answer.unit,
+            motions.provedEnergy / answer.unit);
+        const NetworkScales& scales = answer.network.scales;
+        for (std::size_t j = 0; j < answer.network.contacts.size(); ++j) {
+            text +=
+                fmt::format("contact {:<4}force at most {:.6g} N, impulse {:.6g} N s per period\n",
+                            j + 1, motions.residuals.peakForces[j] * scales.force(),
+                            motions.residuals.impulses[j] * scales.force() * scales.time);
+        }
+        text += fmt::format("residual    {:.2g}\n", motions.residuals.worst());
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words, std::size_t contacts)
+{
+    std::vector<ContactSpan> spans;
+    const bool arePairs =
+        contacts == 1 && !words.empty() && words.front().find(':') == std::string::npos;
+    if (words.empty() || (arePairs && words.size() % 2 != 0)) {
+        refuse("schedule", fmt::format("{} words", words.size()),
+               contacts == 1 ? "NC NF [NC NF ...], or SET:STEPS ..." : "SET:STEPS ...");
+    }
+    for (const std::string& word : words) {
+        const std::size_t colon = word.find(':');
+        const std::int64_t steps =
+            arePairs ? wholeIn(word, mostSceneSteps)
+            : colon == std::string::npos
+                ? 0
+                : wholeIn(std::string_view(word).substr(colon + 1), mostSceneSteps);
+        if (steps == 0) {
+            refuse(
+                "schedule", word,
+                fmt::format("{}, steps 1..{}", arePairs ? "NC NF" : "SET:STEPS", mostSceneSteps));
+        }
+        spans.push_back({arePairs ? (spans.size() % 2 == 0 ? 1U : 0U)
+                                  : setOf(std::string_view(word).substr(0, colon), contacts, word),
+                         steps});
+    }
+    return spans;
+}
+
+ExitStatus findInScene(const FindCommand& command)
+{
+    Answer answer;
+    answer.assembly = command.scene.assembly(command.common);
+    answer.network = networkOf(answer.assembly);
+    answer.schedule = parseSpans(command.steps, answer.network.contacts.size());
+    const SceneReference reference = referenceOf(answer.network);
+    if (reference.energy && *reference.energy > 0.0) {
+        answer.unit = *reference.energy / answer.network.scales.energy();
+    }
+    const OutputOption ofState{"--state", command.stateFile};
+    const OutputOption ofProof{"--certificate", command.certificateFile};
+    Outputs states({ofState}, {ofProof});
+    Outputs proofs({ofProof}, {ofState});
+    const Interrupt interrupt;
+    answer.motions = leastMotion(answer.network, answer.schedule, hugeEnergyRatio * answer.unit,
+                                 interrupt.cancel());
+    if (answer.motions.motion) {
+        states.put("--state", [&](const std::string& path) {
+            writeNetworkState(path, answer.network,
+                              {answer.motions.motion->waves, answer.motions.motion->displacements});
+        });
+        states.commit();
+    } else if (states.areWanted() && !command.common.quiet) {
+        tell("signorini find: no motion to write, so no file was written\n");
+    }
+    const std::string json = asLine(asJson(answer));
+    if (answer.motions.status != Status::undecided) {
+        proofs.put("--certificate", [&](const std::string& path) {
+            TextFile file(path);
+            file.write(json);
+            file.close();
+        });
+        proofs.commit();
+    }
+    writeOut(command.common.wantsJson ? json : asText(answer));
+    command.common.useOneThread("find");
+    return exitStatusOf(answer.motions.status);
+}
+
+}  // namespace signorini::cli

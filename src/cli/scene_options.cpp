@@ -1,0 +1,285 @@
+#include "scene_options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "faults.hpp"
+#include "signorini/output.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+constexpr std::size_t mostBytes = 16'000'000;
+
+/// One kind of part, and the entry that holds its value; empty: it has none.
+struct PartName {
+    PartKind kind;
+    std::string_view name;
+    std::string_view entry;
+};
+constexpr std::array partNames{PartName{PartKind::clamp, "clamp", ""},
+                               PartName{PartKind::free, "free", ""},
+                               PartName{PartKind::cells, "cells", "cells"},
+                               PartName{PartKind::gap, "gap", "gap"},
+                               PartName{PartKind::rightStop, "right stop", "gap"},
+                               PartName{PartKind::leftStop, "left stop", "gap"},
+                               PartName{PartKind::dash, "dash", "impedance"},
+                               PartName{PartKind::spring, "spring", "stiffness"},
+                               PartName{PartKind::mass, "mass", "mass"},
+                               PartName{PartKind::force, "force", "force"},
+                               PartName{PartKind::driven, "driven", ""},
+                               PartName{PartKind::shaken, "shaken", ""}};
+
+/// An object whose entries are taken one by one.
+class Entries {
+public:
+    Entries(const Json& json, std::string place) : json_(json), place_(std::move(place))
+    {
+        if (!json.is_object()) {
+            refuse(place_, shortened(json.dump(-1, ' ', true)), "an object {...}");
+        }
+    }
+
+    [[nodiscard]] bool has(std::string_view key) const
+    {
+        const auto found = json_.find(std::string(key));
+        return found != json_.end() && !found->is_null();
+    }
+    /// `fallback` if it is not there. \throws std::invalid_argument if it is no finite number.
+    [[nodiscard]] double number(std::string_view key, std::optional<double> fallback = {})
+    {
+        taken_.emplace_back(key);
+        if (!has(key) && fallback) {
+            return *fallback;
+        }
+        const Json value = json_.value(std::string(key), Json());
+        const bool isNumber = value.is_number() && std::isfinite(value.get<double>());
+        if (!isNumber) {
+            refuseEntry(key, value, "finite numbers");
+        }
+        return value.get<double>();
+    }
+    [[nodiscard]] std::int64_t whole(std::string_view key)
+    {
+        const double value = number(key);
+        if (!(value >= 1.0 && value <= static_cast<double>(maxCells) &&
+              value == std::floor(value))) {
+            refuseEntry(key, json_[std::string(key)], fmt::format("whole numbers 1..{}", maxCells));
+        }
+        return static_cast<std::int64_t>(value);
+    }
+    [[nodiscard]] const Json& take(std::string_view key)
+    {
+        taken_.emplace_back(key);
+        static const Json nothing;
+        const auto found = json_.find(std::string(key));
+        return found == json_.end() ? nothing : *found;
+    }
+    [[noreturn]] void refuseEntry(std::string_view key, const Json& value,
+                                  std::string_view allowed) const
+    {
+        refuse(fmt::format("{}{}{}", place_, place_.empty() ? "" : ".", key),
+               shortened(value.dump(-1, ' ', true)), allowed);
+    }
+    /// \throws std::invalid_argument if there are entries that nobody took.
+    void requireAllTaken() const
+    {
+        for (const auto& [key, value] : json_.items()) {
+            if (std::find(taken_.begin(), taken_.end(), key) == taken_.end()) {
+                std::string allowed;
+                for (const std::string& name : taken_) {
+                    allowed += (allowed.empty() ? "" : ", ") + name;
+                }
+                refuseEntry(shortened(key), value, "no such entry; there are " + allowed);
+            }
+        }
+    }
+
+private:
+    const Json& json_;
+    std::string place_;
+    std::vector<std::string> taken_;
+};
+
+AssemblyPart partOfJson(const Json& json, const std::string& place)
+{
+    Entries entries(json, place);
+    const Json& kind = entries.take("kind");
+    const std::string word = kind.is_string() ? kind.get<std::string>() : "";
+    for (const PartName& known : partNames) {
+        if (word != known.name) {
+            continue;
+        }
+        AssemblyPart part{.kind = known.kind};
+        if (known.kind == PartKind::cells) {
+            part.cells = entries.whole("cells");
+            part.impedance = entries.number("impedance", 1.0);
+            part.speed = entries.number("speed", 1.0);
+        } else if (!known.entry.empty()) {
+            part.value = entries.number(known.entry);
+        }
+        entries.requireAllTaken();
+        return part;
+    }
+    std::string allowed;
+    for (const PartName& known : partNames) {
+        allowed += allowed.empty() ? "" : "|";
+        allowed += known.name;
+    }
+    entries.refuseEntry("kind", kind, allowed);
+}
+
+std::string contentOf(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file) {
+        throw FileError(path, "cannot read it");
+    }
+    std::string text;
+    std::array<char, 65536> block{};
+    while (text.size() <= mostBytes &&
+           (file.read(block.data(), block.size()) || file.gcount() > 0)) {
+        text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    }
+    if (text.size() > mostBytes) {
+        throw FileError(path, fmt::format("longer than {} bytes", mostBytes));
+    }
+    return text;
+}
+
+}  // namespace
+
+void SceneOptions::addTo(CLI::App& command, bool asOption)
+{
+    if (asOption) {
+        addWord(command, "--scene", "TEXT|FILE.json",
+                "bars in a row, from left to right: clamp, free, N[:Z[:C]], gap=G, stop=G, dash=D, "
+                "spring=K, mass=M, force=F, driven, shaken",
+                [this](const std::string& given) { text = given.empty() ? " " : given; });
+    }
+    addWord(command, "--gravity", "M/S2", "gravity, to the right along all bars of a scene (0)",
+            [this](const std::string& given) { gravity = parseReal("--gravity", given, "m/s^2"); });
+}
+
+Assembly SceneOptions::assembly(const CommonOptions& common) const
+{
+    const Scene scene = common.scene();
+    const bool hasShort =
+        common.cells || scene.secondStop || !scene.segments.empty() || scene.bar.gap != Bar{}.gap;
+    if (hasShort) {
+        throw std::invalid_argument(
+            "--scene clashes with --cells, --gap, --second-stop, --segments: allowed one of them");
+    }
+    Assembly assembly;
+    if (text.ends_with(".json")) {
+        if (!(scene.bar == Bar{}) || gravity != 0.0) {
+            throw std::invalid_argument(
+                "--scene FILE.json clashes with --length, --wave-speed, --axial-stiffness, "
+                "--young, "
+                "--density, --area, --gravity: the file says them");
+        }
+        assembly = assemblyOfJson(contentOf(text), text);
+    } else {
+        assembly = {.parts = partsOf(text),
+                    .length = scene.bar.length,
+                    .waveSpeed = scene.bar.waveSpeed,
+                    .axialStiffness = scene.bar.axialStiffness,
+                    .gravity = gravity,
+                    .young = scene.bar.young};
+    }
+    validate(assembly);
+    return assembly;
+}
+
+Assembly assemblyOf(const Scene& scene, std::int64_t cells, const Damping& damping)
+{
+    Assembly assembly{.length = scene.bar.length,
+                      .waveSpeed = scene.bar.waveSpeed,
+                      .axialStiffness = scene.bar.axialStiffness,
+                      .young = scene.bar.young};
+    std::vector<AssemblyPart>& parts = assembly.parts;
+    parts = {{.kind = PartKind::clamp}, {.kind = PartKind::shaken}};
+    const std::vector<Segment> uniform{{.cells = cells}};
+    const std::vector<Segment>& segments = scene.segments.empty() ? uniform : scene.segments;
+    for (const Segment& segment : segments) {
+        const Segment& first = segments.front();
+        parts.push_back({.kind = PartKind::cells,
+                         .cells = segment.cells,
+                         .impedance = segment.impedance / first.impedance,
+                         .speed = segment.speed / first.speed});
+        if (segment.dashpot > 0.0) {
+            parts.push_back({.kind = PartKind::dash, .value = segment.dashpot / first.impedance});
+        }
+    }
+    if (damping.ratio > 0.0) {
+        parts.push_back({.kind = PartKind::dash, .value = damping.eta()});
+    }
+    parts.push_back({.kind = PartKind::driven});
+    parts.push_back({.kind = PartKind::rightStop, .value = scene.bar.gap});
+    if (scene.secondStop) {
+        parts.push_back({.kind = PartKind::leftStop, .value = *scene.secondStop});
+    }
+    return assembly;
+}
+
+Json asJson(const Assembly& assembly)
+{
+    Json parts = Json::array();
+    for (const AssemblyPart& part : assembly.parts) {
+        const auto& known =
+            *std::find_if(partNames.begin(), partNames.end(),
+                          [&part](const PartName& name) { return name.kind == part.kind; });
+        Json json{{"kind", known.name}};
+        if (part.kind == PartKind::cells) {
+            json["cells"] = part.cells;
+            json["impedance"] = part.impedance;
+            json["speed"] = part.speed;
+        } else if (!known.entry.empty()) {
+            json[std::string(known.entry)] = part.value;
+        }
+        parts.push_back(std::move(json));
+    }
+    return {{"length", assembly.length},
+            {"wave_speed", assembly.waveSpeed},
+            {"axial_stiffness", assembly.axialStiffness},
+            {"young", assembly.young ? Json(*assembly.young) : Json()},
+            {"gravity", assembly.gravity},
+            {"parts", std::move(parts)}};
+}
+
+Assembly assemblyOfJson(std::string_view text, const std::string& name)
+{
+    const Json json = Json::parse(text, nullptr, false);
+    if (json.is_discarded()) {
+        refuse(shortened(name), shortened(text),
+               "JSON, as signorini scene --format json prints it");
+    }
+    // The answer of `scene` has it as an entry.
+    Entries whole(json, "");
+    const Json& inner = whole.take("scene");
+    Entries entries(inner.is_null() ? json : inner, inner.is_null() ? "" : "scene");
+    Assembly assembly{.length = entries.number("length", 1.0),
+                      .waveSpeed = entries.number("wave_speed", 1.0),
+                      .axialStiffness = entries.number("axial_stiffness", 1.0),
+                      .gravity = entries.number("gravity", 0.0)};
+    if (entries.has("young")) {
+        assembly.young = entries.number("young");
+    }
+    (void)entries.take("young");
+    const Json& parts = entries.take("parts");
+    if (!parts.is_array() || parts.size() > maxParts) {
+        entries.refuseEntry("parts", parts, fmt::format("a list of at most {} parts", maxParts));
+    }
+    entries.requireAllTaken();
+    std::size_t number = 0;
+    for (const Json& part : parts) {
+        assembly.parts.push_back(partOfJson(part, fmt::format("parts[{}]", number++)));
+    }
+    return assembly;
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,439 @@
+#include "scene_simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "files.hpp"
+#include "interrupt.hpp"
+#include "network_simulation.hpp"
+#include "network_state_file.hpp"
+#include "progress.hpp"
+#include "scene_figures.hpp"
+#include "scene_report.hpp"
+#include "signorini/output.hpp"
+#include "simulate_command.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+constexpr double mostCrossings = 1e9;    // [crossings of all bars]
+constexpr std::size_t mostPeriods = 16;  // after which a motion may repeat
+constexpr double repeats = 1e-6;         // relative, of a state that is back
+
+/// What a call asks for, in the units of its network.
+struct Question {
+    Assembly assembly;
+    Network network;
+    NetworkDrive drive = {};
+    double period = 0.0;  ///< [h], of the excitation; 0: none
+    Excited place = Excited::tip;
+    double frequency = 0.0;  ///< [Hz]
+    double duration = 0.0;   ///< [h]
+};
+
+/// The state at the ends of the last periods, and what had happened until then.
+class PeriodEnds {
+public:
+    struct Repeated {
+        std::int64_t periods = 0;  ///< 0: it does not
+        std::int64_t contacts = 0;
+        double impulse = 0.0;
+        double residual = 0.0;  ///< the least seen
+    };
+
+    void see(const NetworkSimulation& simulation)
+    {
+        ends_.push_back({simulation.state(), simulation.contactCount(), simulation.impulse()});
+        if (ends_.size() > mostPeriods + 1) {
+            ends_.erase(ends_.begin());
+        }
+    }
+
+    [[nodiscard]] std::optional<Repeated> repeated() const
+    {
+        std::optional<Repeated> best;
+        for (std::size_t k = 1; k < ends_.size(); ++k) {
+            const End& now = ends_.back();
+            const End& before = ends_[ends_.size() - 1 - k];
+            const double residual =
+                std::max(difference(now.state.waves, before.state.waves),
+                         difference(now.state.displacements, before.state.displacements));
+            if (!best || residual < best->residual) {
+                best = Repeated{0, now.contacts - before.contacts, now.impulse - before.impulse,
+                                residual};
+            }
+            if (residual <= repeats) {
+                best->periods = static_cast<std::int64_t>(k);
+                return best;
+            }
+        }
+        return best;
+    }
+
+private:
+    struct End {
+        NetworkStart state;
+        std::int64_t contacts;
+        double impulse;
+    };
+
+    /// Relative to the largest.
+    static double difference(const std::vector<double>& one, const std::vector<double>& other)
+    {
+        double most = 0.0;
+        double size = 0.0;
+        for (std::size_t k = 0; k < one.size(); ++k) {
+            most = std::max(most, std::abs(one[k] - other[k]));
+            size = std::max(size, std::abs(one[k]));
+        }
+        return size > 0.0 ? most / size : most;
+    }
+
+    std::vector<End> ends_;
+};
+
+/// The harmonic force of the driven node, or the base that shakes.
+void setDrive(const SimulateCommand& command, Question& question)
+{
+    const ForceOptions& force = command.force;
+    if (force.amplitude.has_value() != command.frequencyRatio.has_value()) {
+        throw std::invalid_argument("--amplitude, --frequency: allowed only together");
+    }
+    const auto& nodes = question.network.nodes;
+    const bool isDriven = std::any_of(nodes.begin(), nodes.end(),
+                                      [](const NetworkNode& node) { return node.isDriven; });
+    const bool isShaken = std::any_of(nodes.begin(), nodes.end(),
+                                      [](const NetworkNode& node) { return node.isShaken; });
+    if (!force.amplitude) {
+        if (force.place || command.periods) {
+            throw std::invalid_argument(
+                "--force, --periods: allowed only together with --amplitude and --frequency");
+        }
+        return;
+    }
+    question.place = force.place.value_or(isDriven ? Excited::tip : Excited::base);
+    const bool hasPlace = question.place == Excited::tip ? isDriven : isShaken;
+    if (!hasPlace || (!force.place && isDriven && isShaken)) {
+        refuse("--amplitude", fmt::format("{}", *force.amplitude),
+               "a scene with one word driven (a force [N]) or shaken (a clamp [m]); --force "
+               "tip|base says which of two");
+    }
+    const SceneReference reference = referenceOf(question.network);
+    const double omega = *command.frequencyRatio * reference.frequency;
+    const double exact = 2.0 * std::numbers::pi / (omega * question.network.scales.time);
+    const double steps = std::round(exact);
+    if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
+        refuse(
+            "--frequency", fmt::format("{}", *command.frequencyRatio),
+            fmt::format("periods of 3..{} steps of {:.6g} s, 1/ω₁ = {:.6g} s", maxExcitationSteps,
+                        question.network.scales.time, 1.0 / reference.frequency));
+    }
+    const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
+    question.drive.step = isWhole ? 1.0 : exact / steps;
+    question.period = question.drive.step * steps;
+    question.frequency = omega / (2.0 * std::numbers::pi);
+    const NetworkScales& scales = question.network.scales;
+    const bool isForce = question.place == Excited::tip;
+    const Excitation excitation = excitationOf(
+        {.place = question.place,
+         .amplitude = *force.amplitude / (isForce ? scales.force() : scales.displacement),
+         .phase = command.phase,
+         .steps = static_cast<std::int64_t>(steps),
+         .stepsPerCrossing = 1.0 / question.drive.step});
+    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+        if (isForce) {
+            question.drive.forces.push_back(excitation.force(m));
+        } else {
+            question.drive.velocities.push_back(excitation.baseVelocity(m));
+        }
+    }
+}
+
+Question questionOf(const SimulateCommand& command)
+{
+    Question question;
+    if (command.sceneGiven.isGiven()) {
+        if (command.force.ratio) {
+            throw std::invalid_argument(
+                "--damping clashes with --scene: allowed dash=D among its words");
+        }
+        question.assembly = command.sceneGiven.assembly(command.common);
+    } else {
+        const Scene scene = command.common.scene();
+        question.assembly = assemblyOf(scene, command.common.usualCells(), command.force.damping());
+        question.assembly.gravity = command.sceneGiven.gravity;
+    }
+    question.network = networkOf(question.assembly);
+    setDrive(command, question);
+    if (command.time.has_value() == command.periods.has_value()) {
+        throw std::invalid_argument(command.time
+                                        ? "--time clashes with --periods: allowed one of them"
+                                        : "--time, --periods: missing: allowed one of them");
+    }
+    const double unit = question.network.scales.time;
+    question.duration = command.periods ? static_cast<double>(*command.periods) * question.period
+                                        : *command.time / unit;
+    const double most = mostCrossings * static_cast<double>(question.network.cells());
+    if (!(question.duration <= most)) {
+        refuse(
+            command.time ? "--time" : "--periods",
+            command.time ? fmt::format("{}", *command.time) : fmt::format("{}", *command.periods),
+            fmt::format("what lasts at most {:.3g} s", most * unit));
+    }
+    return question;
+}
+
+NetworkStart startOf(const SimulateCommand& command, const Network& network)
+{
+    if (!command.fromFile.empty()) {
+        return forFile("--from", command.fromFile,
+                       [&] { return readNetworkState(command.fromFile, network); });
+    }
+    if (command.speeds.empty()) {
+        return startAtRest(network);
+    }
+    std::vector<double> speeds = command.speeds;
+    for (double& speed : speeds) {
+        speed /= network.scales.velocity();
+    }
+    return startWithSpeeds(network, speeds);
+}
+
+/// What was seen at one contact.
+struct ContactTotals {
+    std::int64_t count = 0;
+    double impulse = 0.0;
+    double peakForce = 0.0;
+    double time = 0.0;
+};
+
+std::vector<ContactTotals> totalsOf(const NetworkSimulation& simulation)
+{
+    std::vector<ContactTotals> totals(simulation.network().contacts.size());
+    for (const NetworkContactEvent& event : simulation.contacts()) {
+        ContactTotals& total = totals[event.contact];
+        ++total.count;
+        total.impulse += event.impulse;
+        total.peakForce = std::max(total.peakForce, event.peakForce);
+        total.time += event.end - event.start;
+    }
+    return totals;
+}
+
+struct SceneAnswer {
+    const Question& question;
+    const NetworkSimulation& simulation;
+    bool isComplete = true;
+    std::optional<PeriodEnds::Repeated> repeated = {};
+
+    [[nodiscard]] std::string why() const
+    {
+        return !repeated ? "fewer than two periods of an excitation were seen"
+                         : fmt::format(
+                               "over 1 to {} periods the state changes by {:.3g} of its "
+                               "size, at the least; {:g} is allowed",
+                               mostPeriods, repeated->residual, repeats);
+    }
+};
+
+std::string asText(const SceneAnswer& answer)
+{
+    const NetworkSimulation& simulation = answer.simulation;
+    const NetworkScales& scales = simulation.network().scales;
+    const double impulseUnit = scales.force() * scales.time;
+    std::string text = headline(answer.question.assembly, simulation.network());
+    text +=
+        fmt::format("{:<12}{:.6g} s, {} events\n", answer.isComplete ? "simulated" : "interrupted",
+                    simulation.time() * scales.time, simulation.events());
+    std::size_t number = 0;
+    for (const ContactTotals& total : totalsOf(simulation)) {
+        text += fmt::format(
+            "contact {:<4}{} times, impulse {:.6g} N s, peak force {:.6g} N, {:.6g} s in all\n",
+            ++number, total.count, total.impulse * impulseUnit, total.peakForce * scales.force(),
+            total.time * scales.time);
+    }
+    if (answer.repeated && answer.repeated->periods > 0) {
+        text += fmt::format(
+            "settled     repeats every {} of the excitation to {:.2g}: {} contacts, {:.6g} N s\n",
+            answer.repeated->periods == 1 ? "period"
+                                          : fmt::format("{} periods", answer.repeated->periods),
+            answer.repeated->residual, answer.repeated->contacts,
+            answer.repeated->impulse * impulseUnit);
+    } else if (answer.question.period > 0.0) {
+        text += fmt::format("settled     no: {}\n", answer.why());
+    }
+    const NetworkBalance energy = simulation.balance();
+    const MomentumBalance momentum = simulation.momentumBalance();
+    text += fmt::format(
+        "energy      {:.10g} J; work {:.6g} J, dissipated {:.6g} J, balance off by {:.3g} of the "
+        "largest\nmomentum    balance off by {:.3g} of the largest\n",
+        simulation.energy() * scales.energy(), energy.work * scales.energy(),
+        energy.dissipated * scales.energy(),
+        energy.size > 0.0 ? std::abs(energy.error) / energy.size : 0.0,
+        momentum.size > 0.0 ? std::abs(momentum.error) / momentum.size : 0.0);
+    if (simulation.merged() > 0.0) {
+        text += fmt::format("merged      faded jumps, at most {:.3g} m of displacement in all\n",
+                            simulation.merged() * scales.displacement);
+    }
+    return text;
+}
+
+Json excitationAsJson(const SimulateCommand& command, const Question& question)
+{
+    if (question.period == 0.0) {
+        return nullptr;
+    }
+    return {
+        {"force", name(question.place)},
+        {"amplitude", *command.force.amplitude},
+        {"frequency_ratio", *command.frequencyRatio},
+        {"frequency", question.frequency},
+        {"phase", command.phase},
+        {"steps", static_cast<std::int64_t>(std::round(question.period / question.drive.step))}};
+}
+
+std::string asJson(const SimulateCommand& command, const SceneAnswer& answer)
+{
+    const NetworkSimulation& simulation = answer.simulation;
+    const NetworkScales& scales = simulation.network().scales;
+    const double impulseUnit = scales.force() * scales.time;
+    const NetworkBalance energy = simulation.balance();
+    const MomentumBalance momentum = simulation.momentumBalance();
+    Json contacts = contactsAsJson(simulation.network(), answer.question.assembly.length);
+    std::size_t number = 0;
+    for (const ContactTotals& total : totalsOf(simulation)) {
+        Json& contact = contacts[number++];
+        contact["count"] = total.count;
+        contact["impulse"] = total.impulse * impulseUnit;
+        contact["peak_force"] = total.peakForce * scales.force();
+        contact["contact_time"] = total.time * scales.time;
+    }
+    Json json = newAnswer();
+    json.update(
+        Json{{"status", answer.isComplete ? "done" : "interrupted"},
+             {"scene", cli::asJson(answer.question.assembly)},
+             {"reference", referenceAsJson(simulation.network())},
+             {"contacts", std::move(contacts)},
+             {"excitation", excitationAsJson(command, answer.question)},
+             {"time", simulation.time() * scales.time},
+             {"settled", nullptr},
+             {"why", nullptr},
+             {"energy", simulation.energy() * scales.energy()},
+             {"balance",
+              {{"work", energy.work * scales.energy()},
+               {"dissipated", energy.dissipated * scales.energy()},
+               {"error", energy.error * scales.energy()}}},
+             {"momentum",
+              {{"given", momentum.given * impulseUnit}, {"error", momentum.error * impulseUnit}}},
+             {"events", simulation.events()},
+             {"fronts", simulation.fronts()},
+             {"merged", simulation.merged() * scales.displacement}});
+    if (answer.repeated && answer.repeated->periods > 0) {
+        json["settled"] = {{"periods", answer.repeated->periods},
+                           {"contacts", answer.repeated->contacts},
+                           {"impulse", answer.repeated->impulse * impulseUnit},
+                           {"residual", answer.repeated->residual}};
+    } else if (answer.question.period > 0.0) {
+        json["why"] = answer.why();
+    }
+    return asLine(json);
+}
+
+void writeEvents(const std::string& path, const NetworkSimulation& simulation)
+{
+    const NetworkScales& scales = simulation.network().scales;
+    TextFile file(path);
+    file.write("contact,start,end,impulse,peak_force,speed\n");
+    for (const NetworkContactEvent& event : simulation.contacts()) {
+        file.write(fmt::format("{},{},{},{},{},{}\n", event.contact + 1, event.start * scales.time,
+                               event.end * scales.time,
+                               event.impulse * scales.force() * scales.time,
+                               event.peakForce * scales.force(), event.speed * scales.velocity()));
+    }
+    file.close();
+}
+
+void writePaths(const std::string& path, const NetworkSimulation& simulation)
+{
+    const NetworkScales& scales = simulation.network().scales;
+    TextFile file(path);
+    file.write("node,time,displacement\n");
+    for (std::size_t node = 0; node < simulation.paths().size(); ++node) {
+        // Displacements are counted from the shape at rest, which comes back here.
+        const double rest = simulation.network().nodes[node].rest;
+        for (const NodePoint& point : simulation.paths()[node]) {
+            file.write(fmt::format("{},{},{}\n", node + 1, point.time * scales.time,
+                                   (point.displacement + rest) * scales.displacement));
+        }
+    }
+    file.close();
+}
+
+/// Until its end, or a signal.
+void goOn(NetworkSimulation& simulation, const Question& question, bool isQuiet,
+          SceneAnswer& answer)
+{
+    const Interrupt interrupt;
+    const Cancel cancel = interrupt.cancel();
+    Progress progress(!isQuiet, "simulating");
+    PeriodEnds ends;
+    const double stretch = question.period > 0.0
+                               ? question.period
+                               : 16.0 * static_cast<double>(simulation.network().cells());
+    double done = 0.0;
+    while (done < question.duration && !isRequested(cancel)) {
+        const double next = std::min(stretch, question.duration - done);
+        simulation.advance(next);
+        done += next;
+        if (question.period > 0.0 && next == stretch) {
+            ends.see(simulation);
+        }
+        progress.show(done, question.duration);
+    }
+    answer.isComplete = !(done < question.duration);
+    answer.repeated = ends.repeated();
+}
+
+}  // namespace
+
+ExitStatus simulateScene(const SimulateCommand& command)
+{
+    const Question question = questionOf(command);
+    Outputs outputs({{"--events", command.eventsFile},
+                     {"--tip", command.tipFile},
+                     {"--figure", command.figureFile},
+                     {"--state", command.stateFile}});
+    const NetworkStart start = startOf(command, question.network);
+    double size = 0.0;
+    for (const double wave : start.waves) {
+        size = std::max(size, std::abs(wave));
+    }
+    NetworkSimulation simulation(
+        question.network, start, question.drive,
+        {.mergeBelow = 1e-12 * std::max(size, 1.0),
+         .recordsPaths = !command.tipFile.empty() || !command.figureFile.empty()});
+    SceneAnswer answer{.question = question, .simulation = simulation};
+    goOn(simulation, question, command.common.quiet, answer);
+    if (answer.isComplete) {
+        outputs.put("--events", [&](const std::string& path) { writeEvents(path, simulation); });
+        outputs.put("--tip", [&](const std::string& path) { writePaths(path, simulation); });
+        outputs.put("--state", [&](const std::string& path) {
+            writeNetworkState(path, simulation.network(), simulation.state());
+        });
+        outputs.put("--figure", [&](const std::string& path) {
+            drawSimulation(simulation, figureFormat(command.figureFile), path);
+        });
+        outputs.commit();
+    } else if (!command.common.quiet) {
+        tell("signorini simulate: interrupted; no file was written\n");
+    }
+    writeOut(command.common.wantsJson ? asJson(command, answer) : asText(answer));
+    command.common.useOneThread("simulate");
+    return answer.isComplete ? exitFound : exitUndecided;
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,329 @@
+#include "network_forced.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "periodic_multipliers.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double leastPivot = 1e-10;  // of 1 - W; below it the waves are anyone's guess
+constexpr double noPivot = 1e-12;     // that is 0 but for rounding
+constexpr double negligible = 1e-11;  // of rows, relative to the largest of their kind
+
+double sizeOf(const ForcedRow& row)
+{
+    double largest = std::max(std::abs(row.plane.c), std::abs(row.plane.s));
+    for (const auto& [wave, factor] : row.free) {
+        largest = std::max(largest, std::abs(factor));
+    }
+    return largest;
+}
+
+bool isInTime(NetworkCondition::Kind kind)
+{
+    return kind == NetworkCondition::Kind::place || kind == NetworkCondition::Kind::push;
+}
+
+NetworkWaves<double> started(const Network& network, const Eigen::VectorXd& x)
+{
+    return {network, std::span(x.data(), static_cast<std::size_t>(x.size()))};
+}
+
+}  // namespace
+
+NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> schedule,
+                             std::vector<StepDrive> shapes)
+    : network_(std::move(network)),
+      schedule_(std::move(schedule)),
+      shapes_(std::move(shapes)),
+      scale_(static_cast<Eigen::Index>(network_.waves()))
+{
+    Eigen::Index next = 0;
+    for (const CellRow& row : network_.rows) {
+        scale_.segment(next, 2 * row.cells).setConstant(std::sqrt(row.impedance));
+        next += 2 * row.cells;
+    }
+    for (const Stub& stub : network_.stubs) {
+        scale_[next++] = std::sqrt(stub.impedance);
+    }
+    for (const ContactSpan& span : schedule_) {
+        laws_.emplace_back(network_, span.closed);
+    }
+    solve();
+    if (isClear_) {
+        list();
+        read();
+    }
+}
+
+Eigen::VectorXd NetworkForced::carried(const Eigen::VectorXd& x, const StepDrive* shape) const
+{
+    NetworkWaves<double> waves = started(network_, x);
+    std::size_t m = 0;
+    for (std::size_t k = 0; k < schedule_.size(); ++k) {
+        for (const auto end = m + static_cast<std::size_t>(schedule_[k].steps); m < end; ++m) {
+            waves.step(laws_[k], shape != nullptr ? shape->forces[m] : 0.0,
+                       shape != nullptr ? shape->velocities[m] : 0.0);
+        }
+    }
+    const std::vector<double> all = waves.waves();
+    return Eigen::Map<const Eigen::VectorXd>(all.data(), x.size());
+}
+
+/// In the norm of the energy.
+void NetworkForced::solve()
+{
+    const Eigen::Index size = scale_.size();
+    Eigen::MatrixXd change = Eigen::MatrixXd::Identity(size, size);
+    for (Eigen::Index k = 0; k < size; ++k) {
+        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size, k) / scale_[k];
+        change.col(k) -= carried(unit, nullptr).cwiseProduct(scale_);
+    }
+    std::vector<Eigen::VectorXd> made;
+    for (const StepDrive& shape : shapes_) {
+        made.emplace_back(carried(Eigen::VectorXd::Zero(size), &shape).cwiseProduct(scale_));
+    }
+    kernel_.resize(size, 0);
+    // Of free waves only the kernel matters.
+    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(change);
+    const Eigen::VectorXd pivots = factors.matrixLU().diagonal().cwiseAbs();
+    if (pivots.minCoeff() > leastPivot && factors.rcond() > leastPivot) {
+        for (const Eigen::VectorXd& wave : made) {
+            driven_.emplace_back(factors.solve(wave).cwiseQuotient(scale_));
+        }
+        return;
+    }
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> ranked;
+    ranked.setThreshold(leastPivot);
+    ranked.compute(change);
+    const Eigen::Index rank = ranked.rank();
+    const auto diagonal = ranked.matrixQTZ().diagonal().cwiseAbs();
+    isClear_ = std::all_of(diagonal.begin() + rank, diagonal.end(),
+                           [](double pivot) { return pivot < noPivot; });
+    if (!isClear_) {
+        return;
+    }
+    Eigen::MatrixXd last = Eigen::MatrixXd::Zero(size, size - rank);
+    last.bottomRows(size - rank).setIdentity();
+    const Eigen::MatrixXd kernel = ranked.householderQ() * last;  // of the transpose, too
+    for (const Eigen::VectorXd& wave : made) {
+        driven_.emplace_back(ranked.solve(wave).cwiseQuotient(scale_));
+    }
+    for (Eigen::Index k = 0; k < kernel.cols(); ++k) {
+        const auto on = [&](std::size_t shape) {
+            return shape < made.size() ? kernel.col(k).dot(made[shape]) : 0.0;
+        };
+        work_.push_back({on(0), on(1)});
+    }
+    if (made.empty()) {
+        work_.clear();
+    }
+    kernel_ = scale_.cwiseInverse().asDiagonal() * kernel;
+}
+
+/// Distances of open contacts, but right after a closed step, where they are 0; those that close,
+/// that of the first step in front.
+void NetworkForced::list()
+{
+    using Kind = NetworkCondition::Kind;
+    const auto isClosed = [](const ContactSpan& span, std::size_t contact) {
+        return (span.closed >> contact & 1U) != 0;
+    };
+    std::int64_t step = 0;
+    for (std::size_t k = 0; k < schedule_.size(); ++k) {
+        const ContactSpan& before = schedule_[(k == 0 ? schedule_.size() : k) - 1];
+        for (std::int64_t m = 0; m < schedule_[k].steps; ++m, ++step) {
+            for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
+                const bool was = isClosed(m == 0 ? before : schedule_[k], j);
+                const bool is = isClosed(schedule_[k], j);
+                if (!was) {
+                    conditions_.push_back({Kind::place, j, step, is});
+                }
+                if (is) {
+                    conditions_.push_back({Kind::push, j, step, false});
+                }
+            }
+        }
+    }
+    std::iter_swap(conditions_.begin(),
+                   std::find_if(conditions_.begin(), conditions_.end(),
+                                [](const NetworkCondition& one) { return one.isEquality; }));
+    ties_ = tiesOf(network_);
+    for (std::size_t k = 0; k < ties_.size(); ++k) {
+        conditions_.push_back({Kind::tie, 0, static_cast<std::int64_t>(k), true});
+    }
+    for (std::size_t k = 0; k < work_.size(); ++k) {
+        conditions_.push_back({Kind::work, 0, static_cast<std::int64_t>(k), true});
+    }
+}
+
+std::vector<double> NetworkForced::watch(const Eigen::VectorXd& x, const StepDrive* shape) const
+{
+    std::vector<double> distances;
+    for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
+        std::vector<double> row(network_.waves(), 0.0);
+        const double byPlace = addDistance(row, network_, j, 1.0);
+        double sum = shape != nullptr ? byPlace * shape->places.front() : 0.0;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            sum += row[k] * x[static_cast<Eigen::Index>(k)];
+        }
+        distances.push_back(sum);
+    }
+    NetworkWaves<double> waves = started(network_, x);
+    std::vector<double> values;
+    values.reserve(conditions_.size());
+    auto next = conditions_.begin();
+    std::int64_t step = 0;
+    for (std::size_t k = 0; k < schedule_.size(); ++k) {
+        const NetworkLaw<double>& law = laws_[k];
+        for (std::int64_t m = 0; m < schedule_[k].steps; ++m, ++step) {
+            const auto at = static_cast<std::size_t>(step);
+            const double force = shape != nullptr ? shape->forces[at] : 0.0;
+            const double base = shape != nullptr ? shape->velocities[at] : 0.0;
+            for (; next != conditions_.end() && next->step == step && isInTime(next->kind);
+                 ++next) {
+                values.push_back(next->kind == NetworkCondition::Kind::place
+                                     ? distances[next->contact]
+                                     : law.push(next->contact).at(waves.arriving(), force, base));
+            }
+            for (std::size_t j = 0; j < distances.size(); ++j) {
+                const NetworkContact& contact = network_.contacts[j];
+                const auto speed = [&](std::size_t node) {
+                    return law.velocity(node).at(waves.arriving(), force, base);
+                };
+                const double v = speed(contact.node);
+                distances[j] += contact.kind == ContactKind::stopLeft ? v : -v;
+                distances[j] += contact.kind == ContactKind::gap ? speed(contact.node + 1) : 0.0;
+            }
+            waves.step(law, force, base);
+        }
+    }
+    for (const std::vector<double>& tie : ties_) {
+        values.push_back(Eigen::Map<const Eigen::VectorXd>(tie.data(), x.size()).dot(x));
+    }
+    return values;
+}
+
+void NetworkForced::read()
+{
+    std::vector<std::vector<double>> seen;
+    for (std::size_t k = 0; k < shapes_.size(); ++k) {
+        seen.push_back(watch(driven_[k], &shapes_[k]));
+    }
+    std::vector<std::vector<double>> free;
+    for (Eigen::Index k = 0; k < kernel_.cols(); ++k) {
+        free.push_back(watch(kernel_.col(k), nullptr));
+    }
+    double largest = 0.0;
+    for (std::size_t i = 0; i < conditions_.size(); ++i) {
+        const NetworkCondition& condition = conditions_[i];
+        ForcedRow row{
+            {ForcedRule::gap, static_cast<std::int64_t>(i)}, condition.isEquality, {}, {}, 0.0};
+        if (condition.kind == NetworkCondition::Kind::work) {
+            row.plane = work_[static_cast<std::size_t>(condition.step)];
+        } else {
+            row.plane = {seen.empty() ? 0.0 : seen[0][i], seen.size() > 1 ? seen[1][i] : 0.0};
+            for (std::size_t k = 0; k < free.size(); ++k) {
+                row.free.emplace_back(k, free[k][i]);
+            }
+        }
+        if (condition.kind == NetworkCondition::Kind::place) {
+            row.limit = -network_.contacts[condition.contact].gap;
+        }
+        if (i > 0) {
+            row.condition.rule =
+                condition.kind == NetworkCondition::Kind::push   ? ForcedRule::pressure
+                : condition.kind == NetworkCondition::Kind::work ? ForcedRule::work
+                : condition.isEquality                           ? ForcedRule::closure
+                : network_.contacts[condition.contact].kind == ContactKind::stopLeft
+                    ? ForcedRule::secondStop
+                    : ForcedRule::penetration;
+        }
+        largest = std::max(largest, sizeOf(row));
+        rows_.push_back(std::move(row));
+    }
+    for (ForcedRow& row : rows_) {  // what is 0 but for rounding is 0
+        const auto clear = [&](double& value) {
+            value = std::abs(value) <= negligible * largest ? 0.0 : value;
+        };
+        clear(row.plane.c);
+        clear(row.plane.s);
+        for (auto& [wave, factor] : row.free) {
+            clear(factor);
+        }
+        std::erase_if(row.free, [](const auto& entry) { return entry.second == 0.0; });
+    }
+}
+
+std::vector<double> NetworkForced::waves(Plane place, std::span<const double> free) const
+{
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(scale_.size());
+    for (std::size_t k = 0; k < driven_.size(); ++k) {
+        x += (k == 0 ? place.c : place.s) * driven_[k];
+    }
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        x += free[k] * kernel_.col(static_cast<Eigen::Index>(k));
+    }
+    return {x.begin(), x.end()};
+}
+
+std::vector<double> NetworkForced::contradiction(std::span<const std::size_t> rows,
+                                                 std::optional<Plane> way) const
+{
+    const auto count = static_cast<Eigen::Index>(rows.size());
+    Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(3 + kernel_.cols(), count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const ForcedRow& row = rows_[rows[static_cast<std::size_t>(k)]];
+        parts(0, k) = row.limit;
+        parts(1, k) = row.plane.c;
+        parts(2, k) = row.plane.s;
+        for (const auto& [wave, factor] : row.free) {
+            parts(3 + static_cast<Eigen::Index>(wave), k) = factor;
+        }
+    }
+    Eigen::VectorXd right = Eigen::VectorXd::Unit(parts.rows(), 0);
+    if (way) {
+        right.head(3) << 0.0, -way->c, -way->s;
+    }
+    const Eigen::VectorXd found = parts.completeOrthogonalDecomposition().solve(right);
+    if (!((parts * found - right).norm() < 1e-6)) {
+        return {};
+    }
+    std::vector<double> multipliers(found.begin(), found.end());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        if (!rows_[rows[k]].isEquality) {
+            multipliers[k] = std::max(multipliers[k], 0.0);
+        }
+    }
+    return multipliers;
+}
+
+EnergyFloor NetworkForced::floor(std::span<const std::size_t> rows,
+                                 std::span<const double> multipliers) const
+{
+    EnergyFloor floor;
+    Eigen::VectorXd works = Eigen::VectorXd::Zero(scale_.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        const NetworkCondition& condition = conditions_[rows[k]];
+        if (multipliers[k] == 0.0 || condition.kind == NetworkCondition::Kind::tie) {
+            continue;
+        }
+        if (condition.kind == NetworkCondition::Kind::work) {
+            works += multipliers[k] * kernel_.col(static_cast<Eigen::Index>(condition.step));
+        } else {
+            (condition.kind == NetworkCondition::Kind::place ? floor.places : floor.pushes)
+                .push_back({condition.contact, condition.step, multipliers[k]});
+        }
+    }
+    works = works.cwiseProduct(scale_).cwiseProduct(scale_);
+    floor.periodicity.assign(works.begin(), works.end());
+    completeFloor(floor, network_, schedule_);
+    return floor;
+}
+
+}  // namespace signorini

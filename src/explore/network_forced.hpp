@@ -1,0 +1,89 @@
+#pragma once
+/// \file
+/// Forced motions of a schedule of any network: rows in (C, S) and in waves that nothing damps.
+///
+/// A period takes the waves x to W x + C f_0 + S f_1. Where everything is damped 1 - W is regular
+/// and x = C x_0 + S x_1; else x has a part z_1 k_1 + ... of the kernel, and, W being a contraction
+/// in the norm sum Z x^2, W^T has the same one there: k . (C f_0 + S f_1) = 0, no work on waves
+/// that nothing damps. Pushes and distances are read off x_0, x_1 and k step by step.
+/// docs/theory.md, sections 19 and 20.
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "contact_spans.hpp"
+#include "forced_line.hpp"
+
+namespace signorini {
+
+/// What a row is about.
+struct NetworkCondition {
+    enum class Kind {
+        place,  ///< distance at a contact when a step begins: 0 where it closes, else >= 0
+        push,   ///< of a contact in a closed step, >= 0
+        work,   ///< on wave `step` of the kernel, 0
+        tie,    ///< number `step` (contact_spans.hpp), 0
+    };
+    Kind kind = Kind::place;
+    std::size_t contact = 0;
+    std::int64_t step = 0;
+    bool isEquality = false;
+};
+
+/// Largest number of waves: a matrix of as many rows is factored.
+inline constexpr std::size_t mostForcedWaves = 2000;
+
+class NetworkForced {
+public:
+    /// None, one or two shapes, as long as the schedule. O(waves^3 + n waves). \pre a valid network
+    /// without constant forces, no bar drifts; a contact closes in step 0.
+    NetworkForced(Network network, std::vector<ContactSpan> schedule,
+                  std::vector<StepDrive> shapes);
+
+    /// Does rounding tell which waves nothing damps? If not, there are no rows.
+    [[nodiscard]] bool isClear() const { return isClear_; }
+    /// Dimension of the kernel of W - 1.
+    [[nodiscard]] std::int64_t freeWaves() const { return kernel_.cols(); }
+    [[nodiscard]] const std::vector<NetworkCondition>& conditions() const { return conditions_; }
+    /// A row for each condition, whose own number stands in place of the step; distances and pushes
+    /// in units of the network. The first is the distance where the schedule begins.
+    [[nodiscard]] const std::vector<ForcedRow>& rows() const { return rows_; }
+    /// The waves at t = 0; the energy sum Z x^2 of free ones is the sum of their squares.
+    [[nodiscard]] std::vector<double> waves(Plane place, std::span<const double> free) const;
+    /// Multipliers for which these rows add up to nothing but their right sides, 1 together; those
+    /// of inequalities >= 0. Empty if there are none. With a way: to nothing but -way . (C, S), and
+    /// no right sides. O(rows^3).
+    [[nodiscard]] std::vector<double> contradiction(std::span<const std::size_t> rows,
+                                                    std::optional<Plane> way = {}) const;
+    /// The sum of rows with multipliers, as what a march backwards checks.
+    [[nodiscard]] EnergyFloor floor(std::span<const std::size_t> rows,
+                                    std::span<const double> multipliers) const;
+
+    [[nodiscard]] const Network& network() const { return network_; }
+    [[nodiscard]] const std::vector<ContactSpan>& schedule() const { return schedule_; }
+    [[nodiscard]] const std::vector<StepDrive>& shapes() const { return shapes_; }
+
+private:
+    void solve();
+    void list();
+    void read();
+    /// What the conditions are for waves x under a shape (none: not driven), gaps left out.
+    [[nodiscard]] std::vector<double> watch(const Eigen::VectorXd& x, const StepDrive* shape) const;
+    [[nodiscard]] Eigen::VectorXd carried(const Eigen::VectorXd& x, const StepDrive* shape) const;
+
+    Network network_;
+    std::vector<ContactSpan> schedule_;
+    std::vector<StepDrive> shapes_;
+    std::vector<NetworkLaw<double>> laws_;  ///< of each span
+    Eigen::VectorXd scale_;                 ///< sqrt(Z) of each wave
+    bool isClear_ = true;
+    std::vector<Eigen::VectorXd> driven_;  ///< x_0, x_1
+    Eigen::MatrixXd kernel_;               ///< columns, orthonormal in sum Z x^2
+    std::vector<Plane> work_;              ///< on each of them, if anything drives
+    std::vector<std::vector<double>> ties_;
+    std::vector<NetworkCondition> conditions_;
+    std::vector<ForcedRow> rows_;
+};
+
+}  // namespace signorini

@@ -1,0 +1,23 @@
+#pragma once
+/// \file
+/// Multipliers of periodicity that go with those of a schedule's conditions.
+///
+/// A march backwards adds up the conditions to f, and |f + (W - 1)^T y| in the norm sum v^2/Z is
+/// least for the y wanted (certificate.hpp, `EnergyFloor`). W is never written down: LSQR (Paige
+/// and Saunders, 1982), its vectors kept orthogonal, takes a march forwards and one backwards a
+/// step, and as many steps as W - 1 has different singular values, however many waves there are.
+
+#include <span>
+
+#include "contact_spans.hpp"
+#include "signorini/certificate.hpp"
+#include "signorini/control.hpp"
+
+namespace signorini {
+
+/// Enters `periodicity`, or adds to what is there and is 0 in a march backwards, where places and
+/// pushes are given. O(steps (n channels + steps waves)). \pre their contacts and steps exist.
+void completeFloor(EnergyFloor& floor, const Network& network,
+                   std::span<const ContactSpan> schedule, const Cancel& cancel = {});
+
+}  // namespace signorini

@@ -1,0 +1,71 @@
+#include "contact_spans.hpp"
+
+namespace signorini {
+
+namespace {
+
+double addDisplacement(std::span<double> derivatives, const Network& network, std::size_t node,
+                       double factor)
+{
+    const DisplacementForm form = displacementOf(network, node);
+    for (const auto& stretch : form.rows) {
+        const auto cells = static_cast<std::size_t>(network.rows[stretch.row].cells);
+        const std::size_t first = network.firstWave(stretch.row);
+        for (std::size_t k = first; k < first + cells; ++k) {
+            derivatives[k] -= stretch.sign * factor;
+            derivatives[k + cells] += stretch.sign * factor;
+        }
+    }
+    if (form.spring) {
+        derivatives[network.firstWave(network.rows.size()) + *form.spring] -= factor;
+    }
+    return form.clamp && network.nodes[*form.clamp].isShaken ? factor : 0.0;
+}
+
+}  // namespace
+
+StepDrive driveOf(const Excitation& excitation)
+{
+    StepDrive drive;
+    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+        drive.forces.push_back(excitation.force(m));
+        drive.velocities.push_back(excitation.baseVelocity(m));
+        drive.places.push_back(excitation.baseDisplacement(m) * excitation.stepsPerCrossing);
+    }
+    return drive;
+}
+
+double addDistance(std::span<double> derivatives, const Network& network, std::size_t contact,
+                   double factor)
+{
+    const NetworkContact& at = network.contacts[contact];
+    double byBase = addDisplacement(derivatives, network, at.node,
+                                    at.kind == ContactKind::stopLeft ? factor : -factor);
+    if (at.kind == ContactKind::gap) {
+        byBase += addDisplacement(derivatives, network, at.node + 1, factor);
+    }
+    return byBase;
+}
+
+std::vector<std::vector<double>> tiesOf(const Network& network)
+{
+    std::vector<std::vector<double>> ties;
+    for (std::size_t node = 0; node < network.nodes.size(); ++node) {
+        if (network.nodes[node].isClamped && displacementOf(network, node).clamp != node) {
+            ties.emplace_back(network.waves(), 0.0);
+            addDisplacement(ties.back(), network, node, 1.0);
+        }
+    }
+    for (std::size_t k = 0; k < network.stubs.size(); ++k) {
+        const std::size_t node = network.stubs[k].node;
+        if (network.stubs[k].kind == StubKind::spring &&
+            displacementOf(network, node).spring != k) {
+            ties.emplace_back(network.waves(), 0.0);
+            addDisplacement(ties.back(), network, node, 1.0);
+            ties.back()[network.firstWave(network.rows.size()) + k] += 1.0;
+        }
+    }
+    return ties;
+}
+
+}  // namespace signorini

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// A schedule of any network: which contacts are closed, step after step; and distances at contacts
+/// as functions of the waves.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "network.hpp"
+
+namespace signorini {
+
+/// Steps in which the same contacts are closed.
+struct ContactSpan {
+    ContactSet closed = 0;
+    std::int64_t steps = 0;
+
+    friend bool operator==(const ContactSpan&, const ContactSpan&) = default;
+};
+
+/// A schedule of a bar with one stop or two: bit 0 is the wall, bit 1 the second stop.
+[[nodiscard]] inline std::vector<ContactSpan> spansOf(const Schedule& schedule)
+{
+    std::vector<ContactSpan> spans;
+    for (const Phase& phase : schedule.phases) {
+        spans.push_back({phase.stop == Stop::right ? 1U : 2U, phase.contact});
+        spans.push_back({0, phase.free});
+    }
+    return spans;
+}
+
+/// What drives a network, step by step: the force on driven nodes, the velocity of shaken clamps,
+/// and their place when the step begins.
+struct StepDrive {
+    std::vector<double> forces = {};
+    std::vector<double> velocities = {};
+    std::vector<double> places = {};
+};
+
+/// One period of an excitation of the tip or the base of a bar, in units of its network.
+[[nodiscard]] StepDrive driveOf(const Excitation& excitation);
+
+/// Adds factor times the derivatives of the distance at a contact by the waves (`Network::waves`).
+/// Returns that by the place of the shaken clamps. O(cells of its bars).
+double addDistance(std::span<double> derivatives, const Network& network, std::size_t contact,
+                   double factor);
+
+/// What holds for the waves of bars that are held more than once, at all times: each list times the
+/// waves is 0, at further clamps (u = 0, the base at rest) and springs (w = -u). O(waves) each.
+[[nodiscard]] std::vector<std::vector<double>> tiesOf(const Network& network);
+
+}  // namespace signorini

@@ -1,0 +1,577 @@
+#include "network_simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "faults.hpp"
+#include "infinity.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double sameSize = 1e-12;
+constexpr double longestBase = 65536.0;  // [h], after which times are counted anew
+
+bool isClosed(ContactSet closed, std::size_t contact)
+{
+    return (closed >> contact & 1U) != 0;
+}
+
+}  // namespace
+
+void NetworkSimulation::Channel::push(const Front& front)
+{
+    if (count == ring.size()) {
+        std::vector<Front> wider(2 * ring.size());
+        for (std::size_t k = 0; k < count; ++k) {
+            wider[k] = at(k);
+        }
+        ring = std::move(wider);
+        head = 0;
+    }
+    ++count;
+    at(count - 1) = front;
+}
+
+double NetworkSimulation::Channel::due() const
+{
+    if (count == 0) {
+        return infinity;
+    }
+    return at(0).time;
+}
+
+void NetworkSimulation::Channel::pop()
+{
+    now = at(0).value;
+    head = (head + 1) & (ring.size() - 1);
+    --count;
+}
+
+void NetworkSimulation::Sum::add(double term)
+{
+    const double sum = value + term;
+    lost += std::abs(value) >= std::abs(term) ? (value - sum) + term : (term - sum) + value;
+    value = sum;
+}
+
+NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart& start,
+                                     const NetworkDrive& drive, const NetworkOptions& options)
+    : network_(network),
+      drive_(drive),
+      options_(options),
+      channels_(network.channels()),
+      nodes_(network.nodes.size()),
+      touches_(network.contacts.size()),
+      arriving_(network.channels(), 0.0),
+      due_(network.channels() + network.contacts.size() + 1, infinity),
+      paths_(network.nodes.size())
+{
+    validate(network);
+    Faults faults;
+    const auto areFinite = [](const std::vector<double>& values) {
+        return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+    };
+    if (start.waves.size() != network.waves() || !areFinite(start.waves)) {
+        faults.add("waves of the start", start.waves.size(),
+                   fmt::format("{}, all finite", network.waves()));
+    }
+    if (start.displacements.size() != nodes_.size() || !areFinite(start.displacements)) {
+        faults.add("displacements of the start", start.displacements.size(),
+                   fmt::format("{}, all finite", nodes_.size()));
+    }
+    if (!areFinite(drive.forces) || !areFinite(drive.velocities) ||
+        !(drive.step > 0.0 && std::isfinite(drive.step))) {
+        faults.add("excitation", drive.step, "finite values and a step > 0 [h]");
+    }
+    faults.throwIfAny();
+    setScale(start);
+    place(start);
+    startEnergy_ = energy();
+    startMomentum_ = momentum();
+}
+
+void NetworkSimulation::setScale(const NetworkStart& start)
+{
+    double speed = 0.0;
+    for (const double wave : start.waves) {
+        speed = std::max(speed, std::abs(wave));
+    }
+    double least = infinity;
+    double most = 0.0;
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+        least = std::min(least, network_.impedanceOf(k));
+        most = std::max(most, network_.impedanceOf(k));
+    }
+    for (const NetworkNode& node : network_.nodes) {
+        speed = std::max(speed, std::abs(node.force) / least);
+    }
+    for (const double force : drive_.forces) {
+        speed = std::max(speed, std::abs(force) / least);
+    }
+    for (const double velocity : drive_.velocities) {
+        speed = std::max(speed, std::abs(velocity));
+    }
+    same_ = sameSize * static_cast<double>(network_.cells());
+    slow_ = sameSize * speed;
+    small_ = slow_ * most;
+}
+
+void NetworkSimulation::place(const NetworkStart& start)
+{
+    const std::size_t rows = network_.rows.size();
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+        Channel& channel = channels_[k];
+        channel.impedance = network_.impedanceOf(k);
+        channel.node = network_.nodeOf(k);
+        channel.sign = network_.sign(k);
+        nodes_[channel.node].channels.push_back(k);
+        if (k >= 2 * rows) {
+            channel.now = start.waves[network_.firstWave(rows) + k - 2 * rows];
+        } else {
+            const auto size = static_cast<std::size_t>(network_.rows[k / 2].cells);
+            const std::size_t first = network_.firstWave(k / 2) + (k % 2) * size;
+            const auto value = [&](std::size_t order) {
+                return start.waves[first + (k % 2 == 0 ? size - 1 - order : order)];
+            };
+            channel.delay = static_cast<double>(size);
+            channel.now = value(0);
+            for (std::size_t order = 1; order < size; ++order) {
+                if (value(order) != channel.last()) {
+                    channel.push({static_cast<double>(order), value(order)});
+                }
+            }
+        }
+        arriving_[k] = channel.now;
+        due_[k] = channel.due();
+    }
+    for (std::size_t node = 0; node < nodes_.size(); ++node) {
+        const NetworkNode& given = network_.nodes[node];
+        nodes_[node].displacement = start.displacements[node];
+        nodes_[node].isActed =
+            given.isClamped || given.isDriven || given.dashpot != 0.0 || given.force != 0.0 ||
+            std::any_of(nodes_[node].channels.begin(), nodes_[node].channels.end(),
+                        [this](std::size_t k) { return channels_[k].sign < 0.0; });
+    }
+    for (std::size_t j = 0; j < touches_.size(); ++j) {
+        const NetworkContact& contact = network_.contacts[j];
+        nodes_[contact.node].contacts.push_back(j);
+        nodes_[contact.node].path = options_.recordsPaths ? 1 : 0;
+        if (contact.kind == ContactKind::gap) {
+            nodes_[contact.node + 1].contacts.push_back(j);
+            nodes_[contact.node + 1].path = options_.recordsPaths ? 1 : 0;
+        }
+    }
+    for (std::size_t j = 0; j < touches_.size(); ++j) {
+        close_.push_back(slow_ + sameSize * std::abs(network_.contacts[j].gap));
+        if (const double size =
+                close_[j] + sameSize * std::abs(displacement(network_.contacts[j].node));
+            distance(j) < -1000.0 * size) {
+            Faults faults;
+            faults.add(fmt::format("distance of contact {} at the start", j + 1),
+                       distance(j) * network_.scales.displacement, ">= 0 [m]",
+                       "bars do not overlap: start at rest, or from a state");
+            faults.throwIfAny();
+        }
+    }
+    if (!drive_.forces.empty() || !drive_.velocities.empty()) {
+        takeClock();
+    }
+    law_ = &lawOf(0);
+    Range all{0, nodes_.size() - 1};
+    settle(all);
+}
+
+const NetworkSimulation::Law& NetworkSimulation::lawOf(ContactSet closed)
+{
+    for (const std::unique_ptr<Law>& law : laws_) {
+        if (law->closed() == closed) {
+            return *law;
+        }
+    }
+    laws_.push_back(std::make_unique<Law>(network_, closed));
+    return *laws_.back();
+}
+
+double NetworkSimulation::displacement(std::size_t node) const
+{
+    return nodes_[node].displacement + nodes_[node].velocity * (now_ - nodes_[node].since);
+}
+
+double NetworkSimulation::distance(std::size_t contact) const
+{
+    const NetworkContact& place = network_.contacts[contact];
+    const double here = displacement(place.node);
+    switch (place.kind) {
+        case ContactKind::stopRight:
+            return place.gap - here;
+        case ContactKind::stopLeft:
+            return place.gap + here;
+        case ContactKind::gap:
+            return place.gap - here + displacement(place.node + 1);
+    }
+    return 0.0;
+}
+
+/// v as the law and what arrives now make it; not yet committed.
+double NetworkSimulation::freshVelocity(std::size_t node) const
+{
+    return law_->velocity(node).at(arriving_, force_, baseVelocity_);
+}
+
+double NetworkSimulation::closingSpeed(std::size_t contact) const
+{
+    const NetworkContact& place = network_.contacts[contact];
+    const double here = freshVelocity(place.node);
+    switch (place.kind) {
+        case ContactKind::stopRight:
+            return here;
+        case ContactKind::stopLeft:
+            return -here;
+        case ContactKind::gap:
+            return here - freshVelocity(place.node + 1);
+    }
+    return 0.0;
+}
+
+void NetworkSimulation::advance(double duration)
+{
+    const double end = now_ + duration;
+    while (true) {
+        const auto next =
+            static_cast<std::size_t>(std::min_element(due_.begin(), due_.end()) - due_.begin());
+        if (!(due_[next] < end)) {
+            break;
+        }
+        now_ = std::max(now_, due_[next]);
+        takeEvent(next);
+        ++events_;
+    }
+    now_ = end;
+    rebase();
+}
+
+void NetworkSimulation::takeEvent(std::size_t which)
+{
+    if (which < channels_.size()) {
+        const std::size_t node = channels_[which].node;
+        settle({node, node});
+    } else if (which < channels_.size() + touches_.size()) {
+        const std::size_t contact = which - channels_.size();
+        const std::size_t node = network_.contacts[contact].node;
+        meeting_ = contact;
+        settle({node, node + (network_.contacts[contact].kind == ContactKind::gap ? 1 : 0)});
+        meeting_ = none;
+    } else {
+        takeClock();
+        for (std::size_t node = 0; node < nodes_.size(); ++node) {
+            if (network_.nodes[node].isDriven || network_.nodes[node].isShaken) {
+                settle({node, node});
+            }
+        }
+    }
+}
+
+void NetworkSimulation::takeClock()
+{
+    const auto valueOf = [this](const std::vector<double>& values) {
+        return values.empty() ? 0.0 : values[static_cast<std::size_t>(driveStep_) % values.size()];
+    };
+    force_ = valueOf(drive_.forces);
+    baseVelocity_ = valueOf(drive_.velocities);
+    ++driveStep_;
+    due_.back() = static_cast<double>(driveStep_) * drive_.step - base_;
+}
+
+/// What has happened at a node until now is added up, and what arrives now is taken in.
+void NetworkSimulation::touchNode(std::size_t number)
+{
+    Node& node = nodes_[number];
+    const double lasted = now_ - node.since;
+    if (lasted > 0.0) {
+        node.displacement += node.velocity * lasted;
+        if (node.isActed) {
+            work_.add(node.power * lasted);
+            dissipated_.add(node.loss * lasted);
+            given_.add(node.external * lasted);
+        }
+    }
+    node.since = now_;
+    for (const std::size_t k : node.channels) {
+        Channel& channel = channels_[k];
+        while (channel.count > 0 && channel.at(0).time <= now_ + same_) {
+            channel.pop();
+        }
+        arriving_[k] = channel.now;
+        due_[k] = channel.due();
+    }
+}
+
+/// Widens a range by the cluster of a node.
+void NetworkSimulation::include(std::size_t node, Range& range)
+{
+    const Cluster& cluster = law_->scatterers()[law_->scattererOf(node)].nodes;
+    while (range.first > cluster.firstNode) {
+        touchNode(--range.first);
+    }
+    while (range.last < cluster.lastNode) {
+        touchNode(++range.last);
+    }
+}
+
+/// Finds which contacts are closed, and sends on what follows.
+void NetworkSimulation::settle(Range range)
+{
+    for (std::size_t node = range.first; node <= range.last; ++node) {
+        touchNode(node);
+    }
+    include(range.first, range);
+    include(range.last, range);
+    // Each round closes or opens one; rounding cannot keep it going for ever.
+    const std::size_t most = 4 * touches_.size() + 8;
+    for (std::size_t round = 0; round < most && (opensOne(range) || closesOne(range)); ++round) {
+    }
+    commit(range);
+}
+
+/// Of the closed contacts that pull the one that pulls most opens.
+bool NetworkSimulation::opensOne(const Range& range)
+{
+    double least = -small_;
+    std::size_t which = touches_.size();
+    for (std::size_t j = 0; j < touches_.size(); ++j) {
+        const std::size_t node = network_.contacts[j].node;
+        if (isClosed(closed_, j) && node >= range.first && node <= range.last) {
+            const double push = law_->push(j).at(arriving_, force_, baseVelocity_);
+            if (push < least) {
+                least = push;
+                which = j;
+            }
+        }
+    }
+    if (which == touches_.size()) {
+        return false;
+    }
+    open(which);
+    return true;
+}
+
+/// An open contact without distance that would overlap closes.
+bool NetworkSimulation::closesOne(Range& range)
+{
+    for (std::size_t node = range.first; node <= range.last; ++node) {
+        for (const std::size_t j : nodes_[node].contacts) {
+            const NetworkContact& place = network_.contacts[j];
+            const bool isNear =
+                touches_[j].isNear || j == meeting_ || due_[channels_.size() + j] <= now_ + same_;
+            if (!isNear || isClosed(closed_, j) || (j != meeting_ && distance(j) > close_[j])) {
+                continue;
+            }
+            if (place.kind == ContactKind::gap) {
+                include(place.node, range);
+                include(place.node + 1, range);
+            }
+            const double speed = closingSpeed(j);
+            if (speed > slow_) {
+                close(j, speed);
+                include(place.node, range);
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void NetworkSimulation::open(std::size_t contact)
+{
+    setPush(contact, 0.0);
+    closed_ &= ~(ContactSet{1} << contact);
+    law_ = &lawOf(closed_);
+    Touch& touch = touches_[contact];
+    if (touch.lasts && touch.event.impulse > 0.0) {
+        done_.push_back(touch.event);
+    }
+    touch.lasts = false;
+}
+
+void NetworkSimulation::close(std::size_t contact, double speed)
+{
+    closed_ |= ContactSet{1} << contact;
+    law_ = &lawOf(closed_);
+    Touch& touch = touches_[contact];
+    touch.since = now_;
+    touch.lasts = true;
+    touch.event = {contact, time(), time(), 0.0, 0.0, speed};
+}
+
+/// Adds up what the contact pushed with until now.
+void NetworkSimulation::setPush(std::size_t contact, double push)
+{
+    Touch& touch = touches_[contact];
+    const double lasted = now_ - touch.since;
+    if (lasted > 0.0 && touch.push > 0.0) {
+        pressed_ += touch.event.impulse == 0.0 ? 1 : 0;
+        impulse_.add(touch.push * lasted);
+        touch.event.impulse += touch.push * lasted;
+        touch.event.peakForce = std::max(touch.event.peakForce, touch.push);
+        touch.event.end = time();
+        const ContactKind kind = network_.contacts[contact].kind;
+        if (kind != ContactKind::gap) {
+            given_.add((kind == ContactKind::stopRight ? -touch.push : touch.push) * lasted);
+        }
+    }
+    touch.since = now_;
+    touch.push = push > small_ ? push : 0.0;
+}
+
+void NetworkSimulation::predict(std::size_t contact)
+{
+    double& due = due_[channels_.size() + contact];
+    due = infinity;
+    if (!isClosed(closed_, contact)) {
+        const NetworkContact& place = network_.contacts[contact];
+        const double here = nodes_[place.node].velocity;
+        const double speed = place.kind == ContactKind::stopRight ? here
+                             : place.kind == ContactKind::stopLeft
+                                 ? -here
+                                 : here - nodes_[place.node + 1].velocity;
+        const double left = distance(contact);
+        touches_[contact].isNear = left <= close_[contact];
+        if (speed > slow_) {
+            due = now_ + std::max(left, 0.0) / speed;
+        }
+    }
+}
+
+void NetworkSimulation::commit(const Range& range)
+{
+    for (std::size_t node = range.first; node <= range.last; ++node) {
+        if (node == range.first || law_->scattererOf(node) != law_->scattererOf(node - 1)) {
+            sendFrom(law_->scatterers()[law_->scattererOf(node)]);
+        }
+    }
+    for (std::size_t node = range.first; node <= range.last; ++node) {
+        for (const std::size_t j : nodes_[node].contacts) {
+            if (isClosed(closed_, j)) {
+                setPush(j, law_->push(j).at(arriving_, force_, baseVelocity_));
+            }
+            predict(j);
+        }
+        recordPath(node);
+    }
+}
+
+/// (N): what enters the branches of a cluster, and what its nodes do from now on.
+void NetworkSimulation::sendFrom(const Law::Scatterer& cluster)
+{
+    const LinearForm<double>& form = cluster.velocity;
+    const double v = form.at(arriving_, force_, baseVelocity_);
+    const double pulled = form.constant + form.perForce * force_ + form.perBase * baseVelocity_;
+    const auto& branches = cluster.branches;
+    for (std::size_t k = 0; k < branches.size(); ++k) {
+        const auto& branch = branches[k];
+        const double wave = arriving_[branch.channel];
+        double leaving = v - wave;
+        if (branches.size() <= 2) {  // nothing is rounded where a wave only passes through
+            leaving = branch.own * wave + pulled;
+            if (branches.size() == 2) {
+                const auto& other = branches[1 - k];
+                leaving += other.weight * arriving_[other.channel];
+            }
+        }
+        send(branch.entered, branch.sign * leaving);
+    }
+    for (std::size_t number = cluster.nodes.firstNode; number <= cluster.nodes.lastNode; ++number) {
+        nodes_[number].velocity = v;
+        if (nodes_[number].isActed) {
+            setPowers(number);
+        }
+    }
+}
+
+/// What acts on a node from outside: forces, dashpot, springs, the clamp.
+void NetworkSimulation::setPowers(std::size_t number)
+{
+    Node& node = nodes_[number];
+    const NetworkNode& given = network_.nodes[number];
+    const double v = node.velocity;
+    const double force = given.force + (given.isDriven ? force_ : 0.0);
+    node.power = force * v;
+    node.loss = given.dashpot * v * v;
+    node.external = force - given.dashpot * v;
+    for (const std::size_t k : node.channels) {
+        // A branch pulls with Z (w - leaving) = Z (2 w - v).
+        const double pull = channels_[k].impedance * (2.0 * arriving_[k] - v);
+        if (given.isClamped) {
+            node.external -= pull;
+            node.power -= pull * v;
+        } else if (channels_[k].sign < 0.0) {
+            node.external += pull;
+        }
+    }
+}
+
+void NetworkSimulation::send(std::size_t number, double value)
+{
+    Channel& channel = channels_[number];
+    const double arrival = now_ + channel.delay;
+    if (channel.count > 0 && channel.at(channel.count - 1).time >= arrival - same_) {
+        --channel.count;  // what was sent at this very instant is sent anew
+    }
+    if (value != channel.last()) {
+        if (channel.count >= 2) {
+            Front& before = channel.at(channel.count - 2);
+            const Front& last = channel.at(channel.count - 1);
+            const double jump = std::abs(last.value - before.value);
+            if (jump <= options_.mergeBelow) {
+                const double duration = arrival - last.time;
+                const double earlier = last.time - before.time;
+                before.value =
+                    (before.value * earlier + last.value * duration) / (earlier + duration);
+                merged_ += jump * duration;
+                --channel.count;
+            }
+        }
+        channel.push({arrival, value});
+    }
+    due_[number] = channel.due();
+}
+
+/// Times are counted from a later instant, by whole steps, so that they keep their digits.
+void NetworkSimulation::rebase()
+{
+    if (now_ < longestBase) {
+        return;
+    }
+    const double shift = std::floor(now_);
+    base_ += shift;
+    now_ -= shift;
+    for (Channel& channel : channels_) {
+        for (std::size_t k = 0; k < channel.count; ++k) {
+            channel.at(k).time -= shift;
+        }
+    }
+    for (Node& node : nodes_) {
+        node.since -= shift;
+    }
+    for (Touch& touch : touches_) {
+        touch.since -= shift;
+    }
+    for (double& due : due_) {
+        due -= shift;
+    }
+}
+
+void NetworkSimulation::recordPath(std::size_t node)
+{
+    if (nodes_[node].path > 0) {
+        std::vector<NodePoint>& path = paths_[node];
+        if (!path.empty() && path.back().time == time()) {
+            path.pop_back();
+        }
+        path.push_back({time(), nodes_[node].displacement});
+    }
+}
+
+}  // namespace signorini

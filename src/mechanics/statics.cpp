@@ -1,0 +1,275 @@
+#include "statics.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "faults.hpp"
+#include "infinity.hpp"
+
+namespace signorini {
+
+namespace {
+
+double stiffnessOf(const CellRow& row)
+{
+    return row.impedance / static_cast<double>(row.cells);
+}
+
+/// Of the springs at each node; infinite at clamps.
+std::vector<double> groundOf(const Network& network)
+{
+    std::vector<double> ground(network.nodes.size(), 0.0);
+    for (const Stub& stub : network.stubs) {
+        ground[stub.node] += stub.kind == StubKind::spring ? 2.0 * stub.impedance : 0.0;
+    }
+    for (std::size_t node = 0; node < ground.size(); ++node) {
+        if (network.nodes[node].isClamped) {
+            ground[node] = infinity;
+        }
+    }
+    return ground;
+}
+
+double inSeries(double one, double other)
+{
+    return one == 0.0 || other == 0.0 ? 0.0 : 1.0 / (1.0 / one + 1.0 / other);
+}
+
+}  // namespace
+
+std::vector<double> weightsOf(const Network& network, double gravity)
+{
+    std::vector<double> weights(network.nodes.size(), 0.0);
+    for (const CellRow& row : network.rows) {
+        const double half = 0.5 * row.impedance * static_cast<double>(row.cells) * gravity;
+        weights[row.left] += half;
+        weights[row.right] += half;
+    }
+    for (const Stub& stub : network.stubs) {
+        weights[stub.node] += stub.kind == StubKind::mass ? 0.5 * stub.impedance * gravity : 0.0;
+    }
+    return weights;
+}
+
+double weightOf(const Network& network, std::size_t bar, std::span<const double> weights)
+{
+    double sum = 0.0;
+    for (std::size_t node = network.bars[bar].firstNode; node <= network.bars[bar].lastNode;
+         ++node) {
+        sum += weights[node];
+    }
+    return sum;
+}
+
+void addShapeUnder(Network& network, std::size_t bar, std::span<const double> forces,
+                   std::optional<std::size_t> support)
+{
+    const std::size_t first = network.bars[bar].firstNode;
+    const std::size_t last = network.bars[bar].lastNode;
+    std::vector<double> ground = groundOf(network);
+    if (support) {
+        ground[*support] = infinity;
+    }
+    // Elimination from the left: k u_i = f + (what is to the right of it).
+    std::vector<double> stiffness(last - first + 1, 0.0);  // of all to the left, at the node
+    std::vector<double> force(last - first + 1, 0.0);      // by all to the left, at the node
+    std::vector<double> rows(last - first + 1, 0.0);       // to the left of the node
+    for (const CellRow& row : network.rows) {
+        if (row.left >= first && row.right <= last) {
+            rows[row.right - first] = stiffnessOf(row);
+        }
+    }
+    for (std::size_t k = 0; k < stiffness.size(); ++k) {
+        stiffness[k] = ground[first + k];
+        force[k] = forces[first + k];
+        if (k > 0 && std::isinf(stiffness[k - 1])) {
+            stiffness[k] += rows[k];
+        } else if (k > 0) {
+            stiffness[k] += inSeries(rows[k], stiffness[k - 1]);
+            force[k] += force[k - 1] * rows[k] / (rows[k] + stiffness[k - 1]);
+        }
+    }
+    double next = 0.0;
+    for (std::size_t k = stiffness.size(); k-- > 0;) {
+        const double row = k + 1 < stiffness.size() ? rows[k + 1] : 0.0;
+        next = std::isinf(stiffness[k]) ? 0.0 : (force[k] + row * next) / (stiffness[k] + row);
+        network.nodes[first + k].rest += next;
+    }
+}
+
+double complianceAt(const Network& network, std::size_t node)
+{
+    const std::vector<double> ground = groundOf(network);
+    const NetworkBar& bar = network.bars[network.nodes[node].bar];
+    std::vector<double> rows(network.nodes.size(), 0.0);
+    for (const CellRow& row : network.rows) {
+        rows[row.right] = stiffnessOf(row);
+    }
+    double fromLeft = 0.0;
+    for (std::size_t k = bar.firstNode; k < node; ++k) {
+        fromLeft = inSeries(fromLeft + ground[k], rows[k + 1]);
+    }
+    double fromRight = 0.0;
+    for (std::size_t k = bar.lastNode; k > node; --k) {
+        fromRight = inSeries(fromRight + ground[k], rows[k]);
+    }
+    return 1.0 / (fromLeft + fromRight + ground[node]);
+}
+
+namespace {
+
+/// Displacements and pushes where certain contacts are closed; empty if they do not follow.
+struct Balance {
+    Eigen::VectorXd displacements;
+    Eigen::VectorXd pushes;  ///< by contact, 0 where open
+};
+
+/// Contact j pushes node i with -directions(i) times its push.
+Eigen::VectorXd directionOf(const Network& network, const NetworkContact& contact)
+{
+    Eigen::VectorXd direction =
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network.nodes.size()));
+    const auto node = static_cast<Eigen::Index>(contact.node);
+    direction[node] = contact.kind == ContactKind::stopLeft ? -1.0 : 1.0;
+    if (contact.kind == ContactKind::gap) {
+        direction[node + 1] = -1.0;
+    }
+    return direction;
+}
+
+std::optional<Balance> balanceOf(const Network& network, ContactSet closed)
+{
+    const auto nodes = static_cast<Eigen::Index>(network.nodes.size());
+    const auto contacts = static_cast<Eigen::Index>(network.contacts.size());
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(nodes + contacts, nodes + contacts);
+    Eigen::VectorXd rhs = Eigen::VectorXd::Zero(nodes + contacts);
+    for (const CellRow& row : network.rows) {
+        const auto left = static_cast<Eigen::Index>(row.left);
+        const double stiffness = stiffnessOf(row);
+        matrix(left, left) += stiffness;
+        matrix(left + 1, left + 1) += stiffness;
+        matrix(left, left + 1) -= stiffness;
+        matrix(left + 1, left) -= stiffness;
+    }
+    const std::vector<double> ground = groundOf(network);
+    for (Eigen::Index node = 0; node < nodes; ++node) {
+        rhs[node] = network.nodes[static_cast<std::size_t>(node)].force;
+        const double held = ground[static_cast<std::size_t>(node)];
+        if (std::isinf(held)) {
+            matrix.row(node).setZero();
+            matrix(node, node) = 1.0;
+            rhs[node] = 0.0;
+        } else {
+            matrix(node, node) += held;
+        }
+    }
+    for (Eigen::Index j = 0; j < contacts; ++j) {
+        const NetworkContact& contact = network.contacts[static_cast<std::size_t>(j)];
+        if ((closed >> static_cast<unsigned>(j) & 1U) == 0) {
+            matrix(nodes + j, nodes + j) = 1.0;
+            continue;
+        }
+        const Eigen::VectorXd direction = directionOf(network, contact);
+        matrix.col(nodes + j).head(nodes) = direction;
+        matrix.row(nodes + j).head(nodes) = direction.transpose();
+        rhs[nodes + j] = contact.gap;
+    }
+    // A bar that nothing holds stays where it is, if nothing pushes it.
+    for (const NetworkBar& bar : network.bars) {
+        if (!bar.drifts()) {
+            continue;
+        }
+        const auto first = static_cast<Eigen::Index>(bar.firstNode);
+        const bool isTouched =
+            matrix
+                .block(first, nodes, static_cast<Eigen::Index>(bar.lastNode) - first + 1, contacts)
+                .cwiseAbs()
+                .sum() > 0.0;
+        if (!isTouched) {
+            matrix(first, first) += 1.0;
+        }
+    }
+    const Eigen::FullPivLU<Eigen::MatrixXd> lu(matrix);
+    const Eigen::VectorXd x = lu.solve(rhs);
+    if (!x.allFinite() || (matrix * x - rhs).norm() > 1e-9 * (1.0 + rhs.norm() + x.norm())) {
+        return std::nullopt;
+    }
+    return Balance{x.head(nodes), x.tail(contacts)};
+}
+
+/// Nothing pulls, nothing overlaps, and what is not held is not pushed.
+bool isAtRest(const Network& network, ContactSet closed, const Balance& balance)
+{
+    const double size = 1e-9 * (1.0 + balance.displacements.cwiseAbs().maxCoeff());
+    for (std::size_t j = 0; j < network.contacts.size(); ++j) {
+        const NetworkContact& contact = network.contacts[j];
+        const double distance =
+            contact.gap - directionOf(network, contact).dot(balance.displacements);
+        const bool isClosed = (closed >> j & 1U) != 0;
+        if (distance < -size ||
+            (isClosed && balance.pushes[static_cast<Eigen::Index>(j)] < -size)) {
+            return false;
+        }
+    }
+    for (const NetworkBar& bar : network.bars) {
+        double force = 0.0;
+        for (std::size_t node = bar.firstNode; node <= bar.lastNode; ++node) {
+            force += network.nodes[node].force;
+        }
+        double push = 0.0;
+        for (std::size_t j = 0; j < network.contacts.size(); ++j) {
+            const Eigen::VectorXd direction = directionOf(network, network.contacts[j]);
+            for (std::size_t node = bar.firstNode; node <= bar.lastNode; ++node) {
+                push += direction[static_cast<Eigen::Index>(node)] *
+                        balance.pushes[static_cast<Eigen::Index>(j)];
+            }
+        }
+        if (bar.drifts() && std::abs(force - push) > size * (1.0 + std::abs(force))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+Rest restOf(const Network& network)
+{
+    Faults faults;
+    if (network.contacts.size() > mostRestContacts) {
+        faults.add("contacts of a scene at rest", network.contacts.size(),
+                   fmt::format("at most {}", mostRestContacts), "start it with --velocity");
+        faults.throwIfAny();
+    }
+    for (ContactSet closed = 0; closed < ContactSet{1} << network.contacts.size(); ++closed) {
+        const auto balance = balanceOf(network, closed);
+        if (!balance || !isAtRest(network, closed, *balance)) {
+            continue;
+        }
+        Rest rest{.waves = std::vector<double>(network.waves(), 0.0), .displacements = {}};
+        rest.displacements.assign(balance->displacements.begin(), balance->displacements.end());
+        for (std::size_t k = 0; k < network.rows.size(); ++k) {
+            const CellRow& row = network.rows[k];
+            const auto size = static_cast<std::size_t>(row.cells);
+            const std::size_t first = network.firstWave(k);
+            const double half = 0.5 *
+                                (rest.displacements[row.right] - rest.displacements[row.left]) /
+                                static_cast<double>(row.cells);
+            std::fill_n(rest.waves.begin() + static_cast<std::ptrdiff_t>(first), size, -half);
+            std::fill_n(rest.waves.begin() + static_cast<std::ptrdiff_t>(first + size), size, half);
+        }
+        for (std::size_t k = 0; k < network.stubs.size(); ++k) {
+            const Stub& stub = network.stubs[k];
+            rest.waves[network.firstWave(network.rows.size()) + k] =
+                stub.kind == StubKind::spring ? -rest.displacements[stub.node] : 0.0;
+        }
+        rest.closed = closed;
+        return rest;
+    }
+    faults.add("constant forces", "those of the scene", "what contacts can hold at rest",
+               "start it with --velocity");
+    faults.throwIfAny();
+    throw std::logic_error("a fault was added");
+}
+
+}  // namespace signorini

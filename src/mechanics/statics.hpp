@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// A network that does not move: rows of n cells are springs of stiffness Z/n, spring stubs of
+/// stiffness 2 Z (network.hpp, units).
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "network.hpp"
+
+namespace signorini {
+
+/// What a uniform acceleration pulls each node with; a row hands half of its weight to each end.
+[[nodiscard]] std::vector<double> weightsOf(const Network& network, double gravity);
+
+/// Of the whole bar.
+[[nodiscard]] double weightOf(const Network& network, std::size_t bar,
+                              std::span<const double> weights);
+
+/// Adds the static displacement of a bar under forces on its nodes to their `rest`. `support`: a
+/// node that is held, too; needed where the bar drifts. O(nodes).
+void addShapeUnder(Network& network, std::size_t bar, std::span<const double> forces,
+                   std::optional<std::size_t> support);
+
+/// u/F at a node, contacts open; infinite where its bar drifts. O(nodes).
+[[nodiscard]] double complianceAt(const Network& network, std::size_t node);
+
+/// The waves of a network at rest under its constant forces: contacts push or are open. A bar that
+/// drifts and that nothing presses stays at displacement 0.
+struct Rest {
+    std::vector<double> waves;          ///< in the order of Network::waves
+    std::vector<double> displacements;  ///< of the nodes
+    ContactSet closed = 0;              ///< contacts that push
+};
+
+/// \throws std::invalid_argument if forces move a bar for ever, or there are more than
+/// `mostRestContacts` contacts. O(2^contacts nodes^3).
+[[nodiscard]] Rest restOf(const Network& network);
+
+inline constexpr std::size_t mostRestContacts = 12;
+
+}  // namespace signorini

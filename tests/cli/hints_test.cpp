@@ -1,0 +1,111 @@
+// What a wrong word was probably meant to be.
+
+#include "hints.hpp"
+#include "program.hpp"
+
+using namespace signorini;
+using namespace signorini::test;
+
+namespace {
+
+/// One line on stderr, status 2, nothing on stdout; and in it all of these.
+void checkRefused(const Program& program, const std::string& words,
+                  const std::vector<std::string>& wanted)
+{
+    const auto outcome = program.run(words);
+    INFO(words << " -> " << outcome.err);
+    CHECK(outcome.status == 2);
+    CHECK(lines(outcome.err) == 1);
+    CHECK(outcome.out.empty());
+    for (const std::string& text : wanted) {
+        CHECK_THAT(outcome.err, containsText(text));
+    }
+}
+
+}  // namespace
+
+TEST_CASE("cli hints: an option or command that is spelt nearly right is named")
+{
+    const Program program;
+    for (const auto& [words, meant] :
+         {std::pair{"find 150 900 --energy_ratio 20", "did you mean --energy-ratio?"},
+          std::pair{"find 150 900 --energyratio=20", "did you mean --energy-ratio?"},
+          std::pair{"find 150 900 --enregy-ratio 20", "did you mean --energy-ratio?"},
+          std::pair{"families --secondstop 1", "did you mean --second-stop?"},
+          std::pair{"fnd 150 900", "did you mean find?"},
+          std::pair{"respnse --from 1", "did you mean response?"}}) {
+        checkRefused(program, words, {meant, "see signorini --help"});
+    }
+    for (const char* words : {"find 150 900 --colour red", "fly 150 900", "find 150 900 --x 3"}) {
+        const auto outcome = program.run(words);
+        INFO(words << " -> " << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, !containsText("did you mean"));
+    }
+}
+
+TEST_CASE("cli hints: names are as near as one or two letters")
+{
+    const std::vector<std::string> names{"--gap", "--cells", "--energy", "--energy-ratio"};
+    CHECK(cli::nearestName("--gpa", names) == "--gap");
+    CHECK(cli::nearestName("--cell", names) == "--cells");
+    CHECK(cli::nearestName("--cels", names) == "--cells");
+    CHECK(cli::nearestName("--enregi", names) == "--energy");
+    CHECK(cli::nearestName("--energy_ratio=3", names) == "--energy-ratio");
+    CHECK(cli::nearestName("--length", names).empty());
+    CHECK(cli::nearestName("--p", names).empty());
+    CHECK(cli::nearestName("--" + std::string(100'000, 'g'), names).empty());
+}
+
+TEST_CASE("cli hints: a number with a unit is said without it")
+{
+    const Program program;
+    checkRefused(program, "find 150 900 --young 210GPa --density 7800 --area 1e-4",
+                 {"--young = 210GPa", "[Pa]; 210GPa is 2.1e+11"});
+    checkRefused(program, "find 150 900 --young 2.1e11 --density 7.8g/cm3 --area 1e-4",
+                 {"7.8g/cm3 is 7800"});
+    checkRefused(program, "find 150 900 --gap 10um", {"[m]; 10um is 1e-05"});
+    checkRefused(program, "find 150 900 --gap '10 µm'", {"10 µm is 1e-05"});
+    checkRefused(program, "find --hertz 0.4kHz", {"0.4kHz is 400"});
+    checkRefused(program, "find 150 900 --damping 2% --force tip", {"2% is 0.02"});
+    CHECK(cli::unitHint("2", "-").empty());
+    CHECK(cli::unitHint("%", "-").empty());
+    CHECK(cli::unitHint("2%", "Pa").empty());
+    CHECK(cli::unitHint("1e999GPa", "Pa").empty());
+}
+
+TEST_CASE("cli hints: a stiffness in GPa and a damping in per cent are noticed in the answer")
+{
+    const Program program;
+    const std::string rest = " --density 7800 --area 1e-4";
+    const std::string soft = program.run("find 3 25 --cells 8 --young 210" + rest).out;
+    CHECK_THAT(soft, containsText("\nnote "));
+    CHECK_THAT(soft, containsText("210 GPa are --young 2.1e+11"));
+    CHECK_THAT(program.run("find 3 25 --cells 8 --young 210e9" + rest).out, !containsText("note"));
+    const std::string driven =
+        "simulate --rest --cells 10 --periods 2 --force tip --amplitude 1e-4 "
+        "--frequency 1 --damping ";
+    CHECK_THAT(program.run(driven + "2").out, containsText("2 % are --damping 0.02"));
+    CHECK_THAT(program.run(driven + "0.02").out, !containsText("note"));
+}
+
+TEST_CASE("cli hints: what find needs, and hertz where ω₁ was asked for")
+{
+    const Program program;
+    checkRefused(program, "find", {"NC NF is missing", "150 900", "--period", "--hertz"});
+    checkRefused(program, "find --hertz 494", {"L = 1 m, c = 1 m/s by default"});
+    checkRefused(program, "find --hertz 1e9 --length 3 --wave-speed 5000",
+                 {"(L = 3 m, c = 5000 m/s)"});
+    checkRefused(program, "find --frequency 494", {"in Hz it is --hertz 494"});
+    checkRefused(
+        program, "response --from 530 --to 540",
+        {"530 looks like Hz: ω₁ is 0.25 Hz (L = 1 m, c = 1 m/s by default)", "--from 2120"});
+    // c/(4L) = 500 Hz.
+    checkRefused(program, "response --from 530 --to 540 --length 2.5 --wave-speed 5000",
+                 {"ω₁ is 500 Hz", "--from 1.06"});
+    // So high a frequency is one of the grid.
+    CHECK(program
+              .run("response --damping 0.02 --force tip --amplitude 1e-6 --from 19 --to 20 "
+                   "--cells 30")
+              .status == 0);
+}

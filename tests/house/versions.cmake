@@ -1,0 +1,38 @@
+# cmake -DROOT=FOLDER -P versions.cmake: does every place of the tree name the version of CMakeLists.txt?
+file(READ ${ROOT}/CMakeLists.txt text)
+string(REGEX MATCH "VERSION ([0-9]+)\\.([0-9]+)\\.([0-9]+)" found "${text}")
+set(version ${CMAKE_MATCH_1}.${CMAKE_MATCH_2}.${CMAKE_MATCH_3})
+set(short ${CMAKE_MATCH_1}.${CMAKE_MATCH_2})
+
+# names(FILE PATTERN WANTED COUNT): the pattern's first group is WANTED in each of its COUNT matches.
+function(names file pattern wanted count)
+  file(READ ${ROOT}/${file} text)
+  string(REGEX MATCHALL "${pattern}" all "${text}")
+  list(LENGTH all given)
+  if(NOT given EQUAL count)
+    message(SEND_ERROR "${file}: ${given} versions like ${pattern}, not ${count}")
+  endif()
+  foreach(one IN LISTS all)
+    string(REGEX REPLACE "${pattern}" "\\1" version "${one}")
+    if(NOT version STREQUAL wanted)
+      message(SEND_ERROR "${file}: ${version}, not ${wanted}")
+    endif()
+  endforeach()
+endfunction()
+
+set(whole "([0-9]+\\.[0-9]+\\.[0-9]+)")
+names(CITATION.cff "\nversion: ${whole}" ${version} 1)
+names(web/package.json "\n  \"version\": \"${whole}\"" ${version} 1)
+names(web/package-lock.json "\"signorini-explorer\",[ \n]+\"version\": \"${whole}\"" ${version} 2)
+names(debian/changelog "^signorini \\(${whole}\\)" ${version} 1)
+names(debian/control "libsignorini([0-9]+\\.[0-9]+)" ${short} 3)
+foreach(page IN ITEMS README.md docs/start.md tests/consumer/project/CMakeLists.txt)
+  names(${page} "find_package\\(signorini ([0-9]+\\.[0-9]+) " ${short} 1)
+endforeach()
+
+# The first version of the list of changes is this one.
+file(READ ${ROOT}/CHANGELOG.md text)
+string(REGEX MATCH "\n## ${whole}" first "${text}")
+if(NOT CMAKE_MATCH_1 STREQUAL version)
+  message(SEND_ERROR "CHANGELOG.md: begins with ${CMAKE_MATCH_1}, not ${version}")
+endif()

@@ -1,0 +1,151 @@
+// Free motions of networks: least energies, and proofs that there are none.
+
+#include "network_find.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "catch.hpp"
+#include "energy_floor.hpp"
+#include "signorini/find_periodic.hpp"
+
+using namespace signorini;
+
+namespace {
+
+Network sceneOf(const std::string& words)
+{
+    return networkOf(Assembly{.parts = partsOf(words)});
+}
+
+NetworkMotions asked(const Network& network, std::int64_t contact, std::int64_t free)
+{
+    return leastMotion(network, {{1, contact}, {0, free}},
+                       1e9 * static_cast<double>(network.cells()));
+}
+
+/// Schedules with n_c < contact, n_f < free that exist; all others are proved not to.
+int existing(const std::string& words, std::int64_t contact, std::int64_t free)
+{
+    const Network network = sceneOf(words);
+    int found = 0;
+    for (std::int64_t c = 1; c < contact; ++c) {
+        for (std::int64_t f = 1; f < free; ++f) {
+            const NetworkMotions answer = asked(network, c, f);
+            INFO(words << ": " << c << " " << f << ": " << answer.detail);
+            CHECK(answer.status != Status::undecided);
+            found += answer.status == Status::found ? 1 : 0;
+        }
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("network find: two bars of one length meet as the paper's bar does, with its energies")
+{
+    const double ratio = GENERATE(1.0, 2.0, 10.0);
+    const Network network = sceneOf("clamp 4 gap=1e-3 4:" + std::to_string(ratio) + " clamp");
+    const double impedance = ratio / (1.0 + ratio);
+    int found = 0;
+    for (std::int64_t contact = 1; contact < 16; ++contact) {
+        for (std::int64_t free = 1; free < 32; ++free) {
+            const NetworkMotions two = asked(network, contact, free);
+            const PeriodicResult one = findPeriodic({4, {{contact, free}}});
+            INFO(contact << " " << free << ", " << ratio << ": " << two.detail);
+            CHECK(two.status == one.status);
+            if (two.status != Status::found) {
+                CHECK(two.provedEnergy >= 1e9);
+                continue;
+            }
+            ++found;
+            // The gap is 8 delta here; that of 4 cells has 4, and E_1 is 2 there.
+            CHECK(two.energy ==
+                  Approx(impedance * 4.0 * 2.0 * one.motion->energyRatio).epsilon(1e-9));
+            CHECK(two.provedEnergy == Approx(two.energy).epsilon(1e-7));
+            CHECK(two.provedEnergy <= two.energy * (1.0 + 1e-12));
+            CHECK(two.residuals.worst() < 1e-12);
+        }
+    }
+    CHECK(found == 19);
+}
+
+TEST_CASE("network find: as many schedules exist as another program counted")
+{
+    CHECK(existing("clamp 4 gap=1e-3 3 clamp", 14, 28) == 38);
+    CHECK(existing("clamp 3 gap=1e-3 5:0.5 clamp", 16, 32) == 34);
+    CHECK(existing("clamp 3 stop=1e-3 3 clamp", 12, 18) == 12);
+}
+
+TEST_CASE("network find: a point obstacle, and roots that are springs")
+{
+    const Network obstacle = sceneOf("clamp 3 stop=1e-3 3 clamp");
+    const NetworkMotions least = asked(obstacle, 1, 10);
+    REQUIRE(least.status == Status::found);
+    CHECK(least.energy == Approx(0.75 * 36.0).epsilon(1e-12));  // the gap is 6 delta
+    CHECK(least.provedEnergy == Approx(least.energy).epsilon(1e-7));
+    // Stiff springs are clamps: the least energy comes near that of the clamped bar.
+    const PeriodicResult clamped = findPeriodic({4, {{2, 12}}});
+    REQUIRE(clamped.status == Status::found);
+    const double known = 2.0 * clamped.motion->energyRatio;
+    double before = 1.0;
+    for (const char* words : {"spring=4e2 4 stop=1e-3", "spring=4e5 4 stop=1e-3"}) {
+        const NetworkMotions soft = asked(sceneOf(words), 2, 12);
+        INFO(words << ": " << soft.detail);
+        if (soft.status == Status::found) {
+            CHECK(std::abs(soft.energy / known - 1.0) < before);
+            before = std::abs(soft.energy / known - 1.0);
+        }
+        CHECK(soft.status != Status::undecided);
+    }
+}
+
+TEST_CASE("network find: contacts in turn, and both at once")
+{
+    const Network network = sceneOf("clamp 3 stop=1e-3 3 gap=1e-3 4 clamp");
+    int found = 0;
+    int none = 0;
+    for (std::int64_t one = 1; one < 6; ++one) {
+        for (std::int64_t free = 2; free < 14; ++free) {
+            for (const ContactSet second : {2U, 3U}) {
+                const NetworkMotions answer = leastMotion(
+                    network, {{1, one}, {0, free}, {second, one}, {0, free}}, 1e9 * 10.0);
+                INFO(one << " " << free << " " << second << ": " << answer.detail);
+                CHECK(answer.status != Status::undecided);
+                found += answer.status == Status::found ? 1 : 0;
+                none += answer.status == Status::none ? 1 : 0;
+            }
+        }
+    }
+    INFO(found << " found");
+    CHECK(none > 50);
+}
+
+TEST_CASE("network find: what is spoilt proves nothing")
+{
+    const Network network = sceneOf("clamp 3 gap=1e-3 5:0.5 clamp");
+    const std::vector<ContactSpan> schedule{{1, 3}, {0, 7}};
+    const NetworkMotions answer = leastMotion(network, schedule, 1e9);
+    REQUIRE(answer.status == Status::none);
+    EnergyFloor bad = answer.multipliers;
+    bad.periodicity[5] += 1e-3;
+    CHECK(provedEnergy(bad, network, schedule) < 1e9);
+    bad = answer.multipliers;
+    for (ContactMultiplier& place : bad.places) {
+        place.value = -place.value;
+    }
+    CHECK(provedEnergy(bad, network, schedule) < 1e9);
+}
+
+TEST_CASE("network find: what nobody has a method for is refused by name")
+{
+    const auto refuses = [](const std::string& words, std::vector<ContactSpan> schedule,
+                            const std::string& part) {
+        CHECK_THROWS_WITH(leastMotion(sceneOf(words), schedule, 1e9), containsText(part));
+    };
+    refuses("stop=-1e-3 4 stop=1e-3", {{1, 2}, {0, 8}}, "without clamp and spring");
+    refuses("clamp 4 stop=0", {{1, 2}, {0, 8}}, "at rest are a motion");
+    refuses("clamp 4 stop=1e-3", {{0, 2}, {1, 8}, {0, 1}}, "first set");
+    refuses("clamp 4 stop=1e-3", {{2, 2}, {0, 8}}, "contacts 1..1");
+    refuses("clamp 4 stop=1e-3", {{1, 0}, {0, 8}}, "steps");
+}
