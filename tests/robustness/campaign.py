@@ -14,6 +14,9 @@ import tempfile
 import time
 from dataclasses import dataclass
 
+if (tools := str(pathlib.Path(__file__).resolve().parents[2] / "tools")) not in sys.path:
+    sys.path.append(tools)  # for those that import checkers
+
 FOUND, NONE, WRONG_USE, UNDECIDED, UNAVAILABLE = range(5)
 MOST_FAULTS_SHOWN = 50
 

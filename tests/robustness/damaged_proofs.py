@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Damaged proofs: tools/check-certificate, lift-certificate, check-apart and check-atlas say yes, no or
-"wrong use", and yes only of what is still true.
+a usage error, and yes only of what is still true.
 
 What they read is spoilt by bytes and by structure: kinds of values, keys, numbers, lengths, depth.
 A yes about another schedule or bar than the program was asked for is judged by the program, which shares no
@@ -190,7 +190,7 @@ def call(case, tool, *names):
     words = [tool, *map(str, names)]
     try:
         done = subprocess.run(
-            [sys.executable, "-ISB", TOOLS / tool, *map(str, names)], cwd=case.folder,
+            [sys.executable, "-EsSB", TOOLS / tool, *map(str, names)], cwd=case.folder,
             stdin=subprocess.DEVNULL, capture_output=True, timeout=60, check=False,
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY)))
     except subprocess.TimeoutExpired:
@@ -245,13 +245,16 @@ def judge_apart(case, pair):
 
 
 def told_by(path):
-    """What check-atlas vouches for: each schedule with its numbers."""
+    """What check-atlas vouches for: each schedule and each family with its numbers."""
     database = sqlite3.connect(path)
     try:
         return [[round(value, 9) if isinstance(value, float) else value for value in row]
-                for row in database.execute(
-                    "SELECT cells, phases, steps, period, frequency_ratio, status, kernel_dimension,"
-                    " energy_ratio_min, energy_ratio_max FROM schedules ORDER BY cells, phases")]
+                for table in (
+                    "cells, phases, steps, period, frequency_ratio, status, kernel_dimension, kind, dimension, contact,"
+                    " canonical, family, energy_ratio_min, energy_ratio_max FROM schedules",
+                    "cells, phases, family_order, nu, contact_blocks, steps, period, frequency_ratio, contact, kind,"
+                    " dimension, energy_ratio_min, energy_ratio_max, schedules, id FROM families")
+                for row in database.execute(f"SELECT {table} ORDER BY cells, phases")]
     finally:
         database.close()
 

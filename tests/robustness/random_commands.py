@@ -246,7 +246,7 @@ def judge(case, template):
     if outcome.status == UNDECIDED and not outcome.out and not outcome.err:
         case.fault(words, "undecided, and not a word why")
     if outcome.status == WRONG_USE and snapshot(case.folder) != snapshot(template):
-        case.fault(words, "wrong use changed files")
+        case.fault(words, "a usage error changed files")
     return f"status {outcome.status}"
 
 

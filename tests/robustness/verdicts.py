@@ -9,30 +9,18 @@ as the schedule says: all conditions are linear in the cosine and the sine of th
 """
 
 import collections
-import importlib.machinery
-import importlib.util
 import json
 import math
-import pathlib
-import sys
 
 from campaign import FOUND, NONE, UNDECIDED, WRONG_USE, arguments, campaign
+from checkers import certificate, forced
+from checkers.reading import NoProof
 
 GAP = 1e-3
 TOLERANCE = 1e-8  # of the largest wave, the gap and the way the tip goes
 
 Segment = collections.namedtuple("Segment", "cells impedance dashpot")
 Force = collections.namedtuple("Force", "place ratio amplitude phase cycles")
-
-
-def checker(name):
-    """A program of tools as a module."""
-    path = pathlib.Path(__file__).parents[2] / "tools" / name
-    sys.dont_write_bytecode = True
-    loader = importlib.machinery.SourceFileLoader(name, str(path))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(name, loader))
-    loader.exec_module(module)
-    return module
 
 
 class March:
@@ -279,7 +267,7 @@ def judge_motion(case, words, answer, has_proof):
     return f"found{', energies or amplitudes confirmed' if has_proof else ''}"
 
 
-def judge(case, checkers):
+def judge(case):
     """One question."""
     words = question(case.random)
     outcome = case.run([*words, "--format", "json", "--quiet", "--state", "state.csv",
@@ -291,13 +279,11 @@ def judge(case, checkers):
     answer = json.loads(outcome.out)
     proof = case.folder / "proof.json"
     proved = json.loads(proof.read_text()) if proof.exists() else answer
-    certificate = proved["certificate"]
-    proves = certificate is not None
+    proves = proved["certificate"] is not None
     if proves:
-        check = checkers["force" in answer]
         try:
-            check.check(proved)
-        except check.NoProof as why:
+            (forced if "force" in answer else certificate).check(proved)
+        except NoProof as why:
             case.fault(words, f"no proof: {why}")
     if "force" in answer and answer["solution_set"]["free_waves"] == 0:
         held = Held(answer)
@@ -313,8 +299,7 @@ def judge(case, checkers):
 
 def main():
     given = arguments(__doc__.split("\n")[0], 100_000)
-    checkers = checker("check-certificate"), checker("check-forced")
-    campaign(given, "verdicts", lambda case: judge(case, checkers), ["found", "none, confirmed"])
+    campaign(given, "verdicts", judge, ["found", "none, confirmed"])
 
 
 main()
