@@ -11,8 +11,9 @@ from pathlib import Path
 SOURCE = Path(__file__).parent
 sys.path.insert(0, str(SOURCE))
 
-import gallery_looks  # noqa: E402  (both beside this file)
+import gallery_looks  # noqa: E402  (all beside this file)
 import spelling  # noqa: E402
+import theme  # noqa: E402
 
 project = "signorini"
 author = "The signorini developers"
@@ -38,6 +39,9 @@ myst_enable_extensions = ["dollarmath", "colon_fence", "deflist"]
 myst_heading_anchors = 3
 myst_update_mathjax = False
 html_theme = "furo"
+# Code in colours of enough contrast.
+pygments_style = "xcode"
+pygments_dark_style = "github-dark"
 html_title = f"signorini {version}"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
@@ -91,3 +95,4 @@ def show_bars(_app, _what, _name, _object, _options, lines):
 
 def setup(app):
     app.connect("autodoc-process-docstring", show_bars, priority=900)
+    app.connect("build-finished", theme.repair)

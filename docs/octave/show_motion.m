@@ -1,6 +1,6 @@
 function show_motion(file)
   % Draws a table that --motion wrote: displacement over place and time, black where the tip goes.
-  table = csvread(file, 1, 0);                       % time, x, displacement, velocity, strain
+  table = csvread(file, 1, 0);                       % time, x, displacement, velocity, strain, x_cell
   x = unique(table(:, 2));
   t = unique(table(:, 1));
   u = reshape(table(:, 3), numel(x), numel(t));

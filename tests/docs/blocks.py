@@ -10,7 +10,8 @@ The blocks of one page run in one folder, in their order. What is run:
 - cpp: compiled against the installed library, and run; statements without a main get one;
 - cmake: configures a project whose example.cpp is the page's first program;
 - json: must parse, and an answer (it has a key "schema") be as one of docs/schema says;
-- text: not code.
+- text: not code; but of "text output" each line must be in what the commands above it wrote (runs of
+  spaces count as one).
 
 `<!-- tried by FILE: WORDS -->` before a block: FILE, a script or test of the project, runs the same,
 and has these words in it.
@@ -31,7 +32,7 @@ from typing import NamedTuple
 import jsonschema
 
 ROOT = Path(__file__).resolve().parents[2]
-FENCE = re.compile(r"^( *)```(\S*)(?: .*)?$")
+FENCE = re.compile(r"^( *)```(\S*)(?: (.*))?$")
 ELSEWHERE = re.compile(r"<!-- tried by (\S+): (.+?) -->")
 STATUS = re.compile(r"#.*\bstatus (\d)")
 HEADER = "#include <iostream>\n#include <signorini/signorini.hpp>\nusing namespace signorini;\n"
@@ -45,6 +46,7 @@ class Block(NamedTuple):
     language: str
     text: str
     elsewhere: tuple[str, str] | None  # file, words
+    is_output: bool
 
 
 class Fault(Exception):
@@ -64,14 +66,14 @@ def blocks_of(page: Path) -> list[Block]:
             if not match[2].startswith("{"):
                 text = "\n".join(line.removeprefix(match[1]) for line in lines[at + 1:end])
                 tried = (elsewhere[1], elsewhere[2]) if elsewhere else None
-                found.append(Block(page, at + 2, match[2], text + "\n", tried))
+                found.append(Block(page, at + 2, match[2], text + "\n", tried, match[3] == "output"))
             at = end
         at += 1
     return found
 
 
-def run(command: list[str], folder: Path, environment: dict[str, str], expected: int = 0) -> None:
-    """Runs a program; says what it printed if it ends otherwise than expected."""
+def run(command: list[str], folder: Path, environment: dict[str, str], expected: int = 0) -> str:
+    """Runs a program and returns what it printed, which a fault shows if it ends otherwise than expected."""
     done = subprocess.run(
         command,
         cwd=folder,
@@ -86,6 +88,7 @@ def run(command: list[str], folder: Path, environment: dict[str, str], expected:
     if done.returncode != expected:
         shown = command[-1] if command[0] == "bash" else " ".join(command)
         raise Fault(f"{shown.strip()}\nstatus {done.returncode}, not {expected}:\n{done.stdout[-3000:]}")
+    return done.stdout
 
 
 def commands_of(text: str) -> list[str]:
@@ -112,6 +115,7 @@ class Page:
         }
         self.python = ""
         self.program = ""  # the first C++ program
+        self.written = ""  # by the commands of the last block of them
         for given in (Path(__file__).parent / "given").iterdir():
             (folder / given.name).write_bytes(given.read_bytes())
 
@@ -122,17 +126,25 @@ class Page:
             if not (ROOT / name).is_file() or words not in (ROOT / name).read_text("utf-8"):
                 raise Fault(f"{name} does not say {words}")
         elif block.language in ("", "text"):
-            return
+            self.try_output(block)
         elif method := getattr(self, f"try_{block.language}", None):
             method(block)
         else:
             raise Fault(f"blocks in {block.language} are not known to {Path(__file__).name}")
 
+    def try_output(self, block: Block) -> None:
+        """Is it a part of what the commands above it wrote?"""
+        lines = block.text.splitlines() if block.is_output else []
+        if missing := [line for line in lines if " ".join(line.split()) not in self.written]:
+            raise Fault(f"not written by the commands above: {missing[0]}")
+
     def try_sh(self, block: Block) -> None:
+        self.written = ""
         for command in commands_of(block.text):
             status = STATUS.search(command)
             expected = int(status[1]) if status else 0
-            run(["bash", "-euo", "pipefail", "-c", command], self.folder, self.environment, expected)
+            shown = run(["bash", "-euo", "pipefail", "-c", command], self.folder, self.environment, expected)
+            self.written += " ".join(shown.split()) + " "
 
     def try_python(self, block: Block) -> None:
         """Keeps the block for `finish`, on the line that it has on the page."""
@@ -213,7 +225,7 @@ def main() -> int:
                     faults += 1
                 if (seconds := time.monotonic() - begin) > 10:
                     print(f"{path}:{line}: {seconds:.0f} s")
-            count += sum(block.language not in ("", "text") for block in blocks)
+            count += sum(block.language not in ("", "text") or block.is_output for block in blocks)
     print(f"blocks: {count} blocks on {len(pages)} pages, {faults} faults")
     return 1 if faults or not count else 0
 
