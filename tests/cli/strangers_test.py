@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+"""Cases of the literature that nobody here wrote, against the exact answers of their sources.
+
+strangers_test.py PROGRAM
+
+Every expected number is computed here from the formulas of the source, in fractions where these are
+rational; nothing is taken from the program. docs/verification.md lists sources and commands.
+"""
+import csv
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+from fractions import Fraction
+
+ROUNDING = 1e-12
+
+
+class Run:
+    """One simulation: its answer, contacts, path of the contact's node and final state."""
+
+    def __init__(self, folder, scene, *words):
+        names = {"--events": "events.csv", "--tip": "tip.csv", "--state": "state.csv"}
+        files = [word for option, name in names.items() for word in (option, str(folder / name))]
+        texts = [repr(float(word)) if isinstance(word, Fraction) else str(word) for word in words]
+        call = [PROGRAM, "simulate", "--scene", scene, *texts, *files, "--format", "json", "--quiet"]
+        self.words = " ".join(call[1:5])
+        self.answer = json.loads(subprocess.run(call, stdout=subprocess.PIPE, check=True).stdout)
+        self.contacts, self.path = (
+            [{name: float(value) for name, value in row.items()}
+             for row in csv.DictReader((folder / name).read_text().splitlines())]
+            for name in ("events.csv", "tip.csv"))
+        self.state = (folder / "state.csv").read_bytes()
+        rows = [row for row in csv.DictReader(self.state.decode().splitlines()) if row["part"] == "cell"]
+        self.speeds = [float(row["right"]) + float(row["left"]) for row in rows]
+
+    def place(self, time):
+        """Where the node is at a time: it moves in straight lines between the rows of its path."""
+        for before, after in zip(self.path, self.path[1:]):
+            if before["time"] <= time <= after["time"]:
+                part = (time - before["time"]) / (after["time"] - before["time"])
+                return before["displacement"] + part * (after["displacement"] - before["displacement"])
+        raise AssertionError(f"{self.words}: no row at {time}")
+
+
+def require(is_so, what):
+    """Ends the run if an answer is not that of the source."""
+    if not is_so:
+        sys.exit(f"strangers: {what}")
+
+
+def near(value, exact, what, tolerance=ROUNDING):
+    """The same but for rounding."""
+    require(abs(value - float(exact)) <= tolerance * max(1.0, abs(float(exact))), f"{what}: {value}, not {exact}")
+
+
+def bouncing_bar(folder):
+    """Doyen, Ern and Piperno (2011): L = 10, E = 900, rho = 1, g = 10, dropped from 5.
+
+    It falls for sqrt(2 h/g); then 2 L/c on the ground, where it stops from the foot upwards, so the push
+    is Z (v + g t); its centre leaves with the speed v upwards and flies 2 v/g. All repeats after two bounces.
+    """
+    length, speed, gravity, height, density = 10, 30, 10, 5, 1
+    falls = Fraction(math.isqrt(2 * height * gravity), gravity)
+    arrives, contact = gravity * falls, Fraction(2 * length, speed)
+    flight = 2 * arrives / gravity
+    push = density * speed * (arrives * contact + gravity * contact ** 2 / 2)
+    period = 2 * (contact + flight)
+    require(period == Fraction(16, 3), "the published period")
+    require(push == density * length * gravity * period / 2, "the impulse of a bounce is the weight's")
+    for cells in (1, 4, 100):
+        run = Run(folder, f"{cells} stop={height}", "--gravity", gravity, "--length", length,
+                  "--wave-speed", speed, "--axial-stiffness", density * speed ** 2, "--velocity", 0,
+                  "--time", falls + 20 * period)
+        require(len(run.contacts) == 40 or len(run.contacts) == 41, f"{len(run.contacts)} bounces, not 40")
+        for k, bounce in enumerate(run.contacts[:40]):
+            begins = falls + k * (contact + flight)
+            near(bounce["start"], begins, f"bounce {k} begins")
+            near(bounce["end"], begins + contact, f"bounce {k} ends")
+            near(bounce["impulse"], push, f"impulse of bounce {k}")
+            # The greatest push, as its mean over the last step before the shock is back at the foot.
+            step = contact / (2 * cells)
+            near(bounce["peak_force"], density * speed * (arrives + gravity * (contact - step / 2)),
+                 f"peak force of bounce {k}")
+    # The same in units in which all numbers are short in binary: L = c = EA = 1, g = 1, and a drop of 9/2.
+    scene, words = "8 stop=4.5", ["--gravity", 1]
+    require(gravity * length * Fraction(9, 2) == Fraction(height, length) * speed ** 2, "the units fit")
+    Run(folder, scene, *words, "--velocity", 0, "--time", 6 + 16)
+    begin = folder / "begin.csv"
+    (folder / "state.csv").rename(begin)
+    bounces = 4000
+    run = Run(folder, scene, *words, "--from", begin, "--time", 8 * bounces)
+    require(len(run.contacts) == bounces and run.state == begin.read_bytes(), f"{bounces} bounces bit for bit")
+    return f"bouncing bar: 3 grids, 40 bounces each, to rounding; {bounces} bounces, bit for bit the same"
+
+
+def two_bars(folder):
+    """doi 10.1002/nme.4516: L = 10, E = rho = 1, v = 0.1 and -0.1: in contact for 2 L/c, speeds exchanged."""
+    for cells in (1, 7, 100):
+        run = Run(folder, f"{cells} gap=0 {cells}", "--length", 20, "--velocity", "0.1,-0.1", "--time", 25)
+        require([(c["start"], c["end"]) for c in run.contacts] == [(0, 20)], f"contacts {run.contacts}")
+        require(run.speeds == [-0.1] * cells + [0.1] * cells, "the speeds are exchanged")
+    return "two equal bars: speeds exchanged after 20, bit for bit"
+
+
+def driven_bar(folder):
+    """Idesman (2013): L = 4, E = rho = 1, v(0, t) = 1, the far end fixed: v = 1 where t > x, to t = 4; then
+    the wave comes back, and v = 1 for x < 8 - t. An equal bar that arrives with 2 gives the end the speed 1
+    for 2 L/c, as neither knows of the other's far end."""
+    cells = 32
+    for step in range(1, 2 * cells):
+        run = Run(folder, f"{cells} gap=0 {cells} clamp", "--length", 8, "--velocity", "2,0", "--time", step / 8)
+        front = min(step, 2 * cells - step)
+        require(run.speeds[cells:] == [1.0] * front + [0.0] * (cells - front), f"v at {step / 8}: {run.speeds}")
+    return "driven bar: v in {0, 1} at 63 times, bit for bit"
+
+
+def rigid_wall(folder):
+    """Code_Aster V5.03.100 (SDNV100): a block with L = 0.2, E = 2e11, nu = 0.3, rho = 8000, a side of 0.02, held
+    sideways, 2 mm from a rigid wall at 100 m/s: a shock of 2 L/c, push rho c V A, rebound at -V."""
+    modulus, density, ratio, area, speed = 2e11, 8000, 0.3, 0.02 ** 2, 100
+    modulus *= (1 - ratio) / ((1 + ratio) * (1 - 2 * ratio))
+    wave = math.sqrt(modulus / density)
+    run = Run(folder, "30 stop=2e-3", "--length", 0.2, "--young", repr(modulus), "--density", density,
+              "--area", repr(area), "--velocity", speed, "--time", 2e-4)
+    require(len(run.contacts) == 1, "one shock")
+    shock = run.contacts[0]
+    near(shock["start"] / 2e-5, 1, "the shock begins")
+    near((shock["end"] - shock["start"]) / (2 * 0.2 / wave), 1, "the shock lasts")
+    near(shock["peak_force"] / (density * wave * speed * area), 1, "its push")
+    for rebound in run.speeds:
+        near(rebound / speed, -1, "rebound")
+    return "impact on a rigid wall: 2 L/c, rho c V A, -V, to rounding"
+
+
+def stepped_load(folder):
+    """The clamped-free bar of ARCH-COMP under a constant force at the tip from rest: greatest velocity F/Z and
+    displacement 2 F x/(EA) at x = 0.7 L until t = 0.01."""
+    length, young, density = 200, 30e6, 7.3e-4
+    force = 10100
+    most, farthest = force / math.sqrt(young * density), 2 * force * 0.7 * length / young
+    require(round(most, 4) == 68.2495 and round(farthest, 7) == 0.0942667, "the published figures")
+    speeds = []
+    for k in range(1, 41):
+        run = Run(folder, f"clamp 7 stop=1 3 force={force}", "--length", length, "--young", young,
+                  "--density", density, "--area", 1, "--velocity", 0, "--time", k * 0.01 / 40)
+        speeds.append(max(run.speeds[6], run.speeds[7]))
+    near(max(speeds) / most, 1, "greatest velocity")
+    near(max(row["displacement"] for row in run.path) / farthest, 1, "greatest displacement")
+    return "bar of ARCH-COMP, constant force: 68.2495 and 0.0942667"
+
+
+def at_the_obstacle(height, time):
+    """u(0, t) of a string of length 1 plucked by 1 in the middle, above a point obstacle at height h: Cabannes'
+    u = (1 + h)/(3 - h) + (3 - h)/2 (K_1 - K_2) at x = 0, where X = 0, T = t and l = h."""
+    def k(y):
+        y = abs(y)
+        return (y - math.floor(y) - Fraction(1, 2)) ** 2
+    scale = 3 - height
+    first = 2 * k(2 * time / scale)
+    second = k((2 * time + 1 - height) / scale) + k((1 - height - 2 * time) / scale)
+    return (1 + height) / scale + scale / 2 * (first - second)
+
+
+def string(folder):
+    """Cabannes: string over a point obstacle, periodic for rational h, with the period (3 - h)/2."""
+    cells, begin, compared = 6, folder / "begin.csv", 0
+    for height in (Fraction(1, 2), Fraction(1, 3), Fraction(1, 4), Fraction(2, 3), Fraction(3, 8)):
+        rows = ["part,number,right,left,displacement"]  # to the obstacle is to the right: u = -w
+        rows += [f"cell,{i + 1},{1 if i < cells else -1},{-1 if i < cells else 1}," for i in range(2 * cells)]
+        rows += ["node,1,,,0", "node,2,,,-1", "node,3,,,0"]
+        begin.write_text("\n".join(rows) + "\n")
+        period = (3 - height) / 2
+        run = Run(folder, f"clamp {cells} stop=right:{-float(height)!r} {cells} clamp", "--length", 1,
+                  "--from", begin, "--time", 6 * period)
+        require(len(run.contacts) == 6, f"{len(run.contacts)} contacts, not 6")
+        for k, contact in enumerate(run.contacts[:5]):  # its middle moves with 2, until a wave has crossed it all
+            near(contact["start"], k * period + (1 - height) / 2, "it meets the obstacle")
+            near(contact["end"], k * period + 1, "it leaves the obstacle")
+        for k in range(500):
+            time = 5 * period * k / 500
+            near(-run.place(float(time)), at_the_obstacle(height, time), f"h = {height}, t = {time}")
+            compared += 1
+        n = 2 * height.denominator  # half of it is a bar pressed on a wall at rest
+        schedule = [str(n * (1 + height)), str(n * (2 - 2 * height))]
+        call = [PROGRAM, "find", *schedule, "--cells", str(n), "--gap", "-1e-3", "--format", "json", "--quiet"]
+        found = json.loads(subprocess.run(call, stdout=subprocess.PIPE, check=True).stdout)
+        near(found["energy_ratio_range"][0], 1 / height ** 2, f"h = {height}: it has the least energy of {schedule}")
+    return f"string with a point obstacle: {compared} places by Cabannes' formula, to rounding"
+
+
+def striker(folder):
+    """A striker of impedance Z_s, speed V, meets a rod of Z_b: the rod's end moves at V r g^k in the k-th interval
+    of 2 L_s/c, r = Z_s/(Z_s + Z_b), g = (Z_s - Z_b)/(Z_s + Z_b) (St. Venant; the theory of the Hopkinson bar)."""
+    cells = 32
+    for impedance in (3, 7, 15):  # g = 1/2, 3/4, 7/8
+        ratio, step = impedance / (impedance + 1), (impedance - 1) / (impedance + 1)
+        for k in range(5):
+            run = Run(folder, f"{cells}:{impedance} gap=0 {8 * cells}", "--length", 9, "--velocity", "1,0",
+                      "--time", 2 * k + 1)
+            require(run.speeds[cells] == ratio * step ** k, f"Z = {impedance}, step {k}: {run.speeds[cells]}")
+    for impedance, after in ((1, 0.0), (0.25, -0.6)):
+        run = Run(folder, f"{cells}:{impedance} gap=0 {8 * cells}", "--length", 9, "--velocity", "1,0", "--time", 5)
+        pulse = impedance / (impedance + 1)
+        require([(c["start"], c["end"]) for c in run.contacts] == [(0, 2)], f"contacts {run.contacts}")
+        near(run.contacts[0]["impulse"], 2 * pulse, "impulse")
+        for speed in run.speeds[:cells]:
+            near(speed, after, "the striker afterwards")
+        for speed, exact in zip(run.speeds[cells:], [0] * 3 * cells + [pulse] * 2 * cells + [0] * 3 * cells):
+            near(speed, exact, "the pulse")
+    return "striker and rod: staircases of five steps, bit for bit"
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        for case in (bouncing_bar, two_bars, driven_bar, rigid_wall, stepped_load, string, striker):
+            print(case(pathlib.Path(name)), flush=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    PROGRAM = sys.argv[1]
+    main()
