@@ -437,6 +437,7 @@ class ForcedFrequency(_Record):
     motions: list[ForcedMotion]
 
 class ResponseData(_Record):
+    status: str
     cells: int
     bar: Bar
     stops: list[dict[str, Any]]
@@ -449,6 +450,7 @@ class ResponseData(_Record):
     contacts: int
     band: Optional[float]
     frequency_ratio_range: tuple[float, float]
+    complete: bool
     frequencies: list[ForcedFrequency]
 
 class Drive(_Record):

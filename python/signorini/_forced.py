@@ -102,14 +102,10 @@ def response(*, damping: float, force: str, amplitude: float,
                           cells_of(cells, whole) or 300, stability, threads,
                           whole, listener(progress))
     head = {key: getattr(data, key) for key in (
-        "cells", "bar", "stops", "segments", "static_force", "damping",
-        "force", "amplitude", "cycles", "contacts", "band",
-        "frequency_ratio_range")}
-    rows = data.frequencies
-    missed = any(at.undecided for at in rows)
-    return Response("frequencies", rows,
-                    status="undecided" if missed else "found",
-                    complete=not missed, **head)
+        "status", "cells", "bar", "stops", "segments", "static_force",
+        "damping", "force", "amplitude", "cycles", "contacts", "band",
+        "frequency_ratio_range", "complete")}
+    return Response("frequencies", data.frequencies, **head)
 
 
 @named

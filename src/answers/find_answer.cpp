@@ -1,6 +1,17 @@
 #include "find_answer.hpp"
 
+#include "stepped_bar.hpp"
+
 namespace signorini::answers {
+
+Bar unitsOf(const Scene& scene)
+{
+    Bar bar = firstMaterial(scene);
+    if (!isUniform(scene.segments)) {
+        bar.young.reset();
+    }
+    return bar;
+}
 
 double forceUnit(const Bar& bar)
 {

@@ -27,11 +27,7 @@ bool lacksMotions(ForcedAnswer& answer, Least least, OfAmplitude ofAmplitude)
 
 ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked)
 {
-    ForcedAnswer answer{std::move(set), scene, scene.bar, asked, {}};
-    if (!isUniform(scene.segments)) {
-        answer.bar = firstMaterial(scene);
-        answer.bar.young.reset();  // it is known of the first segment only
-    }
+    ForcedAnswer answer{std::move(set), scene, unitsOf(scene), asked, {}};
     const auto ofAmplitude = [&](double size) { return motionsOfAmplitude(answer.set, size); };
     if (lacksMotions(
             answer, [&] { return leastAmplitudeMotion(answer.set); }, ofAmplitude)) {

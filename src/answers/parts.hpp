@@ -11,6 +11,8 @@
 
 namespace signorini::answers {
 
+/// What units mean: the first material; Young's modulus is known of it only, so not of several.
+[[nodiscard]] Bar unitsOf(const Scene& scene);
 /// One unit of force [N], EA g/L, and of impulse [N s], EA g/c.
 [[nodiscard]] double forceUnit(const Bar& bar);
 [[nodiscard]] double impulseUnit(const Bar& bar);

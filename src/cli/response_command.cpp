@@ -75,16 +75,6 @@ void requireFrequencies(const ResponseRange& range, const Bar& bar)
                        range.leastFrequencyRatio / hertz));
 }
 
-/// What units mean.
-Bar unitsOf(const Scene& scene)
-{
-    Bar bar = firstMaterial(scene);
-    if (!isUniform(scene.segments)) {
-        bar.young.reset();  // it is known of the first segment only
-    }
-    return bar;
-}
-
 }  // namespace
 
 void ResponseCommand::addTo(CLI::App& command)
@@ -142,7 +132,7 @@ void ResponseCommand::addTo(CLI::App& command)
 ExitStatus ResponseCommand::run() const
 {
     const Scene scene = common.scene();
-    ResponseAnswer answer{range, scene, unitsOf(scene), 0.0, {}};
+    ResponseAnswer answer{range, scene, answers::unitsOf(scene), 0.0, {}};
     answer.range.cells = common.usualCells();
     if (range.leastFrequencyRatio <= range.mostFrequencyRatio) {
         requireFrequencies(answer.range, answer.bar);

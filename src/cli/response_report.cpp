@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "forced_answer.hpp"
 #include "json.hpp"
 #include "report.hpp"
 #include "signorini/output.hpp"
@@ -16,58 +15,11 @@ std::string_view word(const ForcedMotion& motion)
     return motion.stability ? name(*motion.stability) : std::string_view();
 }
 
-Json asJson(const PermanentContact& contact, const Bar& bar)
-{
-    const Physical physical = physicalOf(contact.extremes, bar);
-    return {{"least_force", contact.leastForce * answers::forceUnit(bar)},
-            {"peak_force", physical.peakForce},
-            {"impulse", physical.impulse},
-            {"physical", jsonOf(physical)},
-            {"admissible", physical.isAdmissible()},
-            {"residual", contact.residual}};
-}
-
-Json asJson(const FrequencyResponse& response, const Bar& bar)
-{
-    const Scales unit = scales(bar);
-    Json json{{"steps", response.steps},
-              {"frequency_ratio", response.frequencyRatio},
-              {"frequency", response.frequencyRatio / 4.0 / unit.time},
-              {"touches", response.touches},
-              {"linear_peak", response.linearPeak * unit.displacement},
-              {"undecided", response.undecided},
-              {"reason", response.undecided > 0 ? Json(response.detail) : Json()},
-              {"permanent_contact", response.permanent ? asJson(*response.permanent, bar) : Json()},
-              {"motions", Json::array()}};
-    for (const ForcedMotion& motion : response.motions) {
-        json["motions"].push_back(jsonOf(answers::ForcedMotionOf{motion, bar, true}));
-    }
-    return json;
-}
-
 }  // namespace
 
 std::string asJson(const ResponseAnswer& answer)
 {
-    const ResponseRange& range = answer.range;
-    Json json = newAnswer();
-    json.update(
-        Json{{"status", name(answer.status())},
-             {"cells", range.cells},
-             {"damping", jsonOf(answers::Of<Damping>{range.damping, answer.bar})},
-             {"force", name(range.place)},
-             {"amplitude", answer.amplitude},
-             {"cycles", range.cycles},
-             {"contacts", range.contacts},
-             {"band", range.contacts > 1 ? Json(range.band) : Json()},
-             {"frequency_ratio_range", {range.leastFrequencyRatio, range.mostFrequencyRatio}},
-             {"complete", answer.isComplete && answer.undecided() == 0},
-             {"frequencies", Json::array()}});
-    json.update(jsonOf(answer.scene));
-    for (const FrequencyResponse& response : answer.frequencies) {
-        json["frequencies"].push_back(asJson(response, answer.bar));
-    }
-    return asLine(json);
+    return asLine(wholeJsonOf(answer));
 }
 
 void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)

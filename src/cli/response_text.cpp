@@ -4,7 +4,6 @@
 #include <array>
 #include <functional>
 
-#include "forced_answer.hpp"
 #include "response_report.hpp"
 #include "segments_text.hpp"
 #include "text.hpp"

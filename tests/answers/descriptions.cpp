@@ -8,6 +8,7 @@
 #include "forced_answer.hpp"
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
+#include "response_answer.hpp"
 
 namespace signorini::answers {
 
@@ -146,7 +147,8 @@ int main()
         {"find", nameOf<FindAnswer>()},           {"find-question", nameOf<QuestionAnswer>()},
         {"find-forced", nameOf<ForcedAnswer>()},  {"continuum", nameOf<ContinuumAnswer>()},
         {"families", nameOf<FamilyList>()},       {"modes", nameOf<ModeList>()},
-        {"modes-phases", nameOf<PolytopeList>()}, {"mode", nameOf<ModeAnswer>()}};
+        {"modes-phases", nameOf<PolytopeList>()}, {"mode", nameOf<ModeAnswer>()},
+        {"response", nameOf<ResponseAnswer>()}};
     (void)nameOf<PolytopeAnswer>();  // of Python alone
     std::cout << Json{{"files", files}, {"records", records()}}.dump(1) << '\n';
 }

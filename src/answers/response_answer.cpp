@@ -1,0 +1,46 @@
+#include "response_answer.hpp"
+
+namespace signorini::answers {
+
+std::optional<PermanentOf> FrequencyOf::permanent() const
+{
+    return value.permanent ? std::optional(PermanentOf{*value.permanent, bar}) : std::nullopt;
+}
+
+std::vector<ForcedMotionOf> FrequencyOf::motions() const
+{
+    std::vector<ForcedMotionOf> list;
+    for (const ForcedMotion& motion : value.motions) {
+        list.push_back({motion, bar, true, segments});
+    }
+    return list;
+}
+
+std::size_t ResponseAnswer::motions() const
+{
+    std::size_t count = 0;
+    for (const FrequencyResponse& response : frequencies) {
+        count += response.motions.size();
+    }
+    return count;
+}
+
+std::int64_t ResponseAnswer::undecided() const
+{
+    std::int64_t count = 0;
+    for (const FrequencyResponse& response : frequencies) {
+        count += response.undecided;
+    }
+    return count;
+}
+
+std::vector<FrequencyOf> ResponseAnswer::listed() const
+{
+    std::vector<FrequencyOf> list;
+    for (const FrequencyResponse& response : frequencies) {
+        list.push_back({response, bar, scene.segments});
+    }
+    return list;
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,122 @@
+#pragma once
+/// \file
+/// What is said of forced motions over a range of frequencies.
+
+#include "forced_answer.hpp"
+
+namespace signorini::answers {
+
+/// The tip that never leaves the wall, and its units.
+struct PermanentOf {
+    PermanentContact value;
+    Bar bar;
+
+    [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
+};
+
+/// All motions at one frequency.
+struct FrequencyOf {
+    FrequencyResponse value;
+    Bar bar;
+    std::vector<Segment> segments;
+
+    [[nodiscard]] std::optional<PermanentOf> permanent() const;
+    [[nodiscard]] std::vector<ForcedMotionOf> motions() const;
+};
+
+/// The outcome of one call.
+struct ResponseAnswer {
+    ResponseRange range;
+    Scene scene;
+    Bar bar;                                     ///< what units mean: of the first material
+    double amplitude = 0.0;                      ///< [N] or [m]
+    std::vector<FrequencyResponse> frequencies;  ///< the program's have motions without states
+    bool isComplete = true;                      ///< false: interrupted
+    std::optional<double> yieldStress = {};      ///< [Pa], the stress is compared with it
+
+    [[nodiscard]] std::size_t motions() const;
+    [[nodiscard]] std::int64_t undecided() const;
+    /// Found, also if there is no motion: the list is whole. Undecided if it is not.
+    [[nodiscard]] Status status() const
+    {
+        return isComplete && undecided() == 0 ? Status::found : Status::undecided;
+    }
+    /// The frequencies and their units.
+    [[nodiscard]] std::vector<FrequencyOf> listed() const;
+};
+
+template <typename D>
+void describe(D& d, Type<PermanentOf>)
+{
+    using T = PermanentOf;
+    d.record("PermanentContact", "The tip that never leaves the wall.");
+    d.key("least_force", "N >= 0", "Of the tip on the wall, whatever the phase.",
+          [](const T& p) { return p.value.leastForce * forceUnit(p.bar); });
+    d.key("peak_force", "N >= 0", "Of the tip on the wall.",
+          [](const T& p) { return p.physical().peakForce; });
+    d.key("impulse", "N s >= 0", "In a period.", [](const T& p) { return p.physical().impulse; });
+    d.key("physical", "-", "What can be measured, in SI units.", &T::physical);
+    d.key("admissible", "-", "Is s > -1 everywhere?",
+          [](const T& p) { return p.physical().isAdmissible(); });
+    d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
+          [](const T& p) { return p.value.residual; });
+}
+
+template <typename D>
+void describe(D& d, Type<FrequencyOf>)
+{
+    using T = FrequencyOf;
+    d.record("ForcedFrequency", "All motions at one frequency.");
+    d.key("steps", "- >= 2", "n, of the period of the motions.",
+          [](const T& f) { return f.value.steps; });
+    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.",
+          [](const T& f) { return f.value.frequencyRatio; });
+    d.key("frequency", "Hz > 0", "Of the excitation.",
+          [](const T& f) { return f.value.frequencyRatio / 4.0 / scales(f.bar).time; });
+    d.key("touches", "-", "Would the bar without a wall go beyond it?",
+          [](const T& f) { return f.value.touches; });
+    d.key("linear_peak", "m >= 0", "max u(L) without a wall.",
+          [](const T& f) { return f.value.linearPeak * scales(f.bar).displacement; });
+    d.key("undecided", "- >= 0", "Schedules that were not decided.",
+          [](const T& f) { return f.value.undecided; });
+    d.key("reason", "-", "Why the first of them was not.", [](const T& f) {
+        return f.value.undecided > 0 ? std::optional(f.value.detail) : std::nullopt;
+    });
+    d.key("permanent_contact", "-",
+          "The tip that never leaves the wall, where the bar presses on it at rest.",
+          &T::permanent);
+    d.key("motions", "-", "By ascending contact steps, then impulse.", &T::motions);
+}
+
+template <typename D>
+void describe(D& d, Type<ResponseAnswer>)
+{
+    using T = ResponseAnswer;
+    d.record("ResponseData", "Forced motions over a range of frequencies.");
+    d.key("status", "-", R"("found", or "undecided": the list may lack motions.)", &T::status);
+    d.key("cells", "- >= 1", "N.", [](const T& a) { return a.range.cells; });
+    describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
+    d.key("damping", "-", "A dashpot.", [](const T& a) {
+        return Of<Damping>{a.range.damping, a.bar};
+    });
+    d.key("force", "-", R"(What is excited: "tip" or "base".)",
+          [](const T& a) { return a.range.place; });
+    d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);
+    d.key("cycles", "- >= 1", "K, of the excitation in a period of the motions.",
+          [](const T& a) { return a.range.cycles; });
+    d.key("contacts", "- >= 1", "Most contacts in a period.",
+          [](const T& a) { return a.range.contacts; });
+    d.key("band", "- > 0",
+          "How far amplitudes of two contacts may lie from the amplitude, relative.",
+          [](const T& a) {
+              return a.range.contacts > 1 ? std::optional(a.range.band) : std::nullopt;
+          });
+    d.key("frequency_ratio_range", "- > 0", "(least, most) omega/omega_1.", [](const T& a) {
+        return std::tuple(a.range.leastFrequencyRatio, a.range.mostFrequencyRatio);
+    });
+    d.key("complete", "-", "Not interrupted, and no schedule undecided.",
+          [](const T& a) { return a.status() == Status::found; });
+    d.key("frequencies", "-", "By ascending steps.", &T::listed);
+}
+
+}  // namespace signorini::answers
