@@ -22,7 +22,6 @@ Range rangeOf(Extent extent)
     return {{30, 100, 300, 1000, 3000}, {1e-3, 1e-6, 1e-9, 1e-12}, 30};
 }
 
-constexpr double usualTolerance = 1e-6;
 constexpr double leastOfE = 1.0;  // [E_1], by a quadratic program on four cells
 constexpr std::int64_t largestWithAllTolerances = 300;
 constexpr double leftOutOnLargeGrids = 1e-9;

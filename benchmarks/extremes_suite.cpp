@@ -20,8 +20,6 @@ namespace signorini::bench {
 
 namespace {
 
-constexpr double usualTolerance = 1e-6;
-
 class Extremes {
 public:
     explicit Extremes(Extent extent) : isFull_(extent == Extent::full) {}

@@ -20,7 +20,7 @@ namespace {
 
 /// The bar of theory.md, section 15: rho = 0.9, a force of 0.25 EA g/L with a period of 3.6 L/c.
 constexpr double rho = 0.9;
-constexpr double amplitude = 0.25;
+constexpr double forceAmplitude = 0.25;
 constexpr double forcePeriod = 3.6;
 
 /// The motion of larger impulse, (12, 96) on 30 cells; the same on any grid but for the sampling.
@@ -28,7 +28,7 @@ ForcedMotion forcedMotionOn(std::int64_t cells)
 {
     const Schedule schedule{cells, {{12 * cells / 30, 96 * cells / 30}}};
     std::vector<ForcedMotion> motions =
-        motionsOfAmplitude(forcedMotions(schedule, dampingOfRho(rho), {}), amplitude);
+        motionsOfAmplitude(forcedMotions(schedule, dampingOfRho(rho), {}), forceAmplitude);
     if (motions.empty()) {
         throw std::runtime_error("the motion to be followed is not there");
     }
@@ -41,7 +41,7 @@ std::vector<TipPoint> pathOf(const ForcedMotion& motion, std::int64_t perCrossin
     const auto steps =
         static_cast<std::int64_t>(std::llround(forcePeriod * static_cast<double>(perCrossing)));
     BarSimulation simulation(wavesOf(motion.state), motion.damping,
-                             excitationOf({.amplitude = amplitude,
+                             excitationOf({.amplitude = forceAmplitude,
                                            .phase = motion.phase,
                                            .steps = steps,
                                            .stepsPerCrossing = static_cast<double>(perCrossing)}),
@@ -70,7 +70,7 @@ void compare(const std::vector<Sample>& samples, const ForcedMotion& motion, Rec
 {
     const HarmonicMarch truth(motion.state,
                               {.dashpot = motion.damping.eta(),
-                               .amplitude = amplitude,
+                               .amplitude = forceAmplitude,
                                .phase = motion.phase,
                                .period = forcePeriod},
                               forcePeriod * followed);
@@ -98,7 +98,7 @@ SiconosRun runOf(const ForcedMotion& motion, const State& nodes, int elements)
             .period = forcePeriod,
             .periods = followed,
             .dashpot = motion.damping.eta(),
-            .amplitude = amplitude,
+            .amplitude = forceAmplitude,
             .phase = motion.phase};
 }
 
@@ -140,7 +140,7 @@ ResponseRange responseRange(std::int64_t cells)
     ResponseRange range;
     range.cells = cells;
     range.damping = dampingOfRho(rho);
-    range.amplitude = amplitude;
+    range.amplitude = forceAmplitude;
     range.leastFrequencyRatio = 0.95;
     range.mostFrequencyRatio = 1.25;
     return range;

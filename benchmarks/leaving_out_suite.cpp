@@ -11,7 +11,6 @@ namespace signorini::bench {
 
 namespace {
 
-constexpr double usualTolerance = 1e-6;
 constexpr std::array solvers{"glpk-simplex", "clp-simplex"};
 
 /// From what the library does to the paper's (32) as it stands.

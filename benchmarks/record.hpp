@@ -30,7 +30,7 @@ inline constexpr std::array figureColumns{
     "gap",             ///< residual of (31)
     "pressure",        ///< residual of (10)
     "penetration",     ///< residual of (11), (12)
-    "march",           ///< residual of a march that decides contact by itself
+    "march",           ///< residual of an independent march
     "set_distance",    ///< to the solution set, relative
     "energy_ratio",    ///< E/E_1
     "energy_error",    ///< relative to what was asked for

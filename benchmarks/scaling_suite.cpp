@@ -19,8 +19,6 @@ namespace signorini::bench {
 
 namespace {
 
-constexpr double usualTolerance = 1e-6;
-
 /// 1/2 + a third: gcd(2N, n) = 1 on family-like grids, the longest walk of a verdict.
 Schedule longestWalk(std::int64_t cells)
 {

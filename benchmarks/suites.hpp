@@ -9,6 +9,9 @@ namespace signorini::bench {
 /// How much of each suite.
 enum class Extent { quick, full };
 
+/// Of the requests that do not say another, relative.
+inline constexpr double usualTolerance = 1e-6;
+
 /// Error against run time: families A, B, C and random schedules, every back end, form, tolerance.
 [[nodiscard]] std::vector<Case> accuracySuite(Extent extent);
 /// Named stiff and extreme cases.

@@ -2,12 +2,12 @@
 /// \file
 /// Bars in a row with all that stands at them, in SI units, and the words in which one writes that.
 ///
-/// A text is read from left to right; words are parted by blanks:
+/// A text is read from left to right; words are separated by blanks:
 ///
 ///     clamp            the node here does not move
 ///     free             nothing holds it: what both ends are unless said otherwise
 ///     N[:Z[:C]]        N cells of relative impedance Z and wave speed C (1)
-///     gap=G            the bar is parted here; at rest its faces stand G apart (< 0: pressed)
+///     gap=G            the bar is cut here; at rest its faces are G apart (< 0: pressed)
 ///     stop=G stop=-G   the node may move by G to the right, to the left
 ///     stop=right:G     the same with G of any sign (< 0: pressed), also left:G
 ///     dash=D           a dashpot to the ground, in units of the impedance 1

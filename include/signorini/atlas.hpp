@@ -10,13 +10,13 @@
 ///
 /// ## By what exists
 ///
-/// One contact phase costs what exists, not what is asked: no schedule without motions is looked
-/// at. The schedules that press are the tents of the grid's families (modes.hpp). Those that
-/// graze are known at once: n has more factors 2 than 2N, and n_c < G = gcd(2N, n); then
-/// d = G - n_c. docs/theory.md, section 14. With a negative gap none graze, and those with n_f < G
-/// have motions whose tip never leaves the wall, d = G - n_f. Only a range that keeps the refuted
-/// schedules asks `decide` for the reason of each. Several phases are decided one by one by the
-/// exact sums
+/// The cost of one contact phase grows with the motions that exist, not with the range asked: no
+/// schedule without motions is examined. The schedules that press are the tents of the grid's
+/// families (modes.hpp). Those that graze are known at once: n has more factors 2 than 2N, and n_c
+/// < G = gcd(2N, n); then d = G - n_c. docs/theory.md, section 14. With a negative gap none graze,
+/// and those with n_f < G have motions whose tip never leaves the wall, d = G - n_f. Only a range
+/// that keeps the refuted schedules asks `decide` for the reason of each. Several phases are
+/// decided one by one by the exact sums
 /// (`lumpedSet`).
 ///
 /// ## A bar of several segments

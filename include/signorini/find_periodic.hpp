@@ -109,8 +109,8 @@ struct EnergyExclusion {
     double tolerance = 0.0;    ///< relative
     /// [g/L], if it narrows the range: that of the motions whose strain stays within it.
     double strainLimit = std::numeric_limits<double>::infinity();
-    /// Has code that did not find the range proved it, in rationals? (Not where several phases
-    /// limit it from above.)
+    /// Is the range verified independently, in rationals? (Not where several phases limit it from
+    /// above.)
     bool isVerified = false;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Files: states and motions in SI units, and a way to write several files whole or not at all.
+/// Files: states and motions in SI units, and a way to write several files atomically.
 ///
 /// Numbers are printed in the shortest form that reads back exactly.
 
@@ -125,8 +125,8 @@ inline constexpr std::int64_t maxMeasurements = 1'000'000;
 /// at the tip), and cell i gets the mean over it: an average of many, an interpolation of few. N
 /// rows at x_i = i dx are the values on the cells, as in our own files.
 ///
-/// Fields are parted by commas, or by semicolons if the header has any. Lines that begin with # are
-/// not read, nor is a byte order mark. The file may be a pipe. One that was cut short does not
+/// Fields are separated by commas, or by semicolons if the header has any. Lines that begin with #
+/// are not read, nor is a byte order mark. The file may be a pipe. One that was cut short does not
 /// pass: every row has as many fields as the header and ends with a newline.
 /// \throws FileError if it cannot be read, std::invalid_argument naming file, line, column and
 /// fault if it has no such columns, too few rows or too many (of waves more than `mostCells`, or,

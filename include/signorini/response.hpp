@@ -73,7 +73,7 @@ struct ForcedMotion {
     double phase = 0.0;      ///< [rad], of the harmonic; 0 for a shape
     State state;             ///< at the start of contact
     Extremes extremes;       ///< of one period; strains those of the bar, base and tip included
-    double residual = 0.0;   ///< the worst that a walk along the schedule and a march saw,
+    double residual = 0.0;   ///< the worst of both independent checks,
                              ///< the balance of work included; relative
     std::optional<Stability> stability = {};  ///< for those who ask stabilityOf, to be kept here
 };
@@ -175,13 +175,13 @@ struct AmplitudeExclusion {
     /// no such places.
     std::vector<ForcedCondition> conflict;
     std::vector<EnergyFloor> cuts = {};  ///< as in ForcedSet; they leave none of this amplitude
-    bool isCertain = false;              ///< whatever was rounded, says code that did not find it
+    bool isCertain = false;              ///< verified independently, rounding included
 };
 
 /// \pre the set is not empty, and motionsOfAmplitude is. O(n).
 [[nodiscard]] AmplitudeExclusion exclusionOf(const ForcedSet& set, double amplitude);
 
-/// Checks the proof of a set with status none by code that did not find it, in numbers that are
+/// Verifies the proof of a set with status none independently of what found it, in numbers
 /// enclosed by doubles on both sides. O(n).
 [[nodiscard]] bool isCertain(const ForcedSet& set);
 

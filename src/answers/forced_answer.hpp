@@ -99,8 +99,7 @@ void describe(D& d, Type<ForcedProof>)
     d.record("ForcedProof", "Conditions that contradict each other.");
     d.key("kind", "-", R"("forced", or "amplitude-range": of motions, but none of the amplitude.)",
           &ForcedProof::kind);
-    d.key("verified", "-", "Whatever was rounded, says code that did not find it.",
-          &ForcedProof::isVerified);
+    d.key("verified", "-", "Verified independently, rounding included.", &ForcedProof::isVerified);
     d.key("conditions", "-", "With u(L, 0) = g they cannot all hold.", &ForcedProof::conditions);
     d.key("rows", "-", R"("network": of segments that differ.)", &ForcedProof::rows, When::any);
     d.key("cuts", "-", "Of these: multipliers that leave no excitation.", &ForcedProof::cuts,

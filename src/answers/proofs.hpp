@@ -16,7 +16,7 @@ template <typename D, typename Rows>
 void describeProof(D& d, const char* kind, Rows rows)
 {
     d.key("kind", "-", "What is proved, in a word.", [kind](const auto&) { return kind; });
-    d.key("verified", "-", "Checked exactly, or by code that did not find it.",
+    d.key("verified", "-", "Verified exactly, or independently of what found it.",
           [](const auto&) { return true; });
     d.key("rows", "-", "What the multipliers refer to.", rows);
 }

@@ -26,8 +26,8 @@ struct QuestionAnswer {
 
     /// [s]
     [[nodiscard]] double seconds() const { return signorini::period(period) * scales(bar).time; }
-    /// Found: at least one motion; undecided: none, and something stood in the way; none: proved of
-    /// every set.
+    /// Found: at least one motion; undecided: none, and some set undecided; none: proved of every
+    /// set.
     [[nodiscard]] Status status() const;
     /// "period" or "constraints", if there is none.
     [[nodiscard]] std::optional<std::string> reason() const;

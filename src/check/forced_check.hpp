@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Checks of forced motions by code that did not find them: the rows of a schedule and a march that
-/// decides contact by itself, both on the cells of the bar, and proofs of absence.
+/// Independent checks of forced motions: the rows of a schedule and a march that detects contact,
+/// both on the cells of the bar, and proofs of absence.
 
 #include <cstdint>
 #include <limits>

@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// The march of the bar that decides contact by itself, a piece of the way at a time.
+/// The march of the bar that detects contact, a piece of the way at a time.
 
 #include <vector>
 

@@ -29,7 +29,7 @@ enum ExitStatus : int {
     exitFound = 0,        ///< found / done
     exitNone = 1,         ///< proved: none exists
     exitWrongUse = 2,     ///< an argument is wrong; nothing was written
-    exitUndecided = 3,    ///< a limit or numerics stood in the way
+    exitUndecided = 3,    ///< prevented by a limit or by rounding
     exitUnavailable = 4,  ///< a file, database or back end could not be used
 };
 

@@ -4,7 +4,7 @@
 ///
 /// In coordinates z of ker(W - 1), orthonormal in the norm sum Z x^2, pushes and distances are rows
 /// (network_forced.hpp), and the point of least norm that meets them, or multipliers that say that
-/// none does, come from least_norm.hpp. A motion is walked by code that did not find it; absence,
+/// none does, come from least_norm.hpp. A motion is verified independently; absence,
 /// and that no motion has less energy, is what a march backwards makes of the multipliers.
 /// docs/theory.md, section 20.
 

@@ -87,7 +87,7 @@ struct NetworkContact {
     friend bool operator==(const NetworkContact&, const NetworkContact&) = default;
 };
 
-/// Nodes that hang together while all contacts are open.
+/// Nodes that are connected while all contacts are open.
 struct NetworkBar {
     std::size_t firstNode = 0;
     std::size_t lastNode = 0;

@@ -95,7 +95,7 @@ public:
 /// arithmetic cannot reach it.
 [[nodiscard]] std::optional<LumpedSet> reachableSet(const Schedule& schedule);
 
-/// How many of the motions of one energy hang together, of one contact phase.
+/// The connected components of the motions of one energy, of one contact phase.
 struct Connectivity {
     bool isConnected = true;
     std::optional<std::int64_t> components = 1;  ///< empty: more than 2^62

@@ -60,8 +60,8 @@ bool Table::next()
     }
     if (fields_.size() != header_.size()) {
         refuse(fmt::format(
-            "field {} is {}: allowed {} field{}, as in the header, parted by '{}', and decimal "
-            "points",
+            "field {} is {}: allowed {} field{}, as in the header, separated by '{}', and "
+            "decimal points",
             std::min(header_.size(), fields_.size()) + 1,
             fields_.size() < header_.size() ? "missing" : "too many", header_.size(),
             header_.size() == 1 ? "" : "s", separator_));

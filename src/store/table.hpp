@@ -11,7 +11,7 @@
 namespace signorini {
 
 /// The rows of a table, one after the other, in a bounded amount of memory. Lines that begin with #
-/// are not read, nor is a byte order mark; fields are parted by commas, or by semicolons if the
+/// are not read, nor is a byte order mark; fields are separated by commas, or by semicolons if the
 /// header has any.
 class Table {
 public:

@@ -58,11 +58,11 @@ ModePolytope polygonOf(const Request& request, double period)
             return polytope;
         }
     }
-    throw std::invalid_argument(
-        all.empty() ? "chains: there is no motion with contacts that hang together like that"
-                    : "period = " + std::to_string(period) + ": allowed above " +
-                          cli::fractionAsText(all.front().lowest) + " and below " +
-                          cli::fractionAsText(all.back().highest) + " L/c");
+    throw std::invalid_argument(all.empty()
+                                    ? "chains: no motion has contacts connected like that"
+                                    : "period = " + std::to_string(period) + ": allowed above " +
+                                          cli::fractionAsText(all.front().lowest) + " and below " +
+                                          cli::fractionAsText(all.back().highest) + " L/c");
 }
 
 ModePoint pointOf(const Request& request, const ModePolytope& polytope, double period)
