@@ -20,6 +20,7 @@
 #include "share_work.hpp"
 #include "signorini/output.hpp"
 #include "stepped_bar.hpp"
+#include "units.hpp"
 
 namespace signorini::cli {
 
@@ -147,20 +148,20 @@ std::int64_t parseWhole(std::string_view name, std::string_view text, std::int64
 
 double parsePositive(std::string_view name, std::string_view text, std::string_view unit)
 {
-    double value = 0.0;
-    if (!readAll(text, value) || !std::isfinite(value) || value <= 0.0) {
-        refuse(name, text, fmt::format("finite numbers > 0 [{}]{}", unit, unitHint(text, unit)));
+    const auto value = numberIn(text, unit);
+    if (!value || *value <= 0.0) {
+        refuse(name, text, fmt::format("finite numbers > 0 [{}]", unit));
     }
-    return value;
+    return *value;
 }
 
 double parseReal(std::string_view name, std::string_view text, std::string_view unit)
 {
-    double value = 0.0;
-    if (!readAll(text, value) || !std::isfinite(value)) {
-        refuse(name, text, fmt::format("finite numbers [{}]{}", unit, unitHint(text, unit)));
+    const auto value = numberIn(text, unit);
+    if (!value) {
+        refuse(name, text, fmt::format("finite numbers [{}]", unit));
     }
-    return value;
+    return *value;
 }
 
 GivenNumber parseNumber(std::string_view name, std::string_view text, std::string_view unit)

@@ -86,11 +86,12 @@ void addFooter(CLI::App& command, const char* text);
 [[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,
                                       std::int64_t low, std::int64_t high);
 
-/// A finite number > 0. \throws std::invalid_argument naming argument, value and range.
+/// A finite number > 0, plain or with its unit (units.hpp). \throws std::invalid_argument naming
+/// argument, value and range.
 [[nodiscard]] double parsePositive(std::string_view name, std::string_view text,
                                    std::string_view unit);
 
-/// A finite number. \throws std::invalid_argument naming argument, value and range.
+/// A finite number, likewise. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] double parseReal(std::string_view name, std::string_view text, std::string_view unit);
 
 /// Options with a value of one kind: name, range or unit, where it goes, and words for the help.

@@ -3,37 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <numeric>
-#include <system_error>
 
 namespace signorini::cli {
 
 namespace {
-
-struct Unit {
-    std::string_view base;  ///< the unit of the plain number
-    std::string_view text;
-    double factor;
-};
-
-constexpr std::array<Unit, 37> units{{
-    {"-", "%", 0.01},          {"m", "m", 1.0},          {"m", "cm", 1e-2},
-    {"m", "mm", 1e-3},         {"m", "um", 1e-6},        {"m", "µm", 1e-6},
-    {"m", "nm", 1e-9},         {"m^2", "m2", 1.0},       {"m^2", "m^2", 1.0},
-    {"m^2", "cm2", 1e-4},      {"m^2", "cm^2", 1e-4},    {"m^2", "mm2", 1e-6},
-    {"m^2", "mm^2", 1e-6},     {"Pa", "Pa", 1.0},        {"Pa", "kPa", 1e3},
-    {"Pa", "MPa", 1e6},        {"Pa", "GPa", 1e9},       {"kg/m^3", "kg/m3", 1.0},
-    {"kg/m^3", "kg/m^3", 1.0}, {"kg/m^3", "g/cm3", 1e3}, {"kg/m^3", "g/cm^3", 1e3},
-    {"N", "N", 1.0},           {"N", "kN", 1e3},         {"N", "MN", 1e6},
-    {"J", "J", 1.0},           {"J", "mJ", 1e-3},        {"J", "kJ", 1e3},
-    {"Hz", "Hz", 1.0},         {"Hz", "kHz", 1e3},       {"Hz", "MHz", 1e6},
-    {"m/s", "m/s", 1.0},       {"m/s", "km/s", 1e3},     {"s", "s", 1.0},
-    {"s", "ms", 1e-3},         {"s", "us", 1e-6},        {"s", "µs", 1e-6},
-    {"m/s^2", "m/s2", 1.0},
-}};
 
 /// Letters that differ, lack, are too many or change places (optimal string alignment).
 std::size_t distance(std::string_view one, std::string_view two)
@@ -84,22 +58,6 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& na
 {
     const std::string nearest = nearestName(word, names);
     return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
-}
-
-std::string unitHint(std::string_view text, std::string_view unit)
-{
-    double value = 0.0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc{} || stop == end || !std::isfinite(value)) {
-        return {};
-    }
-    std::string_view rest(stop, static_cast<std::size_t>(end - stop));
-    rest.remove_prefix(rest.starts_with(' ') ? 1 : 0);
-    const auto* known = std::find_if(units.begin(), units.end(), [&](const Unit& one) {
-        return one.base == unit && one.text == rest;
-    });
-    return known == units.end() ? "" : fmt::format("; {} is {:.9g}", text, value * known->factor);
 }
 
 std::string sizeOf(const Bar& bar)

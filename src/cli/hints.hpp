@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// What a wrong word was probably meant to be: an option that is spelt otherwise, a number with a
-/// unit.
+/// What a wrong word was probably meant to be: an option that is spelt otherwise.
 
 #include <string>
 #include <string_view>
@@ -17,10 +16,6 @@ namespace signorini::cli {
 
 /// "; did you mean NAME?", or nothing where no name is near.
 [[nodiscard]] std::string didYouMean(std::string_view word, const std::vector<std::string>& names);
-
-/// "; 210GPa is 2.1e+11" of a number followed by a unit or a per cent sign, where the plain number
-/// has the given unit; or nothing.
-[[nodiscard]] std::string unitHint(std::string_view text, std::string_view unit);
 
 /// "L = 1 m, c = 1 m/s by default" or, of a bar that was described, "L = 3 m, c = 5000 m/s".
 [[nodiscard]] std::string sizeOf(const Bar& bar);

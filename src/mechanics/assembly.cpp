@@ -9,6 +9,7 @@
 #include "faults.hpp"
 #include "signorini/schedule.hpp"
 #include "stepped_bar.hpp"
+#include "units.hpp"
 
 namespace signorini {
 
@@ -26,21 +27,19 @@ constexpr const char* allWords =
     throw std::logic_error("a fault was added");
 }
 
-/// All of a text, finite. libc++ 14 reads only whole numbers by from_chars.
-template <typename Number>
-bool readNumber(std::string_view text, Number& value)
+/// A finite number in a unit, or a whole number.
+bool readNumber(std::string_view text, std::string_view unit, double& value)
+{
+    const auto read = numberIn(text, unit);
+    value = read.value_or(value);
+    return read.has_value();
+}
+
+bool readNumber(std::string_view text, std::int64_t& value)
 {
     const char* const end = text.data() + text.size();
-    if constexpr (requires { std::from_chars(end, end, value); }) {
-        const auto [stop, error] = std::from_chars(text.data(), end, value);
-        return error == std::errc{} && stop == end && std::isfinite(static_cast<double>(value));
-    } else {
-        const std::string copy(text);
-        char* stop = nullptr;
-        value = std::strtod(copy.c_str(), &stop);
-        return copy.find_first_not_of("0123456789.eE+-") == std::string::npos && !copy.empty() &&
-               copy.front() != '+' && stop == copy.c_str() + copy.size() && std::isfinite(value);
-    }
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    return error == std::errc{} && stop == end;
 }
 
 struct PlainWord {
@@ -54,16 +53,17 @@ constexpr std::array plainWords{
 struct ValuedWord {
     std::string_view word;
     PartKind kind;
+    std::string_view unit;
     std::string_view allowed;
     bool isPositive;
 };
 constexpr std::array valuedWords{
-    ValuedWord{"gap", PartKind::gap, "gap=G, G finite [m]", false},
-    ValuedWord{"dash", PartKind::dash, "dash=D, D finite and > 0, in units of the impedance 1",
+    ValuedWord{"gap", PartKind::gap, "m", "gap=G, G finite [m]", false},
+    ValuedWord{"dash", PartKind::dash, "-", "dash=D, D finite and > 0, in units of the impedance 1",
                true},
-    ValuedWord{"spring", PartKind::spring, "spring=K, K finite and > 0 [N/m]", true},
-    ValuedWord{"mass", PartKind::mass, "mass=M, M finite and > 0 [kg]", true},
-    ValuedWord{"force", PartKind::force, "force=F, F finite [N]", false}};
+    ValuedWord{"spring", PartKind::spring, "N/m", "spring=K, K finite and > 0 [N/m]", true},
+    ValuedWord{"mass", PartKind::mass, "kg", "mass=M, M finite and > 0 [kg]", true},
+    ValuedWord{"force", PartKind::force, "N", "force=F, F finite [N]", false}};
 
 AssemblyPart cellsOf(std::size_t number, std::string_view word)
 {
@@ -79,7 +79,7 @@ AssemblyPart cellsOf(std::size_t number, std::string_view word)
     bool isGood = readNumber(take(), part.cells) && part.cells >= 1 && part.cells <= maxCells;
     for (double* value : {&part.impedance, &part.speed}) {
         if (!rest.empty()) {
-            isGood = readNumber(take(), *value) && *value >= 1.0 / mostImpedance &&
+            isGood = readNumber(take(), "-", *value) && *value >= 1.0 / mostImpedance &&
                      *value <= mostImpedance && isGood;
         }
     }
@@ -97,7 +97,7 @@ AssemblyPart stopOf(std::size_t number, std::string_view word, std::string_view 
     const bool saysRight = value.starts_with("right:");
     const bool saysLeft = value.starts_with("left:");
     value.remove_prefix(saysRight ? 6 : saysLeft ? 5 : 0);
-    if (!readNumber(value, part.value)) {
+    if (!readNumber(value, "m", part.value)) {
         refuseWord(number, word,
                    "stop=G (to the right), stop=-G (to the left), stop=right:G or stop=left:G (G < "
                    "0: pressed), G finite [m]");
@@ -131,7 +131,8 @@ AssemblyPart partOf(std::size_t number, std::string_view word)
     for (const ValuedWord& valued : valuedWords) {
         if (name == valued.word) {
             AssemblyPart part{.kind = valued.kind};
-            if (!readNumber(value, part.value) || (valued.isPositive && !(part.value > 0.0))) {
+            if (!readNumber(value, valued.unit, part.value) ||
+                (valued.isPositive && !(part.value > 0.0))) {
                 refuseWord(number, word, valued.allowed);
             }
             return part;

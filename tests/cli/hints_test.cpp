@@ -57,21 +57,28 @@ TEST_CASE("cli hints: names are as near as one or two letters")
     CHECK(cli::nearestName("--" + std::string(100'000, 'g'), names).empty());
 }
 
-TEST_CASE("cli hints: a number with a unit is said without it")
+TEST_CASE("cli: a number may carry its unit")
 {
     const Program program;
-    checkRefused(program, "find 150 900 --young 210GPa --density 7800 --area 1e-4",
-                 {"--young = 210GPa", "[Pa]; 210GPa is 2.1e+11"});
-    checkRefused(program, "find 150 900 --young 2.1e11 --density 7.8g/cm3 --area 1e-4",
-                 {"7.8g/cm3 is 7800"});
-    checkRefused(program, "find 150 900 --gap 10um", {"[m]; 10um is 1e-05"});
-    checkRefused(program, "find 150 900 --gap '10 µm'", {"10 µm is 1e-05"});
-    checkRefused(program, "find --hertz 0.4kHz", {"0.4kHz is 400"});
-    checkRefused(program, "find 150 900 --damping 2% --force tip", {"2% is 0.02"});
-    CHECK(cli::unitHint("2", "-").empty());
-    CHECK(cli::unitHint("%", "-").empty());
-    CHECK(cli::unitHint("2%", "Pa").empty());
-    CHECK(cli::unitHint("1e999GPa", "Pa").empty());
+    const auto same = [&](const std::string& one, const std::string& other) {
+        INFO(one);
+        const auto run = program.run(one);
+        const auto plain = program.run(other);
+        CHECK(run.status == plain.status);
+        // Behind it stands how long it took.
+        CHECK(run.out.substr(0, run.out.find("\nroute")) ==
+              plain.out.substr(0, plain.out.find("\nroute")));
+        CHECK_FALSE(run.out.empty());
+    };
+    same("find 3 25 --cells 8 --young 210GPa --density '7.8 g/cm3' --area 1cm2 --gap 0.1mm",
+         "find 3 25 --cells 8 --young 210e9 --density 7800 --area 1e-4 --gap 1e-4");
+    same("find 3 25 --cells 8 --gap '-10 µm'", "find 3 25 --cells 8 --gap -1e-5");
+    same("find --hertz 0.0002kHz", "find --hertz 0.2");
+    same("find 12 96 --cells 30 --damping 2% --force tip",
+         "find 12 96 --cells 30 --damping 0.02 --force tip");
+    same("scene 'clamp 4 gap=0.1mm 6 clamp'", "scene 'clamp 4 gap=1e-4 6 clamp'");
+    checkRefused(program, "find 150 900 --gap 10kg", {"--gap = 10kg", "[m]"});
+    checkRefused(program, "find 150 900 --young 210GHz --density 1 --area 1", {"--young = 210GHz"});
 }
 
 TEST_CASE("cli hints: a stiffness in GPa and a damping in per cent are noticed in the answer")
