@@ -31,10 +31,10 @@ class Energies:
                 all(at(row) <= right for row, right in self.inequalities) and
                 all(s >= 0 for s, may_press in zip(point, self.sums.pressing) if may_press))
 
-    def least(self, certificate):
+    def nearest(self, certificate):
         """r S <= right < 0 for the rows r that the multipliers combine; S >= 0 lets positive r go. So
         right^2 <= (sum of d r^2) (sum of S^2/d), and the sum of z^2 over d residues is S^2/d or
-        more. Equal only for S = right d r / sum of d r^2, if that is a motion."""
+        more. Equal only for S = right d r / sum of d r^2, if that is a motion: that S."""
         left, right, _ = combined(self.sums, certificate, multiplier)
         if right >= 0:
             raise NoProof(f"the right sides add up to {told(right)}, not below 0")
@@ -45,7 +45,11 @@ class Energies:
         point = [Fraction(right * d * r, squares) for d, r in zip(self.sums.widths, left)]
         if not self.holds(point):
             raise NoProof("the multipliers lead to no motion: there may be a better bound")
-        return self.unit * Fraction(right * right, squares)
+        return point
+
+    def least(self, certificate):
+        """The sum of z^2 there."""
+        return self.unit * sum(s * s / d for s, d in zip(self.nearest(certificate), self.sums.widths))
 
     def most(self):
         """The sum of z^2 is convex, so it is largest in a corner: nothing if there is no end to it."""
