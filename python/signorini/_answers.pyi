@@ -500,7 +500,7 @@ class Simulation(_Record):
     tip: float
     held: bool
     energy: float
-    energy_ratio: Any  # float; None without a gap
+    energy_ratio: Any  # float, or None
     balance: EnergyBalance
     events: int
     pieces: int

@@ -5,69 +5,49 @@
 #include <cmath>
 
 #include "arrays.hpp"
+#include "described.hpp"
 #include "excited_names.hpp"
 #include "faults.hpp"
 #include "force.hpp"
 #include "numbers.hpp"
 #include "patience.hpp"
-#include "signorini/settling.hpp"
-#include "signorini/simulation.hpp"
+#include "simulation_answer.hpp"
 
 namespace signorini::python {
 
 namespace {
 
+using answers::Drive;
+
 /// Waves off any grid, and their units.
 using WavesOf = Of<Waves>;
 
-/// What moves the bar.
-struct Drive {
-    Excited place = Excited::tip;
-    double amplitude = 0.0;  ///< [N] or [m]
-    double frequencyRatio = 0.0;
-    double period = 0.0;  ///< [s]
-    double phase = 0.0;
-    std::int64_t steps = 0;
-};
-
-/// What a simulation came to.
-struct Simulated {
-    Scene scene;
-    Damping damping;
-    std::optional<Drive> drive;
-    std::int64_t cells = 0;
-    double time = 0.0;  ///< [L/c]
-    double impulse = 0.0;
-    double tip = 0.0;
-    bool isHeld = false;
+/// What a simulation came to, and all that happened.
+struct Simulated : answers::SimulationAnswer {
     Waves waves;
-    EnergyBalance balance;
-    std::int64_t events = 0;
-    std::int64_t pieces = 0;
-    double merged = 0.0;
-    double resolution = 0.0;  ///< [L/c]
-    std::optional<Settled> settled;
-    std::string why;
     std::vector<ContactEvent> contacts;
     std::vector<TipPoint> path;
 };
 
+template <typename D>
+void describe(D& d, answers::Type<Simulated>)
+{
+    describe(d, answers::Type<answers::SimulationAnswer>());
+}
+
 }  // namespace
 
-template <>
-struct Members<Drive> {
-    static constexpr auto list =
-        std::tuple{&Drive::place,  &Drive::amplitude, &Drive::frequencyRatio,
-                   &Drive::period, &Drive::phase,     &Drive::steps};
-};
-
+SIGNORINI_MEMBERS(Settling, &T::settled, &T::why);
+SIGNORINI_MEMBERS(Drive, &T::place, &T::amplitude, &T::frequencyRatio, &T::phase, &T::steps,
+                  &T::period);
 template <>
 struct Members<Simulated> {
     using T = Simulated;
     static constexpr auto list =
-        std::tuple{&T::scene,  &T::damping,    &T::drive,   &T::cells,   &T::time,     &T::impulse,
-                   &T::tip,    &T::isHeld,     &T::waves,   &T::balance, &T::events,   &T::pieces,
-                   &T::merged, &T::resolution, &T::settled, &T::why,     &T::contacts, &T::path};
+        std::tuple{&T::scene,    &T::damping,    &T::drive,       &T::cells,        &T::resolution,
+                   &T::settling, &T::isComplete, &T::time,        &T::contactCount, &T::impulse,
+                   &T::tip,      &T::isHeld,     &T::energyRatio, &T::balance,      &T::events,
+                   &T::pieces,   &T::merged,     &T::waves,       &T::contacts,     &T::path};
 };
 
 namespace {
@@ -145,132 +125,12 @@ void addWaves(py::module_& module)
         });
 }
 
-void addParts(py::module_& module)
-{
-    Record<Drive>(module, "Drive", "What moves the bar.")
-        .key(
-            "force", [](const Drive& d) { return nameOf(d.place); }, "\"tip\" or \"base\".")
-        .key(
-            "amplitude", [](const Drive& d) { return d.amplitude; }, "[N] or [m]")
-        .key(
-            "frequency_ratio", [](const Drive& d) { return d.frequencyRatio; }, "omega/omega_1.")
-        .key(
-            "frequency", [](const Drive& d) { return 1.0 / d.period; }, "[Hz]")
-        .key(
-            "phase", [](const Drive& d) { return d.phase; }, "At the start [rad].")
-        .key(
-            "steps", [](const Drive& d) { return d.steps; }, "Of a period.");
-    Record<Of<Settled>>(module, "Settled", "How a simulation repeats itself.")
-        .key(
-            "periods", [](const Of<Settled>& s) { return s.value.periods; },
-            "Of the excitation, after which all is as before.")
-        .key(
-            "residual", [](const Of<Settled>& s) { return s.value.residual; },
-            "Bound of the distance to a motion that repeats itself, in its own size.")
-        .key(
-            "contacts", [](const Of<Settled>& s) { return s.value.contacts; }, "In that time.")
-        .key(
-            "impulse", [](const Of<Settled>& s) { return s.value.impulse * impulseUnit(s.bar); },
-            "In that time [N s].");
-    const auto joules = [](double EnergyBalance::*member) {
-        return
-            [member](const Of<EnergyBalance>& b) { return b.value.*member * scales(b.bar).energy; };
-    };
-    Record<Of<EnergyBalance>>(module, "EnergyBalance", "Energy that came and went, in J.")
-        .key("work", joules(&EnergyBalance::work), "Done by the excitation.")
-        .key("dissipated", joules(&EnergyBalance::dissipated), "In the dashpot.")
-        .key("error", joules(&EnergyBalance::error), "What does not add up.");
-}
-
 void addSimulated(py::module_& module)
 {
-    Record<Simulated> record(module, "Simulation", R"(What a bar did, event by event.
-
-Arrays over contacts and the path of the tip come in SI units, and with ``_ratio`` in L/c, g,
-EA g/L and EA g/c on the simulation's own memory.
-)");
-    const auto energy = [](const Simulated& s) { return energyRatio(s.waves); };
-    record
-        .key(
-            "status", [](const Simulated&) { return "done"; }, "\"done\".")
-        .key(
-            "cells", [](const Simulated& s) { return s.cells; }, "Of the state at the start.")
-        .key(
-            "bar", [](const Simulated& s) { return s.scene.bar; }, "Its units.")
-        .key(
-            "stops", [](const Simulated& s) { return stopsIn(s.scene); },
-            "[{\"side\", \"place\" [m]}, ...].")
-        .key(
-            "segments", [](const Simulated& s) { return s.scene.segments; }, "[Segment, ...].")
-        .key(
-            "static_force", [](const Simulated& s) { return staticForce(s.scene); },
-            "What the bar at rest presses on the wall with [N].")
-        .key(
-            "damping",
-            [](const Simulated& s) {
-                return Of<Damping>{s.damping, s.scene.bar};
-            },
-            "A dashpot.")
-        .key(
-            "excitation", [](const Simulated& s) { return orNone(s.drive); }, "A Drive.")
-        .key(
-            "time", [](const Simulated& s) { return s.time * second(s.scene.bar); }, "[s]")
-        .key(
-            "time_ratio", [](const Simulated& s) { return s.time; }, "[L/c]")
-        .key(
-            "contacts", [](const Simulated& s) { return s.contacts.size(); },
-            "How many are over, and pressed.")
-        .key(
-            "impulse", [](const Simulated& s) { return s.impulse * impulseUnit(s.scene.bar); },
-            "Of all of them [N s].")
-        .key(
-            "resolution", [](const Simulated& s) { return s.resolution * second(s.scene.bar); },
-            "Contacts no further apart are one [s].")
-        .key(
-            "settled",
-            [](const Simulated& s) {
-                return orNone(s.settled, [&s](const Settled& settled) {
-                    return py::cast(Of<Settled>{settled, s.scene.bar});
-                });
-            },
-            "How it repeats itself: a Settled, or None.")
-        .key(
-            "why",
-            [](const Simulated& s) {
-                return s.why.empty() ? py::object(py::none()) : py::object(py::str(s.why));
-            },
-            "Where it has not settled, what it does instead.")
-        .key(
-            "tip", [](const Simulated& s) { return s.tip * metre(s.scene.bar); },
-            "u(L) at the end [m].")
-        .key(
-            "held", [](const Simulated& s) { return s.isHeld; }, "Is the tip at the wall?")
-        .key(
-            "energy",
-            [energy](const Simulated& s) { return energy(s) * scales(s.scene.bar).energy; },
-            "At the end [J].")
-        .key(
-            "energy_ratio",
-            [energy](const Simulated& s) -> py::object {
-                return s.scene.bar.gap == 0.0 ? py::object(py::none()) : py::float_(energy(s));
-            },
-            "At the end, E/E_1; None without a gap.")
-        .key(
-            "balance",
-            [](const Simulated& s) {
-                return Of<EnergyBalance>{s.balance, s.scene.bar};
-            },
-            "An EnergyBalance.")
-        .key(
-            "events", [](const Simulated& s) { return s.events; }, "So many.")
-        .key(
-            "pieces", [](const Simulated& s) { return s.pieces; }, "Under way at the end.")
-        .key(
-            "merged", [](const Simulated& s) { return s.merged * metre(s.scene.bar); },
-            "Most that merging faded jumps can have moved [m].");
+    const auto record = classOf<Simulated>(module);
     constexpr auto contacts = &Simulated::contacts;
     constexpr auto path = &Simulated::path;
-    record.more()
+    record->more()
         .def_property_readonly("contact_start", column(contacts, &ContactEvent::start, second),
                                "[s], shape (contacts,).")
         .def_property_readonly("contact_end", column(contacts, &ContactEvent::end, second), "[s]")
@@ -328,15 +188,14 @@ Excitation excitationOf(Drive& drive, double cells, const Bar& bar)
         faults.throwIfAny();
     }
     const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
-    drive.steps = static_cast<std::int64_t>(steps);
     Excitation excitation = signorini::excitationOf(
         {.place = drive.place,
          .amplitude = drive.amplitude / amplitudeUnit(drive.place, bar),
          .phase = drive.phase,
          .cycles = 1,
-         .steps = drive.steps,
+         .steps = static_cast<std::int64_t>(steps),
          .stepsPerCrossing = isWhole ? cells : steps * drive.frequencyRatio / 4.0});
-    drive.period = steps / excitation.stepsPerCrossing * second(bar);
+    drive.follow(excitation, bar);
     return excitation;
 }
 
@@ -382,23 +241,14 @@ Simulated simulated(Simulated answer, const Excitation& excitation, double total
         wires.progress(done + 1.0, stretches);
     }
     if (answer.drive) {
-        const Settling settling = done + 1.0 > stretches ? watch.settling(simulation, stretch)
-                                                         : Settling{{}, "interrupted"};
-        answer.settled = settling.settled;
-        answer.why = settling.why;
+        answer.settling = done + 1.0 > stretches ? watch.settling(simulation, stretch)
+                                                 : Settling{{}, "interrupted"};
     }
     if (stretches > done) {
         simulation.advance((stretches - done) * stretch);
     }
-    answer.time = simulation.time();
-    answer.impulse = simulation.impulse();
-    answer.tip = simulation.tip();
-    answer.isHeld = simulation.isHeld();
+    answer.see(simulation);
     answer.waves = simulation.waves();
-    answer.balance = simulation.balance();
-    answer.events = simulation.events();
-    answer.pieces = simulation.pieces();
-    answer.merged = simulation.merged();
     answer.contacts = simulation.contacts();
     answer.path = simulation.tipPath();
     return answer;
@@ -436,7 +286,7 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
             faults.add("force", *force, namesIn(excitedNames));
             faults.throwIfAny();
         }
-        answer.drive = Drive{*place, *amplitude, *frequency, 0.0, phase, 0};
+        answer.drive = Drive{*place, *amplitude, *frequency, phase};
     }
     const auto drivenBy = [&](double grid) {
         return answer.drive ? excitationOf(*answer.drive, grid, bar)
@@ -472,7 +322,9 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
 void addSimulate(py::module_& module)
 {
     addWaves(module);
-    addParts(module);
+    classOf<Drive>(module);
+    classOf<Of<Settled>>(module);
+    classOf<Of<EnergyBalance>>(module);
     addSimulated(module);
     module.def("simulate", &simulate);
 }

@@ -33,7 +33,7 @@ void goOn(BarSimulation& simulation, double stretch, double total, bool isQuiet,
         progress.show(done, total);
     }
     answer.isComplete = done + 1.0 > total;
-    if (answer.amplitude) {
+    if (answer.drive) {
         answer.settling =
             answer.isComplete ? watch.settling(simulation, stretch) : Settling{{}, "interrupted"};
     }
@@ -165,33 +165,28 @@ ExitStatus SimulateCommand::run() const
     requireWhole();
     const Scene scene = common.scene();
     const Bar bar = firstMaterial(scene);
-    SimulationAnswer answer{.scene = scene,
-                            .damping = force.damping(),
-                            .amplitude = force.amplitude,
-                            .excitation = {},
-                            .frequencyRatio = frequencyRatio.value_or(0.0),
-                            .phase = phase,
-                            .cells = 0,
-                            .settling = {}};
+    SimulationAnswer answer{.scene = scene, .damping = force.damping()};
     Outputs outputs({{"--events", eventsFile}, {"--tip", tipFile}, {"--figure", figureFile}});
     const auto usual = static_cast<double>(common.usualCells());
     const Waves waves = start(scene, excitation(bar, usual).baseDisplacement(0));
     answer.cells = static_cast<std::int64_t>(waves.crossing);
-    answer.excitation = excitation(bar, common.cells ? usual : waves.crossing);
+    const Excitation driving = excitation(bar, common.cells ? usual : waves.crossing);
+    if (force.place) {
+        answer.drive = answers::Drive{*force.place, *force.amplitude, *frequencyRatio, phase};
+        answer.drive->follow(driving, bar);
+    }
     const double second = scales(bar).time;
-    answer.resolution =
-        resolution ? *resolution / second : 1.0 / answer.excitation.stepsPerCrossing;
-    BarSimulation simulation(waves, force.damping(), answer.excitation,
+    answer.resolution = resolution ? *resolution / second : 1.0 / driving.stepsPerCrossing;
+    BarSimulation simulation(waves, force.damping(), driving,
                              {.mergeBelow = {},
                               .recordsTip = !tipFile.empty() || !figureFile.empty(),
                               .stops = stopsOf(scene),
                               .segments = partsOf(scene),
                               .resolution = answer.resolution});
     // In units of the simulation's; a period of the excitation is a whole number of its steps.
-    const double stretch = answer.excitation.steps() > 0
-                               ? static_cast<double>(answer.excitation.steps()) * waves.crossing /
-                                     answer.excitation.stepsPerCrossing
-                               : 16.0 * waves.crossing;
+    const double stretch = driving.steps() > 0 ? static_cast<double>(driving.steps()) *
+                                                     waves.crossing / driving.stepsPerCrossing
+                                               : 16.0 * waves.crossing;
     goOn(simulation, stretch, stretches(stretch, waves.crossing, bar), common.quiet, answer);
     if (!std::isfinite(simulation.energyRatio() * scales(bar).energy)) {
         throw std::overflow_error("the energy [J] is beyond the range of numbers");
@@ -201,7 +196,7 @@ ExitStatus SimulateCommand::run() const
                     [&](const std::string& path) { writeEvents(path, simulation, bar); });
         outputs.put("--tip", [&](const std::string& path) { writeTip(path, simulation, bar); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawSimulation(simulation, answer.excitation, figureFormat(figureFile), path);
+            drawSimulation(simulation, driving, figureFormat(figureFile), path);
         });
         outputs.commit();
     } else if (!common.quiet) {

@@ -6,13 +6,12 @@
 
 #include "json.hpp"
 #include "signorini/output.hpp"
-#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
 std::string asText(const SimulationAnswer& answer, const BarSimulation& simulation)
 {
-    const Bar bar = firstMaterial(answer.scene);
+    const Bar bar = answer.bar();
     const Scales unit = scales(bar);
     const EnergyBalance balance = simulation.balance();
     const double energy = simulation.energyRatio();
@@ -29,7 +28,7 @@ std::string asText(const SimulationAnswer& answer, const BarSimulation& simulati
             settled.periods == 1 ? "period" : fmt::format("{} periods", settled.periods),
             settled.contacts, settled.contacts == 1 ? "" : "s",
             settled.impulse * answers::impulseUnit(bar), settled.residual);
-    } else if (answer.amplitude) {
+    } else if (answer.drive) {
         text += fmt::format("settled     no: {}\n", answer.settling.why);
     }
     text += fmt::format(
@@ -50,51 +49,10 @@ std::string asText(const SimulationAnswer& answer, const BarSimulation& simulati
     return text;
 }
 
-std::string asJson(const SimulationAnswer& answer, const BarSimulation& simulation)
+std::string asJson(SimulationAnswer answer, const BarSimulation& simulation)
 {
-    const Bar bar = firstMaterial(answer.scene);
-    const Scales unit = scales(bar);
-    const EnergyBalance balance = simulation.balance();
-    const double energy = simulation.energyRatio();
-    Json json = newAnswer();
-    json.update(Json{{"status", answer.isComplete ? "done" : "interrupted"},
-                     {"cells", answer.cells},
-                     {"damping", jsonOf(answers::Of<Damping>{answer.damping, bar})},
-                     {"excitation", nullptr},
-                     {"time", simulation.time() * unit.time},
-                     {"time_ratio", simulation.time()},
-                     {"contacts", simulation.contacts().size()},
-                     {"impulse", simulation.impulse() * answers::impulseUnit(bar)},
-                     {"resolution", answer.resolution * unit.time},
-                     {"settled", nullptr},
-                     {"why", answer.settling.why.empty() ? Json() : Json(answer.settling.why)},
-                     {"tip", simulation.tip() * unit.displacement},
-                     {"held", simulation.isHeld()},
-                     {"energy", energy * unit.energy},
-                     {"energy_ratio", bar.gap == 0.0 ? Json() : Json(energy)},
-                     {"balance",
-                      {{"work", balance.work * unit.energy},
-                       {"dissipated", balance.dissipated * unit.energy},
-                       {"error", balance.error * unit.energy}}},
-                     {"events", simulation.events()},
-                     {"pieces", simulation.pieces()},
-                     {"merged", simulation.merged() * unit.displacement}});
-    json.update(jsonOf(answer.scene));
-    if (answer.amplitude) {
-        json["excitation"] = {{"force", name(answer.excitation.place)},
-                              {"amplitude", *answer.amplitude},
-                              {"frequency_ratio", answer.frequencyRatio},
-                              {"frequency", 1.0 / (answer.period() * unit.time)},
-                              {"phase", answer.phase},
-                              {"steps", answer.excitation.steps()}};
-    }
-    if (const auto& settled = answer.settling.settled) {
-        json["settled"] = {{"periods", settled->periods},
-                           {"residual", settled->residual},
-                           {"contacts", settled->contacts},
-                           {"impulse", settled->impulse * answers::impulseUnit(bar)}};
-    }
-    return asLine(json);
+    answer.see(simulation);
+    return asLine(wholeJsonOf(answer));
 }
 
 void writeEvents(const std::string& path, const BarSimulation& simulation, const Bar& bar)

@@ -9,6 +9,7 @@
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
 #include "response_answer.hpp"
+#include "simulation_answer.hpp"
 
 namespace signorini::answers {
 
@@ -148,7 +149,7 @@ int main()
         {"find-forced", nameOf<ForcedAnswer>()},  {"continuum", nameOf<ContinuumAnswer>()},
         {"families", nameOf<FamilyList>()},       {"modes", nameOf<ModeList>()},
         {"modes-phases", nameOf<PolytopeList>()}, {"mode", nameOf<ModeAnswer>()},
-        {"response", nameOf<ResponseAnswer>()}};
+        {"response", nameOf<ResponseAnswer>()},   {"simulate", nameOf<SimulationAnswer>()}};
     (void)nameOf<PolytopeAnswer>();  // of Python alone
     std::cout << Json{{"files", files}, {"records", records()}}.dump(1) << '\n';
 }

@@ -127,6 +127,12 @@ struct Course {
     Excitation excitation;
     double stretch;  ///< a period or 16 L/c, in steps
     double total;    ///< in stretches
+
+    /// Of the excitation [L/c]; 0 without.
+    [[nodiscard]] double period() const
+    {
+        return static_cast<double>(excitation.steps()) / excitation.stepsPerCrossing;
+    }
 };
 
 /// In all, which a page takes seconds for; longer runs are a matter for the command line.
@@ -213,13 +219,8 @@ Simulated simulated(const Request& request, bool recordsTip)
     const bool isForced = course.excitation.steps() > 0;
     Simulated result{{.scene = bar,
                       .damping = course.damping,
-                      .amplitude = isForced ? std::optional(amplitudeOf(request)) : std::nullopt,
-                      .excitation = course.excitation,
-                      .frequencyRatio = 0.0,
-                      .phase = 0.0,
                       .cells = course.cells,
-                      .resolution = 1.0 / static_cast<double>(course.cells),
-                      .settling = {}},
+                      .resolution = 1.0 / static_cast<double>(course.cells)},
                      BarSimulation(course.start, course.damping, course.excitation,
                                    {.mergeBelow = {},
                                     .recordsTip = recordsTip,
@@ -227,7 +228,10 @@ Simulated simulated(const Request& request, bool recordsTip)
                                     .segments = {},
                                     .resolution = 1.0 / static_cast<double>(course.cells)})};
     if (isForced) {
-        result.answer.frequencyRatio = 4.0 / result.answer.period();
+        result.answer.drive = answers::Drive{.place = course.excitation.place,
+                                             .amplitude = amplitudeOf(request),
+                                             .frequencyRatio = 4.0 / course.period()};
+        result.answer.drive->follow(course.excitation, bar);
     }
     SettlingWatch watch(static_cast<std::int64_t>(course.total));
     double done = 0.0;
@@ -280,7 +284,7 @@ Reply showSimulation(const Request& request)
     camera.addTo(reply);
     reply.json["period"] = span;
     reply.json["end"] = end;
-    reply.json["excitation_period"] = whole.answer.period();
+    reply.json["excitation_period"] = course.period();
     return reply;
 }
 

@@ -1,0 +1,147 @@
+#pragma once
+/// \file
+/// What a simulation came to.
+
+#include "parts.hpp"
+#include "signorini/settling.hpp"
+
+namespace signorini::answers {
+
+/// What moves the bar.
+struct Drive {
+    Excited place = Excited::tip;
+    double amplitude = 0.0;       ///< [N] or [m]
+    double frequencyRatio = 0.0;  ///< omega/omega_1
+    double phase = 0.0;           ///< [rad], at the start
+    std::int64_t steps = 0;       ///< of a period
+    double period = 0.0;          ///< [s]
+
+    /// Takes steps and period of an excitation.
+    void follow(const Excitation& excitation, const Bar& bar);
+};
+
+/// Did it reach its end?
+enum class Ending { done, interrupted };
+[[nodiscard]] std::string_view name(Ending ending);
+
+/// The outcome of one call.
+struct SimulationAnswer {
+    Scene scene;
+    Damping damping = {};
+    std::optional<Drive> drive = {};
+    std::int64_t cells = 0;
+    double resolution = 0.0;  ///< [L/c], SimulationOptions::resolution
+    Settling settling = {};
+    bool isComplete = true;
+
+    // What was seen, in the simulation's own units.
+    double time = 0.0;
+    std::int64_t contactCount = 0;
+    double impulse = 0.0;
+    double tip = 0.0;
+    bool isHeld = false;
+    double energyRatio = 0.0;
+    EnergyBalance balance = {};
+    std::int64_t events = 0;
+    std::int64_t pieces = 0;
+    double merged = 0.0;
+
+    /// Takes what was seen so far.
+    void see(const BarSimulation& simulation);
+    /// What units mean: of the first material.
+    [[nodiscard]] Bar bar() const;
+    [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
+    [[nodiscard]] std::optional<Of<Settled>> settled() const;
+};
+
+template <typename D>
+void describe(D& d, Type<Drive>)
+{
+    d.record("Drive", "What moves the bar.");
+    d.key("force", "-", R"(What is excited: "tip" or "base".)", &Drive::place);
+    d.key("amplitude", "N or m > 0", "Of the excitation.", &Drive::amplitude);
+    d.key("frequency_ratio", "- > 0", "omega/omega_1.", &Drive::frequencyRatio);
+    d.key("frequency", "Hz > 0", "Of the excitation.",
+          [](const Drive& drive) { return 1.0 / drive.period; });
+    d.key("phase", "rad", "At the start.", &Drive::phase);
+    d.key("steps", "- >= 3", "Of a period.", &Drive::steps);
+}
+
+template <typename D>
+void describe(D& d, Type<Of<Settled>>)
+{
+    using T = Of<Settled>;
+    d.record("Settled", "How a simulation repeats itself.");
+    d.key("periods", "- >= 1", "Of the excitation, after which all is as before.",
+          [](const T& s) { return s.value.periods; });
+    d.key("residual", "- >= 0",
+          "Bound of the distance to a motion that repeats itself, in its own size.",
+          [](const T& s) { return s.value.residual; });
+    d.key("contacts", "- >= 0", "In that time.", [](const T& s) { return s.value.contacts; });
+    d.key("impulse", "N s >= 0", "In that time.",
+          [](const T& s) { return s.value.impulse * impulseUnit(s.bar); });
+}
+
+template <typename D>
+void describe(D& d, Type<Of<EnergyBalance>>)
+{
+    const auto joules = [](double EnergyBalance::*term) {
+        return [term](const Of<EnergyBalance>& b) { return b.value.*term * scales(b.bar).energy; };
+    };
+    d.record("EnergyBalance", "Energy that came and went.");
+    d.key("work", "J", "Done by the excitation.", joules(&EnergyBalance::work));
+    d.key("dissipated", "J", "In the dashpot.", joules(&EnergyBalance::dissipated));
+    d.key("error", "J", "What does not add up.", joules(&EnergyBalance::error));
+}
+
+/// State and energy at the end.
+template <typename D>
+void describeEnd(D& d)
+{
+    using T = SimulationAnswer;
+    d.key("tip", "m", "u(L) at the end.",
+          [](const T& s) { return s.tip * scales(s.bar()).displacement; });
+    d.key("held", "-", "Is the tip at the wall?", &T::isHeld);
+    d.key("energy", "J >= 0", "At the end.",
+          [](const T& s) { return s.energyRatio * scales(s.bar()).energy; });
+    d.key("energy_ratio", "- >= 0", "At the end, E/E_1, where there is a gap.", [](const T& s) {
+        return s.scene.bar.gap == 0.0 ? std::nullopt : std::optional(s.energyRatio);
+    });
+    d.key("balance", "-", "Of energy since the start.", [](const T& s) {
+        return Of<EnergyBalance>{s.balance, s.bar()};
+    });
+    d.key("events", "- >= 0", "So many.", &T::events);
+    d.key("pieces", "- >= 1", "Under way at the end.", &T::pieces);
+    d.key("merged", "m >= 0", "Most that merging faded jumps can have moved.",
+          [](const T& s) { return s.merged * scales(s.bar()).displacement; });
+}
+
+template <typename D>
+void describe(D& d, Type<SimulationAnswer>)
+{
+    using T = SimulationAnswer;
+    d.record("Simulation", R"(What a bar did, event by event.
+
+Arrays over contacts and the path of the tip come in SI units, and with ``_ratio`` in L/c, g,
+EA g/L and EA g/c on the simulation's own memory.
+)");
+    d.key("status", "-", R"("done", or "interrupted".)", &T::status);
+    d.key("cells", "- >= 1", "Of the state at the start.", &T::cells);
+    describeScene(d, [](const T& s) -> const Scene& { return s.scene; });
+    d.key("damping", "-", "A dashpot.", [](const T& s) { return Of<Damping>{s.damping, s.bar()}; });
+    d.key("excitation", "-", "What moves the bar.", &T::drive);
+    d.key("time", "s >= 0", "Simulated.", [](const T& s) { return s.time * scales(s.bar()).time; });
+    d.key("time_ratio", "L/c >= 0", "Simulated.", &T::time);
+    d.key("contacts", "- >= 0", "How many are over, and pressed.", &T::contactCount);
+    d.key("impulse", "N s >= 0", "Of all of them.",
+          [](const T& s) { return s.impulse * impulseUnit(s.bar()); });
+    d.key("resolution", "s >= 0", "Contacts no further apart are one.",
+          [](const T& s) { return s.resolution * scales(s.bar()).time; });
+    d.key("settled", "-", "How it repeats itself.", &T::settled);
+    d.key("why", "-", "Where it has not settled, what it does instead.", [](const T& s) {
+        return s.settling.why.empty() ? std::nullopt : std::optional(s.settling.why);
+    });
+    describeEnd(d);
+}
+
+}  // namespace signorini::answers
