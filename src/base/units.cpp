@@ -43,9 +43,10 @@ constexpr std::array<Unit, 52> units{{
 }};
 
 /// All of a text, finite. libc++ 14 reads only whole numbers by from_chars.
-std::optional<double> finiteOf(std::string_view text)
+template <typename Number = double>
+std::optional<Number> finiteOf(std::string_view text)
 {
-    double value = 0.0;
+    Number value = 0.0;
     const char* const end = text.data() + text.size();
     if constexpr (requires { std::from_chars(end, end, value); }) {
         const auto [stop, error] = std::from_chars(text.data(), end, value);
