@@ -65,6 +65,15 @@ std::optional<Number> finiteOf(std::string_view text)
 
 }  // namespace
 
+std::optional<std::int64_t> wholeIn(std::string_view text, std::int64_t low, std::int64_t high)
+{
+    std::int64_t value = 0;
+    const char* const end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    const bool isWhole = error == std::errc{} && stop == end && value >= low && value <= high;
+    return isWhole ? std::optional(value) : std::nullopt;
+}
+
 std::optional<double> numberIn(std::string_view text, std::string_view unit)
 {
     if (const auto plain = finiteOf(text)) {

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <limits>
 #include <system_error>
 
 #include "faults.hpp"
@@ -38,21 +38,13 @@ extern "C" void removeStagedAndQuit(int number)
     _exit(128 + number);
 }
 
-template <typename Number>
-bool readAll(std::string_view text, Number& value)
-{
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    return error == std::errc{} && stop == end;
-}
-
 /// A whole number > 0 of at most 18 digits.
 std::optional<std::int64_t> wholeOf(std::string_view digits)
 {
     constexpr std::size_t mostDigits = 18;
-    std::int64_t value = 0;
-    const bool isWhole = digits.size() <= mostDigits && readAll(digits, value) && value > 0;
-    return isWhole ? std::optional(value) : std::nullopt;
+    return digits.size() <= mostDigits
+               ? wholeIn(digits, 1, std::numeric_limits<std::int64_t>::max())
+               : std::nullopt;
 }
 
 /// A decimal number without an exponent, of at most 18 digits.
@@ -139,11 +131,11 @@ void removeOnSignal(const std::string& path)
 std::int64_t parseWhole(std::string_view name, std::string_view text, std::int64_t low,
                         std::int64_t high)
 {
-    std::int64_t value = 0;
-    if (!readAll(text, value) || value < low || value > high) {
+    const auto value = wholeIn(text, low, high);
+    if (!value) {
         refuse(name, text, fmt::format("whole numbers {}..{}", low, high));
     }
-    return value;
+    return *value;
 }
 
 double parsePositive(std::string_view name, std::string_view text, std::string_view unit)

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "files.hpp"
 #include "find_command.hpp"
 #include "interrupt.hpp"
@@ -11,21 +9,13 @@
 #include "network_state_file.hpp"
 #include "scene_report.hpp"
 #include "signorini/find_periodic.hpp"
+#include "units.hpp"
 
 namespace signorini::cli {
 
 namespace {
 
 constexpr std::int64_t mostSceneSteps = 1'000'000;
-
-/// A whole number from 1 to `most`; 0 if it is none.
-std::int64_t wholeIn(std::string_view text, std::int64_t most)
-{
-    std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool isWhole = error == std::errc() && end == text.data() + text.size();
-    return isWhole && value >= 1 && value <= most ? value : 0;
-}
 
 ContactSet setOf(std::string_view text, std::size_t contacts, const std::string& word)
 {
@@ -36,9 +26,9 @@ ContactSet setOf(std::string_view text, std::size_t contacts, const std::string&
     for (bool isLast = false; !isLast;) {
         const std::size_t plus = text.find('+');
         isLast = plus == std::string_view::npos;
-        const auto number = wholeIn(text.substr(0, plus), static_cast<std::int64_t>(contacts));
-        const ContactSet one = number > 0 ? ContactSet{1} << (number - 1) : 0;
-        if (number == 0 || (closed & one) != 0) {
+        const auto number = wholeIn(text.substr(0, plus), 1, static_cast<std::int64_t>(contacts));
+        const ContactSet one = number ? ContactSet{1} << (*number - 1) : 0;
+        if (!number || (closed & one) != 0) {
             refuse(
                 "schedule", word,
                 fmt::format("SET:STEPS, SET - or different contacts 1..{} joined by +", contacts));
@@ -201,19 +191,19 @@ std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words, std::
     }
     for (const std::string& word : words) {
         const std::size_t colon = word.find(':');
-        const std::int64_t steps =
-            arePairs ? wholeIn(word, mostSceneSteps)
-            : colon == std::string::npos
-                ? 0
-                : wholeIn(std::string_view(word).substr(colon + 1), mostSceneSteps);
-        if (steps == 0) {
+        std::string_view number = word;
+        if (!arePairs) {
+            number.remove_prefix(colon == std::string::npos ? word.size() : colon + 1);
+        }
+        const auto steps = wholeIn(number, 1, mostSceneSteps);
+        if (!steps) {
             refuse(
                 "schedule", word,
                 fmt::format("{}, steps 1..{}", arePairs ? "NC NF" : "SET:STEPS", mostSceneSteps));
         }
         spans.push_back({arePairs ? (spans.size() % 2 == 0 ? 1U : 0U)
                                   : setOf(std::string_view(word).substr(0, colon), contacts, word),
-                         steps});
+                         *steps});
     }
     return spans;
 }

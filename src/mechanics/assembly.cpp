@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -27,19 +26,12 @@ constexpr const char* allWords =
     throw std::logic_error("a fault was added");
 }
 
-/// A finite number in a unit, or a whole number.
+/// A finite number in a unit.
 bool readNumber(std::string_view text, std::string_view unit, double& value)
 {
     const auto read = numberIn(text, unit);
     value = read.value_or(value);
     return read.has_value();
-}
-
-bool readNumber(std::string_view text, std::int64_t& value)
-{
-    const char* const end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    return error == std::errc{} && stop == end;
 }
 
 struct PlainWord {
@@ -76,7 +68,8 @@ AssemblyPart cellsOf(std::size_t number, std::string_view word)
         return taken;
     };
     const bool endsWithColon = word.back() == ':';
-    bool isGood = readNumber(take(), part.cells) && part.cells >= 1 && part.cells <= maxCells;
+    part.cells = wholeIn(take(), 1, maxCells).value_or(0);
+    bool isGood = part.cells > 0;
     for (double* value : {&part.impedance, &part.speed}) {
         if (!rest.empty()) {
             isGood = readNumber(take(), "-", *value) && *value >= 1.0 / mostImpedance &&
