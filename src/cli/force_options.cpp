@@ -18,8 +18,12 @@ void ForceOptions::addTo(CLI::App& command)
             });
     addName(command, "--force", excitedNames, place,
             "a harmonic force on the tip, or a moving base");
-    addPositive(command, "--amplitude", "N or m", amplitude, "A",
-                "of the force in newtons, or of the base in metres");
+    // Behind --force: options are read in the order in which they are declared.
+    addWord(command, "--amplitude", "A", "of the force in newtons, or of the base in metres",
+            [this](const std::string& text) {
+                const char* unit = !place ? "N or m" : place == Excited::tip ? "N" : "m";
+                amplitude = parsePositive("--amplitude", text, unit);
+            });
 }
 
 double ForceOptions::scaledAmplitude(const Bar& bar) const

@@ -77,6 +77,10 @@ TEST_CASE("cli: a number may carry its unit")
     same("find 12 96 --cells 30 --damping 2% --force tip",
          "find 12 96 --cells 30 --damping 0.02 --force tip");
     same("scene 'clamp 4 gap=0.1mm 6 clamp'", "scene 'clamp 4 gap=1e-4 6 clamp'");
+    const std::string driven = "find 12 96 --cells 30 --damping 0.02 --amplitude ";
+    same(driven + "250mN --force tip", driven + "0.25 --force tip");
+    same(driven + "0.4mm --force base", driven + "4e-4 --force base");
+    checkRefused(program, driven + "5kN --force base", {"--amplitude = 5kN", "[m]"});
     checkRefused(program, "find 150 900 --gap 10kg", {"--gap = 10kg", "[m]"});
     checkRefused(program, "find 150 900 --young 210GHz --density 1 --area 1", {"--young = 210GHz"});
 }
