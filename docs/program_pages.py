@@ -14,6 +14,7 @@ EXAMPLES = {
     "response": "response --damping 0.02 --force tip --amplitude 2e-4 --from 1.1 --to 1.11",
     "simulate": "simulate --rest --damping 0.02 --force tip --amplitude 2e-4"
     " --frequency 1.1 --periods 300",
+    "sweep": "sweep --damping 0.02 --force tip --amplitude 2e-4 --from 1.05 --to 1.25 --points 5 --cells 30",
     "scene": "scene clamp 150 gap=1e-3 200:1.3 clamp",
 }
 TITLES = {"Positionals:": "Arguments", "Options:": "Options"}

@@ -11,10 +11,24 @@
 
 #include "cddlib.hpp"
 #include "scene_oracle.hpp"
+#include "signorini/motion.hpp"
 
 namespace signorini::test {
 
 using Waves2N = std::vector<double>;
+
+/// a from the wall to the clamp, then -b back: a wave that runs to and fro.
+inline Waves2N waves2NOf(const State& state)
+{
+    Waves2N waves;
+    for (Eigen::Index i = state.cells(); i-- > 0;) {
+        waves.push_back(state.a[i]);
+    }
+    for (const double value : state.b) {
+        waves.push_back(-value);
+    }
+    return waves;
+}
 
 /// Which waves arrive in a period, and with which signs.
 inline std::set<std::pair<std::size_t, int>> arrivalsOf(const Schedule& schedule)

@@ -138,6 +138,54 @@ struct AtlasTally {
     friend bool operator==(const AtlasTally&, const AtlasTally&) = default;
 };
 
+/// A row of table `schedules`.
+struct AtlasEntry {
+    Schedule schedule;
+    AtlasRow row;  ///< `number`: its rowid; energies that are not known read as infinite
+    std::optional<std::int64_t> family;  ///< id of its AtlasFamily (`row.familyTop` is not read)
+};
+
+/// steps/N [L/c], of its motions.
+[[nodiscard]] double period(const AtlasEntry& entry);
+
+/// 4N/steps, of its motions.
+[[nodiscard]] double frequencyRatio(const AtlasEntry& entry);
+
+/// Different orbits of one period and one energy: the motions of least energy of families and of
+/// schedules of several phases.
+struct Twins {
+    std::vector<AtlasFamily> families;
+    std::vector<AtlasEntry> schedules;
+};
+
+/// T [L/c], omega/omega_1 and E/E_1 of all of them.
+[[nodiscard]] inline double period(const Twins& twins)
+{
+    return twins.families.empty() ? period(twins.schedules[0]) : period(twins.families[0]);
+}
+[[nodiscard]] inline double frequencyRatio(const Twins& twins)
+{
+    return twins.families.empty() ? frequencyRatio(twins.schedules[0])
+                                  : frequencyRatio(twins.families[0]);
+}
+[[nodiscard]] inline double energyRatio(const Twins& twins)
+{
+    return twins.families.empty() ? twins.schedules[0].row.energy.least
+                                  : twins.families[0].energy.least;
+}
+
+/// A range in a database and how far it has come.
+struct AtlasRun {
+    std::int64_t id = 0;
+    AtlasRange range;
+    std::int64_t nextBatch = 0;  ///< the first not decided yet
+    std::int64_t batches = 0;    ///< all of them
+    AtlasTally tally;            ///< of the batches decided
+    double seconds = 0.0;        ///< [s], spent on it by all calls together
+
+    [[nodiscard]] bool isFinished() const { return nextBatch == batches; }
+};
+
 /// The proof that a schedule of a bar of several segments has no motion: multipliers over the rows
 /// of the joints form, as docs/certificates.md describes them, in text: "row:value ..." of the
 /// equalities, "; ", and the same of the inequalities.

@@ -47,31 +47,6 @@ namespace signorini {
 class Connection;
 class BatchWriter;
 
-/// A range in a database and how far it has come.
-struct AtlasRun {
-    std::int64_t id = 0;
-    AtlasRange range;
-    std::int64_t nextBatch = 0;  ///< the first not decided yet
-    std::int64_t batches = 0;    ///< all of them
-    AtlasTally tally;            ///< of the batches decided
-    double seconds = 0.0;        ///< [s], spent on it by all calls together
-
-    [[nodiscard]] bool isFinished() const { return nextBatch == batches; }
-};
-
-/// A row of table `schedules`.
-struct AtlasEntry {
-    Schedule schedule;
-    AtlasRow row;  ///< `number`: its rowid; energies that are not known read as infinite
-    std::optional<std::int64_t> family;  ///< id of its AtlasFamily (`row.familyTop` is not read)
-};
-
-/// steps/N [L/c], of its motions.
-[[nodiscard]] double period(const AtlasEntry& entry);
-
-/// 4N/steps, of its motions.
-[[nodiscard]] double frequencyRatio(const AtlasEntry& entry);
-
 /// Decided batches, one by one, by ascending number.
 class BatchSource {
 public:
@@ -88,13 +63,6 @@ public:
 enum class AtlasSchedules {
     all,
     withoutFamily,  ///< of several phases, or without motions; found by an index
-};
-
-/// Different orbits of one period and one energy: the motions of least energy of families and of
-/// schedules of several phases.
-struct Twins {
-    std::vector<AtlasFamily> families;
-    std::vector<AtlasEntry> schedules;
 };
 
 /// An atlas that exists, or is to be made.

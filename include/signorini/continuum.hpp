@@ -174,9 +174,4 @@ struct Member {
 [[nodiscard]] std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio,
                                                std::int64_t count, std::uint64_t seed = 1);
 
-/// The number of components of the motions with E/E_1 = energyRatio, decided in rational numbers: 0
-/// outside the range. Empty if it exceeds 64 bits.
-[[nodiscard]] std::optional<std::int64_t> componentsAt(const OnePhaseSet& whole,
-                                                       double energyRatio);
-
 }  // namespace signorini

@@ -16,6 +16,7 @@
 #include "signorini/output.hpp"
 #include "signorini/response.hpp"
 #include "signorini/simulation.hpp"
+#include "signorini/sweep.hpp"
 
 namespace signorini {
 
@@ -33,6 +34,10 @@ enum class FigureFormat { svg, png, pdf };
 /// \throws std::invalid_argument if the result holds no motion, BackendUnavailable if gnuplot is
 /// missing or fails, FileError if `path` cannot be written.
 void drawMotion(const PeriodicResult& result, FigureFormat format, const std::string& path);
+
+/// The same of a forced motion: where a base moves u(0, t) does.
+void drawMotion(const ForcedMotion& motion, const Scene& scene, FigureFormat format,
+                const std::string& path);
 
 /// Draws a curve of motions, in SI units: its members stacked upwards by lambda, as the force of
 /// the wall against time, which tells orbits apart, and as strain and velocity at t = 0 along the
@@ -139,6 +144,18 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
 /// the least one of a motion with contact; between the two edges several coexist. Motions with two
 /// contacts are diamonds, the amplitude of the range is a line across. Errors as above.
 void drawResponseMap(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
+                     FigureFormat format, const std::string& path);
+
+/// Draws impulse and swing of a sweep against what was varied, upward and downward, with strokes
+/// from least to most where the bar does not repeat itself, over the motions of a response, if any
+/// (of the same bar and force). In SI units. \throws std::invalid_argument if there is no point;
+/// BackendUnavailable, FileError as above.
+void drawSweep(std::span<const SweepPoint> points, const SweepRange& range, const Bar& bar,
+               std::span<const FrequencyResponse> exact, FigureFormat format,
+               const std::string& path);
+
+/// Draws the impulse of each contact against what was varied. Errors as above.
+void drawBifurcation(std::span<const SweepPoint> points, const SweepRange& range, const Bar& bar,
                      FigureFormat format, const std::string& path);
 
 /// Draws what a simulation saw: the tip beside the wall with its contacts, at the beginning and at

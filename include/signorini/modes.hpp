@@ -296,12 +296,6 @@ bool forEachFamily(std::int64_t maxOrder, const FamilyBounds& bounds, const Fami
 [[nodiscard]] std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks,
                                              int gapSign = 1);
 
-/// Visits the families of a grid, those with w | 2N, by ascending w, nu, k. O(N log N) steps and
-/// no memory. \returns false if it was ended early.
-/// \throws std::invalid_argument naming each argument that is out of range.
-bool forEachFamilyOnGrid(std::int64_t cells, const FamilyBounds& bounds,
-                         const FamilyVisitor& visitor);
-
 /// The schedule whose set is the family's whole simplex: n_c = kG, n = nu G, G = 2N/w; of (w, 1, 1)
 /// the first face, n_c = G - 1. \throws std::invalid_argument unless w divides 2N (and w < 2N
 /// there).

@@ -125,6 +125,9 @@ struct Physical {
 /// O(1). \throws std::invalid_argument on an invalid bar.
 [[nodiscard]] Physical physicalOf(const Extremes& extremes, const Bar& bar);
 
+struct Damping;
+struct Excitation;
+
 /// Random access to the field of one motion.
 class Motion {
 public:
@@ -137,6 +140,11 @@ public:
     /// memory. \throws std::invalid_argument if the cells do not match, or for more than
     /// maxKeptValues of them.
     Motion(const State& state, const Schedule& schedule, std::span<const Segment> segments);
+
+    /// The same of a bar that is damped and forced (simulation.hpp): u(0, t) is what its base does.
+    /// An excitation without values is none.
+    Motion(const State& state, const Schedule& schedule, std::span<const Segment> segments,
+           const Damping& damping, const Excitation& excitation);
 
     /// Most cells times instants of a motion that is kept.
     static constexpr std::int64_t maxKeptValues = 20'000'000;
@@ -152,8 +160,9 @@ public:
     [[nodiscard]] double velocity(std::int64_t cell, std::int64_t instant) const;
     /// s on cell i in 1..N right after t_m, in units of g/L.
     [[nodiscard]] double strain(std::int64_t cell, std::int64_t instant) const;
-    /// Force on the wall in step m in 0..n-1, 2 p_m in contact and 0 in flight [EA g/L]; negative
-    /// at the second stop. What rounding leaves of a zero, 1e-9 of the largest |p|, is no force.
+    /// Force on the wall in step m in 0..n-1, 2 p_m + F in contact and 0 in flight [EA g/L];
+    /// negative at the second stop. What rounding leaves of a zero, 1e-9 of the largest |p|, is no
+    /// force.
     [[nodiscard]] double wallForce(std::int64_t step) const;
 
     /// The same at any place and time, exactly, as waves are constant on each cell and step: x in

@@ -187,10 +187,13 @@ struct AmplitudeExclusion {
 
 /// Which motions to list.
 struct ResponseRange {
-    std::int64_t cells = 300;          ///< [-], N
-    Damping damping = {0.02};          ///< ratio > 0
-    Excited place = Excited::tip;      ///< what is excited
-    double amplitude = 1.0;            ///< [EA g/L] or [g], > 0
+    std::int64_t cells = 300;      ///< [-], N
+    Damping damping = {0.02};      ///< ratio > 0
+    Excited place = Excited::tip;  ///< what is excited
+    double amplitude = 1.0;        ///< [EA g/L] or [g], > 0
+    /// [-], 1 or 2: the amplitude is that of the base's velocity [c g/L] or acceleration [c^2
+    /// g/L^2].
+    int derivative = 0;
     std::int64_t cycles = 1;           ///< [-], K; above 1: subharmonic motions
     double leastFrequencyRatio = 0.5;  ///< of the excitation, omega/omega_1 = 4 N K/n; > 0
     double mostFrequencyRatio = 2.0;   ///< >= least

@@ -16,6 +16,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,5 +92,20 @@ private:
     std::deque<Counted> counted_;  ///< at the ends of the last periods
     std::vector<Kept> kept_;       ///< in the order of time
 };
+
+/// What came of following a simulation.
+struct Followed {
+    Settling settling;
+    bool isComplete = true;  ///< false: it was cancelled, and ends with the stretch under way
+};
+
+/// One period of the excitation in units of the simulation's start; 16 crossings without any.
+[[nodiscard]] double stretchOf(const Excitation& excitation, double crossing);
+
+/// Goes on for `total` stretches of time (a part of one at the end is not watched) and says what
+/// the simulation has settled on. `show(done, total)` is called after each.
+[[nodiscard]] Followed follow(BarSimulation& simulation, double stretch, double total,
+                              const Cancel& cancel = {},
+                              const std::function<void(double, double)>& show = {});
 
 }  // namespace signorini

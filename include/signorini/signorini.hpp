@@ -23,4 +23,5 @@
 #include "signorini/schedule.hpp"
 #include "signorini/settling.hpp"
 #include "signorini/simulation.hpp"
+#include "signorini/sweep.hpp"
 #include "signorini/verification.hpp"

@@ -57,10 +57,6 @@ void validate(const Damping& damping);
 /// eta EA/c [N s/m] for a bar.
 [[nodiscard]] double dashpot(const Damping& damping, const Bar& bar);
 
-/// The damping of a dashpot [N s/m]. \throws std::invalid_argument unless 0 <= dashpot < EA/c, and
-/// the ratio in its range.
-[[nodiscard]] Damping dampingOfDashpot(double dashpot, const Bar& bar);
-
 /// What is moved from outside.
 enum class Excited {
     tip,   ///< a force on the tip
@@ -96,6 +92,9 @@ inline constexpr std::int64_t maxExcitationSteps = 100'000'000;
 /// that is not finite and positive.
 void validate(const Excitation& excitation);
 
+/// The same excitation in `factor` >= 1 times as many steps. O(factor n).
+[[nodiscard]] Excitation refined(const Excitation& excitation, std::int64_t factor);
+
 /// K cycles in n steps: tip F cos(2 pi K (m + 1/2)/n - phase), base Y cos(2 pi K m/n - phase).
 struct Harmonic {
     Excited place = Excited::tip;
@@ -109,6 +108,13 @@ struct Harmonic {
 /// Its values. O(n). \throws std::invalid_argument unless 1 <= n <= maxExcitationSteps,
 /// 1 <= 2K <= n, and the other numbers are finite, stepsPerCrossing > 0.
 [[nodiscard]] Excitation excitationOf(const Harmonic& harmonic);
+
+/// One cycle of frequency omega/omega_1 = W, a period of 4/W L/c: in as many whole steps as come
+/// nearest to `stepsPerCrossing` in L/c, which then is what makes the period exact. `steps` and
+/// `cycles` are not read. \throws as above, and std::invalid_argument naming `field` where that
+/// would be fewer than 3 or more than maxExcitationSteps.
+[[nodiscard]] Excitation excitationAt(Harmonic harmonic, double frequencyRatio,
+                                      std::string_view field = "frequency");
 
 /// A stretch of a wave with one value.
 struct Piece {
@@ -155,6 +161,9 @@ struct ContactEvent {
     /// [EA g/L], largest mean over the stretches of the resolution that follow each other from its
     /// start; the peak where the resolution is 0.
     double meanForce = 0.0;
+    double speed = 0.0;  ///< [c g/L], of the tip when it came to the stop; 0: it started there
+    /// [E_1], turned over: of the waves that the stop sends back, int 2 Z p^2 dt.
+    double energy = 0.0;
     Stop stop = Stop::right;
 
     friend bool operator==(const ContactEvent&, const ContactEvent&) = default;
@@ -303,9 +312,9 @@ private:
     void place(const Waves& start);
     void step(double most);
     void send(double q, double lasts);
-    void press(double push, double lasts);
+    void press(double push, double p, double lasts);
     void closeContact();
-    void hold(Stop stop);
+    void hold(Stop stop, double speed);
     void recordTip();
     [[nodiscard]] double storedSquares() const;
     [[nodiscard]] Waves wavesOfEcho() const;
@@ -327,6 +336,7 @@ private:
     std::vector<SegmentLines> segments_;
     std::vector<Segment> parts_;
     bool isHeld_ = false;
+    double speed_ = 0.0;  ///< with which the stop that holds was met
     Stop stop_ = Stop::right;
     Sum opening_;        ///< place of the wall - u(L), in g times units of time per crossing
     Sum time_;           ///< units

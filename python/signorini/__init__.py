@@ -28,15 +28,18 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable,
                     PolytopeMotion,
                     ProgramProof, Residuals, Result, Scene,
                     Schedule, Segment, Settled, Simulation, SolutionSet,
-                    SolverReport, State, Waves, __version__, backends,
-                    SteppedProof)
+                    SolverReport, State, SteppedProof, Sweep, SweepPoint,
+                    Waves, __version__, backends)
 from ._find import continuum, find
-from ._forced import Response, response, simulate
+from ._forced import Response, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
+from ._notebook import be_at_home
 from ._question import Question
+from ._study import StudyPoint, study
 from ._tables import Table
 
 let_speak(_core)
+be_at_home()
 
 if TYPE_CHECKING:
     from types import ModuleType
@@ -52,9 +55,10 @@ __all__ = [
     "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question",
     "Residuals", "Response", "Result", "Scene", "Schedule", "Segment",
     "Settled", "Simulation", "SolutionSet", "SolverReport", "State",
-    "SteppedProof", "Table", "Waves", "__version__", "backends", "continuum",
+    "SteppedProof", "StudyPoint", "Sweep", "SweepPoint", "Table", "Waves",
+    "__version__", "backends", "continuum",
     "families", "find", "mode", "modes", "plot", "polytope", "response",
-    "simulate",
+    "simulate", "study", "sweep",
 ]
 
 

@@ -1,16 +1,21 @@
 """Types of the answers of the compiled part; stubs alone, no module."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any, Optional, overload
+from typing import Any, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Fields,
-                    _Record)
+                    _OfPeriod, _OfTimeRatio, _Record)
 
 Array = NDArray[np.float64]
 Bounds = tuple[float, Optional[float]]
+
+_T = TypeVar("_T")
+# What it is, or None: who has looked at the status, at the gap or at the
+# modulus need not look again.
+Known = Union[_T, Any]
 
 class Physical(_Record):
     frequency: float
@@ -20,7 +25,7 @@ class Physical(_Record):
     approach_speed: float
     peak_compression: float
     peak_tension: float
-    peak_stress: Optional[float]
+    peak_stress: Known[float]
     tip_lowest: float
 
 class Residuals(_Record):
@@ -110,18 +115,19 @@ class Result(_Record):
     period_ratio: float
     frequency_ratio: float
     kernel_dimension: Optional[int]
-    solution_set: Any  # SolutionSet, or None
-    family: Any  # FamilyPlace, or None
+    solution_set: Known[SolutionSet]
+    family: Known[FamilyPlace]
     objective: str
     contact: Optional[str]
-    canonical_schedule: Any  # list[tuple[int, int]], or None
-    energy: Any  # float, or None
-    energy_ratio: Any  # float, or None
-    energy_ratio_range: Any  # Bounds, or None
-    energy_section: Any  # EnergySection, or None
-    physical: Any  # Physical, or None
+    canonical_schedule: Known[list[tuple[int, int]]]
+    approach_speeds: Known[list[float]]
+    energy: Known[float]
+    energy_ratio: Known[float]
+    energy_ratio_range: Known[Bounds]
+    energy_section: Known[EnergySection]
+    physical: Known[Physical]
     admissible: Optional[bool]
-    residuals: Any  # Residuals, or None
+    residuals: Known[Residuals]
     reason: Optional[str]
     certificate: Any  # one of several, or None
     route: str
@@ -129,16 +135,18 @@ class Result(_Record):
     left_out: list[str]
     solver: SolverReport
     repetitions: Optional[int]
-    pressing_phases: Any  # list[bool], or None
+    pressing_phases: Known[list[bool]]
     symmetric: Optional[bool]
-    peak_strain: Any  # float, or None
+    peak_strain: Known[float]
     target: Optional[str]
-    distance: Any  # float, or None
+    distance: Known[float]
     detail: Optional[str]
     scene: Scene
-    state: Any  # State; None where there is no motion
-    motion: Any  # Motion; None where there is no motion
+    state: Known[State]
+    motion: Known[Motion]
     def is_proof(self) -> bool: ...
+    found: bool
+    def __bool__(self) -> bool: ...
 
 class QuestionData(_Record):
     bar: Bar
@@ -153,7 +161,7 @@ class QuestionData(_Record):
 class ContinuumPoint(_Record):
     lambda_: float
     energy: float
-    energy_ratio: Any  # float, or None
+    energy_ratio: Known[float]
     residual: float
     peak_strain: float
     physical: Physical
@@ -170,7 +178,7 @@ class Continuum(_Record):
     period_ratio: float
     frequency_ratio: float
     energy: float
-    energy_ratio: Any  # float, or None
+    energy_ratio: Known[float]
     connected: Optional[bool]
     components: Optional[int]
     dimension: Optional[int]
@@ -197,6 +205,9 @@ class Continuum(_Record):
     @overload
     def __getitem__(self, at: slice) -> list[ContinuumPoint]: ...
     def __iter__(self) -> Iterator[ContinuumPoint]: ...
+    found: bool
+    def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
 
 class Family(_Record):
     order: int
@@ -226,8 +237,8 @@ class Mode(_Record):
     bar: Bar
     kappa: int
     mu: int
-    def energy_ratio(self, period_ratio: ArrayLike) -> Any: ...
-    def contact_time_ratio(self, period_ratio: ArrayLike) -> Any: ...
+    energy_ratio: _OfPeriod
+    contact_time_ratio: _OfPeriod
     def schedule(self, cells: int, steps: int) -> Schedule: ...
     def families(self, max_order: int) -> list[Family]: ...
     def motion(self, period_ratio: float) -> ModeMotion: ...
@@ -236,7 +247,7 @@ class _OnNoGrid(_Fields):
     amplitude_ratio: float
     jump_times_ratio: Array
     def to_dict(self) -> dict[str, Any]: ...
-    def p(self, t_ratio: ArrayLike) -> Any: ...
+    p: _OfTimeRatio
     def state(self, cells: int) -> State: ...
 
 class ModeMotion(_OnNoGrid):
@@ -290,7 +301,7 @@ class ModePolytope(_Record):
     energy_range: Bounds
     bar: Bar
     phases: int
-    def energy_ratio(self, period_ratio: ArrayLike) -> Any: ...
+    energy_ratio: _OfPeriod
     def slice(self, period_ratio: float) -> Array: ...
     def stretches(self, period_ratio: float, arrivals: Sequence[float]
                   ) -> Array: ...
@@ -336,13 +347,15 @@ class AtlasSchedule(_Record):
     canonical: Optional[bool]
     energy_range: Optional[Bounds]
     energy_ratio_range: Optional[Bounds]
+    found: bool
+    def __bool__(self) -> bool: ...
 
 class AtlasRun(_Record):
     cells: int
     max_contact: int
     max_free: int
     phases: int
-    max_energy_ratio: float
+    max_energy_ratio: Optional[float]
     families_only: bool
     finished: bool
     decided: int
@@ -416,6 +429,9 @@ class ForcedResult(_Record):
     segments: list[Segment]
     static_force: float
     detail: Optional[str]
+    found: bool
+    def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
 
 class PermanentContact(_Record):
     least_force: float
@@ -446,6 +462,7 @@ class ResponseData(_Record):
     damping: Damping
     force: str
     amplitude: float
+    amplitude_of: str
     cycles: int
     contacts: int
     band: Optional[float]
@@ -471,6 +488,42 @@ class EnergyBalance(_Record):
     work: float
     dissipated: float
     error: float
+
+class SweepPoint(_Record):
+    value: float
+    direction: str
+    frequency: float
+    periods: Optional[int]
+    residual: Optional[float]
+    why: Optional[str]
+    watched: int
+    contacts: float
+    contacts_range: tuple[int, int]
+    impulse: float
+    impulse_range: tuple[float, float]
+    impulses: list[float]
+    mean_force: float
+    tip_lowest: float
+    tip_highest: float
+    peak_strain: Optional[float]
+    peak_stress: Known[float]
+
+class Sweep(_Record):
+    status: str
+    bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
+    over: str
+    damping: Optional[Damping]
+    force: str
+    amplitude: Optional[float]
+    amplitude_of: str
+    cells: int
+    carried: bool
+    yield_stress: Optional[float]
+    points: list[SweepPoint]
+    def frame(self) -> Any: ...
 
 class Waves:
     def to_dict(self) -> dict[str, Any]: ...
@@ -500,7 +553,7 @@ class Simulation(_Record):
     tip: float
     held: bool
     energy: float
-    energy_ratio: Any  # float, or None
+    energy_ratio: Known[float]
     balance: EnergyBalance
     events: int
     pieces: int
@@ -511,6 +564,8 @@ class Simulation(_Record):
     contact_impulse: Array
     contact_peak_force: Array
     contact_mean_force: Array
+    contact_speed: Array
+    contact_energy: Array
     contact_start_ratio: Array
     contact_end_ratio: Array
     contact_impulse_ratio: Array
@@ -520,3 +575,4 @@ class Simulation(_Record):
     tip_time_ratio: Array
     tip_displacement_ratio: Array
     waves: Waves
+    def frame(self) -> Any: ...

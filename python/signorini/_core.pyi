@@ -1,7 +1,7 @@
 """Types of the compiled part. Its docstrings are the documentation."""
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any, Optional, Union, overload
+from typing import Any, Optional, Protocol, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,6 +22,7 @@ class BackendUnavailable(RuntimeError): ...
 
 class _Record:
     def to_dict(self) -> dict[str, Any]: ...
+    def _repr_html_(self) -> str: ...
 
 class Bar(_Record):
     def __init__(self, *, length: float = ...,
@@ -106,16 +107,41 @@ class State:
     def read(path: str, bar: Optional[Bar] = ...,
              cells: int = ...) -> State: ...
 
+# Functions of numbers or arrays: a float for numbers, else an Array of the
+# shape that they have together.
+class _Field(Protocol):
+    @overload  # type: ignore[misc]
+    def __call__(self, x: float, t: float) -> float: ...
+    @overload
+    def __call__(self, x: ArrayLike, t: ArrayLike) -> Array: ...
+
+class _OfTime(Protocol):
+    @overload  # type: ignore[misc]
+    def __call__(self, t: float) -> float: ...
+    @overload
+    def __call__(self, t: ArrayLike) -> Array: ...
+
+class _OfTimeRatio(Protocol):
+    @overload  # type: ignore[misc]
+    def __call__(self, t_ratio: float) -> float: ...
+    @overload
+    def __call__(self, t_ratio: ArrayLike) -> Array: ...
+
+class _OfPeriod(Protocol):
+    @overload  # type: ignore[misc]
+    def __call__(self, period_ratio: float) -> float: ...
+    @overload
+    def __call__(self, period_ratio: ArrayLike) -> Array: ...
+
 class _Fields:
-    # A float for two numbers, else an Array of the shape of both.
-    def displacement(self, x: ArrayLike, t: ArrayLike) -> Any: ...
-    def velocity(self, x: ArrayLike, t: ArrayLike) -> Any: ...
-    def strain(self, x: ArrayLike, t: ArrayLike) -> Any: ...
-    def displacement_ratio(self, x: ArrayLike, t: ArrayLike) -> Any: ...
-    def velocity_ratio(self, x: ArrayLike, t: ArrayLike) -> Any: ...
-    def strain_ratio(self, x: ArrayLike, t: ArrayLike) -> Any: ...
-    def wall_force(self, t: ArrayLike) -> Any: ...
-    def wall_force_ratio(self, t: ArrayLike) -> Any: ...
+    displacement: _Field
+    velocity: _Field
+    strain: _Field
+    displacement_ratio: _Field
+    velocity_ratio: _Field
+    strain_ratio: _Field
+    wall_force: _OfTime
+    wall_force_ratio: _OfTime
 
 class Motion(_Fields):
     def __init__(self, state: State, schedule: Schedule,
@@ -178,6 +204,10 @@ def build_atlas(path: str, cells: int, max_contact: Optional[int],
 def response(damping: float, force: str, amplitude: float, start: float,
              to: float, cycles: int, cells: int, stability: bool,
              threads: int, scene: Scene, progress: Listener, /) -> ResponseData: ...
+def sweep(over: str, start: float, to: float, force: str, damping: float,
+          amplitude: float, frequency: float, points: int, direction: str,
+          periods: int, rest: bool, resolve: Optional[float], cells: int,
+          threads: int, scene: Scene, progress: Listener, /) -> Sweep: ...
 def simulate(start: Union[State, Waves, None], cells: Optional[int],
              scene: Scene, damping: float, force: Optional[str],
              amplitude: Optional[float], frequency: Optional[float],

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._blame import named
-from ._core import (Bar, ForcedFrequency, ForcedMotion, Scene, Simulation,
-                    State, Waves)
+from ._core import (Bar, Damping, ForcedFrequency, ForcedMotion, Scene, Simulation,
+                    State, Sweep, Waves)
 from ._progress import Progress, listener
-from ._tables import Table
+from ._tables import Table, flat, frame_of
 from ._words import Segments, cells_of, scene_of, state_of
 
 
@@ -20,6 +20,18 @@ class Response(Table[ForcedFrequency]):
     A sequence of ForcedFrequency. `motions` are all of them in one list.
     """
 
+    if TYPE_CHECKING:
+        status: str
+        found: bool
+        complete: bool
+        cells: int
+        bar: Bar
+        damping: Damping
+        force: str
+        amplitude: float
+        frequency_ratio_range: tuple[float, float]
+        frequencies: list[ForcedFrequency]
+
     @property
     def motions(self) -> list[tuple[ForcedFrequency, ForcedMotion]]:
         """[(frequency, motion), ...]."""
@@ -27,15 +39,10 @@ class Response(Table[ForcedFrequency]):
 
     def _rows_of_frame(self) -> Iterator[dict[str, Any]]:
         for at in self:
-            head = at.to_dict()
+            head = flat(at)
             del head["motions"]
-            held = head.pop("permanent_contact")
-            head["least_held_force"] = held and held["least_force"]
             for motion in at.motions:
-                row = motion.to_dict()
-                contact, free = row.pop("schedule")[0]
-                yield {**head, "contact": contact, "free": free, **row,
-                       "stable": motion.stable}
+                yield {**head, **flat(motion), "stable": motion.stable}
             if not at.motions:
                 yield head
 
@@ -44,8 +51,7 @@ class Response(Table[ForcedFrequency]):
 
         Frequencies without a motion have one row.
         """
-        from ._tables import frame_of
-        return frame_of(list(self._rows_of_frame()))
+        return frame_of(self._rows_of_frame())
 
 
 @named
@@ -169,3 +175,70 @@ def simulate(start: State | Waves | str | None = None, *,
     return _core.simulate(state_of(start, whole.bar, cells), cells, whole,
                           damping, force, amplitude, frequency, phase, time,
                           periods, resolve, tip, listener(progress))
+
+
+@named
+def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
+          force: str, damping: float = 0.0, amplitude: float = 0.0,
+          frequency: float = 1.0, points: int = 101,
+          direction: str = "both", periods: int = 1000, rest: bool = False,
+          resolve: float | None = None, cells: int | None = None,
+          threads: int = 1, bar: Bar | None = None,
+          scene: Scene | None = None, second_stop: float | None = None,
+          segments: Segments | None = None, progress: Progress = None,
+          **bar_options: float | None) -> Sweep:
+    """Follow what a driven bar settles on while one number is varied.
+
+    Parameters
+    ----------
+    over : str
+        "frequency", "amplitude", "gap" or "damping": what is varied.
+    start, to : float
+        Lowest and highest value: omega/omega_1, N or m, m, or a ratio.
+    force : str
+        "tip", a force on the tip, or "base", a base that moves.
+    damping : float
+        zeta of the first linear mode, unless it is varied.
+    amplitude : float
+        Of the force [N] or the base [m], unless it is varied.
+    frequency : float
+        omega/omega_1 of the excitation, unless it is varied.
+    points : int
+        How many values, at equal distances.
+    direction : str
+        "up", "down" or "both".
+    periods : int
+        How many periods of the excitation at each value, at most.
+    rest : bool
+        Start at rest at each value, in place of where the one before ended.
+    resolve : float, optional
+        Contacts no further apart are one, and forces are averaged over it
+        [s]; a step of the excitation, L/(N c), without.
+    cells : int, optional
+        Steps of the excitation in L/c: those of all segments, or 300.
+    threads : int
+        Most threads to use: one for each direction, or each value at rest.
+    bar : Bar, optional
+        What units mean in SI; or its parameters as keywords, `length=`, ...
+    scene : Scene, optional
+        In place of `bar`, `second_stop` and `segments`.
+    second_stop : float, optional
+        h [m]: a stop at u(L) = -h.
+    segments : list of Segment, or of their parameters, optional
+        (cells, impedance, speed, dashpot) of each, clamp first.
+    progress : callable of (done, total), bool or tqdm bar, optional
+
+    Returns
+    -------
+    Sweep
+
+    Raises
+    ------
+    ValueError
+        If an argument is out of its range; the message is the library's.
+    """
+    whole = scene_of(scene, bar, second_stop, segments, bar_options)
+    return _core.sweep(over, start, to, force, damping, amplitude, frequency,
+                       points, direction, periods, rest, resolve,
+                       cells_of(cells, whole) or 300, threads, whole,
+                       listener(progress))

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 import operator
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._core import Result, Scene
+from ._core import Bar, Result, Scene
 from ._tables import Table
 from ._words import Number, fraction_of
 
@@ -55,6 +55,17 @@ class Question(Table[Result]):
     reason, detail : str or None
         Why there is no motion.
     """
+
+    if TYPE_CHECKING:
+        status: str
+        found: bool
+        cells: int
+        bar: Bar
+        question: dict[str, Any]
+        sets: list[dict[str, Any]]
+        motions: list[Result]
+        reason: str | None
+        detail: str | None
 
 
 def ask(asked: dict[str, Any], cells: int | None, scene: Scene,

@@ -85,13 +85,12 @@ struct ClassOfKeys {
         unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
         const std::string text = unit == "-" ? sentence : fmt::format("[{}] {}", unit, sentence);
         const auto asObject = [get](const T& value) { return asPython(std::invoke(get, value)); };
+        py::object lacksIt = py::none();
         if (mayBeLeftOut(when)) {
-            made->keyUnless(
-                name, asObject, [get](const T& value) { return !isThere(std::invoke(get, value)); },
-                text.c_str());
-        } else {
-            made->key(name, asObject, text.c_str());
+            lacksIt = py::cpp_function(
+                [get](const T& value) { return !isThere(std::invoke(get, value)); });
         }
+        made->keyUnless(name, asObject, lacksIt, text.c_str());
     }
     template <typename Value>
     static bool isThere(const Value& value)

@@ -83,13 +83,7 @@ void addForced(py::module_& module)
 
 Excited placeOf(const std::string& force)
 {
-    const auto place = valueIn(excitedNames, force);
-    if (!place) {
-        Faults faults;
-        faults.add("force", force, namesIn(excitedNames));
-        faults.throwIfAny();
-    }
-    return *place;
+    return valueOf("force", force, excitedNames);
 }
 
 }  // namespace signorini::python

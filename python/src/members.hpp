@@ -142,9 +142,9 @@ SIGNORINI_MEMBERS(ForcedSet, &T::schedule, &T::damping, &T::forcing, &T::limits,
                   &T::status, &T::detail, &T::reason, &T::conflict, &T::cuts, &T::kind,
                   &T::leastAmplitude, &T::mostAmplitude, &T::foot, &T::direction, &T::low, &T::high,
                   &T::freeWaves, &T::corners, &T::waves);
-SIGNORINI_MEMBERS(ResponseRange, &T::cells, &T::damping, &T::place, &T::amplitude, &T::cycles,
-                  &T::leastFrequencyRatio, &T::mostFrequencyRatio, &T::contacts, &T::band,
-                  &T::stops, &T::segments);
+SIGNORINI_MEMBERS(ResponseRange, &T::cells, &T::damping, &T::place, &T::amplitude, &T::derivative,
+                  &T::cycles, &T::leastFrequencyRatio, &T::mostFrequencyRatio, &T::contacts,
+                  &T::band, &T::stops, &T::segments);
 SIGNORINI_MEMBERS(TwoContactBranch, &T::phases, &T::least, &T::most);
 SIGNORINI_MEMBERS(PermanentContact, &T::leastForce, &T::extremes, &T::residual);
 SIGNORINI_MEMBERS(FrequencyResponse, &T::steps, &T::frequencyRatio, &T::linearPeak, &T::touches,
@@ -153,10 +153,11 @@ SIGNORINI_MEMBERS(FrequencyResponse, &T::steps, &T::frequencyRatio, &T::linearPe
 SIGNORINI_MEMBERS(Piece, &T::duration, &T::value);
 SIGNORINI_MEMBERS(Waves, &T::crossing, &T::a, &T::b);
 SIGNORINI_MEMBERS(ContactEvent, &T::start, &T::end, &T::impulse, &T::peakForce, &T::meanForce,
-                  &T::stop);
+                  &T::speed, &T::energy, &T::stop);
 SIGNORINI_MEMBERS(TipPoint, &T::time, &T::displacement);
 SIGNORINI_MEMBERS(EnergyBalance, &T::work, &T::dissipated, &T::error, &T::size);
 SIGNORINI_MEMBERS(Settled, &T::periods, &T::residual, &T::contacts, &T::impulse);
+SIGNORINI_MEMBERS(Settling, &T::settled, &T::why);
 
 /// It has constructors of its own, and so no list of braces to count.
 template <>

@@ -116,6 +116,7 @@ PYBIND11_MODULE(_core, module)
     addForced(module);
     addResponse(module);
     addSimulate(module);
+    addSweep(module);
 }
 
 }  // namespace signorini::python

@@ -70,12 +70,8 @@ py::dict dictOf(const py::handle& record)
     for (const py::handle& key : record.attr("_keys")) {
         const auto tuple = py::cast<py::tuple>(key);
         const py::object isLeftOut = tuple[2];
-        if (py::isinstance<py::function>(isLeftOut) && py::cast<bool>(isLeftOut(record))) {
-            continue;
-        }
-        const py::object value = plain(record.attr(tuple[1]));
-        if (!(isLeftOut.is(py::bool_(true)) && value.is_none())) {
-            dict[tuple[0]] = value;
+        if (isLeftOut.is_none() || !py::cast<bool>(isLeftOut(record))) {
+            dict[tuple[0]] = plain(record.attr(tuple[1]));
         }
     }
     return dict;
@@ -98,25 +94,6 @@ std::string represent(const py::handle& record)
         isFirst = false;
     }
     return text + ")";
-}
-
-py::tuple boundsOf(const EnergyRange& range, double unit)
-{
-    const auto bound = [unit](double value) {
-        return std::isfinite(value) ? py::object(py::float_(value * unit)) : py::none();
-    };
-    return py::make_tuple(bound(range.least), bound(range.most));
-}
-
-py::list pairsOf(const std::vector<Phase>& phases)
-{
-    py::list list;
-    for (const Phase& phase : phases) {
-        list.append(phase.stop == Stop::right
-                        ? py::make_tuple(phase.contact, phase.free)
-                        : py::make_tuple(phase.contact, phase.free, nameOf(phase.stop)));
-    }
-    return list;
 }
 
 }  // namespace signorini::python

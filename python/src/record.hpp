@@ -8,7 +8,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -77,22 +76,18 @@ public:
     template <typename Get>
     Record& key(const char* name, Get get, const char* doc)
     {
-        return add(name, get, doc, false);
+        return keyUnless(name, get, py::none(), doc);
     }
 
-    /// A key that is left out of the dictionary where it is None.
+    /// A key that some values do not have: a function tells which.
     template <typename Get>
-    Record& keyIfAny(const char* name, Get get, const char* doc)
+    Record& keyUnless(const char* name, Get get, const py::object& lacksIt, const char* doc)
     {
-        return add(name, get, doc, true);
-    }
-
-    /// A key that some values do not have.
-    template <typename Get, typename Lacks>
-    Record& keyUnless(const char* name, Get get, Lacks lacksIt, const char* doc)
-    {
-        class_.def_property_readonly(name, get, doc);
-        keys_.append(py::make_tuple(name, name, py::cpp_function(lacksIt)));
+        // Words of Python's own get an underscore.
+        const bool isTaken = std::string_view(name) == "lambda";
+        const std::string attribute = std::string(name) + (isTaken ? "_" : "");
+        class_.def_property_readonly(attribute.c_str(), get, doc);
+        keys_.append(py::make_tuple(name, attribute, lacksIt));
         return *this;
     }
 
@@ -103,17 +98,6 @@ private:
     [[nodiscard]] bool lacks(const char* name) const
     {
         return !class_.attr("__dict__").contains(name);
-    }
-
-    template <typename Get>
-    Record& add(const char* name, Get get, const char* doc, bool isLeftOut)
-    {
-        // Words of Python's own get an underscore.
-        const bool isTaken = std::string_view(name) == "lambda";
-        const std::string attribute = std::string(name) + (isTaken ? "_" : "");
-        class_.def_property_readonly(attribute.c_str(), get, doc);
-        keys_.append(py::make_tuple(name, attribute, isLeftOut));
-        return *this;
     }
 
     Class class_;
@@ -134,47 +118,5 @@ template <typename Enum>
     const std::string_view text = name(value);
     return {text.data(), text.size()};
 }
-
-/// A value as an object, also one that is an object already.
-template <typename T>
-[[nodiscard]] py::object asObject(T&& value)
-{
-    if constexpr (std::is_base_of_v<py::object, std::remove_cvref_t<T>>) {
-        return std::forward<T>(value);
-    } else {
-        return py::cast(std::forward<T>(value));
-    }
-}
-
-/// None, or what `put` makes of the value.
-template <typename T, typename Put>
-[[nodiscard]] py::object orNone(const std::optional<T>& value, Put put)
-{
-    return value ? asObject(put(*value)) : py::none();
-}
-
-[[nodiscard]] inline py::object finiteOrNone(double value)
-{
-    return std::isfinite(value) ? py::object(py::float_(value)) : py::object(py::none());
-}
-
-template <typename T>
-[[nodiscard]] py::object orNone(const std::optional<T>& value)
-{
-    return value ? py::cast(*value) : py::none();
-}
-
-/// (numerator, denominator).
-template <typename Fraction>
-[[nodiscard]] py::tuple pairOf(const Fraction& fraction)
-{
-    return py::make_tuple(fraction.numerator, fraction.denominator);
-}
-
-/// (least, most); None where there is no bound or it is not known.
-[[nodiscard]] py::tuple boundsOf(const EnergyRange& range, double unit = 1.0);
-
-/// [(n_c, n_f), ...]; a phase on the second stop is (n_c, n_f, "left").
-[[nodiscard]] py::list pairsOf(const std::vector<Phase>& phases);
 
 }  // namespace signorini::python

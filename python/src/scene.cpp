@@ -131,8 +131,7 @@ ValueError
              }),
              py::arg("bar") = Bar{}, py::arg("second_stop") = py::none(),
              py::arg("segments") = std::vector<Segment>{})
-        .def_property_readonly(
-            "second_stop", [](const Scene& s) { return orNone(s.secondStop); }, "h [m], or None.");
+        .def_readonly("second_stop", &Scene::secondStop, "h [m], or None.");
 }
 
 void addSchedule(py::module_& module)
@@ -157,7 +156,7 @@ ValueError
         .key(
             "cells", [](const Schedule& s) { return s.cells; }, "N, cells of the bar.")
         .key(
-            "phases", [](const Schedule& s) { return pairsOf(s.phases); },
+            "phases", [](const Schedule& s) { return asPython(s.phases); },
             "[(n_c, n_f), ...], contact and free steps.");
     record.more()
         .def(py::init([](const py::args& words, std::optional<std::int64_t> cells) {
@@ -172,23 +171,23 @@ ValueError
             "frequency_ratio", [](const Schedule& s) { return frequencyRatio(s); },
             "omega/omega_1 = 4N/n.")
         .def(
-            "to_dict", [](const Schedule& s) { return plain(pairsOf(s.phases)); },
+            "to_dict", [](const Schedule& s) { return plain(asPython(s.phases)); },
             "The pairs, as the program's JSON has them.")
         .def("__len__", [](const Schedule& s) { return s.phases.size(); })
         .def("__getitem__", [](const Schedule& s,
-                               const py::object& at) { return py::object(pairsOf(s.phases)[at]); })
-        .def("__iter__", [](const Schedule& s) { return py::iter(pairsOf(s.phases)); })
+                               const py::object& at) { return py::object(asPython(s.phases)[at]); })
+        .def("__iter__", [](const Schedule& s) { return py::iter(asPython(s.phases)); })
         .def("__eq__",
              [](const Schedule& s, const py::object& other) {
                  if (py::isinstance<Schedule>(other)) {
                      return s == py::cast<const Schedule&>(other);
                  }
                  return py::isinstance<py::sequence>(other) &&
-                        plain(py::list(other)).equal(plain(pairsOf(s.phases)));
+                        plain(py::list(other)).equal(plain(asPython(s.phases)));
              })
         .def("__hash__",
              [](const Schedule& s) {
-                 return py::hash(py::make_tuple(s.cells, py::tuple(pairsOf(s.phases))));
+                 return py::hash(py::make_tuple(s.cells, py::tuple(asPython(s.phases))));
              })
         .def("__repr__", [](const Schedule& s) {
             std::string text;
@@ -307,11 +306,6 @@ Schedule scheduleOf(const py::tuple& words, std::optional<std::int64_t> cells)
     anywhere.stops.left = Fraction{1, 1};
     validate(anywhere);
     return schedule;
-}
-
-py::object stopsIn(const Scene& scene)
-{
-    return asPython(answers::stopsIn(scene));
 }
 
 void addScene(py::module_& module)

@@ -27,10 +27,6 @@ struct Members<StateOf> {
     static constexpr auto list = std::tuple{&StateOf::value, &StateOf::bar, &StateOf::segments};
 };
 
-/// [{"side": ..., "place": [m]}, ...], as the program's JSON has them.
-[[nodiscard]] py::object stopsIn(const Scene& scene);
-
-using answers::amplitudeUnit;
 using answers::forceUnit;
 using answers::impulseUnit;
 

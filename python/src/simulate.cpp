@@ -6,7 +6,6 @@
 
 #include "arrays.hpp"
 #include "described.hpp"
-#include "excited_names.hpp"
 #include "faults.hpp"
 #include "force.hpp"
 #include "numbers.hpp"
@@ -37,7 +36,6 @@ void describe(D& d, answers::Type<Simulated>)
 
 }  // namespace
 
-SIGNORINI_MEMBERS(Settling, &T::settled, &T::why);
 SIGNORINI_MEMBERS(Drive, &T::place, &T::amplitude, &T::frequencyRatio, &T::phase, &T::steps,
                   &T::period);
 template <>
@@ -76,6 +74,16 @@ auto ratios(std::vector<T> Simulated::*list, double T::*member)
 double second(const Bar& bar)
 {
     return scales(bar).time;
+}
+
+double speed(const Bar& bar)
+{
+    return scales(bar).velocity;
+}
+
+double joule(const Bar& bar)
+{
+    return scales(bar).energy;
 }
 
 double metre(const Bar& bar)
@@ -141,6 +149,10 @@ void addSimulated(py::module_& module)
         .def_property_readonly("contact_mean_force",
                                column(contacts, &ContactEvent::meanForce, forceUnit),
                                "Largest mean over the resolution [N].")
+        .def_property_readonly("contact_speed", column(contacts, &ContactEvent::speed, speed),
+                               "With which the tip came to the stop [m/s].")
+        .def_property_readonly("contact_energy", column(contacts, &ContactEvent::energy, joule),
+                               "Of the waves that the stop sent back [J].")
         .def_property_readonly(
             "contact_stop",
             [](const Simulated& s) {
@@ -174,27 +186,14 @@ void addSimulated(py::module_& module)
             "At the end: a Waves, from which another simulation can go on.");
 }
 
-/// A period of the excitation is as many whole steps as come nearest to `cells` in L/c.
 Excitation excitationOf(Drive& drive, double cells, const Bar& bar)
 {
-    const double exact = 4.0 * cells / drive.frequencyRatio;
-    const double steps = std::round(exact);
-    if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
-        Faults faults;
-        faults.add("frequency", drive.frequencyRatio,
-                   fmt::format("about {:.3g}..{:.3g} [omega_1] with {} steps in L/c",
-                               4.0 * cells / static_cast<double>(maxExcitationSteps),
-                               4.0 * cells / 3.0, cells));
-        faults.throwIfAny();
-    }
-    const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
-    Excitation excitation = signorini::excitationOf(
-        {.place = drive.place,
-         .amplitude = drive.amplitude / amplitudeUnit(drive.place, bar),
-         .phase = drive.phase,
-         .cycles = 1,
-         .steps = static_cast<std::int64_t>(steps),
-         .stepsPerCrossing = isWhole ? cells : steps * drive.frequencyRatio / 4.0});
+    Excitation excitation =
+        excitationAt({.place = drive.place,
+                      .amplitude = drive.amplitude / amplitudeUnit(drive.place, bar),
+                      .phase = drive.phase,
+                      .stepsPerCrossing = cells},
+                     drive.frequencyRatio);
     drive.follow(excitation, bar);
     return excitation;
 }
@@ -228,25 +227,11 @@ Simulated simulated(Simulated answer, const Excitation& excitation, double total
                               .stops = stopsOf(answer.scene),
                               .segments = {},
                               .resolution = answer.resolution});
-    // In units of the simulation's; a period of the excitation is a whole number of its steps.
-    const double stretch = excitation.steps() > 0 ? static_cast<double>(excitation.steps()) *
-                                                        crossing / excitation.stepsPerCrossing
-                                                  : 16.0 * crossing;
-    const double stretches = answer.drive ? total : total * crossing / stretch;
-    SettlingWatch watch(static_cast<std::int64_t>(stretches));
-    double done = 0.0;
-    for (; done + 1.0 <= stretches && !isRequested(wires.cancel); done += 1.0) {
-        simulation.advance(stretch);
-        watch.see(simulation);
-        wires.progress(done + 1.0, stretches);
-    }
-    if (answer.drive) {
-        answer.settling = done + 1.0 > stretches ? watch.settling(simulation, stretch)
-                                                 : Settling{{}, "interrupted"};
-    }
-    if (stretches > done) {
-        simulation.advance((stretches - done) * stretch);
-    }
+    const double stretch = stretchOf(excitation, crossing);
+    const Followed followed =
+        follow(simulation, stretch, answer.drive ? total : total * crossing / stretch, wires.cancel,
+               wires.progress);
+    answer.settling = answer.drive ? followed.settling : Settling{};
     answer.see(simulation);
     answer.waves = simulation.waves();
     answer.contacts = simulation.contacts();
@@ -280,13 +265,7 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
         faults.throwIfAny();
     }
     if (force) {
-        const auto place = valueIn(excitedNames, *force);
-        if (!place) {
-            Faults faults;
-            faults.add("force", *force, namesIn(excitedNames));
-            faults.throwIfAny();
-        }
-        answer.drive = Drive{*place, *amplitude, *frequency, phase};
+        answer.drive = Drive{placeOf(*force), *amplitude, *frequency, phase};
     }
     const auto drivenBy = [&](double grid) {
         return answer.drive ? excitationOf(*answer.drive, grid, bar)

@@ -132,6 +132,24 @@ def test_forced_motions_agree(program: Program) -> None:
               sg.find(*steps, **options).to_dict())
 
 
+def test_sweeps_agree(program: Program) -> None:
+    words = ["--damping", 0.02, "--force", "tip", "--amplitude", 2e-4,
+             "--cells", 12, "--points", 4, "--periods", 200]
+    options: dict[str, Any] = {"damping": 0.02, "force": "tip",
+                               "amplitude": 2e-4, "cells": 12, "points": 4,
+                               "periods": 200}
+    ours = sg.sweep("frequency", 0.9, 1.2, **options)
+    alike(program("sweep", *words, "--from", 0.9, "--to", 1.2),
+          ours.to_dict())
+    assert sg.sweep("frequency", 0.9, 1.2, threads=2, **options) == ours
+    del options["amplitude"]
+    words = [word for word in words if word not in ("--amplitude", 2e-4)]
+    alike(program("sweep", *words, "--over", "amplitude", "--frequency", 1.1,
+                  "--from", 1e-4, "--to", 3e-4, "--up", "--rest"),
+          sg.sweep("amplitude", 1e-4, 3e-4, frequency=1.1, direction="up",
+                   rest=True, **options).to_dict())
+
+
 def test_simulations_agree(program: Program) -> None:
     said = program("simulate", "--rest", "--damping", 0.02, "--force", "tip",
                    "--amplitude", 2e-4, "--frequency", 1.1, "--periods", 60,
@@ -150,6 +168,12 @@ def test_atlases_agree(program: Program, tmp_path: Path) -> None:
     alike(said["families"], [row.to_dict() for row in ours])
     assert any(row.connected_at_energy for row in ours)
     assert "dimension_at_energy" not in atlas.families()[0].to_dict()
+    run = atlas.runs[0].to_dict()
+    alike(said["ranges"], [{key: run[key] for key in said["ranges"][0]}])
+    said = program("atlas", "--database", path, "--cells", 12)
+    alike({key: said[key] for key in run if key not in ("finished", "seconds")},
+          {key: run[key] for key in run if key not in ("finished", "seconds")})
+    assert run["finished"] and atlas.runs[0].max_energy_ratio is None
     said = program("atlas", "--database", path, "--period", "7/2",
                    "--schedules")
     alike(said["schedules"],

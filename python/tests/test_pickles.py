@@ -31,7 +31,7 @@ def state_of(content: Any) -> sg.State:
 @pytest.mark.parametrize("length", [1, 7, 8 * 10 - 1, 8 * 10 + 1, 8 * 9])
 def test_waves_of_another_length_are_refused(length: int) -> None:
     """Lengths that 8 does not divide were written beyond their place."""
-    state = sg.find(5, 30, cells=10).state
+    state: Any = sg.find(5, 30, cells=10).state
     content, _ = state.__getstate__()
     (a, b), *rest = content
     assert state_of(content).to_dict() == state.to_dict()

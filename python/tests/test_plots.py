@@ -69,6 +69,16 @@ def test_response_and_simulation(tmp_path: Path) -> None:
     assert "m" in lower.get_ylabel()
     run = sg.simulate(frequency=1.1, periods=30, **options)
     drawn(plot.simulation(run)[0], tmp_path)
+    upper, lower = plot.sweep(sg.sweep("frequency", 0.9, 1.2, points=4,
+                                       **options))
+    drawn(upper, tmp_path)
+    assert "Hz" in lower.get_xlabel()
+    assert len(upper.lines) == 2
+    table = sg.study(gap=[5e-4, 1e-3], damping=0.05, amplitude=[1e-5, 3e-4],
+                     force="tip", start=0.9, to=1.2, points=3, cells=10)
+    drawn(plot.study(table), tmp_path)
+    with pytest.raises(ValueError, match="gap|damping|amplitude"):
+        plot.study(table, x="speed")
     with pytest.raises(ValueError, match="tip=True"):
         plot.simulation(sg.simulate(frequency=1.1, periods=3, tip=False,
                                     **options))
@@ -101,3 +111,84 @@ def test_colours_are_those_of_the_library() -> None:
     text = header.read_text()
     for name in ("ink", "strain", "velocity", "contact", "faint", "grid"):
         assert f'{name} = "{plot.colours[name]}"' in text
+
+
+def many() -> list[tuple[Any, Any, list[str]]]:
+    """Each function of several axes, what it draws, and their names."""
+    options: dict[str, Any] = {"damping": 0.02, "force": "tip",
+                               "amplitude": 2e-4, "cells": 10}
+    found = sg.find(15, 90, cells=30)
+    curve = sg.continuum(6, 36, cells=12, energy_ratio=8, points=5)
+    return [
+        (plot.motion, found, ["strain", "velocity", "displacement", "tip",
+                              "force", "words"]),
+        (plot.continuum, curve, ["force", "strain", "velocity", "first",
+                                 "middle", "last"]),
+        (plot.response, sg.response(start=1.0, to=1.2, **options),
+         ["impulse", "tip"]),
+        (plot.simulation, sg.simulate(frequency=1.1, periods=9, **options),
+         ["tip", "impulse"]),
+        (plot.sweep, sg.sweep("frequency", 0.9, 1.2, points=3, **options),
+         ["impulse", "tip"]),
+        (lambda moving, **where: plot.animate(moving, frames=2, **where).axes,
+         found, ["bar", "displacement"])]
+
+
+def label_of(axes: Any) -> tuple[str, str]:
+    """What stands at the axes."""
+    return axes.get_xlabel(), axes.get_ylabel()
+
+
+@pytest.mark.filterwarnings("ignore:Animation was deleted")
+def test_several_axes_of_ones_own(tmp_path: Path) -> None:
+    from matplotlib import pyplot
+    for function, data, names in many():
+        made = function(data)
+        listed = list(made.values()) if isinstance(made, dict) else made
+        labels = list(map(label_of, listed))
+        figure, own = pyplot.subplots(len(names) // 2, 2, figsize=(9, 9))
+        flat = list(own.flat)
+        before = pyplot.get_fignums()
+        given: Any
+        for given in (own, flat, dict(zip(names, flat))):
+            for axes in flat:
+                axes.clear()
+            used = function(data, axes=given)
+            assert list(used.values() if isinstance(used, dict)
+                        else used) == flat
+            assert list(map(label_of, flat)) == labels
+        assert pyplot.get_fignums() == before
+        drawn(flat[0], tmp_path)
+        for wrong in (flat[:-1], flat[0], {"one": flat[0]}, []):
+            with pytest.raises(ValueError, match=f"allowed {len(names)} of"):
+                function(data, axes=wrong)
+        with pytest.raises(ValueError, match="axes clashes with figure"):
+            function(data, axes=flat, figure=figure)
+        left, right = pyplot.figure(figsize=(12, 6)).subfigures(1, 2)
+        used = function(data, figure=right)
+        inside = list(used.values() if isinstance(used, dict) else used)
+        assert all(axes in right.axes for axes in inside) and not left.axes
+        pyplot.close("all")
+
+
+def test_profiles_of_a_motion_need_not_share_axes() -> None:
+    from matplotlib import pyplot
+    answer = sg.find(15, 90, cells=30, length=2.0)
+    own = pyplot.subplots(2, 3)[1]
+    axes = plot.motion(answer, axes=own)
+    for name in ("strain", "velocity", "displacement"):
+        assert axes[name].get_xlim() == (0, 2)
+    for name in ("displacement", "tip", "force"):
+        assert axes[name].get_ylim() == pytest.approx((0, 3.5 * 2))
+
+
+def test_one_axes_in_a_figure_of_ones_own(tmp_path: Path) -> None:
+    from matplotlib import pyplot
+    atlas = sg.Atlas.build(tmp_path / "a.sqlite", cells=8)
+    left, right = pyplot.figure().subfigures(1, 2)
+    draw: list[Any] = [plot.families, plot.frequency_energy,
+                       lambda **where: plot.existence_map(atlas, **where)]
+    for function in draw:
+        assert function(figure=right) in right.axes and not left.axes
+        with pytest.raises(ValueError, match="axes clashes with figure"):
+            function(figure=right, axes=right.axes[0])

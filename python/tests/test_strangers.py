@@ -66,6 +66,9 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any], list[str]]] = {
     "simulate": (sg.simulate, {**DRIVEN, "frequency": 1.1, "periods": 2}, [
         *BAR, "scene", "second_stop", "start", "phase", "time", "tip",
         "progress"]),
+    "sweep": (sg.sweep, {**DRIVEN, "points": 2, "periods": 20}, [
+        *SCENE, "over", "start", "to", "frequency", "direction", "rest",
+        "resolve", "threads", "progress"]),
     "families": (sg.families, {"max_order": 5},
                  [*BAR[:-1], "max_energy_ratio", "progress"]),
     "modes": (sg.modes, {"max_order": 3}, [
@@ -110,8 +113,8 @@ def judge(names: list[str], call: Callable[[], Any]) -> Any:
 def words_of(name: str, value: Any) -> list[str]:
     """What the library may call an argument, or its value: a file."""
     others = {"*": ["schedule", "n_c", "n_f", "phase", "stop", "steps"],
-              "start": ["frequency_ratio", "frequency ratios"],
-              "to": ["frequency_ratio", "frequency ratios"],
+              "start": ["frequency_ratio", "frequency ratios", "frequency = "],
+              "to": ["frequency_ratio", "frequency ratios", "frequency = "],
               "second_stop": ["stop"], "target": ["nearest"],
               "density": ["young"], "area": ["young"], "young": ["density"],
               "cells": ["steps_per_crossing", "frequency = ", "period = ",

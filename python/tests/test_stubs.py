@@ -64,3 +64,18 @@ def test_every_attribute_has_a_docstring() -> None:
             for name, value in vars(cls).items():
                 if not name.startswith("_"):
                     assert value.__doc__, f"{cls.__name__}.{name}"
+
+
+def test_editors_complete_what_motions_are_asked_for() -> None:
+    """No key that a motion has is of the type Any, but the certificate."""
+    loose = {f"{cls.name}.{node.target.id}"
+             for cls in stub().body if isinstance(cls, ast.ClassDef)
+             for node in cls.body if isinstance(node, ast.AnnAssign)
+             if isinstance(node.target, ast.Name)
+             and ast.unparse(node.annotation) == "Any"}
+    loose |= {f"{cls.name}.{node.name}"
+              for cls in stub().body if isinstance(cls, ast.ClassDef)
+              for node in cls.body if isinstance(node, ast.FunctionDef)
+              if node.returns and ast.unparse(node.returns) == "Any"
+              and node.name != "frame"}
+    assert loose == {"Result.certificate"}

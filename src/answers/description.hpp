@@ -39,7 +39,8 @@ enum class When {
     none,       ///< null unless the status is "none"
     any,        ///< left out where the getter has nothing
     undecided,  ///< the same, but there is something where the status is "undecided"
-    program     ///< the same as `any`, in JSON only
+    program,    ///< the same as `any`, in JSON only
+    python      ///< as `always`, but not in JSON
 };
 
 /// May the key be left out?
@@ -81,6 +82,18 @@ struct Of {
     T value;
     Bar bar;
 };
+
+/// Each with the bar that gives it units.
+template <typename T>
+[[nodiscard]] std::vector<Of<T>> withUnits(const std::vector<T>& list, const Bar& bar)
+{
+    std::vector<Of<T>> all;
+    all.reserve(list.size());
+    for (const T& one : list) {
+        all.push_back({one, bar});
+    }
+    return all;
+}
 
 /// Nothing in place of what is not finite.
 [[nodiscard]] inline std::optional<double> known(double value)

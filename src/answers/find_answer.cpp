@@ -1,5 +1,9 @@
 #include "find_answer.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "propagation.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::answers {
@@ -21,11 +25,6 @@ double forceUnit(const Bar& bar)
 double impulseUnit(const Bar& bar)
 {
     return forceUnit(bar) * scales(bar).time;
-}
-
-double amplitudeUnit(Excited place, const Bar& bar)
-{
-    return place == Excited::tip ? forceUnit(bar) : scales(bar).displacement;
 }
 
 std::vector<StopPlace> stopsIn(const Scene& scene)
@@ -68,6 +67,54 @@ std::optional<EnergyRange> FindAnswer::energies() const
     }
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     return result.motion ? std::optional(EnergyRange{unknown, unknown}) : std::nullopt;
+}
+
+std::optional<std::vector<double>> FindAnswer::approachSpeeds() const
+{
+    if (!result.motion || result.motion->state.cells() == 0) {
+        return keptSpeeds;
+    }
+    const FoundMotion& motion = *result.motion;
+    const std::vector<Segment>& segments = result.scene.segments;
+    const Schedule walked =
+        isUniform(segments) ? foldedFor(motion.state, result.schedule) : result.schedule;
+    if (steps(walked) > Motion::maxKeptValues) {
+        return std::nullopt;  // a schedule from a file can be of any length
+    }
+    SteppedWaves waves(
+        steppedBar(segments.empty() ? std::vector<Segment>{{.cells = walked.cells}} : segments),
+        motion.state);
+    const double least = 1e-9 * amplitude(motion.state);
+    const double unit = 2.0 * scales(firstMaterial(result.scene)).velocity;
+    std::vector<double> speeds;
+    double before = 0.0;       // of the tip when it moved last, since the last contact
+    bool isFromBefore = true;  // did the first contact follow a motion in the period before?
+    bool wasPressed = false;
+    const auto step = [&](bool isHeld) {
+        const double p = std::abs(waves.arriving());
+        const bool isPressed = isHeld && p > least;
+        if (isPressed && !wasPressed) {
+            speeds.push_back(unit * before);
+        }
+        if (isPressed) {
+            before = 0.0;
+        } else if (p > least) {
+            before = p;
+            isFromBefore = isFromBefore && !speeds.empty();
+        }
+        wasPressed = isPressed;
+        waves.step({.reflected = isHeld ? -1.0 : 1.0});
+    };
+    for (const Phase& phase : walked.phases) {
+        for (std::int64_t m = 0; m < phase.contact + phase.free; ++m) {
+            step(m < phase.contact);
+        }
+    }
+    if (isFromBefore && !speeds.empty()) {
+        speeds.front() = unit * before;
+    }
+    speeds.resize(std::min(speeds.size(), motion.canonical.size()));
+    return speeds;
 }
 
 }  // namespace signorini::answers

@@ -38,6 +38,8 @@ struct FindAnswer {
     PeriodicResult result;
     std::optional<Target> target = {};
     std::vector<StabilityReport> stability = {};  ///< where it was asked for
+    /// approachSpeeds() of a motion whose state is not kept.
+    std::optional<std::vector<double>> keptSpeeds = {};
 
     /// Without a gap there is no E_1: nothing but the energy held gives a motion its size.
     [[nodiscard]] bool hasUnit() const { return result.scene.bar.gap != 0.0; }
@@ -50,6 +52,9 @@ struct FindAnswer {
     }
     /// E/E_1 of the whole set.
     [[nodiscard]] std::optional<EnergyRange> energies() const;
+    /// [m/s], with which the tip met the stop before each phase of `canonical`, where n is at most
+    /// Motion::maxKeptValues. O(n).
+    [[nodiscard]] std::optional<std::vector<double>> approachSpeeds() const;
 };
 
 /// What was found, and if the options have a target, read as `how` says, how far it is.
@@ -158,6 +163,10 @@ frequencies in omega_1.
     d.key("canonical_schedule", "-",
           "[(n_c, n_f), ...] with contact exactly where the wall is pressed.",
           ofMotion(&M::canonical), When::found);
+    d.key("approach_speeds", "m/s >= 0",
+          "Of the tip as it met the stop before each contact of canonical_schedule, of at most 2e7 "
+          "steps.",
+          &T::approachSpeeds, When::any);
     d.key("energy", "J > 0", "E.", ofMotion(&M::energy), When::found);
     d.key("energy_ratio", "- > 0", "E/E_1, where there is a gap.",
           [](const T& a) { return a.hasUnit() ? ofMotion(&M::energyRatio)(a) : std::nullopt; });

@@ -38,7 +38,7 @@ ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> a
 
 std::optional<std::optional<bool>> ForcedMotionOf::stable() const
 {
-    if (!isOfResponse) {
+    if (!isOfResponse && !value.stability) {
         return std::nullopt;
     }
     const Stability seen = value.stability.value_or(Stability::unclear);
@@ -92,14 +92,13 @@ std::optional<ForcedProof> proofOf(const ForcedAnswer& answer)
         return std::nullopt;
     }
     const auto& exclusion = answer.exclusion;
-    ForcedProof proof =
-        exclusion ? ForcedProof{"amplitude-range", exclusion->isCertain, exclusion->conflict}
-                  : ForcedProof{"forced", isCertain(answer.set), answer.set.conflict};
-    if (!isUniform(answer.set.segments)) {
-        proof.rows = "network";
-        proof.cuts = exclusion ? exclusion->cuts : answer.set.cuts;
-    }
-    return proof;
+    const bool isUniformBar = isUniform(answer.set.segments);
+    const auto proof = [&](const char* kind, bool isVerified, const auto& of) {
+        return isUniformBar ? ForcedProof{kind, isVerified, of.conflict}
+                            : ForcedProof{kind, isVerified, of.conflict, "network", of.cuts};
+    };
+    return exclusion ? proof("amplitude-range", exclusion->isCertain, *exclusion)
+                     : proof("forced", isCertain(answer.set), answer.set);
 }
 
 }  // namespace signorini::answers

@@ -20,7 +20,7 @@ struct ForcedMotionOf {
         return value.amplitude * amplitudeUnit(value.excitation.place, bar);
     }
     [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
-    /// Of a response: does the bar stay near it? Nothing: not tried, or unclear.
+    /// Does the bar stay near it? Always of a response, else if it was tried; nothing: unclear.
     [[nodiscard]] std::optional<std::optional<bool>> stable() const;
 };
 

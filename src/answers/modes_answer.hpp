@@ -59,18 +59,6 @@ struct PolytopeList {
 /// "main", "twin 1", ..., if the mode has a name.
 [[nodiscard]] std::optional<std::string> knownName(const Mode& mode);
 
-/// Each with the bar that gives it units.
-template <typename T>
-[[nodiscard]] std::vector<Of<T>> withUnits(const std::vector<T>& list, const Bar& bar)
-{
-    std::vector<Of<T>> all;
-    all.reserve(list.size());
-    for (const T& one : list) {
-        all.push_back({one, bar});
-    }
-    return all;
-}
-
 template <typename D>
 void describe(D& d, Type<FamilyOf>)
 {
@@ -106,11 +94,8 @@ void describeRanges(D& d, Type<Of<T>>)
         return std::tuple(1.0 / (of.value.highest.value() * unit),
                           1.0 / (of.value.lowest.value() * unit));
     });
-    d.key("energy_range", "J", "(least, most), neither reached.", [](const Of<T>& of) {
-        const double unit = scales(of.bar).energy;
-        const EnergyRange range = energyRange(of.value);
-        return EnergyRange{range.least * unit, range.most * unit};
-    });
+    d.key("energy_range", "J", "(least, most), neither reached.",
+          [](const Of<T>& of) { return scaled(energyRange(of.value), scales(of.bar).energy); });
 }
 
 /// The contact time and the open interval of periods.

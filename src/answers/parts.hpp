@@ -4,6 +4,7 @@
 /// families, sets.
 
 #include "description.hpp"
+#include "excited_amplitude.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
@@ -16,8 +17,12 @@ namespace signorini::answers {
 /// One unit of force [N], EA g/L, and of impulse [N s], EA g/c.
 [[nodiscard]] double forceUnit(const Bar& bar);
 [[nodiscard]] double impulseUnit(const Bar& bar);
-/// What an amplitude of 1 is [N] or [m].
-[[nodiscard]] double amplitudeUnit(Excited place, const Bar& bar);
+
+/// Energies in another unit.
+[[nodiscard]] inline EnergyRange scaled(const EnergyRange& range, double unit)
+{
+    return {range.least * unit, range.most * unit};
+}
 
 /// Where u(L) is stopped.
 struct StopPlace {

@@ -1,5 +1,7 @@
 #include "response_answer.hpp"
 
+#include "excited_amplitude.hpp"
+
 namespace signorini::answers {
 
 std::optional<PermanentOf> FrequencyOf::permanent() const
@@ -23,6 +25,12 @@ std::size_t ResponseAnswer::motions() const
         count += response.motions.size();
     }
     return count;
+}
+
+double ResponseAnswer::amplitudeAt(const FrequencyResponse& response) const
+{
+    return displacementOf(range.amplitude, range.derivative, response.frequencyRatio) *
+           amplitudeUnit(range.place, bar);
 }
 
 std::int64_t ResponseAnswer::undecided() const

@@ -29,13 +29,15 @@ struct ResponseAnswer {
     ResponseRange range;
     Scene scene;
     Bar bar;                                     ///< what units mean: of the first material
-    double amplitude = 0.0;                      ///< [N] or [m]
+    double amplitude = 0.0;                      ///< [N], [m], or of a derivative [m/s], [m/s^2]
     std::vector<FrequencyResponse> frequencies;  ///< the program's have motions without states
     bool isComplete = true;                      ///< false: interrupted
     std::optional<double> yieldStress = {};      ///< [Pa], the stress is compared with it
 
     [[nodiscard]] std::size_t motions() const;
     [[nodiscard]] std::int64_t undecided() const;
+    /// Of the force [N] or the base's displacement [m] at one of the frequencies.
+    [[nodiscard]] double amplitudeAt(const FrequencyResponse& response) const;
     /// Found, also if there is no motion: the list is whole. Undecided if it is not.
     [[nodiscard]] Status status() const
     {
@@ -101,7 +103,10 @@ void describe(D& d, Type<ResponseAnswer>)
     });
     d.key("force", "-", R"(What is excited: "tip" or "base".)",
           [](const T& a) { return a.range.place; });
-    d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);
+    d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation.", &T::amplitude);
+    d.key("amplitude_of", "-",
+          R"(Whose: "force", or of the base "displacement", "velocity" or "acceleration".)",
+          [](const T& a) { return amplitudeOf(a.range.place, a.range.derivative); });
     d.key("cycles", "- >= 1", "K, of the excitation in a period of the motions.",
           [](const T& a) { return a.range.cycles; });
     d.key("contacts", "- >= 1", "Most contacts in a period.",

@@ -112,7 +112,7 @@ private:
         std::int64_t left = (step + steps_) % steps_;
         for (const ContactSpan& span : schedule_) {
             if (left < span.steps) {
-                return (span.closed >> contact & 1U) != 0;
+                return contains(span.closed, contact);
             }
             left -= span.steps;
         }

@@ -11,31 +11,59 @@ namespace signorini {
 
 namespace {
 
+/// A combination of rows: what it leaves of the free waves, and its factors.
+struct Combination {
+    std::map<std::int64_t, Rational> free;
+    std::map<std::size_t, Rational> factors;
+};
+
+/// x -= factor y; what becomes 0 goes.
+template <typename Key>
+void subtract(std::map<Key, Rational>& x, const Rational& factor, const std::map<Key, Rational>& y)
+{
+    for (const auto& [key, value] : y) {
+        const auto [at, isNew] = x.try_emplace(key);
+        at->second -= factor * value;
+        if (at->second.is_zero()) {
+            x.erase(at);
+        }
+    }
+}
+
 /// All combinations of the rows in which no free wave is left: a basis, one factor for each row.
+/// Most rows hold one free wave or none: elimination keeps to what is not 0, such rows first.
 std::vector<RationalVector> combinationsWithoutFree(const std::vector<EnclosedRow>& rows)
 {
-    // A matrix with one row for each row, its free part, beside the identity, is eliminated: what
-    // becomes 0 in the free part has its combination in the other one.
-    std::map<std::int64_t, std::size_t> columns;
-    for (const EnclosedRow& row : rows) {
-        for (const auto& [which, factor] : row.free) {
-            columns.emplace(which, columns.size());
-        }
-    }
-    std::vector<RationalVector> matrix;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        RationalVector line(columns.size() + rows.size());
-        for (const auto& [which, factor] : rows[i].free) {
-            line[columns.at(which)] = factor;
-        }
-        line[columns.size() + i] = 1;
-        matrix.push_back(std::move(line));
-    }
-    const std::size_t rank = reduceRows(matrix, columns.size()).size();
+    std::vector<std::size_t> order(rows.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&rows](std::size_t i, std::size_t k) {
+        return rows[i].free.size() < rows[k].free.size();
+    });
+    std::vector<std::pair<std::int64_t, Combination>> pivots;  // a wave that no later one holds
     std::vector<RationalVector> basis;
-    for (std::size_t k = rank; k < matrix.size(); ++k) {
-        basis.emplace_back(matrix[k].begin() + static_cast<std::ptrdiff_t>(columns.size()),
-                           matrix[k].end());
+    for (const std::size_t i : order) {
+        Combination row{{}, {{i, 1}}};
+        for (const auto& [which, factor] : rows[i].free) {
+            if (factor != 0) {
+                row.free.emplace(which, factor);
+            }
+        }
+        for (const auto& [which, pivot] : pivots) {
+            if (const auto found = row.free.find(which); found != row.free.end()) {
+                const Rational factor = found->second / pivot.free.at(which);
+                subtract(row.free, factor, pivot.free);
+                subtract(row.factors, factor, pivot.factors);
+            }
+        }
+        if (!row.free.empty()) {
+            const std::int64_t which = row.free.begin()->first;
+            pivots.emplace_back(which, std::move(row));
+            continue;
+        }
+        RationalVector& factors = basis.emplace_back(rows.size());
+        for (const auto& [which, factor] : row.factors) {
+            factors[which] = factor;
+        }
     }
     return basis;
 }

@@ -83,7 +83,7 @@ public:
         ContactSet before = claim_.schedule.back().closed;
         for (const ContactSteps& part : claim_.schedule) {
             for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
-                const bool starts = isIn(part.closed, j) && !isIn(before, j);
+                const bool starts = contains(part.closed, j) && !contains(before, j);
                 if (starts) {
                     residuals_.gap = std::max(residuals_.gap, std::abs(distance(j)) / length_);
                 }
@@ -110,8 +110,6 @@ private:
         double force;
         double impedance;
     };
-
-    static bool isIn(ContactSet set, std::size_t contact) { return (set >> contact & 1U) != 0; }
 
     [[nodiscard]] double distance(std::size_t number) const
     {
@@ -171,7 +169,7 @@ private:
         press(closed, pulls, velocities);
         send(velocities);
         for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
-            if (!isIn(closed, j)) {
+            if (!contains(closed, j)) {
                 residuals_.penetration = std::max(residuals_.penetration, -distance(j) / length_);
             }
         }
@@ -186,7 +184,7 @@ private:
         std::vector<bool> isHeld(nodes, false);
         std::vector<bool> isJoined(nodes + 1, false);  // to the node before
         for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
-            if (isIn(closed, j)) {
+            if (contains(closed, j)) {
                 const NetworkContact& contact = network_.contacts[j];
                 contact.kind == ContactKind::gap ? isJoined[contact.node + 1] = true
                                                  : isHeld[contact.node] = true;
@@ -219,7 +217,7 @@ private:
                const std::vector<double>& velocities)
     {
         for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
-            if (!isIn(closed, j)) {
+            if (!contains(closed, j)) {
                 continue;
             }
             const NetworkContact& contact = network_.contacts[j];
@@ -256,7 +254,7 @@ private:
     {
         for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
             const NetworkContact& contact = network_.contacts[j];
-            if (isIn(closed, j) && contact.kind == ContactKind::gap &&
+            if (contains(closed, j) && contact.kind == ContactKind::gap &&
                 contact.node + (side < 0 ? 1 : 0) == node) {
                 return side < 0 ? contact.node : contact.node + 1;
             }
@@ -275,7 +273,7 @@ private:
                 network_.nodes[*at].isClamped ||
                 std::any_of(network_.contacts.begin(), network_.contacts.end(),
                             [&, j = std::size_t{0}](const NetworkContact& contact) mutable {
-                                return isIn(closed, j++) && contact.node == *at &&
+                                return contains(closed, j++) && contact.node == *at &&
                                        contact.kind != ContactKind::gap;
                             });
             if (isHeld) {

@@ -173,7 +173,7 @@ void AtlasCommand::checkQuery() const
     (void)point();
 }
 
-std::optional<AtlasPoint> AtlasCommand::point() const
+std::optional<answers::AtlasPoint> AtlasCommand::point() const
 {
     if (near.empty()) {
         return std::nullopt;
@@ -181,38 +181,42 @@ std::optional<AtlasPoint> AtlasCommand::point() const
     if (near.size() != 2) {
         refuse("--near", near[0], "two numbers, omega/omega_1 > 0 and E/E_1 > 0");
     }
-    return AtlasPoint{.frequencyRatio = parseRatio("--near W", near[0], "omega_1"),
-                      .energyRatio = parsePositive("--near E", near[1], "E_1"),
-                      .distance = within.value_or(usualDistance)};
+    return answers::AtlasPoint{.frequencyRatio = parseRatio("--near W", near[0], "omega_1"),
+                               .energyRatio = parsePositive("--near E", near[1], "E_1"),
+                               .distance = within.value_or(usualDistance),
+                               .bar = bar()};
 }
 
-AtlasQuestion AtlasCommand::question(const std::optional<AtlasPoint>& point) const
+AtlasQuestion AtlasCommand::question() const
 {
     AtlasQuestion question{.cells = common.cells, .period = period, .wantsSchedules = schedules};
-    if (point) {
-        question.lowestFrequency = point->frequencyRatio * (1.0 - point->distance);
-        question.highestFrequency = point->frequencyRatio * (1.0 + point->distance);
-        question.highestEnergy = point->energyRatio * (1.0 + point->distance);
+    if (const auto at = point()) {
+        question.lowestFrequency = at->frequencyRatio * (1.0 - at->distance);
+        question.highestFrequency = at->frequencyRatio * (1.0 + at->distance);
+        question.highestEnergy = at->energyRatio * (1.0 + at->distance);
     }
     return question;
 }
 
-void AtlasCommand::ask(const AtlasDatabase& atlas, AtlasAnswer& answer) const
+AtlasAnswer AtlasCommand::ask(const AtlasDatabase& atlas) const
 {
-    answer.point = point();
-    answer.coverage = AtlasCoverage(question(answer.point), atlas.runs());
+    using answers::withUnits;
+    AtlasAnswer answer{.bar = bar(), .near = point()};
     const AtlasSchedules which = schedules ? AtlasSchedules::all : AtlasSchedules::withoutFamily;
     if (twins) {
-        answer.groups = atlas.twins(common.cells);
+        answer.twins = withUnits(atlas.twins(common.cells), answer.bar);
     } else if (period) {
-        answer.families = atlas.familiesOfPeriod(*period, common.cells);
-        answer.schedules = atlas.schedulesOfPeriod(*period, common.cells, which);
-    } else if (answer.point) {
-        const auto [frequencyRatio, energyRatio, distance] = *answer.point;
-        answer.families = atlas.familiesNear(frequencyRatio, energyRatio, distance, common.cells);
+        answer.families = withUnits(atlas.familiesOfPeriod(*period, common.cells), answer.bar);
         answer.schedules =
-            atlas.schedulesNear(frequencyRatio, energyRatio, distance, common.cells, which);
+            withUnits(atlas.schedulesOfPeriod(*period, common.cells, which), answer.bar);
+    } else if (const auto& at = answer.near) {
+        const auto [w, energy, distance, unit] = *at;
+        answer.families =
+            withUnits(atlas.familiesNear(w, energy, distance, common.cells), unit, energy);
+        answer.schedules =
+            withUnits(atlas.schedulesNear(w, energy, distance, common.cells, which), unit);
     }
+    return answer;
 }
 
 std::vector<OutputOption> AtlasCommand::outputs() const
@@ -245,21 +249,23 @@ ExitStatus AtlasCommand::answer() const
 {
     Outputs drawing(outputs());
     AtlasAnswer answer;
-    answer.isTwins = twins;
-    answer.bar = bar();
+    AtlasCoverage coverage;
     const AtlasDatabase atlas = forFile("--database", database, [&] {
         AtlasDatabase opened = AtlasDatabase::open(database);
-        ask(opened, answer);
+        coverage = AtlasCoverage(question(), opened.runs());
+        answer = ask(opened);
         return opened;
     });
     draw(atlas, common.cells, drawing);
-    const std::string gaps = answer.coverage.gaps();
+    const std::string gaps = coverage.gaps();
+    answer.runs = coverage.runs();
+    answer.isComplete = gaps.empty();
     if (!gaps.empty() && !common.quiet) {
         tell(fmt::format("signorini atlas: {}\n", gaps));
     }
     if (isQuery()) {
         writeOut(common.wantsJson ? asJson(answer) : common.restated() + asText(answer));
-        return answer.isEmpty() && !answer.coverage.isDecided() ? exitUndecided : exitFound;
+        return answer.isEmpty() && !coverage.isDecided() ? exitUndecided : exitFound;
     }
     return exitFound;
 }
@@ -350,8 +356,8 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (run.isFinished()) {
         draw(*atlas, range.cells, drawing);
     }
-    writeOut(common.wantsJson ? asJson(run, database, common.scene())
-                              : common.restated() + asText(run, database));
+    const AtlasBuilt built{run, database, common.scene()};
+    writeOut(common.wantsJson ? asJson(built) : common.restated() + asText(built));
     if (!run.isFinished()) {
         if (!common.quiet) {
             tell(

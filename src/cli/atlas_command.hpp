@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "atlas_coverage.hpp"
 #include "atlas_report.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
@@ -52,9 +53,9 @@ private:
     /// Whose scales the answers have.
     [[nodiscard]] Bar bar() const;
     void checkQuery() const;
-    [[nodiscard]] std::optional<AtlasPoint> point() const;
-    [[nodiscard]] AtlasQuestion question(const std::optional<AtlasPoint>& point) const;
-    void ask(const AtlasDatabase& atlas, AtlasAnswer& answer) const;
+    [[nodiscard]] std::optional<answers::AtlasPoint> point() const;
+    [[nodiscard]] AtlasQuestion question() const;
+    [[nodiscard]] AtlasAnswer ask(const AtlasDatabase& atlas) const;
     [[nodiscard]] std::vector<OutputOption> outputs() const;
     [[nodiscard]] ExitStatus answer() const;
     [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,

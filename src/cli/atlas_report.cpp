@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "family_section.hpp"
+#include "atlas_coverage.hpp"
 #include "json.hpp"
 #include "signorini/output.hpp"
 #include "text.hpp"
@@ -13,72 +13,11 @@ namespace signorini::cli {
 
 namespace {
 
+using answers::AtlasEntryOf;
+using answers::AtlasFamilyOf;
+using answers::TwinsOf;
+
 constexpr std::size_t shownRows = 20;
-
-/// null where there is no bound.
-Json bound(double value)
-{
-    return std::isfinite(value) ? Json(value) : Json();
-}
-
-/// Of motions that repeat after this time.
-void putPeriod(Json& json, double period, double frequencyRatio, const Scales& unit)
-{
-    json["period"] = period * unit.time;
-    json["period_ratio"] = period;
-    json["frequency"] = 1.0 / (period * unit.time);
-    json["frequency_ratio"] = frequencyRatio;
-}
-
-void putEnergy(Json& json, const EnergyRange& energy, const Scales& unit)
-{
-    json["energy_range"] = {energy.least * unit.energy, bound(energy.most * unit.energy)};
-    json["energy_ratio_range"] = {energy.least, bound(energy.most)};
-}
-
-Json asJson(const AtlasFamily& all, const std::optional<AtlasPoint>& point, const Scales& unit)
-{
-    Json json{
-        {"id", all.id},  {"cells", all.cells},        {"order", nullptr},
-        {"nu", nullptr}, {"contact_blocks", nullptr}, {"schedule", jsonOf(std::vector{all.top})}};
-    if (all.family) {
-        json["order"] = all.family->order;
-        json["nu"] = all.family->blocks;
-        json["contact_blocks"] = all.family->contactBlocks;
-    }
-    putPeriod(json, period(all), frequencyRatio(all), unit);
-    json["contact"] = name(all.contact());
-    json["kind"] = name(all.kind);
-    json["dimension"] = all.dimension;
-    putEnergy(json, all.energy, unit);
-    json["schedules"] = all.schedules;
-    if (point) {
-        const FamilySection section = sectionOf(all, point->energyRatio);
-        json["dimension_at_energy"] = section.dimension;
-        json["connected_at_energy"] = section.isConnected ? Json(*section.isConnected) : Json();
-    }
-    return json;
-}
-
-Json asJson(const AtlasEntry& entry, const Scales& unit)
-{
-    const AtlasRow& row = entry.row;
-    Json json{{"cells", entry.schedule.cells},
-              {"schedule", jsonOf(entry.schedule.phases)},
-              {"family", entry.family ? Json(*entry.family) : Json()}};
-    putPeriod(json, period(entry), frequencyRatio(entry), unit);
-    json["status"] = name(row.status);
-    json["reason"] = row.reason ? Json(name(*row.reason)) : Json();
-    json["kernel_dimension"] = row.kernelDimension >= 0 ? Json(row.kernelDimension) : Json();
-    if (row.status == Status::found) {
-        json["kind"] = name(row.kind);
-        json["dimension"] = row.dimension;
-        json["contact"] = name(row.contact);
-        json["canonical"] = row.isCanonical;
-        putEnergy(json, row.energy, unit);
-    }
-    return json;
-}
 
 /// " T = 3.5  ω/ω₁ = 1.14286 (0.285714 Hz)  ".
 std::string periodText(double period, double frequencyRatio, const Scales& unit)
@@ -109,17 +48,16 @@ std::string nameOf(const AtlasFamily& all)
                                   : "grazing");
 }
 
-std::string asText(const AtlasFamily& all, const std::optional<AtlasPoint>& point,
-                   const Scales& unit)
+std::string asText(const AtlasFamilyOf& of, const Scales& unit)
 {
+    const AtlasFamily& all = of.value;
     std::string text = fmt::format("{:<24} {}{}, {} of dimension {}", nameOf(all),
                                    periodText(period(all), frequencyRatio(all), unit),
                                    energyText(all.energy, unit), name(all.kind), all.dimension);
-    if (point) {
-        const FamilySection section = sectionOf(all, point->energyRatio);
-        text += fmt::format(
-            ", {} at that energy{}", section.dimension,
-            section.isConnected ? (*section.isConnected ? ", connected" : ", not connected") : "");
+    if (of.section) {
+        const std::optional<bool> isConnected = of.section->isConnected;
+        text += fmt::format(", {} at that energy{}", of.section->dimension,
+                            isConnected ? (*isConnected ? ", connected" : ", not connected") : "");
     }
     return text + fmt::format("; {} schedule{}, top ({}, {})\n", all.schedules,
                               all.schedules == 1 ? "" : "s", all.top.contact, all.top.free);
@@ -141,10 +79,8 @@ std::string asText(const AtlasEntry& entry, const Scales& unit)
 
 std::string asText(const Twins& twins, const Scales& unit)
 {
-    const bool isFamily = !twins.families.empty();
-    const double time = isFamily ? period(twins.families[0]) : period(twins.schedules[0]);
-    const double energy =
-        isFamily ? twins.families[0].energy.least : twins.schedules[0].row.energy.least;
+    const double time = period(twins);
+    const double energy = energyRatio(twins);
     std::string text = fmt::format("T = {:.6g} ({:.6g} Hz), E/E₁ = {:.8g} ({:.6g} J):", time,
                                    1.0 / (time * unit.time), energy, energy * unit.energy);
     for (const AtlasFamily& all : twins.families) {
@@ -171,66 +107,25 @@ std::string listed(const std::vector<Row>& rows, std::string_view one, std::stri
     return text;
 }
 
-template <typename Rows, typename Print>
-Json listOf(const Rows& rows, Print print)
-{
-    Json list = Json::array();
-    for (const auto& row : rows) {
-        list.push_back(print(row));
-    }
-    return list;
-}
-
-Json asJson(const Twins& twins, const Scales& unit)
-{
-    const bool isFamily = !twins.families.empty();
-    const double energy =
-        isFamily ? twins.families[0].energy.least : twins.schedules[0].row.energy.least;
-    Json json;
-    if (isFamily) {
-        putPeriod(json, period(twins.families[0]), frequencyRatio(twins.families[0]), unit);
-    } else {
-        putPeriod(json, period(twins.schedules[0]), frequencyRatio(twins.schedules[0]), unit);
-    }
-    json["energy"] = energy * unit.energy;
-    json["energy_ratio"] = energy;
-    json["families"] =
-        listOf(twins.families, [&unit](const AtlasFamily& all) { return asJson(all, {}, unit); });
-    json["schedules"] =
-        listOf(twins.schedules, [&unit](const AtlasEntry& entry) { return asJson(entry, unit); });
-    return json;
-}
-
-Json asJson(const AtlasRun& run)
-{
-    return {{"cells", run.range.cells},
-            {"max_contact", run.range.maxContact},
-            {"max_free", run.range.maxFree},
-            {"phases", run.range.maxPhases},
-            {"max_energy_ratio", bound(run.range.maxEnergyRatio)},
-            {"families_only", run.range.familiesOnly},
-            {"finished", run.isFinished()}};
-}
-
 }  // namespace
 
 std::string asText(const AtlasAnswer& answer)
 {
     const Scales unit = scales(answer.bar);
     std::string text;
-    if (answer.isTwins) {
-        text = listed(answer.groups, "group of different orbits of equal T and E",
+    if (answer.twins) {
+        text = listed(*answer.twins, "group of different orbits of equal T and E",
                       "groups of different orbits of equal T and E",
-                      [&unit](const Twins& twins) { return asText(twins, unit); });
+                      [&unit](const TwinsOf& twins) { return asText(twins.value, unit); });
     } else {
-        text = listed(answer.families, "family", "families",
-                      [&](const AtlasFamily& all) { return asText(all, answer.point, unit); });
-        if (!answer.schedules.empty()) {
-            text += listed(answer.schedules, "schedule", "schedules",
-                           [&unit](const AtlasEntry& entry) { return asText(entry, unit); });
+        text = listed(*answer.families, "family", "families",
+                      [&unit](const AtlasFamilyOf& all) { return asText(all, unit); });
+        if (!answer.schedules->empty()) {
+            text += listed(*answer.schedules, "schedule", "schedules",
+                           [&unit](const AtlasEntryOf& of) { return asText(of.value, unit); });
         }
     }
-    for (const AtlasRun& run : answer.coverage.runs()) {
+    for (const AtlasRun& run : answer.runs) {
         text += fmt::format("decided: {}{}\n", describe(run.range),
                             run.isFinished() ? "" : ", not finished");
     }
@@ -239,69 +134,26 @@ std::string asText(const AtlasAnswer& answer)
 
 std::string asJson(const AtlasAnswer& answer)
 {
-    const Scales unit = scales(answer.bar);
-    Json json = newAnswer();
-    json["bar"] = jsonOf(answer.bar);
-    if (answer.point) {
-        json["near"] = {{"frequency", answer.point->frequencyRatio / (4.0 * unit.time)},
-                        {"frequency_ratio", answer.point->frequencyRatio},
-                        {"energy", answer.point->energyRatio * unit.energy},
-                        {"energy_ratio", answer.point->energyRatio},
-                        {"within", answer.point->distance}};
-    }
-    if (answer.isTwins) {
-        json["twins"] =
-            listOf(answer.groups, [&unit](const Twins& twins) { return asJson(twins, unit); });
-    } else {
-        json["families"] = listOf(answer.families, [&](const AtlasFamily& all) {
-            return asJson(all, answer.point, unit);
-        });
-        json["schedules"] = listOf(
-            answer.schedules, [&unit](const AtlasEntry& entry) { return asJson(entry, unit); });
-    }
-    json["complete"] = answer.coverage.gaps().empty();
-    json["ranges"] =
-        listOf(answer.coverage.runs(), [](const AtlasRun& run) { return asJson(run); });
-    return asLine(json);
+    return asLine(wholeJsonOf(answer));
 }
 
-std::string asText(const AtlasRun& run, const std::string& database)
+std::string asText(const AtlasBuilt& built)
 {
+    const AtlasRun& run = built.run;
     const AtlasTally& tally = run.tally;
     return fmt::format(
         "{:<12}{}: {}\n"
         "decided     {} schedules in {:.3g} s\n"
         "found       {}: {} pressing, {} grazing; {} families on this grid\n"
         "none        {}{}\n",
-        run.isFinished() ? "done" : "interrupted", onOneLine(database), describe(run.range),
-        tally.decided, run.seconds, tally.pressing + tally.grazing, tally.pressing, tally.grazing,
-        tally.families, tally.refuted,
-        tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
+        name(built.status()), onOneLine(built.database), describe(run.range), tally.decided,
+        run.seconds, tally.pressing + tally.grazing, tally.pressing, tally.grazing, tally.families,
+        tally.refuted, tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
 }
 
-std::string asJson(const AtlasRun& run, const std::string& database, const Scene& scene)
+std::string asJson(const AtlasBuilt& built)
 {
-    const AtlasTally& tally = run.tally;
-    Json json = newAnswer();
-    json.update(Json{{"status", run.isFinished() ? "done" : "interrupted"},
-                     {"database", database},
-                     {"cells", run.range.cells},
-                     {"max_contact", run.range.maxContact},
-                     {"max_free", run.range.maxFree},
-                     {"phases", run.range.maxPhases},
-                     {"max_energy_ratio", bound(run.range.maxEnergyRatio)},
-                     {"families_only", run.range.familiesOnly},
-                     {"decided", tally.decided},
-                     {"found", tally.pressing + tally.grazing},
-                     {"pressing", tally.pressing},
-                     {"grazing", tally.grazing},
-                     {"family_count", tally.families},
-                     {"refuted", tally.refuted},
-                     {"undecided", tally.undecided},
-                     {"batches", {run.nextBatch, run.batches}},
-                     {"seconds", run.seconds}});
-    json.update(jsonOf(scene));
-    return asLine(json);
+    return asLine(wholeJsonOf(built));
 }
 
 void writeAtlasCsv(const std::string& path, const AtlasDatabase& atlas,

@@ -9,6 +9,8 @@
 #include "demand_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
+#include "find_outputs.hpp"
+#include "forced_find.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -40,10 +42,6 @@ FindRequest completed(const FindCommand& call)
                 "--energy clashes with --energy-ratio: allowed one of them");
         }
         options.energyRatio = *call.energy / scales(firstMaterial(options.scene)).energy;
-    }
-    if (call.yieldStress && !options.scene.bar.young) {
-        throw std::invalid_argument(
-            "--yield-stress: allowed only with --young, --density and --area");
     }
     options.strainLimit /= scales(options.scene.bar).strain;
     if (std::isfinite(options.tipFloor) && !(options.tipFloor < options.scene.bar.gap)) {
@@ -97,100 +95,37 @@ std::vector<answers::StabilityReport> stabilityReports(const FoundMotion& motion
     return reports;
 }
 
-/// The files that a call names: of a motion, or of the proof that there is none.
-class FindOutputs {
-public:
-    explicit FindOutputs(const FindCommand& words)
-        : words_(words),
-          motion_(ofMotion(words), {words.motionFile.folderOption(), ofProof(words)}),
-          proof_({ofProof(words)}, ofMotion(words))
-    {
+Motion fieldOf(const PeriodicResult& result)
+{
+    const std::vector<Segment>& segments = result.scene.segments;
+    return isUniform(segments) ? Motion(result.motion->state, result.schedule)
+                               : Motion(result.motion->state, result.schedule, segments);
+}
+
+/// A motion, or the proof that there is none.
+void writeFiles(FindOutputs& files, const FindOptions& options, const PeriodicResult& result,
+                const Json& answer)
+{
+    if (result.motion) {
+        files.writeMotion({result.motion->state, result.scene, result.scene.bar,
+                           signorini::steps(result.schedule), [&] { return fieldOf(result); },
+                           [&](FigureFormat format, const std::string& path) {
+                               drawMotion(result, format, path);
+                           }});
+    } else {
+        files.lackMotion();
     }
-
-    [[nodiscard]] bool areOfMotion() const { return motion_.areWanted(); }
-
-    /// Says on stderr which files there is nothing for.
-    void write(const FindOptions& options, const PeriodicResult& result, const Json& answer)
-    {
-        if (result.motion) {
-            writeMotion(result);
-        } else if (motion_.areWanted()) {
-            say("no motion to write, so no file was written");
-        }
-        const auto energies =
-            proof_.areWanted() ? energyCertificate(result, options) : std::nullopt;
-        if (result.absence || energies) {
-            proof_.put("--certificate", [&](const std::string& path) {
-                TextFile file(path);
-                // Of an answer with the certificate in place there is none to write.
-                writeAnswer(claimOf(answer, energies), result,
-                            [&](std::string_view text) { file.write(text); });
-                file.close();
-            });
-            proof_.commit();
-        } else if (proof_.areWanted()) {
-            say("no proof to write, so --certificate was not written");
-        }
+    const auto energies = files.wantsProof() ? energyCertificate(result, options) : std::nullopt;
+    if (!result.absence && !energies) {
+        files.lackProof();
+        return;
     }
-
-private:
-    static std::vector<OutputOption> ofMotion(const FindCommand& words)
-    {
-        return {{"--state", words.stateFile},
-                words.motionFile.option(),
-                {"--figure", words.figureFile},
-                {"--animate", words.animationFile}};
-    }
-
-    static OutputOption ofProof(const FindCommand& words)
-    {
-        return {"--certificate", words.certificateFile};
-    }
-
-    void say(std::string_view what) const
-    {
-        if (!words_.common.quiet) {
-            tell(fmt::format("signorini find: {}\n", what));
-        }
-    }
-
-    void writeMotion(const PeriodicResult& result)
-    {
-        motion_.put("--state", [&](const std::string& path) {
-            writeStateCsv(path, result.motion->state, result.scene.bar);
-        });
-        motion_.put("--figure", [&](const std::string& path) {
-            drawMotion(result, figureFormat(words_.figureFile), path);
-        });
-        if (words_.motionFile.isWanted() || !words_.animationFile.empty()) {
-            writeField(result);
-        }
-        motion_.commit();
-    }
-
-    void writeField(const PeriodicResult& result)
-    {
-        const std::vector<Segment>& segments = result.scene.segments;
-        const Motion field = isUniform(segments)
-                                 ? Motion(result.motion->state, result.schedule)
-                                 : Motion(result.motion->state, result.schedule, segments);
-        const std::int64_t all = signorini::steps(result.schedule);
-        motion_.put("--animate", [&](const std::string& path) {
-            animateMotion(MotionSamples(field, result.scene), animationFormat(words_.animationFile),
-                          path);
-        });
-        if (words_.motionFile.isWanted() && field.steps() < all) {
-            say(fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",
-                            field.steps(), all));
-        }
-        words_.motionFile.write(
-            motion_, [&](std::int64_t most) { return MotionSamples(field, result.scene, most); });
-    }
-
-    const FindCommand& words_;
-    Outputs motion_;
-    Outputs proof_;
-};
+    files.writeProof([&](TextFile& file) {
+        // Of an answer with the certificate in place there is none to write.
+        writeAnswer(claimOf(answer, energies), result,
+                    [&](std::string_view text) { file.write(text); });
+    });
+}
 
 }  // namespace
 
@@ -239,7 +174,6 @@ void FindCommand::addTo(CLI::App& command)
     common.addTo(command);
 }
 
-/// Where a motion is not what a bar could do.
 void FindCommand::warn(const Physical& physical) const
 {
     if (common.quiet) {
@@ -255,24 +189,25 @@ void FindCommand::warn(const Physical& physical) const
 }
 
 /// Forced motions are chosen by amplitude alone, within a limit on strain; those of a scene by
-/// their energy.
+/// their energy, and nothing but their states is written.
 void FindCommand::requireNothingElse(const char* with, const char* allowed) const
 {
     const FindOptions usual;
+    const bool isScene = scene.isGiven();
     const std::array<std::pair<const char*, bool>, 13> others{{
-        {"--period, --frequency, --hertz", question.isAsked()},
+        {"--period, --frequency, --hertz", isScene && question.isAsked()},
         {"--energy", energy.has_value()},
         {"--energy-ratio", options.energyRatio.has_value()},
         {"--objective", options.objective != usual.objective},
         {"--target", !targetFile.empty()},
         {"--solver", options.solver != usual.solver},
         {"--formulation", options.formulation != usual.formulation},
-        {"--yield-stress", yieldStress.has_value()},
+        {"--yield-stress", isScene && yieldStress.has_value()},
         {"--tip-floor", options.tipFloor != usual.tipFloor},
-        {"--motion", motionFile.isWanted()},
-        {"--figure", !figureFile.empty()},
-        {"--animate", !animationFile.empty()},
-        {"--stability (of response)", wantsStability},
+        {"--motion", isScene && motionFile.isWanted()},
+        {"--figure", isScene && !figureFile.empty()},
+        {"--animate", isScene && !animationFile.empty()},
+        {"--stability", isScene && wantsStability},
     }};
     for (const auto& [option, isGiven] : others) {
         if (isGiven) {
@@ -301,6 +236,10 @@ ExitStatus FindCommand::run() const
         throw std::invalid_argument("--stability, --certificate: allowed only together with NC NF");
     }
     const Scene bar = common.scene();
+    if (yieldStress && !bar.bar.young) {
+        throw std::invalid_argument(
+            "--yield-stress: allowed only with --young, --density and --area");
+    }
     if (!haveOneSpeed(bar.segments) && FindOutputs(*this).areOfMotion()) {
         throw std::invalid_argument(
             "--state, --motion, --figure, --animate: allowed only for segments in which waves have "
@@ -310,16 +249,17 @@ ExitStatus FindCommand::run() const
         throw std::invalid_argument(
             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     }
+    if (question.isAsked() && !isUniform(bar.segments)) {
+        throw std::invalid_argument("--segments: allowed only together with NC NF");
+    }
     ExitStatus status = exitUndecided;
     if (forced.isAsked()) {
         requireNothingElse("--damping, --force and --amplitude",
-                           "them --cycles, --strain-limit, --state and --certificate");
-        status = forced.answer({common.usualCells(), parsePhases(steps), stopsOf(bar)}, common,
-                               stateFile, certificateFile, options.strainLimit);
+                           "them --cycles, --strain-limit, --yield-stress, --stability and files");
+        status = question.isAsked()
+                     ? answerHarmonic(*this)
+                     : answerForced(*this, {common.usualCells(), parsePhases(steps), stopsOf(bar)});
     } else if (question.isAsked()) {
-        if (!isUniform(bar.segments)) {
-            throw std::invalid_argument("--segments: allowed only together with NC NF");
-        }
         const answers::AskedPeriod asked = question.on(common.usualCells(), bar.bar);
         status = answerQuestion(asked, completed(*this));
     } else {
@@ -349,7 +289,7 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
     FindOutputs files(*this);
     answers::FindAnswer answer = search(schedule, request, common.quiet);
     const PeriodicResult& result = answer.result;
-    files.write(request.options, result, wholeJsonOf(answer, "certificate"));
+    writeFiles(files, request.options, result, wholeJsonOf(answer, "certificate"));
     if (wantsStability && result.motion) {
         answer.stability = stabilityReports(*result.motion, schedule, result.scene.bar);
     }
@@ -374,8 +314,9 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
     std::vector<Physical> measured;
     for (const Schedule& schedule :
          schedulesOfPeriod(cells, asked.steps, stopsOf(request.options.scene).right)) {
-        PeriodicResult& result =
-            answer.answers.emplace_back(search(schedule, request, common.quiet)).result;
+        answers::FindAnswer& found =
+            answer.answers.emplace_back(search(schedule, request, common.quiet));
+        PeriodicResult& result = found.result;
         if (!result.motion) {
             continue;
         }
@@ -383,6 +324,7 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
         if (!first) {
             first = result;
         }
+        found.keptSpeeds = found.approachSpeeds();
         result.motion->state = {};  // there may be many, each as long as the grid is fine
     }
     if (files.areOfMotion() && measured.size() > 1) {
@@ -390,7 +332,7 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
             fmt::format("--state, --motion, --figure: {} motions answer: allowed one, by its NC NF",
                         measured.size()));
     }
-    files.write(request.options, first.value_or(PeriodicResult{}), {});
+    writeFiles(files, request.options, first.value_or(PeriodicResult{}), {});
     writeOut(common.wantsJson ? asLine(wholeJsonOf(answer)) : common.restated() + asText(answer));
     for (const Physical& physical : measured) {
         warn(physical);

@@ -40,8 +40,10 @@ struct FindCommand {
     /// stopped. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
 
-private:
+    /// Says on stderr where a motion is not what a bar could do.
     void warn(const Physical& physical) const;
+
+private:
     void requireNothingElse(const char* with, const char* allowed) const;
     void requireStable(const Schedule& schedule) const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,

@@ -10,17 +10,35 @@
 
 namespace signorini::cli {
 
+/// ω₁/2π of a bar [Hz].
+[[nodiscard]] double firstHertz(const Bar& bar);
+
+/// A frequency of the excitation: "1.1" in ω₁, "530Hz", or in Hz by an option of its own.
+struct FrequencyOption {
+    std::optional<double> ratio;  ///< ω/ω₁
+    std::optional<double> hertz;
+
+    /// `name` and its twin in Hz.
+    void addTo(CLI::App& command, const char* name, const char* twin, const char* help);
+    [[nodiscard]] bool isGiven() const { return ratio || hertz; }
+    /// ω/ω₁, ω₁ being so many Hz; what is meant where nothing is given.
+    [[nodiscard]] double ratioFor(double firstHertz, double otherwise = 0.0) const;
+};
+
 struct ForceOptions {
     std::optional<double> ratio;
     std::optional<Excited> place;
-    std::optional<double> amplitude;  ///< [N] or [m]
+    std::optional<double> amplitude;  ///< [N], [m], or of a derivative [m/s], [m/s²]
+    int derivative = 0;               ///< of the base's displacement: 1 velocity, 2 acceleration
 
     void addTo(CLI::App& command);
 
     /// None without --damping.
     [[nodiscard]] Damping damping() const { return {ratio.value_or(0.0)}; }
-    /// In units of EA g/L (tip) or g (base). \pre place and amplitude were given.
+    /// In units of EA g/L (tip) or g (c/L)^derivative (base). \pre place and amplitude were given.
     [[nodiscard]] double scaledAmplitude(const Bar& bar) const;
+    /// The same options with the base's displacement at so many ω/ω₁, ω₁ being so many Hz.
+    [[nodiscard]] ForceOptions at(double frequencyRatio, double firstHertz) const;
 };
 
 }  // namespace signorini::cli

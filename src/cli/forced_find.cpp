@@ -2,8 +2,10 @@
 
 #include <cmath>
 
-#include "files.hpp"
+#include "find_command.hpp"
+#include "find_outputs.hpp"
 #include "forced_report.hpp"
+#include "interrupt.hpp"
 #include "json.hpp"
 #include "report.hpp"
 #include "stepped_bar.hpp"
@@ -16,11 +18,13 @@ void ForcedFind::addTo(CLI::App& command)
     force.addTo(command);
     addWhole(command, "--cycles", 1, maxForcedSteps / 2, cycles, "K",
              "cycles of the excitation in a period of the motion (1)");
+    addWhole(command, "--contacts", 1, 1, contacts, "K",
+             "with --period, --frequency or --hertz: contacts in a period (1)");
 }
 
-ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& common,
-                              const std::string& stateFile, const std::string& certificateFile,
-                              double strainLimit) const
+namespace {
+
+void requireForce(const ForceOptions& force)
 {
     if (!force.ratio) {
         refuse("--damping", "missing", fmt::format("numbers 0..{} [-]", maxDampingRatio));
@@ -28,51 +32,118 @@ ExitStatus ForcedFind::answer(const Schedule& schedule, const CommonOptions& com
     if (!force.place) {
         refuse("--force", "missing", "tip|base");
     }
-    const Scene scene = common.scene();
-    // Equal segments are one bar.
-    const bool isStepped = !isUniform(scene.segments);
-    if (isStepped && std::isfinite(strainLimit)) {
-        refuse("--strain-limit", fmt::format("{}", strainLimit),
+}
+
+void validate(const FindCommand& call, const Schedule& schedule, bool isStepped)
+{
+    requireForce(call.forced.force);
+    if (isStepped && std::isfinite(call.options.strainLimit)) {
+        refuse("--strain-limit", fmt::format("{}", call.options.strainLimit),
                "none for a forced bar of several segments");
     }
-    if (canRest(schedule.phases, schedule.stops) && !force.amplitude) {
+    if (canRest(schedule.phases, schedule.stops) && !call.forced.force.amplitude) {
         refuse("--amplitude", "missing",
                "numbers > 0 [N or m]: without a gap motions are as small as one likes");
     }
-    const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;
-    const OutputOption ofState{"--state", stateFile};
-    const OutputOption ofProof{"--certificate", certificateFile};
-    Outputs states({ofState}, {ofProof});
-    Outputs proofs({ofProof}, {ofState});
-    const ForcedLimits limits{strainLimit / scales(bar).strain};
-    const Forcing forcing{*force.place, cycles};
-    const answers::ForcedAnswer answer =
-        answers::answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
-                          scene, force.amplitude);
-    if (!answer.motions.empty()) {
-        states.put("--state", [&](const std::string& path) {
-            writeStateCsv(path, answer.motions.back().value.state, bar);
-        });
-        states.commit();
-    } else if (states.areWanted() && !common.quiet) {
-        tell("signorini find: no motion to write, so no file was written\n");
+}
+
+/// Each motion disturbed a little.
+void tryStability(answers::ForcedAnswer& answer)
+{
+    const Interrupt interrupt;
+    StabilityOptions options;
+    options.cancel = interrupt.cancel();
+    options.segments = answer.scene.segments;
+    for (answers::ForcedMotionOf& motion : answer.motions) {
+        motion.value.stability = stabilityOf(motion.value, options).stability;
+    }
+}
+
+/// The motion of the largest impulse, or the proof that there is none.
+void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
+{
+    if (answer.motions.empty()) {
+        files.lackMotion();
+    } else {
+        const ForcedMotion& last = answer.motions.back().value;
+        const auto field = [&] {
+            const std::vector<Segment> uniform{{.cells = last.schedule.cells}};
+            return Motion(last.state, last.schedule,
+                          answer.scene.segments.empty() ? uniform : answer.scene.segments,
+                          last.damping, last.excitation);
+        };
+        files.writeMotion({last.state, answer.scene, answer.bar, steps(last.schedule), field,
+                           [&](FigureFormat format, const std::string& path) {
+                               drawMotion(last, answer.scene, format, path);
+                           }});
     }
     if (answer.status() == Status::none) {
-        proofs.put("--certificate", [&](const std::string& path) {
-            TextFile file(path);
-            file.write(asLine(wholeJsonOf(answer)));
-            file.close();
-        });
-        proofs.commit();
-    } else if (proofs.areWanted() && !common.quiet) {
-        tell("signorini find: no proof to write, so --certificate was not written\n");
+        files.writeProof([&](TextFile& file) { file.write(asLine(wholeJsonOf(answer))); });
+    } else {
+        files.lackProof();
     }
+}
+
+}  // namespace
+
+ExitStatus answerHarmonic(const FindCommand& call)
+{
+    const CommonOptions& common = call.common;
+    const ForceOptions& force = call.forced.force;
+    const Scene scene = common.scene();
+    requireForce(force);
+    if (*force.ratio == 0.0) {
+        refuse("--damping", "0", fmt::format("numbers > 0, at most {} [-]", maxDampingRatio));
+    }
+    if (!force.amplitude) {
+        refuse("--amplitude", "missing", "numbers > 0 [N or m]");
+    }
+    if (std::isfinite(call.options.strainLimit) || FindOutputs(call).areOfMotion()) {
+        throw std::invalid_argument(
+            "--strain-limit, --state, --motion, --figure, --animate: of forced motions allowed "
+            "only together with NC NF");
+    }
+    const ExactPeriod period =
+        call.question.exactly(common.usualCells(), scene.bar, call.forced.cycles);
+    const double frequencyRatio = 4.0 * static_cast<double>(call.forced.cycles) / period.value();
+    const ForceOptions displaced = force.at(frequencyRatio, firstHertz(scene.bar));
+    (void)displaced.scaledAmplitude(scene.bar);
+    const answers::HarmonicAnswer answer = answers::answerOf(
+        period, force.damping(), *force.place, call.forced.cycles, *displaced.amplitude, scene);
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
+                              : common.restated({}, force.ratio) + asText(answer));
+    for (const answers::HarmonicMotionOf& motion : answer.motions) {
+        call.warn(motion.physical());
+    }
+    return exitStatusOf(answer.status());
+}
+
+ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
+{
+    const CommonOptions& common = call.common;
+    const Scene scene = common.scene();
+    // Equal segments are one bar.
+    const bool isStepped = !isUniform(scene.segments);
+    validate(call, schedule, isStepped);
+    const ForceOptions& force = call.forced.force;
+    const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;
+    FindOutputs files(call);
+    const ForcedLimits limits{call.options.strainLimit / scales(bar).strain};
+    const Forcing forcing{*force.place, call.forced.cycles};
+    const double frequencyRatio = 4.0 * static_cast<double>(schedule.cells) *
+                                  static_cast<double>(call.forced.cycles) /
+                                  static_cast<double>(steps(schedule));
+    answers::ForcedAnswer answer =
+        answers::answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
+                          scene, force.at(frequencyRatio, firstHertz(bar)).amplitude);
+    if (call.wantsStability) {
+        tryStability(answer);
+    }
+    writeFiles(files, answer);
     writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
                               : common.restated({}, force.ratio) + asText(answer));
     for (const answers::ForcedMotionOf& motion : answer.motions) {
-        if (!common.quiet) {
-            warnUnlessAdmissible("find", physicalOf(motion.value.extremes, bar));
-        }
+        call.warn(motion.physical());
     }
     return exitStatusOf(answer.status());
 }

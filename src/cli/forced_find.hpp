@@ -1,6 +1,8 @@
 #pragma once
 /// \file
-/// signorini find NC NF --damping Z --force tip|base: the forced, damped motions of a schedule.
+/// signorini find NC NF --damping Z --force tip|base: the forced, damped motions of a schedule;
+/// with
+/// --period, --frequency or --hertz in place of NC NF those with one contact, on no grid.
 
 #include <cstdint>
 #include <string>
@@ -15,18 +17,21 @@ namespace signorini::cli {
 struct ForcedFind {
     ForceOptions force;
     std::int64_t cycles = 1;
+    std::int64_t contacts = 1;
 
     void addTo(CLI::App& command);
 
     [[nodiscard]] bool isAsked() const { return force.ratio || force.place || force.amplitude; }
-
-    /// Those of one amplitude if it is given, else the one of least amplitude; the report goes to
-    /// stdout, the state of the last one, which has the largest impulse, to `stateFile`, an answer
-    /// "none" to `certificateFile`. With a limit on strain [-], s >= -strainLimit, only those
-    /// within it.
-    [[nodiscard]] ExitStatus answer(const Schedule& schedule, const CommonOptions& common,
-                                    const std::string& stateFile,
-                                    const std::string& certificateFile, double strainLimit) const;
 };
+
+struct FindCommand;
+
+/// The motions of one amplitude if it is given, else the one of least amplitude; the report goes to
+/// stdout, the last motion, which has the largest impulse, to the files of the call, or the answer
+/// "none" to its certificate. With a limit on strain [-], s >= -limit, only those within it.
+[[nodiscard]] ExitStatus answerForced(const FindCommand& call, const Schedule& schedule);
+
+/// All motions with one contact in a period under an exact harmonic of the amplitude given.
+[[nodiscard]] ExitStatus answerHarmonic(const FindCommand& call);
 
 }  // namespace signorini::cli

@@ -41,6 +41,16 @@ std::string asText(const std::vector<ForcedCondition>& conflict)
     return rows;
 }
 
+const char* wordsOf(Excited place)
+{
+    return place == Excited::tip ? "force on the tip" : "moving base";
+}
+
+std::string wordsOf(std::int64_t cycles)
+{
+    return cycles > 1 ? fmt::format(", {} cycles in a period", cycles) : "";
+}
+
 }  // namespace
 
 std::string asText(const answers::ForcedAnswer& answer)
@@ -48,9 +58,8 @@ std::string asText(const answers::ForcedAnswer& answer)
     const ForcedSet& set = answer.set;
     Text text;
     print(text, "{:<12}{}, ζ = {}, {}{}, ω/ω₁ = {:.10g}\n", name(answer.status()),
-          describe(set.schedule), set.damping.ratio,
-          set.forcing.place == Excited::tip ? "force on the tip" : "moving base",
-          set.forcing.cycles > 1 ? fmt::format(", {} cycles in a period", set.forcing.cycles) : "",
+          describe(set.schedule), set.damping.ratio, wordsOf(set.forcing.place),
+          wordsOf(set.forcing.cycles),
           static_cast<double>(set.forcing.cycles) * frequencyRatio(set.schedule));
     if (set.status == Status::found) {
         print(text, "set         {}, amplitudes {}\n", name(set.kind), answer.amplitudes());
@@ -59,6 +68,10 @@ std::string asText(const answers::ForcedAnswer& answer)
         print(text, "motion      amplitude {:.6g} {}, phase {:.6g} rad, residual {:.2g}\n{}",
               motion.amplitude(), answer.unitName(), motion.value.phase, motion.value.residual,
               asText(motion.physical()));
+        if (motion.value.stability) {
+            print(text, "stability   {} (tried: disturbed a little, 300 periods)\n",
+                  name(*motion.value.stability));
+        }
     }
     if (set.reason) {
         print(text, "reason      {}\n", name(*set.reason));
@@ -72,6 +85,30 @@ std::string asText(const answers::ForcedAnswer& answer)
               set.cuts.empty() ? ""
                                : fmt::format(": none below 1e9 E₁ and an amplitude of {:.6g} {}",
                                              mostCutAmplitude * answer.unit(), answer.unitName()));
+    }
+    if (const auto detail = answer.detail()) {
+        print(text, "why         {}\n", *detail);
+    }
+    return fmt::to_string(text);
+}
+
+std::string asText(const answers::HarmonicAnswer& answer)
+{
+    Text text;
+    print(text, "{:<12}one contact in T = {} L/c, {}{} of amplitude {:.6g} {}, ω/ω₁ = {:.10g}\n",
+          name(answer.status()), fractionAsText(answer.period), wordsOf(answer.place),
+          wordsOf(answer.cycles), answer.amplitude, answer.place == Excited::tip ? "N" : "m",
+          answer.frequencyRatio());
+    for (const answers::HarmonicMotionOf& motion : answer.motions) {
+        print(text, "motion      contact of {:.10g} L/c, {}; phase {:.6g} rad, residual {:.2g}\n{}",
+              motion.value.extremes.contactTime,
+              motion.value.isPinned ? "ended by a wave front" : "ended smoothly",
+              motion.value.phase, motion.value.residual, asText(motion.physical()));
+        if (motion.growth) {
+            print(text,
+                  "stability   {}: small disturbances become {:.4g} times as large in a period\n",
+                  *motion.growth < 1.0 ? "attracts" : "repels", *motion.growth);
+        }
     }
     if (const auto detail = answer.detail()) {
         print(text, "why         {}\n", *detail);

@@ -5,10 +5,12 @@
 #include <string>
 
 #include "forced_answer.hpp"
+#include "harmonic_answer.hpp"
 
 namespace signorini::cli {
 
 /// Several lines for people, with a final newline.
 [[nodiscard]] std::string asText(const answers::ForcedAnswer& answer);
+[[nodiscard]] std::string asText(const answers::HarmonicAnswer& answer);
 
 }  // namespace signorini::cli

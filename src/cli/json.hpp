@@ -40,6 +40,9 @@ struct JsonKeys {
              answers::When when = answers::When::always)
     {
         using Value = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;
+        if (when == answers::When::python) {
+            return;
+        }
         if (name == leftNull) {
             json[name] = nullptr;
             return;

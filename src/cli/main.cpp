@@ -32,6 +32,7 @@
 #include "signorini/output.hpp"
 #include "simulate_command.hpp"
 #include "solver.hpp"
+#include "sweep_command.hpp"
 #include "text.hpp"
 
 namespace {
@@ -202,6 +203,8 @@ public:
         add(app, response_, "response",
             "all forced, damped motions with one contact phase, frequency by frequency");
         add(app, simulate_, "simulate", "the exact motion from any initial state");
+        add(app, sweep_, "sweep",
+            "what a driven bar settles on while a frequency, or another number, is varied");
         add(app, scene_, "scene",
             "bars in a row, with springs, masses, gaps and stops: parsed, converted, drawn",
             &scene_.words);
@@ -253,6 +256,7 @@ private:
     AtlasCommand atlas_;
     ResponseCommand response_;
     SimulateCommand simulate_;
+    SweepCommand sweep_;
     SceneCommand scene_;
     std::vector<Command> commands_;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "arguments.hpp"
+#include "harmonic_contact.hpp"
 #include "hints.hpp"
 #include "report.hpp"
 #include "signorini/modes.hpp"
@@ -90,11 +91,36 @@ bool PeriodQuestion::isAsked() const
     return !period.empty() || !frequency.empty() || hertz;
 }
 
-answers::AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) const
+void PeriodQuestion::requireOne() const
 {
     if ((period.empty() ? 0 : 1) + (frequency.empty() ? 0 : 1) + (hertz ? 1 : 0) != 1) {
         throw std::invalid_argument("--period, --frequency, --hertz: allowed one of them");
     }
+}
+
+ExactPeriod PeriodQuestion::exactly(std::int64_t cells, const Bar& bar, std::int64_t cycles) const
+{
+    requireOne();
+    const auto exact = [&] {
+        if (!period.empty()) {
+            return parseFraction("--period", period, "L/c");
+        }
+        const ExactPeriod one = hertz ? exactPeriod(on(cells, bar).steps, cells)
+                                      : reciprocal(parseFraction("--frequency", frequency, "ω₁"));
+        return exactPeriod(cycles * one.numerator, one.denominator);
+    }();
+    const std::int64_t common = exact.numerator % 2 == 0 ? 2 : 1;
+    if (std::max(exact.numerator, 2 * exact.denominator) / common > maxHarmonicCells) {
+        refuse("--period, --frequency, --hertz", fractionAsText(exact) + " L/c",
+               fmt::format("periods P/Q in which P and 2Q, in lowest terms, are at most {}",
+                           maxHarmonicCells));
+    }
+    return exact;
+}
+
+answers::AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) const
+{
+    requireOne();
     if (!period.empty()) {
         return onGrid("--period", period, parseNumber("--period", period, "L/c"), cells, false);
     }

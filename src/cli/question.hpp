@@ -32,6 +32,15 @@ struct PeriodQuestion {
     /// The period in steps of L/(Nc): the one asked for, exactly, or for hertz the nearest.
     /// \throws std::invalid_argument if more than one is given, or it is not on the grid.
     [[nodiscard]] answers::AskedPeriod on(std::int64_t cells, const Bar& bar) const;
+    /// The period of a motion on no grid, in which an excitation goes through so many cycles; the
+    /// frequency is that of the excitation, of hertz the nearest of the grid.
+    /// \throws std::invalid_argument as above, or if it takes more than 9 digits above or below, or
+    /// more cells than harmonicContacts allows.
+    [[nodiscard]] ExactPeriod exactly(std::int64_t cells, const Bar& bar,
+                                      std::int64_t cycles) const;
+
+private:
+    void requireOne() const;
 };
 
 }  // namespace signorini::cli

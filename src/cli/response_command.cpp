@@ -67,7 +67,7 @@ void requireFrequencies(const ResponseRange& range, const Bar& bar)
     if (range.leastFrequencyRatio < high || first <= std::floor(unit / range.leastFrequencyRatio)) {
         return;
     }
-    const double hertz = 0.25 / scales(bar).time;
+    const double hertz = firstHertz(bar);
     refuse("--from", fmt::format("{}", range.leastFrequencyRatio),
            fmt::format("4NK/n for some whole n, n >= 2K [ω₁]; {0:.6g} looks like Hz: ω₁ is {1:.6g} "
                        "Hz ({2}), so it is --from {3:.6g}",
@@ -80,10 +80,8 @@ void requireFrequencies(const ResponseRange& range, const Bar& bar)
 void ResponseCommand::addTo(CLI::App& command)
 {
     force.addTo(command);
-    addPositive(command, "--from", "omega_1", range.leastFrequencyRatio, "W",
-                "lowest frequency of the excitation, ω/ω₁ (0.5)");
-    addPositive(command, "--to", "omega_1", range.mostFrequencyRatio, "W",
-                "highest frequency of the excitation, ω/ω₁ (2)");
+    from.addTo(command, "--from", "--from-hertz", "lowest frequency of the excitation, ω/ω₁ (0.5)");
+    to.addTo(command, "--to", "--to-hertz", "highest frequency of the excitation, ω/ω₁ (2)");
     addWhole(command, "--cycles", 1, maxForcedSteps / 2, range.cycles, "K",
              "cycles of the excitation in a period of the motion (1)");
     addWhole(command, "--contacts", 1, 2, range.contacts, "K",
@@ -134,7 +132,10 @@ ExitStatus ResponseCommand::run() const
     const Scene scene = common.scene();
     ResponseAnswer answer{range, scene, answers::unitsOf(scene), 0.0, {}};
     answer.range.cells = common.usualCells();
-    if (range.leastFrequencyRatio <= range.mostFrequencyRatio) {
+    answer.range.leastFrequencyRatio =
+        from.ratioFor(firstHertz(answer.bar), range.leastFrequencyRatio);
+    answer.range.mostFrequencyRatio = to.ratioFor(firstHertz(answer.bar), range.mostFrequencyRatio);
+    if (answer.range.leastFrequencyRatio <= answer.range.mostFrequencyRatio) {
         requireFrequencies(answer.range, answer.bar);
     }
     if (!force.ratio || !(force.damping().rho() < 1.0)) {
@@ -147,9 +148,9 @@ ExitStatus ResponseCommand::run() const
     if (!force.amplitude) {
         refuse("--amplitude", "missing", "finite numbers > 0 [N or m]");
     }
-    if (range.leastFrequencyRatio > range.mostFrequencyRatio) {
-        refuse("--from", fmt::format("{}", range.leastFrequencyRatio),
-               fmt::format("numbers up to --to = {}", range.mostFrequencyRatio));
+    if (answer.range.leastFrequencyRatio > answer.range.mostFrequencyRatio) {
+        refuse("--from", fmt::format("{}", answer.range.leastFrequencyRatio),
+               fmt::format("numbers up to --to = {}", answer.range.mostFrequencyRatio));
     }
     if (yieldStress && !answer.bar.young) {
         refuse("--yield-stress", fmt::format("{}", *yieldStress),
@@ -160,6 +161,11 @@ ExitStatus ResponseCommand::run() const
     answer.range.damping = force.damping();
     answer.range.place = *force.place;
     answer.range.amplitude = force.scaledAmplitude(answer.bar);
+    answer.range.derivative = force.derivative;
+    if (force.derivative > 0 && !mapFile.empty()) {
+        refuse("--map", mapFile,
+               "it only with --amplitude: at each frequency another displacement is meant");
+    }
     answer.range.stops = stopsOf(answer.scene);
     answer.range.segments = scene.segments;
     if (!isUniform(scene.segments) && !backboneFile.empty()) {

@@ -15,6 +15,8 @@ namespace signorini::cli {
 struct ResponseCommand {
     CommonOptions common;
     ForceOptions force;
+    FrequencyOption from;
+    FrequencyOption to;
     ResponseRange range;
     std::optional<double> band;
     std::optional<double> yieldStress;  ///< [Pa]

@@ -45,7 +45,8 @@ void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
         if (const auto& held = response.permanent) {
             const Physical p = physicalOf(held->extremes, answer.bar);
             file.write(fmt::format("{},{},0,0,{},{},{},,{},,,right{}", begin, response.steps,
-                                   p.impulse, p.peakForce, p.tipLowest, answer.amplitude, end(&p)));
+                                   p.impulse, p.peakForce, p.tipLowest,
+                                   answer.amplitudeAt(response), end(&p)));
         } else if (response.motions.empty()) {
             file.write(fmt::format("{},,,,,,,,,,,{}", begin, end(nullptr)));
         }
@@ -57,7 +58,7 @@ void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
             file.write(fmt::format(
                 "{},{},{},{},{},{},{},{},{},{},{}{}", begin, first.contact, first.free,
                 motion.phase, p.impulse, p.peakForce, p.tipLowest, word(motion),
-                motion.amplitude * answers::amplitudeUnit(answer.range.place, answer.bar),
+                motion.amplitude * amplitudeUnit(answer.range.place, answer.bar),
                 phases.size() > 1 ? fmt::format("{},{}", phases[1].contact, phases[1].free)
                                   : std::string(","),
                 isOnBoth ? "both" : name(first.stop), end(&p)));

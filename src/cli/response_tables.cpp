@@ -12,7 +12,7 @@ namespace signorini::cli {
 void writeResponseMapCsv(const std::string& path, const ResponseAnswer& answer)
 {
     const Scales unit = scales(answer.bar);
-    const double force = answers::amplitudeUnit(answer.range.place, answer.bar);
+    const double force = amplitudeUnit(answer.range.place, answer.bar);
     TextFile file(path);
     file.write(
         "steps,frequency_ratio,frequency,contacts,contact,free,second_contact,second_free,"
@@ -24,7 +24,7 @@ void writeResponseMapCsv(const std::string& path, const ResponseAnswer& answer)
             file.write(fmt::format("{},{},{},{}\n", begin, phases, least * force,
                                    std::isfinite(most) ? fmt::format("{}", most * force) : ""));
         };
-        put("0,,,,", 0.0, answer.range.amplitude / response.linearPeak);
+        put("0,,,,", 0.0, answer.amplitudeAt(response) / force / response.linearPeak);
         for (const AmplitudeBranch& branch : response.branches) {
             put(fmt::format("1,{},{},,", branch.contact, response.steps - branch.contact),
                 branch.least, branch.most);

@@ -136,8 +136,9 @@ void addWorst(const ResponseAnswer& answer, const Frequencies& frequencies, Text
     }
     std::string remark;
     if (const auto limit = answer.yieldStress) {
-        remark = fmt::format(": {:.3g} % of the yield stress, {}", 100.0 * stress.value / *limit,
-                             stress.value > *limit ? "the bar yields" : "no yield");
+        remark =
+            fmt::format(": {:.3g} % of the yield stress, {}", 100.0 * stress.value / *limit,
+                        stress.value > *limit ? "the bar yields" : "no yield at these frequencies");
     }
     line("stress", stress, "Pa", remark);
 }
@@ -218,7 +219,7 @@ std::string asText(const ResponseAnswer& answer)
         answer.motions(), range.contacts > 1 ? "one or two contacts" : "one contact phase",
         range.stops.left ? " on each stop that is touched" : "", answer.frequencies.size(),
         range.cells, range.damping.ratio, range.place == Excited::tip ? "force on the tip" : "base",
-        answer.amplitude, range.place == Excited::tip ? "N" : "m",
+        answer.amplitude, amplitudeUnitName(range.place, range.derivative),
         range.contacts > 1 ? fmt::format(", for two contacts ± {:.3g} %", 100.0 * range.band) : "",
         range.cycles > 1 ? fmt::format(", {} cycles in a period", range.cycles) : "",
         answer.isComplete ? "" : ": interrupted, the list is not complete");

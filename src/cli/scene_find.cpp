@@ -62,7 +62,7 @@ std::string asText(ContactSet closed)
 {
     std::string text;
     for (std::size_t j = 0; j < maxContacts; ++j) {
-        if ((closed >> j & 1U) != 0) {
+        if (contains(closed, j)) {
             text += fmt::format("{}{}", text.empty() ? "" : "+", j + 1);
         }
     }
@@ -75,7 +75,7 @@ Json scheduleAsJson(const std::vector<ContactSpan>& schedule)
     for (const ContactSpan& span : schedule) {
         Json closed = Json::array();
         for (std::size_t j = 0; j < maxContacts; ++j) {
-            if ((span.closed >> j & 1U) != 0) {
+            if (contains(span.closed, j)) {
                 closed.push_back(j + 1);
             }
         }

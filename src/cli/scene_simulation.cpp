@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "excited_amplitude.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "network_simulation.hpp"
@@ -15,6 +16,7 @@
 #include "scene_report.hpp"
 #include "signorini/output.hpp"
 #include "simulate_command.hpp"
+#include "simulation_report.hpp"
 
 namespace signorini::cli {
 
@@ -31,8 +33,10 @@ struct Question {
     NetworkDrive drive = {};
     double period = 0.0;  ///< [h], of the excitation; 0: none
     Excited place = Excited::tip;
-    double frequency = 0.0;  ///< [Hz]
-    double duration = 0.0;   ///< [h]
+    double amplitude = 0.0;       ///< [N] or [m]
+    double frequencyRatio = 0.0;  ///< ω/ω₁
+    double frequency = 0.0;       ///< [Hz]
+    double duration = 0.0;        ///< [h]
 };
 
 /// The state at the ends of the last periods, and what had happened until then.
@@ -96,16 +100,35 @@ private:
     std::vector<End> ends_;
 };
 
+bool isDriven(const Network& network)
+{
+    return std::any_of(network.nodes.begin(), network.nodes.end(),
+                       [](const NetworkNode& node) { return node.isDriven; });
+}
+
+/// The force of a file, constant in each cell's time.
+void setHistory(const SimulateCommand& command, Question& question)
+{
+    const NetworkScales& scales = question.network.scales;
+    if (!isDriven(question.network)) {
+        refuse("--force-file", command.forceFile, "a scene with the word driven");
+    }
+    question.drive.forces =
+        command.forceHistory(scales.time, scales.force(), *command.time / scales.time);
+}
+
 /// The harmonic force of the driven node, or the base that shakes.
 void setDrive(const SimulateCommand& command, Question& question)
 {
     const ForceOptions& force = command.force;
-    if (force.amplitude.has_value() != command.frequencyRatio.has_value()) {
+    if (!command.forceFile.empty()) {
+        setHistory(command, question);
+        return;
+    }
+    if (force.amplitude.has_value() != command.frequency.isGiven()) {
         throw std::invalid_argument("--amplitude, --frequency: allowed only together");
     }
     const auto& nodes = question.network.nodes;
-    const bool isDriven = std::any_of(nodes.begin(), nodes.end(),
-                                      [](const NetworkNode& node) { return node.isDriven; });
     const bool isShaken = std::any_of(nodes.begin(), nodes.end(),
                                       [](const NetworkNode& node) { return node.isShaken; });
     if (!force.amplitude) {
@@ -115,20 +138,23 @@ void setDrive(const SimulateCommand& command, Question& question)
         }
         return;
     }
-    question.place = force.place.value_or(isDriven ? Excited::tip : Excited::base);
-    const bool hasPlace = question.place == Excited::tip ? isDriven : isShaken;
-    if (!hasPlace || (!force.place && isDriven && isShaken)) {
+    const bool hasForce = isDriven(question.network);
+    question.place = force.place.value_or(hasForce ? Excited::tip : Excited::base);
+    const bool hasPlace = question.place == Excited::tip ? hasForce : isShaken;
+    if (!hasPlace || (!force.place && hasForce && isShaken)) {
         refuse("--amplitude", fmt::format("{}", *force.amplitude),
                "a scene with one word driven (a force [N]) or shaken (a clamp [m]); --force "
                "tip|base says which of two");
     }
     const SceneReference reference = referenceOf(question.network);
-    const double omega = *command.frequencyRatio * reference.frequency;
+    question.frequencyRatio =
+        command.frequency.ratioFor(reference.frequency / (2.0 * std::numbers::pi));
+    const double omega = question.frequencyRatio * reference.frequency;
     const double exact = 2.0 * std::numbers::pi / (omega * question.network.scales.time);
     const double steps = std::round(exact);
     if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
         refuse(
-            "--frequency", fmt::format("{}", *command.frequencyRatio),
+            "--frequency", fmt::format("{}", question.frequencyRatio),
             fmt::format("periods of 3..{} steps of {:.6g} s, 1/ω₁ = {:.6g} s", maxExcitationSteps,
                         question.network.scales.time, 1.0 / reference.frequency));
     }
@@ -138,9 +164,14 @@ void setDrive(const SimulateCommand& command, Question& question)
     question.frequency = omega / (2.0 * std::numbers::pi);
     const NetworkScales& scales = question.network.scales;
     const bool isForce = question.place == Excited::tip;
+    if (isForce && force.derivative > 0) {
+        refuse("--amplitude-" + std::string(amplitudeOf(Excited::base, force.derivative)),
+               fmt::format("{}", *force.amplitude), "it only of a base that is shaken");
+    }
+    question.amplitude = *force.at(1.0, question.frequency).amplitude;
     const Excitation excitation = excitationOf(
         {.place = question.place,
-         .amplitude = *force.amplitude / (isForce ? scales.force() : scales.displacement),
+         .amplitude = question.amplitude / (isForce ? scales.force() : scales.displacement),
          .phase = command.phase,
          .steps = static_cast<std::int64_t>(steps),
          .stepsPerCrossing = 1.0 / question.drive.step});
@@ -169,11 +200,6 @@ Question questionOf(const SimulateCommand& command)
     }
     question.network = networkOf(question.assembly);
     setDrive(command, question);
-    if (command.time.has_value() == command.periods.has_value()) {
-        throw std::invalid_argument(command.time
-                                        ? "--time clashes with --periods: allowed one of them"
-                                        : "--time, --periods: missing: allowed one of them");
-    }
     const double unit = question.network.scales.time;
     question.duration = command.periods ? static_cast<double>(*command.periods) * question.period
                                         : *command.time / unit;
@@ -289,8 +315,8 @@ Json excitationAsJson(const SimulateCommand& command, const Question& question)
     }
     return {
         {"force", name(question.place)},
-        {"amplitude", *command.force.amplitude},
-        {"frequency_ratio", *command.frequencyRatio},
+        {"amplitude", question.amplitude},
+        {"frequency_ratio", question.frequencyRatio},
         {"frequency", question.frequency},
         {"phase", command.phase},
         {"steps", static_cast<std::int64_t>(std::round(question.period / question.drive.step))}};
@@ -357,6 +383,20 @@ void writeEvents(const std::string& path, const NetworkSimulation& simulation)
     file.close();
 }
 
+void writeStatistics(const std::string& path, const NetworkSimulation& simulation)
+{
+    const NetworkScales& scales = simulation.network().scales;
+    std::vector<Impacts> all(simulation.network().contacts.size());
+    for (std::size_t contact = 0; contact < all.size(); ++contact) {
+        all[contact].contact = fmt::format("{}", contact + 1);
+    }
+    for (const NetworkContactEvent& event : simulation.contacts()) {
+        all[event.contact].impulse.push_back(event.impulse * scales.force() * scales.time);
+        all[event.contact].speed.push_back(event.speed * scales.velocity());
+    }
+    writeStatistics(path, all, simulation.time() * scales.time);
+}
+
 void writePaths(const std::string& path, const NetworkSimulation& simulation)
 {
     const NetworkScales& scales = simulation.network().scales;
@@ -365,9 +405,14 @@ void writePaths(const std::string& path, const NetworkSimulation& simulation)
     for (std::size_t node = 0; node < simulation.paths().size(); ++node) {
         // Displacements are counted from the shape at rest, which comes back here.
         const double rest = simulation.network().nodes[node].rest;
-        for (const NodePoint& point : simulation.paths()[node]) {
+        const auto put = [&](const NodePoint& point) {
             file.write(fmt::format("{},{},{}\n", node + 1, point.time * scales.time,
                                    (point.displacement + rest) * scales.displacement));
+        };
+        const std::vector<NodePoint>& points = simulation.paths()[node];
+        std::for_each(points.begin(), points.end(), put);
+        if (!points.empty() && points.back().time < simulation.time()) {
+            put({simulation.time(), simulation.displacement(node)});
         }
     }
     file.close();
@@ -404,6 +449,7 @@ ExitStatus simulateScene(const SimulateCommand& command)
 {
     const Question question = questionOf(command);
     Outputs outputs({{"--events", command.eventsFile},
+                     {"--statistics", command.statisticsFile},
                      {"--tip", command.tipFile},
                      {"--figure", command.figureFile},
                      {"--state", command.stateFile}});
@@ -420,6 +466,8 @@ ExitStatus simulateScene(const SimulateCommand& command)
     goOn(simulation, question, command.common.quiet, answer);
     if (answer.isComplete) {
         outputs.put("--events", [&](const std::string& path) { writeEvents(path, simulation); });
+        outputs.put("--statistics",
+                    [&](const std::string& path) { writeStatistics(path, simulation); });
         outputs.put("--tip", [&](const std::string& path) { writePaths(path, simulation); });
         outputs.put("--state", [&](const std::string& path) {
             writeNetworkState(path, simulation.network(), simulation.state());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "files.hpp"
+#include "force_history.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "scene_simulation.hpp"
@@ -11,36 +12,13 @@
 #include "signorini/settling.hpp"
 #include "simulation_report.hpp"
 #include "stepped_bar.hpp"
+#include "table.hpp"
 
 namespace signorini::cli {
 
 namespace {
 
 constexpr double longestTime = 1e9;  // [L/c]
-
-/// Simulates so many stretches of time, or until a signal comes, and says what came of it.
-void goOn(BarSimulation& simulation, double stretch, double total, bool isQuiet,
-          SimulationAnswer& answer)
-{
-    const Interrupt interrupt;
-    const Cancel cancel = interrupt.cancel();
-    Progress progress(!isQuiet, "simulating");
-    SettlingWatch watch(static_cast<std::int64_t>(total));
-    double done = 0.0;
-    for (; done + 1.0 <= total && !isRequested(cancel); done += 1.0) {
-        simulation.advance(stretch);
-        watch.see(simulation);
-        progress.show(done, total);
-    }
-    answer.isComplete = done + 1.0 > total;
-    if (answer.drive) {
-        answer.settling =
-            answer.isComplete ? watch.settling(simulation, stretch) : Settling{{}, "interrupted"};
-    }
-    if (answer.isComplete && total > done) {
-        simulation.advance((total - done) * stretch);
-    }
-}
 
 /// The segments of a bar that is not uniform.
 std::vector<Segment> partsOf(const Scene& scene)
@@ -55,8 +33,7 @@ void SimulateCommand::addTo(CLI::App& command)
     addFile(command, "--from", fromFile, "state to start from, as find --state writes it");
     addFlag(command, "--rest", fromRest, "start at rest (so without --from)");
     force.addTo(command);
-    addPositive(command, "--frequency", "omega_1", frequencyRatio, "W",
-                "frequency of the excitation, ω/ω₁");
+    frequency.addTo(command, "--frequency", "--hertz", "frequency of the excitation, ω/ω₁");
     addWord(command, "--phase", "RAD", "of the excitation at the start, cos(ωt - phase) (0)",
             [this](const std::string& text) { phase = parseReal("--phase", text, "rad"); });
     addPositive(command, "--time", "s", time, "T", "duration in seconds");
@@ -64,8 +41,12 @@ void SimulateCommand::addTo(CLI::App& command)
              "or how many periods of the excitation");
     addPositive(command, "--resolve", "s", resolution, "S",
                 "merge contacts no further apart, and average forces over S (a step, L/(N c))");
+    addFile(command, "--force-file", forceFile,
+            "force on the tip, or where a scene is driven: columns time [s], force [N]");
     addFile(command, "--events", eventsFile,
-            "write all contacts: start, end, impulse, peak force, mean force");
+            "write all contacts: start, end, impulse, peak and mean force, speed, energy");
+    addFile(command, "--statistics", statisticsFile,
+            "write how impacts are spread: rate, impulse, speed, energy turned over");
     addFile(command, "--tip", tipFile, "write the path of the tip");
     addFigure(command, "--figure", figureFile, "draw tip, contacts and force");
     sceneGiven.addTo(command);
@@ -92,12 +73,18 @@ void SimulateCommand::requireWhole() const
         throw std::invalid_argument(
             "--rest, --from, --velocity: allowed one of them: each is a start");
     }
-    const int given = (force.place ? 1 : 0) + (force.amplitude ? 1 : 0) + (frequencyRatio ? 1 : 0);
-    if (given != 0 && given != 3) {
+    const int given =
+        (force.place ? 1 : 0) + (force.amplitude ? 1 : 0) + (frequency.isGiven() ? 1 : 0);
+    if (!forceFile.empty() && (given > 0 || periods)) {
+        throw std::invalid_argument(
+            "--force-file clashes with --force, --amplitude, --frequency and --periods: allowed a "
+            "force of one kind, and --time");
+    }
+    if (!isOfNetwork() && given != 0 && given != 3) {
         throw std::invalid_argument(
             "--force, --amplitude, --frequency: allowed only all three together");
     }
-    if (periods && !force.place) {
+    if (!isOfNetwork() && periods && !force.place) {
         throw std::invalid_argument("--periods: allowed only together with --force");
     }
     if (time.has_value() == periods.has_value()) {
@@ -123,25 +110,20 @@ Waves SimulateCommand::start(const Scene& scene, double base) const
 
 Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
 {
+    if (!forceFile.empty()) {
+        const double step = scales(bar).time / cells;
+        return {.values = forceHistory(step, answers::forceUnit(bar), *time / step),
+                .stepsPerCrossing = cells};
+    }
     if (!force.place) {
         return {.stepsPerCrossing = cells};
     }
-    // A period of 4/W L/c is as many whole steps as come nearest to cells in L/c.
-    const double exact = 4.0 * cells / *frequencyRatio;
-    const double steps = std::round(exact);
-    if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
-        refuse("--frequency", fmt::format("{}", *frequencyRatio),
-               fmt::format("about {:.3g}..{:.3g} [ω₁] with {} steps in L/c (--cells)",
-                           4.0 * cells / static_cast<double>(maxExcitationSteps), 4.0 * cells / 3.0,
-                           cells));
-    }
-    const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
-    return excitationOf({.place = *force.place,
-                         .amplitude = force.scaledAmplitude(bar),
+    const double ratio = frequency.ratioFor(firstHertz(bar));
+    return excitationAt({.place = *force.place,
+                         .amplitude = force.at(ratio, firstHertz(bar)).scaledAmplitude(bar),
                          .phase = phase,
-                         .cycles = 1,
-                         .steps = static_cast<std::int64_t>(steps),
-                         .stepsPerCrossing = isWhole ? cells : steps * *frequencyRatio / 4.0});
+                         .stepsPerCrossing = cells},
+                        ratio, "--frequency");
 }
 
 double SimulateCommand::stretches(double stretch, double crossing, const Bar& bar) const
@@ -157,22 +139,53 @@ double SimulateCommand::stretches(double stretch, double crossing, const Bar& ba
     return total;
 }
 
+std::vector<double> SimulateCommand::forceHistory(double step, double newtons, double steps) const
+{
+    const double whole = std::floor(steps) + 1.0;
+    if (!(whole <= static_cast<double>(maxExcitationSteps))) {
+        refuse("--time", fmt::format("{}", *time),
+               fmt::format("at most {} steps of {:.6g} s under --force-file", maxExcitationSteps,
+                           step));
+    }
+    std::vector<ForcePoint> points;
+    forFile("--force-file", forceFile, [&] {
+        Table table(forceFile);
+        const std::size_t times = table.columnOf("time");
+        const std::size_t forces = table.columnOf("force");
+        while (table.next()) {
+            const double at = table.numberAt(times);
+            if (!points.empty() && !(at > points.back().time)) {
+                table.refuse(times, fmt::format("times that increase, in s: more than {}",
+                                                points.back().time));
+            }
+            points.push_back({at, table.numberAt(forces) / newtons});
+        }
+    });
+    return meanForces(points, step, static_cast<std::int64_t>(whole));
+}
+
 ExitStatus SimulateCommand::run() const
 {
+    requireWhole();
     if (isOfNetwork()) {
         return simulateScene(*this);
     }
-    requireWhole();
     const Scene scene = common.scene();
     const Bar bar = firstMaterial(scene);
     SimulationAnswer answer{.scene = scene, .damping = force.damping()};
-    Outputs outputs({{"--events", eventsFile}, {"--tip", tipFile}, {"--figure", figureFile}});
+    Outputs outputs({{"--events", eventsFile},
+                     {"--statistics", statisticsFile},
+                     {"--tip", tipFile},
+                     {"--figure", figureFile}},
+                    {{"--from", fromFile}, {"--force-file", forceFile}});
     const auto usual = static_cast<double>(common.usualCells());
     const Waves waves = start(scene, excitation(bar, usual).baseDisplacement(0));
     answer.cells = static_cast<std::int64_t>(waves.crossing);
     const Excitation driving = excitation(bar, common.cells ? usual : waves.crossing);
     if (force.place) {
-        answer.drive = answers::Drive{*force.place, *force.amplitude, *frequencyRatio, phase};
+        const double ratio = frequency.ratioFor(firstHertz(bar));
+        answer.drive =
+            answers::Drive{*force.place, *force.at(ratio, firstHertz(bar)).amplitude, ratio, phase};
         answer.drive->follow(driving, bar);
     }
     const double second = scales(bar).time;
@@ -183,20 +196,29 @@ ExitStatus SimulateCommand::run() const
                               .stops = stopsOf(scene),
                               .segments = partsOf(scene),
                               .resolution = answer.resolution});
-    // In units of the simulation's; a period of the excitation is a whole number of its steps.
-    const double stretch = driving.steps() > 0 ? static_cast<double>(driving.steps()) *
-                                                     waves.crossing / driving.stepsPerCrossing
-                                               : 16.0 * waves.crossing;
-    goOn(simulation, stretch, stretches(stretch, waves.crossing, bar), common.quiet, answer);
+    const double stretch = stretchOf(force.place ? driving : Excitation{}, waves.crossing);
+    const double total = stretches(stretch, waves.crossing, bar);
+    {
+        const Interrupt interrupt;
+        Progress progress(!common.quiet, "simulating");
+        const Followed followed =
+            follow(simulation, stretch, total, interrupt.cancel(),
+                   [&progress](double done, double all) { progress.show(done, all); });
+        answer.isComplete = followed.isComplete;
+        answer.settling = answer.drive ? followed.settling : Settling{};
+    }
     if (!std::isfinite(simulation.energyRatio() * scales(bar).energy)) {
         throw std::overflow_error("the energy [J] is beyond the range of numbers");
     }
     if (answer.isComplete) {
         outputs.put("--events",
                     [&](const std::string& path) { writeEvents(path, simulation, bar); });
+        outputs.put("--statistics",
+                    [&](const std::string& path) { writeStatistics(path, simulation, bar); });
         outputs.put("--tip", [&](const std::string& path) { writeTip(path, simulation, bar); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawSimulation(simulation, driving, figureFormat(figureFile), path);
+            drawSimulation(simulation, force.place ? driving : Excitation{},
+                           figureFormat(figureFile), path);
         });
         outputs.commit();
     } else if (!common.quiet) {

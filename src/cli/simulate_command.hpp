@@ -17,9 +17,9 @@ namespace signorini::cli {
 struct SimulateCommand {
     CommonOptions common;
     ForceOptions force;
-    std::optional<double> frequencyRatio;  ///< of the excitation, ω/ω₁
-    double phase = 0.0;                    ///< [rad]
-    std::optional<double> time;            ///< [s]
+    FrequencyOption frequency;
+    double phase = 0.0;          ///< [rad]
+    std::optional<double> time;  ///< [s]
     std::optional<std::int64_t> periods;
     std::optional<double> resolution;  ///< [s]
     bool fromRest = false;
@@ -30,6 +30,8 @@ struct SimulateCommand {
     SceneOptions sceneGiven;
     std::vector<double> speeds;  ///< [m/s], one for each bar
     std::string stateFile;
+    std::string forceFile;
+    std::string statisticsFile;
 
     void addTo(CLI::App& command);
 
@@ -39,6 +41,10 @@ struct SimulateCommand {
 
     /// \throws std::invalid_argument on options that do not go together.
     void requireWhole() const;
+
+    /// The force of --force-file in units of so many newtons: its mean in each of so many steps of
+    /// so many seconds, one more than are begun.
+    [[nodiscard]] std::vector<double> forceHistory(double step, double newtons, double steps) const;
 
 private:
     /// Is it a question for the simulation of a network?

@@ -55,6 +55,16 @@ struct Span {
     [[nodiscard]] double largest() const { return std::max(high, -low); }
 };
 
+/// What a picture is of.
+struct Subject {
+    const State& state;
+    const Schedule& schedule;
+    const Scene& scene;
+    std::vector<std::string> facts = {};  ///< lines beside the initial state
+    Damping damping = {};
+    Excitation excitation = {};
+};
+
 /// The motion on a grid fine enough to look like the continuous field it is.
 struct Drawing {
     Schedule schedule;
@@ -62,13 +72,15 @@ struct Drawing {
     std::vector<double> force;  ///< [EA g/L], of each step
 };
 
-Drawing finelyDrawn(const PeriodicResult& result)
+Drawing finelyDrawn(const Subject& subject)
 {
-    Schedule schedule = result.schedule;
-    std::vector<Segment> segments = result.scene.segments;
-    const bool isStepped = !isUniform(segments);
-    if (!isStepped) {
-        fold(schedule);  // a stepped bar does not repeat itself in contact or flight
+    Schedule schedule = subject.schedule;
+    std::vector<Segment> segments = subject.scene.segments;
+    const bool isPaper = isUniform(segments) && subject.excitation.values.empty();
+    if (isPaper) {
+        fold(schedule);  // other bars do not repeat themselves in contact or flight
+    } else if (segments.empty()) {
+        segments.push_back({.cells = schedule.cells});
     }
     const std::int64_t longest = std::max(schedule.cells, steps(schedule) / 4);
     const std::int64_t factor = std::max<std::int64_t>(1, (maxNodes - 1) / longest);
@@ -77,13 +89,13 @@ Drawing finelyDrawn(const PeriodicResult& result)
         phase.contact *= factor;
         phase.free *= factor;
     }
-    const State state = refined(result.motion->state, factor);
-    if (isStepped) {
-        for (Segment& segment : segments) {
-            segment.cells *= factor;
-        }
+    const State state = refined(subject.state, factor);
+    for (Segment& segment : segments) {
+        segment.cells *= factor;
     }
-    Motion motion = isStepped ? Motion(state, schedule, segments) : Motion(state, schedule);
+    Motion motion = isPaper ? Motion(state, schedule)
+                            : Motion(state, schedule, segments, subject.damping,
+                                     refined(subject.excitation, factor));
     std::vector<double> force = wallForces(motion);
     return {schedule, std::move(motion), std::move(force)};
 }
@@ -212,34 +224,29 @@ void printForce(Text& script, const std::vector<double>& force, const Axes& axes
 }
 
 /// Who moves, and the key, where the panels leave room.
-void printLegend(Text& script, const PeriodicResult& result, double folded)
+void printLegend(Text& script, const Subject& subject, double folded)
 {
-    const Bar& bar = result.scene.bar;
-    const bool isFolded = folded < period(result.schedule);
-    const std::array lines{
-        fmt::format("T = {:.6g} L/c = {}", period(result.schedule), withUnit(result.period, "s")),
-        fmt::format("f = {},  ω/ω_1 = {:.5g}", withUnit(1.0 / result.period, "Hz"),
-                    result.frequencyRatio),
-        fmt::format("E = {}", withUnit(result.motion->energy, "J")) +
-            (bar.gap == 0.0 ? std::string()
-                            : fmt::format(",  E/E_1 = {:.5g}", result.motion->energyRatio)),
-        fmt::format("L = {},  c = {}", withUnit(bar.length, "m"), withUnit(bar.waveSpeed, "m/s")),
+    const Bar& bar = subject.scene.bar;
+    const std::optional<double> second = subject.scene.secondStop;
+    std::vector<std::string> lines = subject.facts;
+    lines.push_back(
+        fmt::format("L = {},  c = {}", withUnit(bar.length, "m"), withUnit(bar.waveSpeed, "m/s")));
+    lines.push_back(
         fmt::format("EA = {},  g = {}{}", withUnit(bar.axialStiffness, "N"), withUnit(bar.gap, "m"),
-                    result.scene.secondStop
-                        ? fmt::format(",  h = {}", withUnit(*result.scene.secondStop, "m"))
-                        : std::string()),
-        isFolded ? fmt::format("drawn without repetitions: {:.6g} L/c", folded) : std::string()};
-    print(script, "set label 1 \"{}\" at screen 0.5,0.975 center\n", describe(result.schedule));
+                    second ? fmt::format(",  h = {}", withUnit(*second, "m")) : std::string()));
+    if (folded < period(subject.schedule)) {
+        lines.push_back(fmt::format("drawn without repetitions: {:.6g} L/c", folded));
+    }
+    print(script, "set label 1 \"{}\" at screen 0.5,0.975 center\n", describe(subject.schedule));
     double height = 0.925;
     for (std::size_t k = 0; k < lines.size(); ++k, height -= 0.036) {
-        print(script, "set label {} \"{}\" at screen 0.57,{} left\n", k + 2, lines.at(k), height);
+        print(script, "set label {} \"{}\" at screen 0.57,{} left\n", k + 2, lines[k], height);
     }
     print(script,
           "set key at screen 0.565,0.715 left top reverse Left samplen 2 spacing 1.2\n"
           "plot NaN with lines lw 1.5 lc '{}' title 'path of the tip', "
           "NaN with lines lw 5 lc '{}' title 'contact: {}'\nunset key\n",
-          palette::ink, palette::contact,
-          result.scene.secondStop ? "a stop presses" : "the wall presses");
+          palette::ink, palette::contact, second ? "a stop presses" : "the wall presses");
     for (std::size_t k = 0; k <= lines.size(); ++k) {
         print(script, "unset label {}\n", k + 1);
     }
@@ -275,15 +282,15 @@ void plotField(Text& script, const Axes& axes, double period)
 }
 
 /// Lines where segments meet.
-void markJoints(Text& script, const PeriodicResult& result, const Axes& axes)
+void markJoints(Text& script, const Subject& subject, const Axes& axes)
 {
-    if (isUniform(result.scene.segments)) {
+    if (isUniform(subject.scene.segments)) {
         return;
     }
     std::int64_t cells = 0;
-    const auto all = static_cast<double>(result.schedule.cells);
-    for (std::size_t k = 0; k + 1 < result.scene.segments.size(); ++k) {
-        cells += result.scene.segments[k].cells;
+    const auto all = static_cast<double>(subject.schedule.cells);
+    for (std::size_t k = 0; k + 1 < subject.scene.segments.size(); ++k) {
+        cells += subject.scene.segments[k].cells;
         const double place = static_cast<double>(cells) / all * axes.x.factor;
         print(script,
               "set arrow {0} from {1},graph 0 to {1},graph 1 nohead front lw 1.5 dt 2 lc '{2}'\n",
@@ -333,22 +340,22 @@ void plotWall(Text& script, const Axes& axes, double leastForce, double mostForc
           palette::contact, palette::contact);
 }
 
-std::string scriptFor(const PeriodicResult& result)
+std::string scriptFor(const Subject& subject)
 {
-    const Drawing drawing = finelyDrawn(result);
-    const Axes axes = axesOf(drawing, result.scene);
+    const Drawing drawing = finelyDrawn(subject);
+    const Axes axes = axesOf(drawing, subject.scene);
     const std::vector<double>& force = drawing.force;
     Text script;
     printInitialState(script, drawing.motion, axes);
     printField(script, drawing.motion, axes);
     printForce(script, force, axes);
     print(script, "set multiplot\nunset border\nunset tics\nset xrange [0:1]\nset yrange [0:1]\n");
-    printLegend(script, result, period(drawing.schedule));
+    printLegend(script, subject, period(drawing.schedule));
     print(script,
           "set autoscale y\nset border 31 lw 0.8\nset tics out nomirror scale 0.6\n"
           "set grid lw 0.6 lc '{}'\n",
           palette::grid);
-    markJoints(script, result, axes);
+    markJoints(script, subject, axes);
     plotInitialState(script, axes);
     plotField(script, axes, axes.time(drawing.motion.steps()));
     print(script, "unset arrow\n");
@@ -356,6 +363,24 @@ std::string scriptFor(const PeriodicResult& result)
     plotWall(script, axes, *least * axes.force.factor, *most * axes.force.factor);
     print(script, "unset multiplot\n");
     return fmt::to_string(script);
+}
+
+/// "T = 8 L/c = 8 s" and the frequency.
+std::vector<std::string> timesOf(const Schedule& schedule, const Bar& bar)
+{
+    const double time = period(schedule) * scales(bar).time;
+    return {fmt::format("T = {:.6g} L/c = {}", period(schedule), withUnit(time, "s")),
+            fmt::format("f = {},  ω/ω_1 = {:.5g}", withUnit(1.0 / time, "Hz"),
+                        frequencyRatio(schedule))};
+}
+
+void draw(const Subject& subject, FigureFormat format, const std::string& path)
+{
+    if (!isUniform(subject.scene.segments) && !haveOneSpeed(subject.scene.segments)) {
+        throw std::invalid_argument(
+            "figure: allowed only for segments in which waves have one speed");
+    }
+    runGnuplot(scriptFor(subject), format, 18.0, 16.0, path);
 }
 
 }  // namespace
@@ -382,11 +407,28 @@ void drawMotion(const PeriodicResult& result, FigureFormat format, const std::st
     if (!result.motion) {
         throw std::invalid_argument("figure: the result holds no motion to draw");
     }
-    if (!isUniform(result.scene.segments) && !haveOneSpeed(result.scene.segments)) {
-        throw std::invalid_argument(
-            "figure: allowed only for segments in which waves have one speed");
-    }
-    runGnuplot(scriptFor(result), format, 18.0, 16.0, path);
+    std::vector<std::string> facts = timesOf(result.schedule, result.scene.bar);
+    facts.push_back(fmt::format("E = {}", withUnit(result.motion->energy, "J")) +
+                    (result.scene.bar.gap == 0.0
+                         ? std::string()
+                         : fmt::format(",  E/E_1 = {:.5g}", result.motion->energyRatio)));
+    draw({result.motion->state, result.schedule, result.scene, std::move(facts)}, format, path);
+}
+
+void drawMotion(const ForcedMotion& motion, const Scene& scene, FigureFormat format,
+                const std::string& path)
+{
+    const Scales unit = scales(scene.bar);
+    const bool isTip = motion.excitation.place == Excited::tip;
+    std::vector<std::string> facts = timesOf(motion.schedule, scene.bar);
+    facts.push_back(
+        fmt::format("{} {},  ζ = {:.4g}", isTip ? "force on the tip" : "base moved by",
+                    isTip ? withUnit(motion.amplitude * scene.bar.axialStiffness * unit.strain, "N")
+                          : withUnit(motion.amplitude * unit.displacement, "m"),
+                    motion.damping.ratio));
+    draw(
+        {motion.state, motion.schedule, scene, std::move(facts), motion.damping, motion.excitation},
+        format, path);
 }
 
 }  // namespace signorini

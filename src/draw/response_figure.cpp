@@ -148,11 +148,14 @@ std::string titleOf(const ResponseRange& range)
 {
     const bool hasUnit = range.stops.right != 0;
     return fmt::format(
-        "{} of amplitude {:.4g} {},  ζ = {:.4g},  N = {}{}{}{}",
+        "{} of amplitude {:.4g} {}{},  ζ = {:.4g},  N = {}{}{}{}",
         range.place == Excited::tip ? "force on the tip" : "base moving", range.amplitude,
         range.place == Excited::tip ? (hasUnit ? "EA g/L" : "EA")
         : hasUnit                   ? "g"
                                     : "L",
+        range.derivative == 0   ? ""
+        : range.derivative == 1 ? " c/L"
+                                : " c²/L²",
         range.damping.ratio, range.cells,
         range.stops.right < 0 ? ",  g < 0"
         : hasUnit             ? ""

@@ -162,6 +162,16 @@ double frequencyRatio(const AtlasFamily& family)
     return 4.0 * static_cast<double>(family.cells) / static_cast<double>(family.steps);
 }
 
+double period(const AtlasEntry& entry)
+{
+    return static_cast<double>(entry.row.steps) / static_cast<double>(entry.schedule.cells);
+}
+
+double frequencyRatio(const AtlasEntry& entry)
+{
+    return 4.0 * static_cast<double>(entry.schedule.cells) / static_cast<double>(entry.row.steps);
+}
+
 AtlasTally& AtlasTally::operator+=(const AtlasTally& other)
 {
     decided += other.decided;

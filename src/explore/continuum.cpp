@@ -374,16 +374,4 @@ std::vector<State> sampleMotions(const Schedule& schedule, double energyRatio, s
     return motions;
 }
 
-std::optional<std::int64_t> componentsAt(const OnePhaseSet& whole, double energyRatio)
-{
-    if (whole.reason) {
-        return 0;
-    }
-    const EnergyRange range = energyRange(whole);
-    if (!(energyRatio >= range.least && energyRatio <= range.most)) {
-        return 0;
-    }
-    return connectivityOf(whole, energyRatio).components;
-}
-
 }  // namespace signorini

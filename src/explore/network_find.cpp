@@ -54,7 +54,7 @@ void requireKnown(const Network& network, const std::vector<ContactSpan>& schedu
     }
     for (std::size_t j = 0; j < network.contacts.size(); ++j) {
         const double gap = network.contacts[j].gap;
-        isAtRest = isAtRest && ((touched >> j & 1U) != 0 ? gap == 0.0 : gap >= 0.0);
+        isAtRest = isAtRest && (contains(touched, j) ? gap == 0.0 : gap >= 0.0);
     }
     if (isAtRest) {
         faults.add(

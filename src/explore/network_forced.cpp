@@ -132,7 +132,7 @@ void NetworkForced::list()
 {
     using Kind = NetworkCondition::Kind;
     const auto isClosed = [](const ContactSpan& span, std::size_t contact) {
-        return (span.closed >> contact & 1U) != 0;
+        return contains(span.closed, contact);
     };
     std::int64_t step = 0;
     for (std::size_t k = 0; k < schedule_.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "excited_amplitude.hpp"
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "portable.hpp"
@@ -20,6 +21,9 @@ void validate(const ResponseRange& range)
     faults.requireWhole("cells", range.cells, maxCells);
     faults.requirePositive("damping ratio", range.damping.ratio, "-");
     faults.requirePositive("amplitude", range.amplitude, "EA g/L or g");
+    if (range.derivative < 0 || range.derivative > (range.place == Excited::base ? 2 : 0)) {
+        faults.add("derivative", range.derivative, "0, or of a base 1 or 2");
+    }
     faults.requireWhole("cycles", range.cycles, maxForcedSteps / 2);
     faults.requirePositive("leastFrequencyRatio", range.leastFrequencyRatio, "-");
     faults.requirePositive("mostFrequencyRatio", range.mostFrequencyRatio, "-");
@@ -53,9 +57,11 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
 {
     validate(range);
     const double unit = 4.0 * static_cast<double>(range.cells) * static_cast<double>(range.cycles);
-    const double first = std::max(
-        {std::ceil(unit / range.mostFrequencyRatio), 2.0, 2.0 * static_cast<double>(range.cycles)});
-    const double last = std::floor(unit / range.leastFrequencyRatio);
+    // 168/1.12 is 150, though not in doubles.
+    constexpr double rounding = 1e-14;
+    const double first = std::max({std::ceil(unit / range.mostFrequencyRatio * (1.0 - rounding)),
+                                   2.0, 2.0 * static_cast<double>(range.cycles)});
+    const double last = std::floor(unit / range.leastFrequencyRatio * (1.0 + rounding));
     const std::int64_t most = isUniform(range.segments) ? maxForcedSteps : maxSteppedResponse;
     if (!(first <= last && last <= static_cast<double>(most))) {
         Faults faults;
@@ -154,6 +160,14 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
                                             const Cancel& cancel)
 {
     validate(range);
+    const double frequencyRatio = 4.0 * static_cast<double>(range.cells) *
+                                  static_cast<double>(range.cycles) / static_cast<double>(steps);
+    if (range.derivative > 0) {
+        ResponseRange displaced = range;
+        displaced.amplitude = displacementOf(range.amplitude, range.derivative, frequencyRatio);
+        displaced.derivative = 0;
+        return responseAt(displaced, steps, cancel);
+    }
     if (!isUniform(range.segments)) {
         return steppedResponseAt(range, steps, cancel);
     }
@@ -162,8 +176,7 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
     ForcedWaves waves(range.cells, range.damping.rho(), shapes, range.stops);
     FrequencyResponse response;
     response.steps = steps;
-    response.frequencyRatio = 4.0 * static_cast<double>(range.cells) *
-                              static_cast<double>(range.cycles) / static_cast<double>(steps);
+    response.frequencyRatio = frequencyRatio;
     // Without contact the tip moves harmonically, and its size does not depend on the phase.
     const Plane tip = waves.tip(0);
     response.linearPeak = range.amplitude * portable::hypot(tip.c, tip.s);

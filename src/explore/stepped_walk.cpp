@@ -124,16 +124,6 @@ double tipSpeed(const SteppedBar& bar, const Damping& damping, double p, double 
     return (2.0 * z * p + force) / (z + damping.eta());
 }
 
-Ends endsOf(const SteppedBar& bar, const Damping& damping, bool isContact,
-            const Excitation& excitation, std::int64_t m)
-{
-    const double z = bar.segments.back().impedance;
-    const double eta = damping.eta();
-    return {.reflected = isContact ? -1.0 : (z - eta) / (z + eta),
-            .pulled = isContact ? 0.0 : excitation.force(m) / (z + eta),
-            .baseVelocity = excitation.baseVelocity(m)};
-}
-
 Excitation combined(std::span<const Excitation> shapes, Plane place)
 {
     Excitation sum = shapes.front();

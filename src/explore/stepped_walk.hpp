@@ -15,10 +15,6 @@ namespace signorini {
 [[nodiscard]] double tipSpeed(const SteppedBar& bar, const Damping& damping, double p,
                               double force);
 
-/// What step m does to the waves.
-[[nodiscard]] Ends endsOf(const SteppedBar& bar, const Damping& damping, bool isContact,
-                          const Excitation& excitation, std::int64_t m);
-
 /// What is to be moved; a cosine and a sine of size 1.
 struct SteppedCase {
     const SteppedBar& bar;

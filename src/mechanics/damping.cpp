@@ -44,21 +44,6 @@ double dashpot(const Damping& damping, const Bar& bar)
     return damping.eta() * bar.axialStiffness / bar.waveSpeed;
 }
 
-Damping dampingOfDashpot(double dashpot, const Bar& bar)
-{
-    validate(bar);
-    const double most = bar.axialStiffness / bar.waveSpeed;
-    const double eta = dashpot / most;
-    if (!(eta >= 0.0 && eta < 1.0)) {
-        Faults faults;
-        faults.add("dashpot", dashpot, fmt::format("0 <= d < EA/c = {} [N s/m]", most));
-        faults.throwIfAny();
-    }
-    const Damping damping{2.0 * std::atanh(eta) / std::numbers::pi};
-    validate(damping);
-    return damping;
-}
-
 std::string_view name(Excited place)
 {
     return nameIn(excitedNames, place);
@@ -79,6 +64,23 @@ double Excitation::baseDisplacement(std::int64_t m) const
 double Excitation::baseVelocity(std::int64_t m) const
 {
     return (baseDisplacement(m + 1) - baseDisplacement(m)) * stepsPerCrossing;
+}
+
+Excitation refined(const Excitation& excitation, std::int64_t factor)
+{
+    Excitation fine{
+        excitation.place, {}, excitation.stepsPerCrossing * static_cast<double>(factor)};
+    fine.values.reserve(excitation.values.size() * static_cast<std::size_t>(factor));
+    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+        const double value = excitation.values[static_cast<std::size_t>(m)];
+        const double moved =
+            excitation.place == Excited::base ? excitation.baseDisplacement(m + 1) - value : 0.0;
+        for (std::int64_t k = 0; k < factor; ++k) {
+            fine.values.push_back(value +
+                                  moved * static_cast<double>(k) / static_cast<double>(factor));
+        }
+    }
+    return fine;
 }
 
 void validate(const Excitation& excitation)
@@ -126,6 +128,26 @@ Excitation excitationOf(const Harmonic& harmonic)
                                     portable::cos(angle * part - harmonic.phase));
     }
     return excitation;
+}
+
+Excitation excitationAt(Harmonic harmonic, double frequencyRatio, std::string_view field)
+{
+    const double cells = harmonic.stepsPerCrossing;
+    const double exact = 4.0 * cells / frequencyRatio;
+    const double steps = std::round(exact);
+    const auto most = static_cast<double>(maxExcitationSteps);
+    if (!(steps >= 3.0 && steps <= most)) {
+        Faults faults;
+        faults.add(field, frequencyRatio,
+                   fmt::format("about {:.3g}..{:.3g} [ω₁] with {} steps in L/c", 4.0 * cells / most,
+                               4.0 * cells / 3.0, cells));
+        faults.throwIfAny();
+    }
+    const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
+    harmonic.cycles = 1;
+    harmonic.steps = static_cast<std::int64_t>(steps);
+    harmonic.stepsPerCrossing = isWhole ? cells : steps * frequencyRatio / 4.0;
+    return excitationOf(harmonic);
 }
 
 }  // namespace signorini

@@ -6,6 +6,7 @@
 #include "compensated_sum.hpp"
 #include "faults.hpp"
 #include "propagation.hpp"
+#include "signorini/simulation.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini {
@@ -62,6 +63,12 @@ Motion::Motion(const State& state, const Schedule& schedule)
 }
 
 Motion::Motion(const State& state, const Schedule& schedule, std::span<const Segment> segments)
+    : Motion(state, schedule, segments, Damping{}, Excitation{})
+{
+}
+
+Motion::Motion(const State& state, const Schedule& schedule, std::span<const Segment> segments,
+               const Damping& damping, const Excitation& excitation)
     : cells_(state.cells()), steps_(signorini::steps(schedule)), least_(2e-9 * amplitude(state))
 {
     validate(schedule);
@@ -78,11 +85,11 @@ Motion::Motion(const State& state, const Schedule& schedule, std::span<const Seg
     }
     SteppedWaves waves(bar, state);
     const double impedance = bar.segments.back().impedance;
-    const auto keep = [this, &waves] {
+    auto keep = [&, m = std::int64_t{0}]() mutable {
         const State now = waves.state();
         a_.insert(a_.end(), now.a.begin(), now.a.end());
         b_.insert(b_.end(), now.b.begin(), now.b.end());
-        double place = 0.0;
+        double place = excitation.baseDisplacement(m++);
         u_.push_back(place);
         for (Eigen::Index k = 0; k < now.a.size(); ++k) {
             place += (now.b[k] - now.a[k]) / static_cast<double>(cells_);
@@ -90,11 +97,13 @@ Motion::Motion(const State& state, const Schedule& schedule, std::span<const Seg
         }
     };
     keep();
+    std::int64_t m = 0;
     for (const Phase& phase : schedule.phases) {
-        for (std::int64_t step = 0; step < phase.contact + phase.free; ++step) {
+        for (std::int64_t step = 0; step < phase.contact + phase.free; ++step, ++m) {
             const bool isHeld = step < phase.contact;
-            force_.push_back(isHeld ? 2.0 * impedance * waves.arriving() : 0.0);
-            waves.step({.reflected = isHeld ? -1.0 : 1.0});
+            force_.push_back(isHeld ? 2.0 * impedance * waves.arriving() + excitation.force(m)
+                                    : 0.0);
+            waves.step(endsOf(bar, damping, isHeld, excitation, m));
             keep();
         }
     }

@@ -206,7 +206,7 @@ std::vector<Cluster> clustersOf(const Network& network, ContactSet closed)
     std::vector<int> holds(network.nodes.size(), 0);
     for (std::size_t j = 0; j < network.contacts.size(); ++j) {
         const NetworkContact& contact = network.contacts[j];
-        if ((closed >> j & 1U) == 0) {
+        if (!contains(closed, j)) {
             continue;
         }
         if (contact.kind == ContactKind::gap) {

@@ -117,6 +117,11 @@ struct NetworkScales {
 /// Bit j: contact j is closed.
 using ContactSet = std::uint64_t;
 
+[[nodiscard]] constexpr bool contains(ContactSet set, std::size_t contact)
+{
+    return (set >> contact & 1U) != 0;
+}
+
 inline constexpr std::size_t maxContacts = 64;
 /// Widest gap [delta]: in a step a wave of size 1 moves a node by about one.
 inline constexpr double mostGap = 1e15;

@@ -93,7 +93,7 @@ void NetworkLaw<Number>::findPushes(const Network& network, const Cluster& clust
     const auto contactAt = [&](std::size_t node, bool isGap) {
         for (std::size_t j = 0; j < network.contacts.size(); ++j) {
             const NetworkContact& contact = network.contacts[j];
-            if ((closed_ >> j & 1U) != 0 && contact.node == node &&
+            if (contains(closed_, j) && contact.node == node &&
                 (contact.kind == ContactKind::gap) == isGap) {
                 return std::optional<std::size_t>(j);
             }

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "infinity.hpp"
 #include "network.hpp"
 
 namespace signorini {
@@ -143,7 +144,13 @@ private:
         }
         [[nodiscard]] double last() const { return count > 0 ? at(count - 1).value : now; }
         /// When its first front arrives; infinite where none is on its way.
-        [[nodiscard]] double due() const;
+        [[nodiscard]] double due() const
+        {
+            if (count == 0) {
+                return infinity;
+            }
+            return at(0).time;
+        }
         void push(const Front& front);
         void pop();
     };
@@ -181,6 +188,7 @@ private:
 
     void place(const NetworkStart& start);
     void setScale(const NetworkStart& start);
+    void advanceTo(double end);
     void takeEvent(std::size_t which);
     void takeClock();
     void settle(Range range);

@@ -153,9 +153,9 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
         faults.throwIfAny();
     }
     if (room <= same) {
-        hold(Stop::right);
+        hold(Stop::right, 0.0);
     } else if (roomBehind <= same) {
-        hold(Stop::left);
+        hold(Stop::left, 0.0);
     }
     start_ = storedSquares();
     recordTip();
@@ -234,8 +234,8 @@ BarSimulation BarSimulation::fork(bool recordsTip) const
     return other;
 }
 
-/// The stop is pressed with a force, for a time in units.
-void BarSimulation::press(double push, double lasts)
+/// The stop is pressed with a force, by a wave p, for a time in units.
+void BarSimulation::press(double push, double p, double lasts)
 {
     const double now = time();
     lasts /= crossing_;
@@ -246,13 +246,14 @@ void BarSimulation::press(double push, double lasts)
             contact_ = contacts_.back();
             contacts_.pop_back();
         } else {
-            contact_ = {.start = now, .stop = stop_};
+            contact_ = {.start = now, .speed = speed_, .stop = stop_};
             stretchEnd_ = now + resolution_;
             stretchImpulse_ = 0.0;
         }
     }
     const double impulse = push * lasts;
     contact_.impulse += impulse;
+    contact_.energy += 2.0 * impedance_ * p * p * lasts;
     contact_.peakForce = std::max(contact_.peakForce, push);
     impulse_ += impulse;
     if (resolution_ == 0.0) {
@@ -284,9 +285,10 @@ void BarSimulation::closeContact()
     contact_ = {};
 }
 
-void BarSimulation::hold(Stop stop)
+void BarSimulation::hold(Stop stop, double speed)
 {
     isHeld_ = true;
+    speed_ = speed;
     stop_ = stop;
     opening_ = {};
     opening_.add(stop == Stop::right ? 0.0 : way_);
@@ -326,13 +328,13 @@ void BarSimulation::step(double most)
         arrives = hit <= lasts + same_;
         lasts = hit < lasts - same_ ? std::max(hit, 0.0) : lasts;
         if (hit <= same_) {
-            hold(ahead);
+            hold(ahead, std::abs(v));
             return;
         }
     }
     ++events_;
     if (isHeld_ && push > 0.0) {
-        press(push, lasts);
+        press(push, p, lasts);
     } else if (!isHeld_) {
         opening_.add(-v * lasts);
         if (eta_ > 0.0) {
@@ -350,7 +352,7 @@ void BarSimulation::step(double most)
     base_.left < infinity ? base_.pass(lasts, same_) : void();
     time_.add(lasts);
     if (arrives) {
-        hold(ahead);
+        hold(ahead, std::abs(v));
     }
     recordTip();
 }

@@ -205,7 +205,7 @@ bool isAtRest(const Network& network, ContactSet closed, const Balance& balance)
         const NetworkContact& contact = network.contacts[j];
         const double distance =
             contact.gap - directionOf(network, contact).dot(balance.displacements);
-        const bool isClosed = (closed >> j & 1U) != 0;
+        const bool isClosed = contains(closed, j);
         if (distance < -size ||
             (isClosed && balance.pushes[static_cast<Eigen::Index>(j)] < -size)) {
             return false;

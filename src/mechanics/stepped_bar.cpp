@@ -204,6 +204,16 @@ Waves wavesAtRest(std::span<const Segment> segments, const Stops& stops, double 
     return waves;
 }
 
+Ends endsOf(const SteppedBar& bar, const Damping& damping, bool isContact,
+            const Excitation& excitation, std::int64_t m)
+{
+    const double z = bar.segments.back().impedance;
+    const double eta = damping.eta();
+    return {.reflected = isContact ? -1.0 : (z - eta) / (z + eta),
+            .pulled = isContact ? 0.0 : excitation.force(m) / (z + eta),
+            .baseVelocity = excitation.baseVelocity(m)};
+}
+
 SteppedWaves::SteppedWaves(const SteppedBar& bar, const State& state)
     : joints_(bar.joints), cells_(bar.cells)
 {

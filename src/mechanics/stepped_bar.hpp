@@ -81,6 +81,10 @@ struct Ends {
     double baseVelocity = 0.0;  ///< V [c g/L]
 };
 
+/// In step m of an excitation.
+[[nodiscard]] Ends endsOf(const SteppedBar& bar, const Damping& damping, bool isContact,
+                          const Excitation& excitation, std::int64_t m);
+
 /// The waves under way. A step costs O(segments).
 class SteppedWaves {
 public:

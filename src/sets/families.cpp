@@ -212,21 +212,6 @@ std::vector<Family> familiesAt(std::int64_t order, std::int64_t blocks, int gapS
     return families;
 }
 
-bool forEachFamilyOnGrid(std::int64_t cells, const FamilyBounds& bounds,
-                         const FamilyVisitor& visitor)
-{
-    Faults faults;
-    faults.requireWhole("cells", cells, maxCells);
-    check(faults, bounds);
-    faults.throwIfAny();
-    for (std::int64_t order = 1; order <= 2 * cells; ++order) {
-        if (2 * cells % order == 0 && !forEachOfOrder(order, bounds, visitor)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 Schedule scheduleOf(const Family& family, std::int64_t cells)
 {
     Faults faults;

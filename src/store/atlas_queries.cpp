@@ -331,14 +331,4 @@ std::vector<Twins> AtlasDatabase::twins(std::optional<std::int64_t> cells) const
     return all;
 }
 
-double period(const AtlasEntry& entry)
-{
-    return static_cast<double>(entry.row.steps) / static_cast<double>(entry.schedule.cells);
-}
-
-double frequencyRatio(const AtlasEntry& entry)
-{
-    return 4.0 * static_cast<double>(entry.schedule.cells) / static_cast<double>(entry.row.steps);
-}
-
 }  // namespace signorini

@@ -26,7 +26,10 @@ void shareWork(std::size_t count, std::int64_t threads,
                     return;
                 }
                 const std::lock_guard lock(mutex);
-                show(static_cast<double>(++done), static_cast<double>(count));
+                ++done;
+                if (show) {
+                    show(static_cast<double>(done), static_cast<double>(count));
+                }
             }
         } catch (...) {
             isOver = true;

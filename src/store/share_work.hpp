@@ -12,7 +12,8 @@ namespace signorini {
 inline constexpr std::int64_t maxThreads = 1024;
 
 /// Serves count - 1, ..., 0 by `threads` threads, this one among them, until all are done or one
-/// call returns false. `show(done, count)` is called after each by one thread at a time.
+/// call returns false. `show(done, count)`, if there is one, is called after each by one thread at
+/// a time.
 /// \throws what `serve` or `show` throws, after all threads have ended.
 void shareWork(std::size_t count, std::int64_t threads,
                const std::function<bool(std::size_t)>& serve,

@@ -4,12 +4,15 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "atlas_answer.hpp"
 #include "continuum_answer.hpp"
 #include "forced_answer.hpp"
+#include "harmonic_answer.hpp"
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
 #include "response_answer.hpp"
 #include "simulation_answer.hpp"
+#include "sweep_answer.hpp"
 
 namespace signorini::answers {
 
@@ -42,7 +45,8 @@ struct Lister {
     void key(const char* word, const char* unit, const char* sentence, Get,
              When when = When::always)
     {
-        constexpr std::array names{"always", "found", "none", "any", "undecided", "program"};
+        constexpr std::array names{"always",    "found",   "none",  "any",
+                                   "undecided", "program", "python"};
         using Value = std::remove_cvref_t<std::invoke_result_t<Get, const T&>>;
         Json type = typeOf<Value>();
         if (mayBeLeftOut(when) && type.contains("optional")) {
@@ -149,7 +153,9 @@ int main()
         {"find-forced", nameOf<ForcedAnswer>()},  {"continuum", nameOf<ContinuumAnswer>()},
         {"families", nameOf<FamilyList>()},       {"modes", nameOf<ModeList>()},
         {"modes-phases", nameOf<PolytopeList>()}, {"mode", nameOf<ModeAnswer>()},
-        {"response", nameOf<ResponseAnswer>()},   {"simulate", nameOf<SimulationAnswer>()}};
+        {"response", nameOf<ResponseAnswer>()},   {"simulate", nameOf<SimulationAnswer>()},
+        {"sweep", nameOf<SweepAnswer>()},         {"atlas", nameOf<AtlasBuilt>()},
+        {"atlas-query", nameOf<AtlasAnswer>()},   {"find-harmonic", nameOf<HarmonicAnswer>()}};
     (void)nameOf<PolytopeAnswer>();  // of Python alone
     std::cout << Json{{"files", files}, {"records", records()}}.dump(1) << '\n';
 }

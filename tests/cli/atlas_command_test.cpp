@@ -4,8 +4,8 @@
 #include <random>
 #include <string>
 
+#include "command_line.hpp"
 #include "database.hpp"
-#include "program.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -19,7 +19,7 @@ const std::string pairs = "atlas --cells 5 --phases 2 --all --quiet";
 
 TEST_CASE("cli atlas: the default range of N = 12 in JSON and in the tables of the contract")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("atlas --database a.sqlite --cells 12 --format json");
     REQUIRE(outcome.status == 0);
     CHECK(outcome.err.empty());
@@ -57,7 +57,7 @@ TEST_CASE("cli atlas: the default range of N = 12 in JSON and in the tables of t
 
 TEST_CASE("cli atlas: --families-only writes the same families and no schedules")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run("atlas --database whole.sqlite --cells 30").status == 0);
     REQUIRE(program.run("atlas --database few.sqlite --cells 30 --families-only").status == 0);
     const fs::path whole = program.file("whole.sqlite");
@@ -87,7 +87,7 @@ TEST_CASE("cli atlas: --families-only writes the same families and no schedules"
 
 TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same rows")
 {
-    const Program program;
+    const CommandLine program;
     const auto begin = std::chrono::steady_clock::now();
     REQUIRE(program.run(pairs + " --database whole.sqlite").status == 0);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
@@ -112,7 +112,7 @@ TEST_CASE("cli atlas: killed ten times at random moments and resumed, the same r
 
 TEST_CASE("cli atlas: Ctrl-C ends with status 3 and words, --resume goes on")
 {
-    const Program program;
+    const CommandLine program;
     const std::string call = "atlas --database a.sqlite --cells 6 --phases 2 --all";
     // A busy machine may be slow to begin, and an idle one quick to end.
     auto stopped = program.run(call, "timeout -s INT 0.15");
@@ -149,7 +149,7 @@ TEST_CASE("cli atlas: Ctrl-C ends with status 3 and words, --resume goes on")
 
 TEST_CASE("cli atlas: threads and processes write the same rows")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run(pairs + " --database one.sqlite").status == 0);
     REQUIRE(program.run(pairs + " --database two.sqlite --threads 2").status == 0);
     const auto rows = dump(program.file("one.sqlite"));
@@ -183,7 +183,7 @@ TEST_CASE("cli atlas: threads and processes write the same rows")
 
 TEST_CASE("cli atlas: a full disk or a file that is no atlas is status 4, nothing is corrupted")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run(pairs + " --database whole.sqlite").status == 0);
     const auto full = program.run(pairs + " --database full.sqlite", "ulimit -f 500;");
     CHECK(full.status == 4);
@@ -218,7 +218,7 @@ TEST_CASE("cli atlas: a full disk or a file that is no atlas is status 4, nothin
 
 TEST_CASE("cli atlas: queries")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run("atlas --database a.sqlite --cells 12 --max-free 96").status == 0);
     const auto ask = [&program](const std::string& question) {
         const auto outcome = program.run("atlas --database a.sqlite --format json " + question);
@@ -292,7 +292,7 @@ TEST_CASE("cli atlas: queries")
 
 TEST_CASE("cli atlas: wrong use is status 2, one line, and no file")
 {
-    const Program program;
+    const CommandLine program;
     for (const char* arguments : {"",
                                   "--database",
                                   "--database a --max-contact 0",
@@ -338,7 +338,7 @@ TEST_CASE("cli atlas: wrong use is status 2, one line, and no file")
 
 TEST_CASE("cli atlas: the report stays on its lines, whatever the file is called")
 {
-    const Program program;
+    const CommandLine program;
     const auto usual = program.run("atlas --cells 2 --database a.sqlite");
     const auto odd = program.run("atlas --cells 2 --database \"$(printf 'a\\nb\\033[31m')\"");
     INFO(odd.out);
@@ -350,7 +350,7 @@ TEST_CASE("cli atlas: the report stays on its lines, whatever the file is called
 
 TEST_CASE("cli atlas: --csv is table families, with seconds, hertz and joules of the bar")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run("atlas --database a.sqlite --cells 12").status == 0);
     const auto table = program.run(
         "atlas --database a.sqlite --csv f.csv --length 2 --wave-speed 4 --gap 3 --quiet");
@@ -366,7 +366,7 @@ TEST_CASE("cli atlas: --csv is table families, with seconds, hertz and joules of
 
 TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run("atlas --database a.sqlite --cells 12 --figure plot.svg --map map.svg")
                 .status == 0);
     CHECK_THAT(contentOf(program.file("plot.svg")), containsText("</svg>"));

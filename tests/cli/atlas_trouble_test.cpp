@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "command_line.hpp"
 #include "database.hpp"
-#include "program.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -16,7 +16,7 @@ namespace {
 constexpr const char* build = "atlas --database a.sqlite --cells 6";
 
 /// Changes a copy of the database, named e.sqlite.
-void edit(const Program& program, const std::string& sql)
+void edit(const CommandLine& program, const std::string& sql)
 {
     fs::copy_file(program.file("a.sqlite"), program.file("e.sqlite"),
                   fs::copy_options::overwrite_existing);
@@ -24,7 +24,7 @@ void edit(const Program& program, const std::string& sql)
 }
 
 /// Status 4 and one line that names the file.
-void checkRefusal(const Program::Outcome& outcome)
+void checkRefusal(const CommandLine::Outcome& outcome)
 {
     CHECK(outcome.status == 4);
     CHECK(outcome.out.empty());
@@ -36,7 +36,7 @@ void checkRefusal(const Program::Outcome& outcome)
 
 TEST_CASE("cli atlas: Ctrl-C ends the wait for a locked database within a second")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run(build).status == 0);
     SQLite::Database lock = opened(program.file("a.sqlite"));
     lock.exec("BEGIN EXCLUSIVE");
@@ -55,7 +55,7 @@ TEST_CASE("cli atlas: Ctrl-C ends the wait for a locked database within a second
 
 TEST_CASE("cli atlas: a database whose name is not UTF-8 is reported in valid JSON")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("atlas --database 'caf\xe9.sqlite' --cells 6 --format json");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
@@ -66,7 +66,7 @@ TEST_CASE("cli atlas: a database whose name is not UTF-8 is reported in valid JS
 
 TEST_CASE("cli atlas: threads that cannot start leave the work to the others")
 {
-    const Program program;
+    const CommandLine program;
     if (program.run("find 1 3 --cells 1", "ulimit -v 400000;").status != 0) {
         return;  // a sanitizer needs more than can be limited
     }
@@ -83,7 +83,7 @@ TEST_CASE("cli atlas: threads that cannot start leave the work to the others")
 
 TEST_CASE("cli atlas: an edited database is status 4 with the column, never a wrong answer")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run(build).status == 0);
     for (const char* sql : {"UPDATE runs SET next_batch = -5", "UPDATE runs SET next_batch = 'x'",
                             "UPDATE runs SET next_batch = 99", "UPDATE runs SET batches = 0",
@@ -142,7 +142,7 @@ TEST_CASE("cli atlas: an edited database is status 4 with the column, never a wr
 
 TEST_CASE("cli atlas: a run that is there already is done only if all its rows are")
 {
-    const Program program;
+    const CommandLine program;
     // Of one grid, and all kinds of rows; of two ranges, one of which holds few energies.
     REQUIRE(program.run("atlas --database all.sqlite --cells 4 --phases 2 --all").status == 0);
     REQUIRE(program.run("atlas --database two.sqlite --cells 6 --max-energy-ratio 5").status == 0);
@@ -183,7 +183,7 @@ TEST_CASE("cli atlas: a run that is there already is done only if all its rows a
 
 TEST_CASE("cli atlas: a database with damaged pages is no atlas that is done")
 {
-    const Program program;
+    const CommandLine program;
     const std::string call = " --cells 12 --all";
     REQUIRE(program.run("atlas --database a.sqlite" + call).status == 0);
     const std::string whole = contentOf(program.file("a.sqlite"));
@@ -200,7 +200,7 @@ TEST_CASE("cli atlas: a database with damaged pages is no atlas that is done")
 
 TEST_CASE("cli atlas: an answer that is empty because nothing was decided there is status 3")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run(build).status == 0);
     for (const char* query :
          {"--near 1.142857 20 --cells 7", "--period 7/2 --cells 7", "--twins --cells 7",
@@ -229,7 +229,7 @@ TEST_CASE("cli atlas: an answer that is empty because nothing was decided there 
 
 TEST_CASE("cli atlas: seconds and joules are those of the bar")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run(build).status == 0);
     // L/c = 4e-4 s, E_1 = 2e7 * 1e-12 / 4 J.
     const std::string steel = " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6";
@@ -262,7 +262,7 @@ TEST_CASE("cli atlas: seconds and joules are those of the bar")
 
 TEST_CASE("cli atlas: --near without an energy says what it takes")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("atlas --database a.sqlite --near 1");
     CHECK(outcome.status == 2);
     CHECK_THAT(outcome.err, containsText("--near = 1") && containsText("allowed two numbers") &&

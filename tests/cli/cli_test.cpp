@@ -3,14 +3,14 @@
 #include <filesystem>
 #include <fstream>
 
-#include "program.hpp"
+#include "command_line.hpp"
 #include "solver.hpp"
 
 using namespace signorini::test;
 
 TEST_CASE("cli: the paper's case in JSON, every field of the contract")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find("150 900", 0);
     CHECK(r["schema"] == 2);
     CHECK(r["version"].is_string());
@@ -24,6 +24,7 @@ TEST_CASE("cli: the paper's case in JSON, every field of the contract")
     CHECK(r["solution_set"] == json({{"kind", "simplex"}, {"dimension", 149}}));
     CHECK(r["contact"] == "pressing");
     CHECK(r["canonical_schedule"] == json({{150, 900}}));
+    CHECK(r["approach_speeds"] == json::array({r["physical"]["approach_speed"]}));
     CHECK(r["energy"] == 2e-6);
     CHECK(r["energy_ratio"] == 4.0);
     CHECK(r["energy_ratio_range"] == json({4.0, 600.0}));
@@ -41,7 +42,7 @@ TEST_CASE("cli: the paper's case in JSON, every field of the contract")
 
 TEST_CASE("cli: absence is exit status 1 with reason and verified certificate")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find("2 4 --cells 2", 1);
     CHECK(r["status"] == "none");
     CHECK(r["reason"] == "gap");
@@ -55,18 +56,22 @@ TEST_CASE("cli: absence is exit status 1 with reason and verified certificate")
 
 TEST_CASE("cli: several phases in JSON, decided without a solver library")
 {
-    const Program program;
+    const CommandLine program;
     const json two = program.find("1 12 3 12 --cells 4", 0);
     CHECK(two["solution_set"] == json{{"kind", "simplex"}, {"dimension", 2}});
     CHECK(two["energy_ratio"].get<double>() == Approx(16.0 / 3.0));
     CHECK(two["energy_ratio_range"][1] == 8.0);
     CHECK(two["pressing_phases"] == json{true, true});
     CHECK(two["canonical_schedule"] == two["schedule"]);
+    REQUIRE(two["approach_speeds"].size() == 2);
+    CHECK(std::max(two["approach_speeds"][0], two["approach_speeds"][1]) ==
+          two["physical"]["approach_speed"]);
     CHECK(two["route"] == "lumped");
     CHECK(two["solver"]["name"] == "closed-form");
     const json twice = program.find("1 9 1 9 --cells 3", 0);
     CHECK(twice["canonical_schedule"] == json::array({{1, 9}}));
     CHECK(twice["repetitions"] == 2);
+    CHECK(twice["approach_speeds"].size() == 1);
     const json touching = program.find("2 3 1 29 --cells 10", 0);
     CHECK(touching["pressing_phases"] == json{true, false});
     const json none = program.find("1 1 1 1 --cells 4", 1);
@@ -78,7 +83,7 @@ TEST_CASE("cli: several phases in JSON, decided without a solver library")
 
 TEST_CASE("cli: undecided is exit status 3 and says why", "[glpk]")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find(
         "1500 12000 --cells 3000 --solver glpk-simplex --formulation state --time-limit 0.001", 3);
     CHECK(r["status"] == "undecided");
@@ -87,7 +92,7 @@ TEST_CASE("cli: undecided is exit status 3 and says why", "[glpk]")
 
 TEST_CASE("cli: text is for people and goes to stdout, nothing to stderr")
 {
-    const Program program;
+    const CommandLine program;
     const auto found = program.run("find 150 900");
     CHECK(found.status == 0);
     CHECK(found.err.empty());
@@ -162,7 +167,7 @@ TEST_CASE("cli: wrong use is exit status 2, one line naming argument, value and 
         {"3 9 --state a.csv --motion ./a.csv", "a.csv"},
         {"150 900 --state a.csv --gap nan", "--gap"},
     }));
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run(std::string("find ") + wrong.arguments);
     INFO(wrong.arguments << " -> " << outcome.err);
     CHECK(outcome.status == 2);
@@ -174,7 +179,7 @@ TEST_CASE("cli: wrong use is exit status 2, one line naming argument, value and 
 
 TEST_CASE("cli: a solver that cannot do what is asked is refused, one that is missing named")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("find 3 9 --solver glpk-simplex --objective min-energy");
     if (signorini::findBackend("glpk-simplex").available()) {
         CHECK(outcome.status == 2);
@@ -188,7 +193,7 @@ TEST_CASE("cli: a solver that cannot do what is asked is refused, one that is mi
 
 TEST_CASE("cli: unknown and missing commands are wrong use")
 {
-    const Program program;
+    const CommandLine program;
     CHECK(program.run("").status == 2);
     CHECK(program.run("fly").status == 2);
     CHECK_THAT(program.run("fly").err, containsText("fly"));
@@ -197,7 +202,7 @@ TEST_CASE("cli: unknown and missing commands are wrong use")
 
 TEST_CASE("cli: help and version succeed; the version lists every back end")
 {
-    const Program program;
+    const CommandLine program;
     CHECK(program.run("--help").status == 0);
     CHECK_THAT(program.run("find --help").out, containsText("--figure"));
     const auto version = program.run("--version");
@@ -209,7 +214,7 @@ TEST_CASE("cli: help and version succeed; the version lists every back end")
 
 TEST_CASE("cli: the nearest motion to a state file is found, wrong files are refused")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run("find 5 23 --cells 8 --objective max-energy --state target.csv").status ==
             0);
     const json r = program.find("5 23 --cells 8 --objective nearest --target target.csv", 0);
@@ -252,7 +257,7 @@ TEST_CASE("cli: the nearest motion to a state file is found, wrong files are ref
 
 TEST_CASE("cli: further demands: energy, strain, tip, and what cannot be")
 {
-    const Program program;
+    const CommandLine program;
     const json energy = program.find("150 900 --energy-ratio 20", 0);
     CHECK(energy["energy_ratio"].get<double>() == Approx(20.0).epsilon(1e-12));
     const json outside = program.find("150 900 --energy-ratio 3.9", 1);
@@ -275,7 +280,7 @@ TEST_CASE("cli: further demands: energy, strain, tip, and what cannot be")
 
 TEST_CASE("cli: a missing gnuplot is exit status 4, named, and leaves no file")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("find 5 23 --cells 8 --state s.csv --figure f.svg", "PATH=/nowhere");
     CHECK(outcome.status == 4);
@@ -285,7 +290,7 @@ TEST_CASE("cli: a missing gnuplot is exit status 4, named, and leaves no file")
 
 TEST_CASE("cli: steel in SI units gives the same energy ratio")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find("150 900 --young 210e9 --density 7800 --area 1e-4 --gap 1e-6", 0);
     CHECK(r["energy_ratio"].get<double>() == Approx(4.0).epsilon(1e-12));
     CHECK(r["period"].get<double>() == Approx(3.5 / 5188.7449).epsilon(1e-6));
@@ -293,7 +298,7 @@ TEST_CASE("cli: steel in SI units gives the same energy ratio")
 
 TEST_CASE("cli: a certificate that is called verified is printed whole, however long")
 {
-    const json r = Program().find("1 400001 --cells 200000", 1);
+    const json r = CommandLine().find("1 400001 --cells 200000", 1);
     CHECK(r["certificate"]["verified"] == true);
     for (const char* rows : {"periodicity", "pressure", "penetration"}) {
         CHECK(r["certificate"][rows].is_array());

@@ -1,13 +1,13 @@
 // signorini continuum: the curve in JSON, text, tables and figures, and what ends it.
 
-#include "program.hpp"
+#include "command_line.hpp"
 #include "solver.hpp"
 
 using namespace signorini::test;
 
 TEST_CASE("cli: continuum in JSON, every field of the contract, and its table")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("continuum 150 900 --energy-ratio 20 --points 5 --csv k.csv --format json");
     REQUIRE(outcome.status == 0);
@@ -39,7 +39,7 @@ TEST_CASE("cli: continuum in JSON, every field of the contract, and its table")
 
 TEST_CASE("cli: continuum joins two states of files, or proves that it cannot")
 {
-    const Program program;
+    const CommandLine program;
     const std::string small = " --cells 12 --gap 0.01";
     REQUIRE(program.run("find 6 36 --energy-ratio 8 --state from.csv" + small).status == 0);
     REQUIRE(program.run("find 6 36 --energy-ratio 16 --state high.csv" + small).status == 0);
@@ -67,7 +67,7 @@ TEST_CASE("cli: continuum joins two states of files, or proves that it cannot")
 
 TEST_CASE("cli: one member of a continuum, exactly at the lambda asked for")
 {
-    const Program program;
+    const CommandLine program;
     const std::string call = "continuum 150 900 --energy-ratio 20 --points 3 --format json";
     const auto outcome = program.run(call + " --member 0.137 --state m.csv");
     INFO(outcome.err);
@@ -105,7 +105,7 @@ TEST_CASE("cli: one member of a continuum, exactly at the lambda asked for")
 
 TEST_CASE("cli: the text of a continuum says how many motions there are")
 {
-    const Program program;
+    const CommandLine program;
     const auto split = program.run("continuum 150 900 --energy-ratio 20 --points 4");
     CHECK_THAT(split.out, containsText("split pulse, λ = pause between the two pulses") &&
                               containsText("all different motions"));
@@ -115,7 +115,7 @@ TEST_CASE("cli: the text of a continuum says how many motions there are")
 
 TEST_CASE("cli: continuum outside the range is exit status 1 with the range, and no file")
 {
-    const Program program;
+    const CommandLine program;
     for (const char* energy : {"3.99999", "600.001", "1e300"}) {
         const auto outcome =
             program.run(std::string("continuum 150 900 --csv k.csv --energy-ratio ") + energy +
@@ -135,7 +135,7 @@ TEST_CASE("cli: continuum outside the range is exit status 1 with the range, and
 
 TEST_CASE("cli: a wrong call of continuum is exit status 2, one line, and no file")
 {
-    const Program program;
+    const CommandLine program;
     for (const auto& [arguments, text] :
          {std::pair{"150 900", "--energy-ratio is missing"},
           std::pair{"150 900 --energy-ratio 0", "--energy-ratio = 0"},
@@ -163,7 +163,7 @@ TEST_CASE("cli: a wrong call of continuum is exit status 2, one line, and no fil
 
 TEST_CASE("cli: an interrupted continuum reports and writes what it found")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run(
         "continuum 150 900 --energy-ratio 20 --points 1000000 --csv k.csv "
         "--format json",
@@ -179,7 +179,7 @@ TEST_CASE("cli: an interrupted continuum reports and writes what it found")
 
 TEST_CASE("cli: continuum: who traces may be named as an engine or as a back end")
 {
-    const Program program;
+    const CommandLine program;
     const auto traced = [&program](const std::string& engine) {
         const auto outcome = program.run(
             "continuum 6 36 --cells 12 --energy-ratio 8 --points 5 --format json --engine " +
@@ -199,7 +199,7 @@ TEST_CASE("cli: continuum: who traces may be named as an engine or as a back end
 
 TEST_CASE("cli: continuum draws its figure")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("continuum 6 36 --cells 12 --energy-ratio 8 --figure k.svg --quiet");
     if (outcome.status == 4) {
@@ -214,7 +214,7 @@ TEST_CASE("cli: continuum draws its figure")
 
 TEST_CASE("cli: continuum: motions spread over the set, and a walk in a direction")
 {
-    const Program program;
+    const CommandLine program;
     const auto sampled = program.run(
         "continuum 150 900 --energy-ratio 20 --sample --points 10 --csv members.csv --format json");
     REQUIRE(sampled.status == 0);

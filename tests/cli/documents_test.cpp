@@ -1,6 +1,6 @@
 // The documents agree with what is there.
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini;
 using namespace signorini::test;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <sstream>
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -66,7 +66,7 @@ std::vector<std::array<std::int64_t, 4>> search(std::int64_t most)
     return found;
 }
 
-json ask(const Program& program, const std::string& options)
+json ask(const CommandLine& program, const std::string& options)
 {
     const auto outcome = program.run("families --format json " + options);
     INFO(outcome.err);
@@ -79,7 +79,7 @@ json ask(const Program& program, const std::string& options)
 
 TEST_CASE("cli families: the list is that of a search over all (w, nu, k)")
 {
-    const Program program;
+    const CommandLine program;
     const json answer = ask(program, "--max-order 24");
     const auto truth = search(24);
     CHECK(answer["complete"] == true);
@@ -107,7 +107,7 @@ TEST_CASE("cli families: the list is that of a search over all (w, nu, k)")
 
 TEST_CASE("cli families: 33 up to order 12, 1,651 up to 60, the paper's third from below")
 {
-    const Program program;
+    const CommandLine program;
     const json answer = ask(program, "");
     CHECK(answer["schema"] == 2);
     CHECK(answer["version"].is_string());
@@ -122,7 +122,7 @@ TEST_CASE("cli families: 33 up to order 12, 1,651 up to 60, the paper's third fr
 
 TEST_CASE("cli families: seconds, hertz and joules are those of the bar")
 {
-    const Program program;
+    const CommandLine program;
     // c = 5000 m/s, EA = 2e7 N: L/c = 0.4 ms, E_1 = EA g^2/(2L) = 5 uJ.
     const json answer =
         ask(program, "--length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6 --max-order 4");
@@ -137,7 +137,7 @@ TEST_CASE("cli families: seconds, hertz and joules are those of the bar")
 
 TEST_CASE("cli families: an energy bound keeps those that reach below it, their own energy too")
 {
-    const Program program;
+    const CommandLine program;
     const auto truth = search(16);
     for (const std::int64_t bound : {1, 3, 4, 9}) {
         const auto count = std::count_if(truth.begin(), truth.end(), [bound](const auto& family) {
@@ -150,7 +150,7 @@ TEST_CASE("cli families: an energy bound keeps those that reach below it, their 
 
 TEST_CASE("cli families: in words, one line a family")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("families");
     CHECK(outcome.status == 0);
     CHECK(lines(outcome.out) == 4 + 33);
@@ -165,7 +165,7 @@ TEST_CASE("cli families: in words, one line a family")
 
 TEST_CASE("cli families: the table reads back as the numbers of the JSON answer")
 {
-    const Program program;
+    const CommandLine program;
     const json answer = ask(program, "--max-order 20 --length 3 --csv f.csv");
     std::istringstream table(contentOf(program.file("f.csv")));
     std::string row;
@@ -197,7 +197,7 @@ TEST_CASE("cli families: the table reads back as the numbers of the JSON answer"
 
 TEST_CASE("cli families: a wrong call is exit status 2, one line, and no file")
 {
-    const Program program;
+    const CommandLine program;
     for (const auto& [arguments, text] :
          {std::pair{"--max-order 0", "--max-order = 0"}, std::pair{"--max-order 20001", "1..20000"},
           std::pair{"--max-order 2.5", "--max-order = 2.5"},
@@ -221,7 +221,7 @@ TEST_CASE("cli families: a wrong call is exit status 2, one line, and no file")
 
 TEST_CASE("cli families: an interrupted list says that it is not complete, and is no file")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("families --max-order 20000 --max-energy-ratio 1.01 --csv f.csv --format json",
                     "timeout -s INT 0.6");
@@ -236,7 +236,7 @@ TEST_CASE("cli families: an interrupted list says that it is not complete, and i
 
 TEST_CASE("cli families: the figure has a cell for each family, axes and a scale")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("families --figure f.svg --quiet");
     if (outcome.status == 4) {
         return;  // no gnuplot here

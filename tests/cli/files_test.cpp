@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini::test;
 
@@ -23,7 +23,7 @@ std::string quoted(const std::string& word)
 }
 
 /// A program called gnuplot in a folder of its own, in front of the others.
-std::string fakeGnuplot(const Program& program, const std::string& script)
+std::string fakeGnuplot(const CommandLine& program, const std::string& script)
 {
     fs::create_directory(program.file("bin"));
     std::ofstream(program.file("bin") / "gnuplot") << "#!/bin/sh\n" << script;
@@ -40,7 +40,7 @@ bool hasGnuplot()
 
 TEST_CASE("cli: standard error that is full or closed changes neither status nor files")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(
         program.run("atlas --cells 2 --max-contact 2 --max-free 4 --database a.sqlite").status ==
         0);
@@ -66,7 +66,7 @@ TEST_CASE("cli: standard error that is full or closed changes neither status nor
 
 TEST_CASE("cli: two outputs that links lead to one file are refused, even if it is not there yet")
 {
-    const Program program;
+    const CommandLine program;
     fs::create_symlink("new.sqlite", program.file("pic.svg"));
     fs::create_symlink("new.csv", program.file("a.csv"));
     fs::create_symlink("a.csv", program.file("b.csv"));
@@ -91,7 +91,7 @@ TEST_CASE("cli: two outputs that links lead to one file are refused, even if it 
 
 TEST_CASE("cli: a path through a linked folder means what the system means by it")
 {
-    const Program program;
+    const CommandLine program;
     fs::create_directories(program.file("deep/sub"));
     fs::create_directory_symlink("deep/sub", program.file("linked"));
     CHECK(program.run(small + "--state linked/../s.csv").status == 0);
@@ -101,7 +101,7 @@ TEST_CASE("cli: a path through a linked folder means what the system means by it
 
 TEST_CASE("cli: link loops, names too long and a deleted folder are exit status 4, with the option")
 {
-    const Program program;
+    const CommandLine program;
     fs::create_symlink("loop.csv", program.file("loop.csv"));
     const std::string large(300, 'x');
     for (const auto& [words, named] :
@@ -133,7 +133,7 @@ TEST_CASE("cli: link loops, names too long and a deleted folder are exit status 
 
 TEST_CASE("cli: when one file cannot be put into place none is, and the option is named")
 {
-    const Program program;
+    const CommandLine program;
     std::ofstream(program.file("s.csv")) << "old";
     fs::create_symlink("/dev/full", program.file("full.csv"));
     const auto full = program.run(small + "--state s.csv --motion full.csv");
@@ -161,7 +161,7 @@ TEST_CASE("cli: when one file cannot be put into place none is, and the option i
 
 TEST_CASE("cli: a pipe receives a file like a folder does")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run(small + "--state s.csv").status == 0);
     const auto outcome =
         program.run(small + "--state pipe --motion m.csv", "mkfifo pipe; cat pipe >read.csv &");
@@ -177,7 +177,7 @@ TEST_CASE("cli: a pipe receives a file like a folder does")
 
 TEST_CASE("cli: a state comes through a pipe, too, but never without end")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run(small + "--objective max-energy --state t.csv").status == 0);
     const std::string nearest = "--objective nearest --target ";
     const auto through = [&](const std::string& writer) {
@@ -206,7 +206,7 @@ TEST_CASE("cli: a state comes through a pipe, too, but never without end")
 
 TEST_CASE("cli: a signal while gnuplot runs leaves nothing behind")
 {
-    const Program program;
+    const CommandLine program;
     fs::create_directory(program.file("tmp"));
     const auto outcome =
         program.run(small + "--figure f.svg --state s.csv",
@@ -221,7 +221,7 @@ TEST_CASE("cli: no name of a folder or file is a command of gnuplot")
     if (!hasGnuplot()) {
         return;
     }
-    const Program program;
+    const CommandLine program;
     for (const char* name :
          {"x'; system 'touch ran'; y='", "\"`touch ran`\nsystem 'touch ran'\n"}) {
         fs::create_directory(program.file(name));
@@ -239,7 +239,7 @@ TEST_CASE("cli: no name of a folder or file is a command of gnuplot")
 
 TEST_CASE("cli: files are written whole, together, and replace old ones")
 {
-    const Program program;
+    const CommandLine program;
     std::ofstream(program.file("state.csv")) << "old";
     const auto outcome = program.run(
         "find 5 23 --cells 8 --state state.csv --motion motion.csv --figure figure.svg");
@@ -257,7 +257,7 @@ TEST_CASE("cli: files are written whole, together, and replace old ones")
 
 TEST_CASE("cli: without a motion no file is written, and old ones stay")
 {
-    const Program program;
+    const CommandLine program;
     std::ofstream(program.file("state.csv")) << "old";
     const auto outcome = program.run("find 2 4 --cells 2 --state state.csv --figure f.png");
     CHECK(outcome.status == 1);
@@ -268,7 +268,7 @@ TEST_CASE("cli: without a motion no file is written, and old ones stay")
 
 TEST_CASE("cli: --certificate is the claim with all of its proof, of a motion that of its energy")
 {
-    const Program program;
+    const CommandLine program;
     CHECK(program.run("find 2 4 --cells 2 --certificate proof.json --state s.csv").status == 1);
     CHECK(program.files() == 1);
     const json written = json::parse(contentOf(program.file("proof.json")));
@@ -314,7 +314,7 @@ TEST_CASE("cli: --certificate is the claim with all of its proof, of a motion th
 
 TEST_CASE("cli: files that cannot be written are exit status 4, and nothing is left behind")
 {
-    const Program program;
+    const CommandLine program;
     for (const char* arguments :
          {"--state /no/such/folder/x.csv", "--state .", "--state /dev/full",
           "--motion good.csv --state /dev/full", "--figure /no/such/folder/x.png"}) {
@@ -331,7 +331,7 @@ TEST_CASE("cli: files that cannot be written are exit status 4, and nothing is l
 
 TEST_CASE("cli: a file size limit is a full disk: exit status 4 and nothing left behind")
 {
-    const Program program;
+    const CommandLine program;
     for (const char* arguments : {"find 150 900 --figure f.svg", "find 150 900 --figure f.png",
                                   "find 150 900 --state s.csv", "find 150 900 --motion m.vtk"}) {
         const auto outcome = program.run(arguments, "ulimit -f 16;");
@@ -343,7 +343,7 @@ TEST_CASE("cli: a file size limit is a full disk: exit status 4 and nothing left
 
 TEST_CASE("cli: links are followed, modes kept, read-only and looping targets refused")
 {
-    const Program program;
+    const CommandLine program;
     std::ofstream(program.file("private.csv")) << "old";
     fs::permissions(program.file("private.csv"), fs::perms::owner_read | fs::perms::owner_write);
     fs::create_symlink("private.csv", program.file("link.csv"));
@@ -363,7 +363,7 @@ TEST_CASE("cli: links are followed, modes kept, read-only and looping targets re
 
 TEST_CASE("cli: standard output is for the report alone")
 {
-    const Program program;
+    const CommandLine program;
     CHECK(program.run("find 5 23 --cells 8 --state /dev/stdout").status == 2);
     CHECK(program.run("--version >/dev/full; exit $?; #").status == 4);
     const auto large =
@@ -373,7 +373,7 @@ TEST_CASE("cli: standard output is for the report alone")
 
 TEST_CASE("cli: a signal removes what was begun")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("find 1 39999999 --cells 10000000 --state s.csv", "timeout --signal=INT 0.7");
     if (outcome.status == 0) {

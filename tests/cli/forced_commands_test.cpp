@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <sstream>
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -19,7 +21,7 @@ namespace {
 const std::string section15 =
     " --cells 30 --damping 0.03353713 --force tip --amplitude 2.5e-4 --quiet";
 
-json parsed(const Program& program, const std::string& arguments, int status = 0)
+json parsed(const CommandLine& program, const std::string& arguments, int status = 0)
 {
     const auto outcome = program.run(arguments + " --format json");
     INFO(arguments << "\n" << outcome.err);
@@ -31,7 +33,7 @@ json parsed(const Program& program, const std::string& arguments, int status = 0
 
 TEST_CASE("cli response: every field of the contract, and the numbers of section 15")
 {
-    const Program program;
+    const CommandLine program;
     const json answer =
         parsed(program, "response --from 1.1 --to 1.16 --stability --csv r.csv" + section15);
     CHECK(answer["schema"] == 2);
@@ -68,7 +70,7 @@ TEST_CASE("cli response: every field of the contract, and the numbers of section
 
 TEST_CASE("cli response: a bar pressed at rest stays in contact, which is said once a frequency")
 {
-    const Program program;
+    const CommandLine program;
     const std::string range =
         "response --cells 20 --gap -1 --damping 0.02 --force tip --amplitude 0.3 --from 0.9 --to "
         "1.2 --csv r.csv --quiet";
@@ -104,7 +106,7 @@ TEST_CASE("cli response: a bar pressed at rest stays in contact, which is said o
 
 TEST_CASE("cli response: what was not decided is said, with its reason, and is no whole answer")
 {
-    const Program program;
+    const CommandLine program;
     const std::string range =
         "response --cells 5 --damping 0.1746 --force base --amplitude 8.18e-4 --from 2.45 --to "
         "2.55 --cycles 3 --second-stop 1e-3 --csv r.csv --quiet";
@@ -133,7 +135,7 @@ TEST_CASE(
     "cli response: an engineer reads where the machine rattles, how hard, and whether it yields",
     "[glpk]")
 {
-    const Program program;
+    const CommandLine program;
     const std::string rod =
         "response --length 3 --young 210e9 --density 7850 --area 1e-4 --gap 1e-4 --damping 0.05 "
         "--force base --amplitude 20e-6 --cells 60 --quiet";
@@ -172,7 +174,7 @@ TEST_CASE(
 
 TEST_CASE("cli response: threads share the work, units are those of the bar")
 {
-    const Program program;
+    const CommandLine program;
     const std::string range = "response --from 0.9 --to 1.2 --cells 20 --damping 0.05 --quiet";
     const json base = parsed(program, range + " --force base --amplitude 3e-4");
     CHECK(base["frequencies"] ==
@@ -203,7 +205,7 @@ TEST_CASE("cli response: threads share the work, units are those of the bar")
 
 TEST_CASE("cli find: the forced motions of a schedule, by amplitude or of the least")
 {
-    const Program program;
+    const CommandLine program;
     // n = 104, n_c = 16: two motions at 0.25 EA g/L.
     const json two = parsed(program, "find 16 88 --state s.csv" + section15);
     CHECK(two["status"] == "found");
@@ -270,7 +272,8 @@ TEST_CASE("cli find: the forced motions of a schedule, by amplitude or of the le
     for (const char* wrong :
          {"find 12 96 --force tip", "find 12 96 --damping 0.1", "find 12 96 --cycles 2",
           "find 12 96 --damping 0.1 --force tip --energy-ratio 3",
-          "find 12 96 --damping 0.1 --force tip --figure f.svg",
+          "find 12 96 --damping 0.1 --force tip --yield-stress 1e6",
+          "find 12 96 --damping 0.1 --force tip --tip-floor -1",
           "find 12 96 --damping 0.1 --force tip --cycles 54",
           "find 12 96 --damping 0.1 --force base --strain-limit 1e-3",
           "find --period 7/2 --damping 0.1 --force tip"}) {
@@ -281,10 +284,50 @@ TEST_CASE("cli find: the forced motions of a schedule, by amplitude or of the le
     }
 }
 
+TEST_CASE("cli find: a period in place of a schedule has motions on no grid")
+{
+    const CommandLine program;
+    const std::string force = " --damping 0.03353713 --force tip --amplitude 2.5e-4";
+    const json answer = parsed(program, "find --frequency 10/9 --contacts 1" + force);
+    CHECK(answer["status"] == "found");
+    CHECK(answer["contacts"] == 1);
+    CHECK(answer["exact_period"] == json({18, 5}));
+    CHECK(answer["frequency_ratio"].get<double>() == Approx(10.0 / 9.0));
+    REQUIRE(answer["motions"].size() == 2);
+    const json& smooth = answer["motions"][0];
+    CHECK(smooth["release"] == "smooth");
+    CHECK(smooth["contact_time_ratio"].get<double>() == Approx(0.252428709).epsilon(1e-5));
+    CHECK(smooth["physical"]["impulse"].get<double>() == Approx(0.190608685e-3).epsilon(1e-5));
+    CHECK(smooth["growth"].get<double>() == Approx(1.6588).epsilon(1e-3));
+    const json& pinned = answer["motions"][1];
+    CHECK(pinned["release"] == "pinned");
+    CHECK(pinned["contact_time_ratio"].get<double>() == Approx(0.4).epsilon(1e-14));
+    CHECK(pinned["physical"]["impulse"].get<double>() == Approx(1.070913943e-3).epsilon(1e-6));
+    CHECK(parsed(program, "find --period 18/5 --quiet" + force)["motions"] == answer["motions"]);
+    const json twice = parsed(program, "find --frequency 10/9 --cycles 2" + force, 3);
+    CHECK(twice["exact_period"] == json({36, 5}));
+    CHECK(twice["frequency_ratio"] == answer["frequency_ratio"]);
+    // None: that is computed, not proved.
+    CHECK(parsed(program, "find --period 118/30" + force, 3)["status"] == "undecided");
+    for (const char* wrong :
+         {"find --period 18/5 --damping 0 --force tip --amplitude 1e-4",
+          "find --period 18/5 --damping 0.1 --force tip",
+          "find --period 18/5 --contacts 2 --damping 0.1 --force tip --amplitude 1e-4",
+          "find --period 1.23456789 --damping 0.1 --force tip --amplitude 1e-4",
+          "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --state s.csv",
+          "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --energy 1",
+          "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --segments 2:1,3:2"}) {
+        const auto outcome = program.run(wrong);
+        INFO(wrong << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+    }
+}
+
 TEST_CASE("cli find: without damping, waves that nothing holds need no force and bear none",
           "[glpk]")
 {
-    const Program program;
+    const CommandLine program;
     const json undamped = parsed(program, "find 15 90 --cells 30 --damping 0 --force base");
     CHECK(undamped["solution_set"]["kind"] == "polytope");
     CHECK(undamped["solution_set"]["free_waves"] == 15);
@@ -295,7 +338,7 @@ TEST_CASE("cli find: without damping, waves that nothing holds need no force and
 
 TEST_CASE("cli simulate: from rest to the motion of section 15, with its tables")
 {
-    const Program program;
+    const CommandLine program;
     const json answer = parsed(program,
                                "simulate --rest --frequency 1.1111111111111112 "
                                "--periods 300 --events e.csv --tip t.csv" +
@@ -312,7 +355,7 @@ TEST_CASE("cli simulate: from rest to the motion of section 15, with its tables"
     std::istringstream table(contentOf(program.file("e.csv")));
     std::string row;
     std::getline(table, row);
-    CHECK(row == "start,end,impulse,peak_force,mean_force");
+    CHECK(row == "start,end,impulse,peak_force,mean_force,speed,energy");
     std::int64_t contacts = 0;
     double impulse = 0.0;
     double before = 0.0;
@@ -334,7 +377,7 @@ TEST_CASE("cli simulate: from rest to the motion of section 15, with its tables"
 
 TEST_CASE("cli simulate: a state of find goes on as find says, in seconds of the bar")
 {
-    const Program program;
+    const CommandLine program;
     const std::string steel =
         " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6 --quiet";
     REQUIRE(program.run("find 500 3000 --cells 1000 --state s.csv" + steel).status == 0);
@@ -350,9 +393,41 @@ TEST_CASE("cli simulate: a state of find goes on as find says, in seconds of the
     CHECK(answer["tip"].get<double>() == Approx(1e-6).epsilon(1e-6));
 }
 
+TEST_CASE("cli sweep: JSON, table and words say the same, in Hz as in omega_1")
+{
+    const CommandLine program;
+    const std::string call =
+        "sweep --points 3 --periods 200 --yield-stress 1e5 --young 4 "
+        "--density 4 --area 0.25 --csv s.csv";
+    const json answer = parsed(program, call + " --from 1 --to 1.2" + section15);
+    CHECK(answer["status"] == "done");
+    CHECK(answer["over"] == "frequency");
+    REQUIRE(answer["points"].size() == 6);
+    CHECK(answer["points"][0]["direction"] == "up");
+    CHECK(answer["points"][5]["direction"] == "down");
+    CHECK(answer["points"][1]["frequency"].get<double>() == Approx(0.275).epsilon(1e-5));
+    CHECK(answer["points"][1]["peak_stress"].get<double>() ==
+          Approx(4.0 * answer["points"][1]["peak_strain"].get<double>()));
+    std::ifstream table(program.file("s.csv"));
+    std::string line;
+    std::getline(table, line);
+    CHECK(line.starts_with("value,frequency,direction,periods,"));
+    for (const json& point : answer["points"]) {
+        REQUIRE(std::getline(table, line));
+        CHECK(line.starts_with(fmt::format("{},{},{},", point["value"].get<double>(),
+                                           point["frequency"].get<double>(),
+                                           point["direction"].get<std::string>())));
+    }
+    CHECK_FALSE(std::getline(table, line));
+    CHECK(parsed(program, call + " --from-hertz 0.25 --to 0.3Hz" + section15)["points"] ==
+          answer["points"]);
+    const auto text = program.run(call + " --from 1 --to 1.2" + section15);
+    CHECK_THAT(text.out, containsText("upward") && containsText("no yield"));
+}
+
 TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
 {
-    const Program program;
+    const CommandLine program;
     const std::string force = " --force tip --amplitude 1";
     const std::string out = " --csv r.csv";
     const std::pair<std::string, const char*> calls[] = {
@@ -372,6 +447,20 @@ TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
         {"response --damping 0.1 --contacts 2 --band 1" + force + out, "--band = 1"},
         {"response --damping 0.1 --contacts 2" + force + out, "contacts: 2"},
         {"response --damping 0.1 --figure r.gif" + force + out, "figure"},
+        {"response --damping 0.1 --from 1 --from-hertz 3" + force + out, "both are one"},
+        {"sweep --damping 0.1" + out, "--force = missing"},
+        {"sweep --damping 0.1 --force tip" + out, "--amplitude = missing"},
+        {"sweep --damping 0.1 --over gap" + force + out, "--frequency = missing"},
+        {"sweep --damping 0.1 --over gap --frequency 1" + force + out, "--from = missing"},
+        {"sweep --over damping --damping 0.1 --frequency 1" + force + out, "--damping = 0.1"},
+        {"sweep --over amplitude --frequency 1" + force + out, "--amplitude = 1"},
+        {"sweep --from 2 --to 1" + force + out, "--from = 2"},
+        {"sweep --from 1 --from-hertz 1" + force + out, "--from = 1"},
+        {"sweep --points 0" + force + out, "--points = 0"},
+        {"sweep --periods 0" + force + out, "--periods = 0"},
+        {"sweep --over speed" + force + out, "frequency|amplitude|gap|damping"},
+        {"sweep --yield-stress 1" + force + out, "--yield-stress"},
+        {"sweep --gap 0 --over gap --from 1 --to 2 --frequency 1" + force + out, "--gap = 0"},
         {"simulate --rest", "--time"},
         {"simulate --time 1 --periods 2" + force + " --frequency 1", "--periods"},
         {"simulate --periods 2", "--force"},
@@ -395,7 +484,7 @@ TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
 
 TEST_CASE("cli response, simulate: figures with their labels")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("response --from 1.1 --to 1.16 --stability --figure r.svg" + section15);
     if (outcome.status == 4) {
@@ -414,9 +503,32 @@ TEST_CASE("cli response, simulate: figures with their labels")
     CHECK_THAT(contentOf(program.file("rest.svg")), containsText("no contact"));
 }
 
+TEST_CASE("cli sweep: figures, also where no exact motion can stand behind them")
+{
+    const CommandLine program;
+    const auto outcome = program.run(
+        "sweep --from 1 --to 1.2 --points 3 --periods 60 --figure s.svg --bifurcation b.svg" +
+        section15);
+    if (outcome.status == 4) {
+        return;  // no gnuplot here
+    }
+    CHECK(outcome.status == 0);
+    CHECK_THAT(contentOf(program.file("s.svg")),
+               containsText("exact motions") && containsText("upward") && containsText("swing"));
+    CHECK_THAT(contentOf(program.file("b.svg")), containsText("impulse of a contact"));
+    for (const char* scene : {" --from 1.00031 --to 1.00032", " --segments 15:1,15:2 --gap 0",
+                              " --segments 15:1,15:2 --second-stop 1e-3"}) {
+        const auto bare = program.run("sweep --points 2 --periods 60 --figure t.svg" +
+                                      std::string(scene) + section15);
+        INFO(scene << "\n" << bare.err);
+        CHECK(bare.status == 0);
+        CHECK_THAT(contentOf(program.file("t.svg")), containsText("swing"));
+    }
+}
+
 TEST_CASE("cli find --stability: what becomes of a free motion, with what was tried")
 {
-    const Program program;
+    const CommandLine program;
     const json answer = parsed(program, "find 15 90 --cells 30 --stability --quiet");
     REQUIRE(answer["stability"].size() == 2);
     const json& undamped = answer["stability"][0];
@@ -429,15 +541,75 @@ TEST_CASE("cli find --stability: what becomes of a free motion, with what was tr
     CHECK(answer["stability"][1]["drift"].get<double>() > 1e-4);
     CHECK_THAT(program.run("find 15 90 --cells 30 --stability").out,
                containsText("disturbances") && containsText("periods"));
-    for (const char* wrong :
-         {"find --period 7/2 --stability", "find 12 96 --damping 0.1 --force tip --stability"}) {
-        CHECK(program.run(wrong).status == 2);
+    CHECK(program.run("find --period 7/2 --stability").status == 2);
+}
+
+TEST_CASE(
+    "cli find: a forced motion is drawn, written, tried and compared with yield as a free one")
+{
+    const CommandLine program;
+    const std::string rod =
+        " --length 3 --young 210GPa --density 7850 --area 1cm2 --gap 0.1mm --damping 5% --force ";
+    // One motion of this schedule attracts; the response says so, too.
+    const json answer = parsed(program,
+                               "find 20 150 --cells 40 --yield-stress 10MPa --stability "
+                               "--motion m.csv" +
+                                   rod + "base");
+    const json& motion = answer["motions"].back();
+    CHECK(motion["stable"] == true);
+    const json again = parsed(program,
+                              "response --cells 40 --stability --from 0.94 --to 0.945"
+                              " --amplitude " +
+                                  answer["amplitude"].dump() + rod + "base");
+    bool isListed = false;
+    for (const json& one : again["frequencies"][0]["motions"]) {
+        isListed = isListed || (one["impulse"].get<double>() ==
+                                    Approx(motion["impulse"].get<double>()).epsilon(1e-6) &&
+                                one["stable"] == true);
+    }
+    CHECK(isListed);
+    CHECK_FALSE(
+        parsed(program, "find 20 150 --cells 40" + rod + "base")["motions"][0].contains("stable"));
+
+    // In the table the tip is at the wall as long as it is pressed, and the clamp moves as the
+    // base.
+    std::ifstream table(program.file("m.csv"));
+    std::string line;
+    std::getline(table, line);
+    double highest = -1.0;
+    double swing = 0.0;
+    while (std::getline(table, line)) {
+        std::istringstream fields(line);
+        std::array<double, 3> values{};
+        for (double& value : values) {
+            fields >> value;
+            fields.ignore();
+        }
+        highest = values[1] == 3.0 ? std::max(highest, values[2]) : highest;
+        swing = values[1] == 0.0 ? std::max(swing, std::abs(values[2])) : swing;
+    }
+    CHECK(highest == Approx(1e-4).epsilon(1e-9));
+    CHECK(swing == Approx(answer["amplitude"].get<double>()).epsilon(1e-2));
+
+    const auto told =
+        program.run("find 20 150 --cells 40 --yield-stress 10MPa --stability" + rod + "tip");
+    CHECK_THAT(told.err, containsText("beyond --yield-stress"));
+    CHECK_THAT(told.out, containsText("attracts (tried"));
+    for (const char* place : {"tip", "base"}) {
+        const auto drawn = program.run("find 20 150 --cells 40 --figure f.svg" + rod + place);
+        if (drawn.status == 4) {
+            return;  // no gnuplot here
+        }
+        CHECK(drawn.status == 0);
+        CHECK_THAT(
+            contentOf(program.file("f.svg")),
+            containsText(place[0] == 't' ? "force on the tip 232.7 N" : "base moved by 22.39"));
     }
 }
 
 TEST_CASE("cli response --map: amplitude against frequency")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("response --from 0.9 --to 1.3 --map m.svg --figure r.svg" + section15);
     if (outcome.status == 4) {
@@ -452,7 +624,7 @@ TEST_CASE("cli response --map: amplitude against frequency")
 
 TEST_CASE("cli response --contacts 2: motions with their own amplitude, in answer and table")
 {
-    const Program program;
+    const CommandLine program;
     const std::string call =
         "response --from 1.01 --to 1.02 --contacts 2 --band 0.15 --csv r.csv --map-csv m.csv" +
         section15;
@@ -487,7 +659,7 @@ TEST_CASE("cli response --contacts 2: motions with their own amplitude, in answe
 
 TEST_CASE("cli response: the map and the backbone as tables")
 {
-    const Program program;
+    const CommandLine program;
     const json answer = parsed(
         program, "response --from 1.06 --to 1.16 --map-csv m.csv --backbone-csv b.csv" + section15);
     // An amplitude has as many motions as rows hold it.
@@ -537,7 +709,7 @@ TEST_CASE("cli response: the map and the backbone as tables")
 TEST_CASE("cli find, forced: equal segments are the uniform bar, with its proofs and its scenes",
           "[glpk]")
 {
-    const Program program;
+    const CommandLine program;
     const std::string force = " --damping 0.05 --force tip";
     const json whole = parsed(program, "find 12 8 --cells 10" + force, 1);
     const json parts = parsed(program, "find 12 8 --segments 5:1,5:1" + force, 1);
@@ -554,7 +726,7 @@ TEST_CASE("cli simulate: a motion that grows has not settled, whatever its tip d
 {
     // At resonance the tip passes through 0 at the end of every period; 400 periods later it
     // meets the wall.
-    const Program program;
+    const CommandLine program;
     const std::string call =
         "simulate --rest --damping 0.001 --force tip --frequency 1 "
         "--periods 200 --amplitude ";
@@ -567,7 +739,7 @@ TEST_CASE("cli simulate: a motion that grows has not settled, whatever its tip d
 
 TEST_CASE("cli simulate: without a gap what happens does not depend on the size of the force")
 {
-    const Program program;
+    const CommandLine program;
     for (const double scale : {1e-9, 1e-5, 1.0, 1e9}) {
         const json answer =
             parsed(program, fmt::format("simulate --rest --cells 16 --damping 0.05 --force tip "
@@ -585,7 +757,7 @@ TEST_CASE("cli simulate: without a gap what happens does not depend on the size 
 TEST_CASE("cli simulate: contact times that waver in their last digit have settled")
 {
     // Changes of 1e-8 .. 1e-6 of the state, the root of the rounding of contact times, come and go.
-    const Program program;
+    const CommandLine program;
     for (const char* scene : {
              "--cells 23 --damping 0.1007 --amplitude 0.00109641 --frequency 1.2002 --phase 0.402",
              "--cells 21 --damping 0.1150 --amplitude 0.00135559 --frequency 1.2682 --phase 3.316",
@@ -602,7 +774,7 @@ TEST_CASE("cli simulate: contact times that waver in their last digit have settl
 
 TEST_CASE("cli simulate: a base may start anywhere")
 {
-    const Program program;
+    const CommandLine program;
     const json answer = parsed(program,
                                "simulate --rest --damping 0.05 --force base "
                                "--amplitude 2e-3 --frequency 0.7 --periods 20");

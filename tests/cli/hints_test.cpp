@@ -1,7 +1,7 @@
 // What a wrong word was probably meant to be.
 
 #include "hints.hpp"
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -9,7 +9,7 @@ using namespace signorini::test;
 namespace {
 
 /// One line on stderr, status 2, nothing on stdout; and in it all of these.
-void checkRefused(const Program& program, const std::string& words,
+void checkRefused(const CommandLine& program, const std::string& words,
                   const std::vector<std::string>& wanted)
 {
     const auto outcome = program.run(words);
@@ -26,7 +26,7 @@ void checkRefused(const Program& program, const std::string& words,
 
 TEST_CASE("cli hints: an option or command that is spelt nearly right is named")
 {
-    const Program program;
+    const CommandLine program;
     for (const auto& [words, meant] :
          {std::pair{"find 150 900 --energy_ratio 20", "did you mean --energy-ratio?"},
           std::pair{"find 150 900 --energyratio=20", "did you mean --energy-ratio?"},
@@ -59,7 +59,7 @@ TEST_CASE("cli hints: names are as near as one or two letters")
 
 TEST_CASE("cli: a number may carry its unit")
 {
-    const Program program;
+    const CommandLine program;
     const auto same = [&](const std::string& one, const std::string& other) {
         INFO(one);
         const auto run = program.run(one);
@@ -87,7 +87,7 @@ TEST_CASE("cli: a number may carry its unit")
 
 TEST_CASE("cli hints: a stiffness in GPa and a damping in per cent are noticed in the answer")
 {
-    const Program program;
+    const CommandLine program;
     const std::string rest = " --density 7800 --area 1e-4";
     const std::string soft = program.run("find 3 25 --cells 8 --young 210" + rest).out;
     CHECK_THAT(soft, containsText("\nnote "));
@@ -102,7 +102,7 @@ TEST_CASE("cli hints: a stiffness in GPa and a damping in per cent are noticed i
 
 TEST_CASE("cli hints: what find needs, and hertz where ω₁ was asked for")
 {
-    const Program program;
+    const CommandLine program;
     checkRefused(program, "find", {"NC NF is missing", "150 900", "--period", "--hertz"});
     checkRefused(program, "find --hertz 494", {"L = 1 m, c = 1 m/s by default"});
     checkRefused(program, "find --hertz 1e9 --length 3 --wave-speed 5000",

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <utility>
 
-#include "program.hpp"
+#include "command_line.hpp"
 #include "solver.hpp"
 
 using namespace signorini::test;
@@ -20,7 +20,7 @@ std::string slowCall(const std::string& cells, const std::string& solver)
 }
 
 /// What a terminal shows of a call whose report goes elsewhere.
-std::string shownBy(const Program& program, const std::string& arguments)
+std::string shownBy(const CommandLine& program, const std::string& arguments)
 {
     const std::string call = std::string("'") + SIGNORINI_PROGRAM + "' " + arguments;
     (void)program.run("", "script -qec \"" + call + " >out.txt\" screen.txt >screen.copy;:");
@@ -35,7 +35,7 @@ TEST_CASE("cli: Ctrl-C ends a search by a solver that can be stopped with status
          {std::pair{slowCall("60000", "glpk-exact"), "1"},
           std::pair{slowCall("6000", "ipopt --objective min-energy"), "1"},
           std::pair{slowCall("800", "nlopt-auglag --energy-ratio 20 --tolerance 1e-12"), "0.3"}}) {
-        const Program program;
+        const CommandLine program;
         const std::string interrupted = "timeout --preserve-status -s INT ";
         auto outcome = program.run(call, interrupted + seconds);
         for (const char* later : {"0.8", "1.6", "3.2", "6.4"}) {
@@ -57,7 +57,7 @@ TEST_CASE("cli: Ctrl-C ends a search by a solver that can be stopped with status
 TEST_CASE("cli: Ctrl-C ends a program whose solver cannot be stopped, and leaves nothing behind",
           "[glpk]")
 {
-    const Program program;
+    const CommandLine program;
     const auto start = std::chrono::steady_clock::now();
     const auto outcome =
         program.run(slowCall("60000", "glpk-interior"), "timeout --preserve-status -s INT 4");
@@ -71,7 +71,7 @@ TEST_CASE("cli: Ctrl-C ends a program whose solver cannot be stopped, and leaves
 
 TEST_CASE("cli: a signal ends the program with 128 and its number, as the help says")
 {
-    const Program program;
+    const CommandLine program;
     const std::string help = program.run("--help").out;
     for (const auto& [name, status] : {std::pair{"HUP", 129}, {"INT", 130}, {"TERM", 143}}) {
         // It waits for a table that nobody writes.
@@ -90,7 +90,7 @@ TEST_CASE("cli: a signal ends the program with 128 and its number, as the help s
 
 TEST_CASE("cli: long work shows a line on a terminal, and only there")
 {
-    const Program program;
+    const CommandLine program;
     if (program.run("--version", "command -v script >/dev/null || exit 77;").status == 77) {
         return;
     }
@@ -109,7 +109,7 @@ TEST_CASE("cli: long work shows a line on a terminal, and only there")
 
 TEST_CASE("cli: a command that works on one thread says so when more are allowed")
 {
-    const Program program;
+    const CommandLine program;
     for (const char* call : {"find 5 23 --cells 8", "modes --max-order 1", "families --max-order 3",
                              "continuum 6 36 --cells 12 --energy-ratio 8 --points 2"}) {
         const auto one = program.run(std::string(call) + " --threads 1");

@@ -1,6 +1,6 @@
 // Little memory: every back end ends with a verdict or with status 3 and words, never by a signal.
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -14,7 +14,7 @@ std::string limitedTo(int megabytes)
 
 /// The least address space in which the program starts and does what needs no solver [MB]; 0 where
 /// limits mean nothing, as under a sanitizer.
-int leastMemory(const Program& program)
+int leastMemory(const CommandLine& program)
 {
     const auto starts = [&program](int megabytes) {
         return program.run("find 150 900", limitedTo(megabytes)).status == 0;
@@ -34,7 +34,7 @@ int leastMemory(const Program& program)
 
 TEST_CASE("cli: no back end ends the process when memory is short")
 {
-    const Program program;
+    const CommandLine program;
     const int least = leastMemory(program);
     if (least == 0) {
         return;
@@ -62,7 +62,7 @@ TEST_CASE("cli: no back end ends the process when memory is short")
 
 TEST_CASE("cli: a million cells stay under three states of memory")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("find 500000 3000000 --cells 1000000 --quiet");
     REQUIRE(outcome.status == 0);
 #if !defined(__SANITIZE_ADDRESS__)

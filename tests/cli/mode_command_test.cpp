@@ -3,14 +3,14 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
 
 TEST_CASE("cli mode: the main mode in numbers known in closed form")
 {
-    const Program program;
+    const CommandLine program;
     // t_c = 4 - T, 1/sqrt(E/E_1) = T - 3 in ]3, 4[; c = 5000 m/s, EA = 2e7 N, L = 2 m, g = 1 mm.
     const auto outcome = program.run(
         "mode 4 -1 --period 3.7 --length 2 --wave-speed 5000 --axial-stiffness 2e7 --gap 1e-3 "
@@ -44,7 +44,7 @@ TEST_CASE("cli mode: the main mode in numbers known in closed form")
 
 TEST_CASE("cli mode: on the grid of its period it is what find answers there")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("mode 4 -1 --period 7/2 --cells 12 --state mode.csv --motion mode-motion.csv");
     INFO(outcome.err);
@@ -66,7 +66,7 @@ TEST_CASE("cli mode: on the grid of its period it is what find answers there")
 
 TEST_CASE("cli mode: between the grids the state holds means, and comes back as a target")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("mode 8 -3 --period 2.5303030303 --cells 50 --state mode.csv");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
@@ -76,7 +76,7 @@ TEST_CASE("cli mode: between the grids the state holds means, and comes back as 
 
 TEST_CASE("cli mode: a mode that is none, or a period outside its interval, is wrong use")
 {
-    const Program program;
+    const CommandLine program;
     for (const auto& [arguments, text] :
          {std::pair{"4 -1 --period 4", "]3, 4["}, std::pair{"4 -1 --period 3", "--period = 3"},
           std::pair{"4 -1 --period 2.99", "]3, 4["}, std::pair{"4 -1 --period 8/2", "]3, 4["},
@@ -104,7 +104,7 @@ TEST_CASE("cli mode: a mode that is none, or a period outside its interval, is w
 
 TEST_CASE("cli mode: --motion writes a time series and its folder, together or not at all")
 {
-    const Program program;
+    const CommandLine program;
     const std::string call = "mode 4 -1 --period 3.3 --cells 10 --motion m.pvd";
     REQUIRE(program.run(call).status == 0);
     CHECK(program.files() == 2);
@@ -121,7 +121,7 @@ TEST_CASE("cli mode: --motion writes a time series and its folder, together or n
 
 TEST_CASE("cli mode: a figure between the grids is drawn on the nearest one, and says so")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("mode 4 -1 --period 3.14159265358979 --figure m.svg --cells 20");
     INFO(outcome.err);
@@ -132,7 +132,7 @@ TEST_CASE("cli mode: a figure between the grids is drawn on the nearest one, and
 
 TEST_CASE("cli: moving pictures of a motion and of a continuum")
 {
-    const Program program;
+    const CommandLine program;
     for (const char* call : {"mode 4 -1 --period 3.3 --cells 10", "find 3 18 --cells 6",
                              "continuum 6 36 --cells 12 --energy-ratio 8 --points 5"}) {
         const auto outcome = program.run(std::string(call) + " --animate a.gif");

@@ -1,13 +1,13 @@
 // signorini modes: units of the bar, words about wrong numbers.
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
 
 TEST_CASE("cli modes: hertz and joules are those of the bar, ratios those of every bar")
 {
-    const Program program;
+    const CommandLine program;
     const auto ask = [&program](const std::string& options) {
         const auto outcome = program.run("modes --max-order 3 --format json" + options);
         REQUIRE(outcome.status == 0);
@@ -42,7 +42,7 @@ TEST_CASE("cli modes: hertz and joules are those of the bar, ratios those of eve
 
 TEST_CASE("cli modes: a number without an option is no step count")
 {
-    const Program program;
+    const CommandLine program;
     for (const char* call : {"modes -5", "atlas --database a.sqlite -5"}) {
         const auto outcome = program.run(call);
         INFO(outcome.err);
@@ -55,7 +55,7 @@ TEST_CASE("cli modes: a number without an option is no step count")
 
 TEST_CASE("cli: modes in JSON, every field of the contract")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("modes --format json");
     REQUIRE(outcome.status == 0);
     CHECK(outcome.err.empty());
@@ -80,7 +80,7 @@ TEST_CASE("cli: modes in JSON, every field of the contract")
 
 TEST_CASE("cli: modes in words, within bounds, none being an answer too")
 {
-    const Program program;
+    const CommandLine program;
     const auto few = program.run("modes --max-energy-ratio 10 --max-order 3");
     CHECK(few.status == 0);
     CHECK(lines(few.out) == 3 + 1 + 3);
@@ -96,7 +96,7 @@ TEST_CASE("cli: modes in words, within bounds, none being an answer too")
 
 TEST_CASE("cli: a wrong call of modes is exit status 2, one line, and no file")
 {
-    const Program program;
+    const CommandLine program;
     for (const auto& [arguments, text] :
          {std::pair{"--max-order 0", "--max-order = 0"}, std::pair{"--max-order 10002", "1..10001"},
           std::pair{"--max-order 2.5", "--max-order = 2.5"},
@@ -120,7 +120,7 @@ TEST_CASE("cli: a wrong call of modes is exit status 2, one line, and no file")
 
 TEST_CASE("cli: an interrupted listing of modes says that it is not complete")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("modes --max-order 10001 --format json", "timeout -s INT 0.5");
     // timeout itself answers 124; what the program wrote counts.
     const json r = json::parse(outcome.out);
@@ -130,7 +130,7 @@ TEST_CASE("cli: an interrupted listing of modes says that it is not complete")
 
 TEST_CASE("cli: modes draws its figure")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run("modes --figure f.svg --quiet");
     if (outcome.status == 4) {
         return;  // no gnuplot here
@@ -144,7 +144,7 @@ TEST_CASE("cli: modes draws its figure")
 
 TEST_CASE("cli modes: the table holds the curves of the figure")
 {
-    const Program program;
+    const CommandLine program;
     REQUIRE(program.run("modes --max-order 3 --max-energy-ratio 20 --csv m.csv").status == 0);
     const json modes = json::parse(
         program.run("modes --max-order 3 --max-energy-ratio 20 --format json").out)["modes"];
@@ -167,7 +167,7 @@ TEST_CASE("cli modes: the table holds the curves of the figure")
 
 TEST_CASE("cli modes: two contacts, exact polygons in text, JSON and a table")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run("modes --phases 2 --max-order 5 --max-energy-ratio 1e9 --format json --csv " +
                     program.file("p.csv").string());

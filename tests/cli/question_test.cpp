@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "program.hpp"
+#include "command_line.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/one_phase_set.hpp"
 
@@ -13,7 +13,7 @@ using namespace signorini::test;
 
 TEST_CASE("cli question: the paper's frequency and energy belong to one connected family")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find("--frequency 8/7 --energy-ratio 20", 0);
     CHECK(r["schema"] == 2);
     CHECK(r["status"] == "found");
@@ -53,7 +53,7 @@ TEST_CASE("cli question: the paper's frequency and energy belong to one connecte
 
 TEST_CASE("cli question: period, frequency and hertz are one question")
 {
-    const Program program;
+    const CommandLine program;
     const json period = program.find("--period 7/2 --energy-ratio 20", 0)["motions"];
     for (const char* words :
          {"--period 3.5", "--period 7/2", "--period 14/4", "--frequency 8/7",
@@ -76,7 +76,7 @@ TEST_CASE("cli question: period, frequency and hertz are one question")
 
 TEST_CASE("cli question: all sets of a period, as many as a search over every schedule finds")
 {
-    const Program program;
+    const CommandLine program;
     for (const auto& [cells, steps] :
          {std::pair{30, 104}, {30, 90}, {21, 66}, {30, 120}, {15, 20}, {12, 47}, {7, 22}}) {
         // A set is the largest of its kind: pressing schedules by family, grazing ones together if
@@ -112,7 +112,7 @@ TEST_CASE("cli question: all sets of a period, as many as a search over every sc
 
 TEST_CASE("cli question: none is proved for the grid, and says why")
 {
-    const Program program;
+    const CommandLine program;
     const json slow = program.find("--period 5 --energy-ratio 20", 1);
     CHECK(slow["status"] == "none");
     CHECK(slow["reason"] == "period");
@@ -152,7 +152,7 @@ TEST_CASE("cli question: wrong use names the remedy")
         {"--period 3.5 --objective min-peak-strain --energy-ratio 20 --formulation state",
          "objective = min-peak-strain"},
     }));
-    const Program program;
+    const CommandLine program;
     const auto outcome =
         program.run(std::string("find ") + wrong.arguments + " --state s.csv --format json");
     CAPTURE(wrong.arguments, outcome.err);
@@ -165,7 +165,7 @@ TEST_CASE("cli question: wrong use names the remedy")
 
 TEST_CASE("cli question: files are written for the one motion that answers; two are wrong use")
 {
-    const Program program;
+    const CommandLine program;
     CHECK(program.run("find --period 7/2 --energy-ratio 20 --state s.csv").status == 0);
     CHECK(fs::exists(program.file("s.csv")));
     const auto again = program.run("find 150 900 --energy-ratio 20 --state t.csv");
@@ -181,7 +181,7 @@ TEST_CASE("cli question: files are written for the one motion that answers; two 
 
 TEST_CASE("cli: each motion says what can be measured, in SI units")
 {
-    const Program program;
+    const CommandLine program;
     const std::string steel = " --length 2 --young 210e9 --density 7800 --area 1e-4 --gap 1e-5";
     const json r = program.find("150 900" + steel, 0);
     const json& p = r["physical"];

@@ -1,13 +1,13 @@
 // Scenes on the command line: gaps of any sign, a second stop.
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
 
 TEST_CASE("cli scenes: a bar pressed at rest, in newtons and joules")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find("6 4 --cells 4 --gap -2e-3 --length 2 --axial-stiffness 1e6", 0);
     CHECK(r["stops"] == json::parse(R"([{"side": "right", "place": -0.002}])"));
     CHECK(r["static_force"].get<double>() == Approx(1e6 * 1e-3));
@@ -25,7 +25,7 @@ TEST_CASE("cli scenes: a bar pressed at rest, in newtons and joules")
 
 TEST_CASE("cli scenes: without a gap the energy is given in joules and answers say no E_1")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find("3 7 --cells 4 --gap 0 --energy 2e-6 --quiet", 0);
     CHECK(r["energy"].get<double>() == Approx(2e-6));
     CHECK(r["energy_ratio"].is_null());
@@ -41,7 +41,7 @@ TEST_CASE("cli scenes: without a gap the energy is given in joules and answers s
 
 TEST_CASE("cli scenes: two stops, phases that name theirs, mirrored motions recognised")
 {
-    const Program program;
+    const CommandLine program;
     const json r =
         program.find("1 5 L:1 5 --cells 4 --second-stop 1e-3 --figure f.svg --motion m.csv", 0);
     CHECK(r["schedule"] == json::parse(R"([[1, 5], [1, 5, "left"]])"));
@@ -59,7 +59,7 @@ TEST_CASE("cli scenes: two stops, phases that name theirs, mirrored motions reco
 
 TEST_CASE("cli scenes: continua without a gap, in joules, and between two stops")
 {
-    const Program program;
+    const CommandLine program;
     const auto traced = [&program](const std::string& arguments) {
         const auto outcome = program.run("continuum " + arguments + " --format json --quiet");
         INFO(arguments << "\n" << outcome.err);
@@ -100,7 +100,7 @@ TEST_CASE("cli scenes: continua without a gap, in joules, and between two stops"
 
 TEST_CASE("cli scenes: a solver that is named decides on two stops, too", "[glpk]")
 {
-    const Program program;
+    const CommandLine program;
     CHECK(program.find("1 5 L:1 5 --cells 4 --second-stop 1e-3 --solver glpk-simplex "
                        "--formulation state",
                        0)["route"] == "glpk-simplex on the state formulation");
@@ -108,7 +108,7 @@ TEST_CASE("cli scenes: a solver that is named decides on two stops, too", "[glpk
 
 TEST_CASE("cli scenes: commands say which scenes they do not know")
 {
-    const Program program;
+    const CommandLine program;
     for (const char* call :
          {"modes --second-stop 1e-3", "modes --gap 0", "modes --segments 4:1,4:1.3",
           "response --damping 0.02 --force tip --amplitude 1e-4 --segments 4:1,4:1.3 --contacts 2",
@@ -127,7 +127,7 @@ TEST_CASE("cli scenes: commands say which scenes they do not know")
 
 TEST_CASE("cli scenes: modes, families and atlas of a bar pressed at rest")
 {
-    const Program program;
+    const CommandLine program;
     const json modes =
         json::parse(program.run("modes --gap -1e-3 --max-order 9 --format json").out);
     CHECK(modes["modes"].size() > 3);
@@ -155,7 +155,7 @@ TEST_CASE("cli scenes: modes, families and atlas of a bar pressed at rest")
 
 TEST_CASE("cli scenes: families and atlas beside a second stop")
 {
-    const Program program;
+    const CommandLine program;
     const auto families = [&program](const std::string& stops) {
         return json::parse(program.run("families --format json" + stops).out)["families"].size();
     };
@@ -183,7 +183,7 @@ TEST_CASE("cli scenes: families and atlas beside a second stop")
 
 TEST_CASE("cli scenes: forced motions with any gap and between two stops")
 {
-    const Program program;
+    const CommandLine program;
     const std::string force = " --cells 10 --damping 0.05 --force tip";
     const json pressed = program.find("14 12 --gap -1e-3 --amplitude 1.5e-3" + force, 0);
     CHECK(pressed["static_force"].get<double>() == Approx(1e-3));
@@ -207,20 +207,20 @@ TEST_CASE("cli scenes: forced motions with any gap and between two stops")
 
 TEST_CASE("cli scenes: a simulation between two stops names the stop of each contact")
 {
-    const Program program;
+    const CommandLine program;
     const auto outcome = program.run(
         "simulate --rest --second-stop 1e-3 --damping 0.02 --force tip --amplitude 2e-3 "
         "--frequency 1 --periods 30 --cells 20 --events e.csv --figure f.svg");
     INFO(outcome.err);
     REQUIRE(outcome.status == 0);
     const std::string events = contentOf(program.file("e.csv"));
-    CHECK(events.starts_with("start,end,impulse,peak_force,stop,mean_force\n"));
+    CHECK(events.starts_with("start,end,impulse,peak_force,stop,mean_force,speed,energy\n"));
     CHECK_THAT(events, containsText(",left,") && containsText(",right,"));
 }
 
 TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves what it says")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find(
         "--scene 'clamp 3 stop=1e-3 3 clamp' 1 10 --state s.csv --certificate c.json", 0);
     CHECK(r["energy"].get<double>() ==

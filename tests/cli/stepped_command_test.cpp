@@ -1,7 +1,7 @@
 // signorini find --segments: bars of several segments.
 
+#include "command_line.hpp"
 #include "database.hpp"
-#include "program.hpp"
 #include "solver.hpp"
 
 using namespace signorini::test;
@@ -13,7 +13,7 @@ namespace {
 TEST_CASE("cli stepped: a motion, its segments and its cells, which are those of all segments",
           "[glpk][ipopt]")
 {
-    const Program program;
+    const CommandLine program;
     const json r = program.find("3 25 --segments 4:1,4:1.3", 0);
     CHECK(r["cells"] == 8);
     CHECK(r["kernel_dimension"] == 3);
@@ -34,7 +34,7 @@ TEST_CASE("cli stepped: a motion, its segments and its cells, which are those of
 TEST_CASE("cli stepped: speeds make the bar longer or shorter, not the motion another one",
           "[glpk][ipopt]")
 {
-    const Program program;
+    const CommandLine program;
     const json same = program.find("1 30 --segments 4:1,4:1.3", 0);
     const json fast = program.find("1 30 --segments 4:1,4:1.3:3", 0);
     CHECK(fast["energy_ratio"].get<double>() ==
@@ -46,7 +46,7 @@ TEST_CASE("cli stepped: speeds make the bar longer or shorter, not the motion an
 
 TEST_CASE("cli stepped: the motion is drawn with its joints, and written", "[glpk][ipopt]")
 {
-    const Program program;
+    const CommandLine program;
     const auto drawn = program.run(
         "find 3 25 --segments 4:1,4:1.3 --figure m.svg --motion m.csv --state s.csv --quiet");
     INFO(drawn.err);
@@ -57,7 +57,7 @@ TEST_CASE("cli stepped: the motion is drawn with its joints, and written", "[glp
 
 TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
 {
-    const Program program;
+    const CommandLine program;
     const auto refuses = [&](const std::string& words, const std::string& part) {
         const auto outcome = program.run(words);
         INFO(words << "\n" << outcome.err);
@@ -90,7 +90,7 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
 TEST_CASE("cli stepped: a motion that was found goes on for ten periods when it is followed",
           "[glpk][ipopt]")
 {
-    const Program program;
+    const CommandLine program;
     const std::string bar = " --segments 4:1,4:1.3 --format json";
     const json found = program.find("3 25 --segments 4:1,4:1.3 --state s.csv", 0);
     const auto run =
@@ -109,7 +109,7 @@ TEST_CASE("cli stepped: a motion that was found goes on for ten periods when it 
 TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and says so",
           "[glpk][ipopt]")
 {
-    const Program program;
+    const CommandLine program;
     const std::string bar = " --segments 4:1,4:1.3 --damping 0.1 --force tip --format json";
     const auto run =
         program.run("simulate --rest --amplitude 4e-4 --frequency 1 --periods 400" + bar);
@@ -136,7 +136,7 @@ TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and 
 TEST_CASE("cli stepped: the response says what find says of each schedule, in all its files",
           "[glpk][ipopt]")
 {
-    const Program program;
+    const CommandLine program;
     const std::string words =
         " --segments 4:1,4:1.3:2 --damping 0.05 --force tip --amplitude 4e-4 --young 1e9 "
         "--density 1e9 --area 1e-9 --quiet --format json";
@@ -191,7 +191,7 @@ TEST_CASE("cli stepped: the response says what find says of each schedule, in al
 TEST_CASE("cli stepped: an atlas is the same by threads and by processes, and keeps bar and proofs",
           "[glpk][ipopt]")
 {
-    const Program program;
+    const CommandLine program;
     const std::string words =
         "atlas --segments 2:1,2:1.3 --max-contact 6 --max-free 24 --all --quiet --format json "
         "--database ";

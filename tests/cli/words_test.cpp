@@ -1,6 +1,6 @@
 // Words of the command line that are easy to get wrong.
 
-#include "program.hpp"
+#include "command_line.hpp"
 
 using namespace signorini::test;
 
@@ -13,7 +13,7 @@ TEST_CASE("cli: an empty value is refused for every option of every command")
     const std::vector<const char*> common{"cells",   "length", "wave-speed", "axial-stiffness",
                                           "gap",     "young",  "density",    "area",
                                           "threads", "format"};
-    const Program program;
+    const CommandLine program;
     for (const Command& command :
          {Command{"find 5 23",
                   {"solver", "formulation", "objective", "target", "energy-ratio", "strain-limit",
@@ -51,7 +51,7 @@ TEST_CASE("cli: an empty value is refused for every option of every command")
 
 TEST_CASE("cli: two dashes end the options, wherever they stand among the step counts")
 {
-    const Program program;
+    const CommandLine program;
     const std::string whole = program.run("find 5 23 --cells 8").out;
     CHECK_THAT(whole, containsText("found"));
     for (const char* words :
@@ -77,7 +77,7 @@ TEST_CASE("cli: two dashes end the options, wherever they stand among the step c
 
 TEST_CASE("cli: an option given again is refused and counted")
 {
-    const Program program;
+    const CommandLine program;
     for (const auto& [words, named] :
          {std::pair{"find 5 23 --gap 1 --gap 2 --gap 3", "--gap is given 3 times"},
           std::pair{"modes --max-order 2 --max-order=3", "--max-order is given 2 times"},
@@ -91,7 +91,7 @@ TEST_CASE("cli: an option given again is refused and counted")
 
 TEST_CASE("cli: a value of any length is answered in few words")
 {
-    const Program program;
+    const CommandLine program;
     const std::string large(100'000, '7');
     for (const std::string& words :
          {"find 5 " + large, "find 5 -" + large, "find 5 23 --gap x" + large,
@@ -108,7 +108,7 @@ TEST_CASE("cli: a value of any length is answered in few words")
 
 TEST_CASE("cli: every answer in words begins with the bar that was meant")
 {
-    const Program program;
+    const CommandLine program;
     // c = 5000 m/s: ω₁ = 5000/(4·2) Hz, E₁ = 2e7·(1e-6)²/(2·2) J.
     const std::string steel = " --length 2 --young 2e11 --density 8000 --area 1e-4 --gap 1e-6";
     const std::string forced = " --damping 5 --force tip --amplitude 20";

@@ -3,7 +3,7 @@
 
     blocks.py --program SIGNORINI --prefix INSTALLED [--only REGEX] [PAGE...]
 
-The blocks of one page run in one folder, in their order. What is run:
+The blocks of one page run in one folder, in their order; as many pages at once as there are cores. What is run:
 
 - sh: every command must end with status 0, or with the N of "status N" in its comment;
 - python: the blocks of a page as one program;
@@ -25,6 +25,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 from typing import NamedTuple
@@ -198,6 +199,25 @@ class Page:
         raise Fault("an answer that no schema describes")
 
 
+def try_page(path: Path, program: Path, prefix: Path, only: str) -> tuple[int, int]:
+    """How many blocks of a page were tried, and how many of them have a fault."""
+    faults = 0
+    with tempfile.TemporaryDirectory() as folder:
+        page = Page(path, Path(folder), program, prefix)
+        blocks = [one for one in blocks_of(path) if re.search(only, one.language)]
+        steps = [(block.line, partial(page.try_block, block)) for block in blocks]
+        for line, step in [*steps, (0, page.finish)]:
+            begin = time.monotonic()
+            try:
+                step()
+            except (Fault, subprocess.TimeoutExpired, ValueError) as fault:
+                print(f"{path}:{line}: {fault}", file=sys.stderr)
+                faults += 1
+            if (seconds := time.monotonic() - begin) > 10:
+                print(f"{path}:{line}: {seconds:.0f} s")
+    return sum(block.language not in ("", "text") or block.is_output for block in blocks), faults
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").split("\n", maxsplit=1)[0])
     parser.add_argument("pages", nargs="*", type=Path, help="README.md and all of docs")
@@ -210,22 +230,10 @@ def main() -> int:
         ROOT / "solvers/README.md",
         *sorted((ROOT / "docs").rglob("*.md")),
     ]
-    faults = count = 0
-    for path in pages:
-        with tempfile.TemporaryDirectory() as folder:
-            page = Page(path, Path(folder), arguments.program, arguments.prefix.resolve())
-            blocks = [one for one in blocks_of(path) if re.search(arguments.only, one.language)]
-            steps = [(block.line, partial(page.try_block, block)) for block in blocks]
-            for line, step in [*steps, (0, page.finish)]:
-                begin = time.monotonic()
-                try:
-                    step()
-                except (Fault, subprocess.TimeoutExpired, ValueError) as fault:
-                    print(f"{path}:{line}: {fault}", file=sys.stderr)
-                    faults += 1
-                if (seconds := time.monotonic() - begin) > 10:
-                    print(f"{path}:{line}: {seconds:.0f} s")
-            count += sum(block.language not in ("", "text") or block.is_output for block in blocks)
+    prefix = arguments.prefix.resolve()
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        tried = list(pool.map(lambda path: try_page(path, arguments.program, prefix, arguments.only), pages))
+    count, faults = (sum(column) for column in zip(*tried))
     print(f"blocks: {count} blocks on {len(pages)} pages, {faults} faults")
     return 1 if faults or not count else 0
 

@@ -152,7 +152,7 @@ Course courseOf(const Request& request)
         const Excited place = placeOf(request);
         course.excitation =
             excitationOf({.place = place,
-                          .amplitude = amplitudeOf(request) / answers::amplitudeUnit(place, bar),
+                          .amplitude = amplitudeOf(request) / amplitudeUnit(place, bar),
                           .steps = request.whole("steps", 3, 100 * cells),
                           .stepsPerCrossing = perCrossing});
         course.stretch = static_cast<double>(course.excitation.steps());

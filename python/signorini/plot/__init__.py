@@ -8,9 +8,9 @@ go over it. Units are SI with a prefix, or the ratios E/E_1 and omega/omega_1.
 from ._animate import Animation, animate
 from ._motion import continuum, motion
 from ._plane import existence_map, families, frequency_energy
-from ._response import response, simulation
+from ._response import response, simulation, study, sweep
 from ._style import colours, unit_for
 
 __all__ = ["Animation", "animate", "colours", "continuum", "existence_map",
            "families", "frequency_energy", "motion", "response", "simulation",
-           "unit_for"]
+           "study", "sweep", "unit_for"]

@@ -9,7 +9,7 @@ import numpy as np
 
 from .._core import Motion
 from ._motion import Moving, motion_of
-from ._style import colour_map, colours, new, quiet, unit_for
+from ._style import axes_named, colour_map, colours, quiet, unit_for
 
 
 class Animation:
@@ -115,8 +115,8 @@ def _graph(axes: Any, found: Motion) -> Any:
 
 
 def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
-            frames: int = 100, fps: int = 20, figure: Any = None
-            ) -> Animation:
+            frames: int = 100, fps: int = 20, figure: Any = None,
+            axes: Any = None) -> Animation:
     """Animate one period: the bar at the wall, and u along it.
 
     Parameters
@@ -129,6 +129,9 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
     fps : int
         Frames a second.
     figure : matplotlib figure to draw into, optional
+        Or a subfigure.
+    axes : two matplotlib axes, optional
+        In their place: a sequence, or a dict of "bar" and "displacement".
 
     Returns
     -------
@@ -142,8 +145,10 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
     """
     from matplotlib.animation import FuncAnimation
     found = motion_of(moving)
-    figure = figure or new(figsize=(8, 5))
-    upper, lower = figure.subplots(2, 1, height_ratios=[1, 2])
+    upper, lower = axes_named(
+        ("bar", "displacement"), axes, figure,
+        lambda made: made.subplots(2, 1, height_ratios=[1, 2]),
+        figsize=(8, 5)).values()
     magnified = 0.12 * found.bar.length / found.bar.displacement_unit
     draws = [_bar(upper, found, magnified), _graph(lower, found)]
     times = np.linspace(0.0, found.t[-1], frames, endpoint=False)
@@ -153,7 +158,8 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
             each(float(times[frame]))
         return []
 
-    moving_picture = FuncAnimation(figure, draw, frames=frames,
+    # Of a subfigure, the figure it is in.
+    moving_picture = FuncAnimation(upper.figure.figure, draw, frames=frames,
                                    interval=1000 / fps, blit=False)
     shown = Animation((upper, lower), moving_picture, fps)
     if path is not None:

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from .._core import Continuum, ContinuumPoint, Motion, Result
-from ._style import colour_map, colours, new, quiet, unit_for, words
+from ._style import (axes_named, colour_map, colours, quiet, unit_for,
+                     words)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -54,7 +55,6 @@ def _initial(upper: Any, lower: Any, motion: Motion, metre: float) -> None:
     upper.ticklabel_format(axis="y", style="sci", scilimits=(-2, 3),
                            useMathText=True)
     for axes in (upper, lower):
-        axes.tick_params(labelbottom=False)
         axes.use_sticky_edges = False
         axes.margins(y=0.25)
         quiet(axes)
@@ -146,7 +146,22 @@ def _words(axes: Any, moving: Moving, motion: Motion) -> None:
               transform=axes.transAxes)
 
 
-def motion(moving: Moving, *, figure: Any = None) -> dict[str, Any]:
+def _motion_axes(figure: Any) -> dict[str, Any]:
+    axes: dict[str, Any] = figure.subplot_mosaic(
+        [["strain", "words", "words"], ["velocity", "words", "words"],
+         ["displacement", "tip", "force"]],
+        width_ratios=[2.4, 1, 0.8], height_ratios=[1, 1, 4])
+    for name in ("strain", "velocity"):
+        axes[name].sharex(axes["displacement"])
+        axes[name].tick_params(labelbottom=False)
+    for name in ("tip", "force"):
+        axes[name].sharey(axes["displacement"])
+        axes[name].tick_params(labelleft=False)
+    return axes
+
+
+def motion(moving: Moving, *, figure: Any = None, axes: Any = None
+           ) -> dict[str, Any]:
     """Draw a motion as in the paper's Fig. 3.
 
     Strain and velocity along the bar at t = 0, the displacement u(x, t) over
@@ -157,6 +172,9 @@ def motion(moving: Moving, *, figure: Any = None) -> dict[str, Any]:
     ----------
     moving : Motion, Result or ContinuumPoint
     figure : matplotlib figure to draw into, optional
+        Or a subfigure.
+    axes : dict or sequence of six matplotlib axes, optional
+        In their place, by the names or in the order of what is returned.
 
     Returns
     -------
@@ -169,31 +187,25 @@ def motion(moving: Moving, *, figure: Any = None) -> dict[str, Any]:
         If there is no motion.
     """
     found = motion_of(moving)
-    figure = figure or new(figsize=(9, 8))
+    axes = axes_named(("strain", "velocity", "displacement", "tip", "force",
+                       "words"), axes, figure, _motion_axes, figsize=(9, 8))
     metre, metre_unit = unit_for(found.bar.length, "m")
     second, second_unit = unit_for(float(found.t[-1]), "s")
-    axes: dict[str, Any] = figure.subplot_mosaic(
-        [["strain", "words", "words"], ["velocity", "words", "words"],
-         ["displacement", "tip", "force"]],
-        width_ratios=[2.4, 1, 0.8], height_ratios=[1, 1, 4])
-    for name in ("strain", "velocity"):
-        axes[name].sharex(axes["displacement"])
-    for name in ("tip", "force"):
-        axes[name].sharey(axes["displacement"])
-        axes[name].tick_params(labelleft=False)
     _initial(axes["strain"], axes["velocity"], found, metre)
     _field(axes["displacement"], found, metre, second)
     axes["displacement"].set_xlabel(f"position x  [{metre_unit}]")
     axes["displacement"].set_ylabel(f"time t  [{second_unit}]")
-    axes["displacement"].set_xlim(0, found.bar.length * metre)
-    axes["displacement"].set_ylim(0, found.t[-1] * second)
+    for name in ("strain", "velocity", "displacement"):
+        axes[name].set_xlim(0, found.bar.length * metre)
+    for name in ("displacement", "tip", "force"):
+        axes[name].set_ylim(0, found.t[-1] * second)
     _tip(axes["tip"], found, second)
     _force(axes["force"], found, second)
     _words(axes["words"], moving, found)
     handles, labels = axes["tip"].get_legend_handles_labels()
     axes["words"].legend(handles, labels, loc="lower left", frameon=False,
                          borderaxespad=0)
-    return axes
+    return dict(axes)
 
 
 def _stack(axes: Any, rows: list[Any], edges: list[Any], colour: str) -> None:
@@ -208,8 +220,8 @@ def _stack(axes: Any, rows: list[Any], edges: list[Any], colour: str) -> None:
     axes.set_yticks([])
 
 
-def continuum(curve: Continuum, *, members: int = 16, figure: Any = None
-              ) -> dict[str, Any]:
+def continuum(curve: Continuum, *, members: int = 16, figure: Any = None,
+              axes: Any = None) -> dict[str, Any]:
     """Draw a curve of motions, stacked upwards by lambda.
 
     The force of the wall against time, which tells orbits apart, and strain
@@ -222,6 +234,9 @@ def continuum(curve: Continuum, *, members: int = 16, figure: Any = None
     members : int
         How many of its motions.
     figure : matplotlib figure to draw into, optional
+        Or a subfigure.
+    axes : dict or sequence of six matplotlib axes, optional
+        In their place, by the names or in the order of what is returned.
 
     Returns
     -------
@@ -235,12 +250,13 @@ def continuum(curve: Continuum, *, members: int = 16, figure: Any = None
     """
     if len(curve) == 0:
         raise ValueError("the curve has no points: there is nothing to draw")
-    figure = figure or new(figsize=(10, 9))
+    axes = axes_named(
+        ("force", "strain", "velocity", "first", "middle", "last"), axes,
+        figure, lambda made: made.subplot_mosaic(
+            [["force", "strain", "velocity"], ["first", "middle", "last"]],
+            height_ratios=[1.4, 1]), figsize=(10, 9))
     metre, metre_unit = unit_for(curve.bar.length, "m")
     second, second_unit = unit_for(curve.period, "s")
-    axes: dict[str, Any] = figure.subplot_mosaic(
-        [["force", "strain", "velocity"], ["first", "middle", "last"]],
-        height_ratios=[1.4, 1])
     chosen = np.unique(np.linspace(0, len(curve) - 1, members).astype(int))
     points = [curve[int(k)] for k in chosen]
     motions = [point.motion for point in points]
@@ -280,6 +296,7 @@ def continuum(curve: Continuum, *, members: int = 16, figure: Any = None
                              fontsize="medium")
         axes[name].set_xlabel(f"position x  [{metre_unit}]")
         axes[name].set_ylabel(f"time t  [{second_unit}]")
-    figure.colorbar(image, ax=[axes["first"], axes["middle"], axes["last"]],
-                    label=f"displacement u  [{unit}]", pad=0.02)
-    return axes
+    axes["last"].figure.colorbar(
+        image, ax=[axes["first"], axes["middle"], axes["last"]],
+        label=f"displacement u  [{unit}]", pad=0.02)
+    return dict(axes)

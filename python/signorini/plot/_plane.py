@@ -66,7 +66,8 @@ def frequency_energy(atlas: Atlas | None = None, *,
                      max_frequency_ratio: float = 1.3, max_order: int = 60,
                      cells: int | None = None,
                      data: Iterable[tuple[float, float]] | None = None,
-                     data_label: str = "data", axes: Any = None) -> Any:
+                     data_label: str = "data", axes: Any = None,
+                     figure: Any = None) -> Any:
     """Draw the frequency-energy plot, with your own data over it.
 
     Exact modes as curves, families as half-lines from their least energy
@@ -91,12 +92,13 @@ def frequency_energy(atlas: Atlas | None = None, *,
     data_label : str
         In the legend.
     axes : matplotlib axes, optional
+    figure : matplotlib figure or subfigure, optional
 
     Returns
     -------
     axes
     """
-    axes = axes_of(axes, figsize=(9, 6))
+    axes = axes_of(axes, figure, figsize=(9, 6))
     top = max_energy_ratio
     _draw_families(axes, _lists.families(max_order, max_energy_ratio=top), top)
     _draw_modes(axes, _lists.modes(max_energy_ratio=top), top)
@@ -149,7 +151,7 @@ def _most(row: AtlasSchedule, top: float) -> float:
 
 
 def families(rows: Sequence[Family] | None = None, *, max_order: int = 12,
-             axes: Any = None) -> Any:
+             axes: Any = None, figure: Any = None) -> Any:
     """Draw families as a periodic table: period against order.
 
     A cell for each (w, nu, k), coloured by its least energy; cells that have
@@ -162,6 +164,7 @@ def families(rows: Sequence[Family] | None = None, *, max_order: int = 12,
     max_order : int
         Where no rows are given.
     axes : matplotlib axes, optional
+    figure : matplotlib figure or subfigure, optional
 
     Returns
     -------
@@ -173,7 +176,7 @@ def families(rows: Sequence[Family] | None = None, *, max_order: int = 12,
     rows = _lists.families(max_order) if rows is None else rows
     if len(rows) == 0:
         raise ValueError("there are no families to draw")
-    axes = axes_of(axes, figsize=(10, 7.5))
+    axes = axes_of(axes, figure, figsize=(10, 7.5))
     energies = [f.least_energy_ratio for f in rows]
     norm = LogNorm(1.0, max(max(energies), 1.1))
     paint = colour_map()
@@ -220,8 +223,8 @@ def _inverse(value: Any) -> Any:
     return 4.0 / np.maximum(value, 1e-9)
 
 
-def existence_map(atlas: Atlas, *, cells: int | None = None, axes: Any = None
-                  ) -> Any:
+def existence_map(atlas: Atlas, *, cells: int | None = None, axes: Any = None,
+                  figure: Any = None) -> Any:
     """Draw where in time motions with one contact exist.
 
     A dot at (t_c, t_f) for each schedule that an atlas keeps, coloured by its
@@ -233,13 +236,14 @@ def existence_map(atlas: Atlas, *, cells: int | None = None, axes: Any = None
     cells : int, optional
         Of one grid.
     axes : matplotlib axes, optional
+    figure : matplotlib figure or subfigure, optional
 
     Returns
     -------
     axes
     """
     from matplotlib.colors import LogNorm
-    axes = axes_of(axes, figsize=(7, 8))
+    axes = axes_of(axes, figure, figsize=(7, 8))
     rows = [row for row in atlas.schedules(cells) if len(row.schedule) == 1]
     for contact in ("grazing", "pressing"):
         chosen = [row for row in rows if row.contact == contact]

@@ -1,4 +1,4 @@
-"""Forced motions by frequency, and what a simulation saw."""
+"""Forced motions by frequency, what a simulation saw, and a sweep."""
 
 from __future__ import annotations
 
@@ -6,11 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._core import Simulation
-from ._style import colours, new, quiet, unit_for, words
+from .._core import Simulation, Sweep
+from ._style import (axes_of, colour_map, colours, pair, quiet, unit_for,
+                     words)
 
 if TYPE_CHECKING:
     from .._forced import Response
+    from .._study import StudyPoint
+    from .._tables import Table
 
 #: stable -> label and marker.
 SORTS: dict[bool | None, tuple[str, dict[str, Any]]] = {
@@ -22,7 +25,8 @@ SORTS: dict[bool | None, tuple[str, dict[str, Any]]] = {
 }
 
 
-def response(data: Response, *, figure: Any = None) -> tuple[Any, Any]:
+def response(data: Response, *, figure: Any = None,
+             axes: Any = None) -> tuple[Any, Any]:
     """Draw impulse on the wall and swing of the tip against frequency.
 
     Motions with one contact as marks, filled where they attract and crosses
@@ -32,6 +36,9 @@ def response(data: Response, *, figure: Any = None) -> tuple[Any, Any]:
     ----------
     data : Response
     figure : matplotlib figure to draw into, optional
+        Or a subfigure.
+    axes : two matplotlib axes, optional
+        In their place: a sequence, or a dict of "impulse" and "tip".
 
     Returns
     -------
@@ -45,8 +52,7 @@ def response(data: Response, *, figure: Any = None) -> tuple[Any, Any]:
     """
     if len(data) == 0:
         raise ValueError("the response has no frequency: nothing to draw")
-    figure = figure or new(figsize=(9, 7))
-    upper, lower = figure.subplots(2, 1, sharex=True)
+    upper, lower = pair(("impulse", "tip"), axes, figure, figsize=(9, 7))
     bar = data.bar
     impulses = [m.impulse for _, m in data.motions]
     factor, unit = unit_for(max(impulses, default=bar.impulse_unit), "N s")
@@ -80,14 +86,15 @@ def response(data: Response, *, figure: Any = None) -> tuple[Any, Any]:
     upper.set_title(f"{what} of amplitude {words(data.amplitude * size)} "
                     f"{name},  ζ = {words(data.damping.ratio)},  "
                     f"N = {data.cells}", fontsize="medium")
-    for axes in (upper, lower):
-        quiet(axes)
-        if axes.get_legend_handles_labels()[0]:
-            axes.legend(loc="upper left", fontsize="small")
+    for each in (upper, lower):
+        quiet(each)
+        if each.get_legend_handles_labels()[0]:
+            each.legend(loc="upper left", fontsize="small")
     return upper, lower
 
 
-def simulation(run: Simulation, *, figure: Any = None) -> tuple[Any, Any]:
+def simulation(run: Simulation, *, figure: Any = None,
+               axes: Any = None) -> tuple[Any, Any]:
     """Draw the path of the tip, and the impulse of each contact.
 
     Parameters
@@ -95,6 +102,9 @@ def simulation(run: Simulation, *, figure: Any = None) -> tuple[Any, Any]:
     run : Simulation
         With the path of its tip.
     figure : matplotlib figure to draw into, optional
+        Or a subfigure.
+    axes : two matplotlib axes, optional
+        In their place: a sequence, or a dict of "tip" and "impulse".
 
     Returns
     -------
@@ -109,8 +119,7 @@ def simulation(run: Simulation, *, figure: Any = None) -> tuple[Any, Any]:
     times = run.tip_time
     if len(times) == 0:
         raise ValueError("the path of the tip was not recorded: tip=True")
-    figure = figure or new(figsize=(9, 6))
-    upper, lower = figure.subplots(2, 1, sharex=True)
+    upper, lower = pair(("tip", "impulse"), axes, figure, figsize=(9, 6))
     second, second_unit = unit_for(run.time, "s")
     tip = run.tip_displacement
     metre, metre_unit = unit_for(float(np.abs(tip).max()), "m")
@@ -130,6 +139,114 @@ def simulation(run: Simulation, *, figure: Any = None) -> tuple[Any, Any]:
     lower.set_ylim(bottom=0)
     lower.set_ylabel(f"impulse of a contact  [{unit}]")
     lower.set_xlabel(f"time  [{second_unit}]")
-    for axes in (upper, lower):
-        quiet(axes)
+    for each in (upper, lower):
+        quiet(each)
     return upper, lower
+
+
+def sweep(data: Sweep, *, figure: Any = None,
+          axes: Any = None) -> tuple[Any, Any]:
+    """Draw what a sweep settled on: impulse and swing, up and down.
+
+    Where the bar does not repeat itself, strokes from least to most.
+
+    Parameters
+    ----------
+    data : Sweep
+    figure : matplotlib figure to draw into, optional
+        Or a subfigure.
+    axes : two matplotlib axes, optional
+        In their place: a sequence, or a dict of "impulse" and "tip".
+
+    Returns
+    -------
+    (axes, axes)
+        Of the impulse in a period of the excitation, and of the tip.
+
+    Raises
+    ------
+    ValueError
+        If the sweep has no point.
+    """
+    if not data.points:
+        raise ValueError("the sweep has no point: nothing to draw")
+    upper, lower = pair(("impulse", "tip"), axes, figure, figsize=(9, 7))
+    factor, unit = unit_for(max(p.impulse_range[1] for p in data.points),
+                            "N s")
+    metre, metre_unit = unit_for(max(abs(p.tip_lowest) for p in data.points),
+                                 "m")
+    is_frequency = data.over == "frequency"
+    for direction, colour, mark in (("up", "contact", "o"),
+                                    ("down", "ink", "s")):
+        points = [p for p in data.points if p.direction == direction]
+        if not points:
+            continue
+        at = [p.frequency if is_frequency else p.value for p in points]
+        style = {"color": colours[colour], "ms": 3, "lw": 1}
+        upper.plot(at, [p.impulse * factor for p in points], mark + "-",
+                   label=f"{direction}ward", **style)
+        lower.plot(at, [-p.tip_lowest * metre for p in points], mark + "-",
+                   **style)
+        for x, p in zip(at, points):
+            if p.periods is None:
+                upper.vlines(x, *(i * factor for i in p.impulse_range),
+                             color=colours[colour], lw=0.8)
+    upper.set_ylim(bottom=0)
+    upper.set_ylabel(f"impulse a period  [{unit}]")
+    lower.set_ylabel(f"swing  −min u(L)  [{metre_unit}]")
+    size = {"frequency": "Hz", "gap": "m", "damping": "–",
+            "amplitude": "N" if data.force == "tip" else "m"}[data.over]
+    lower.set_xlabel(f"{data.over}  [{size}]")
+    for each in (upper, lower):
+        quiet(each)
+    upper.legend(loc="upper left", fontsize="small")
+    return upper, lower
+
+
+def study(data: Table[StudyPoint], *, x: str = "amplitude", y: str = "gap",
+          axes: Any = None, figure: Any = None) -> Any:
+    """Draw the worst impulse of a study over a plane; crosses: no contact.
+
+    Parameters
+    ----------
+    data : Table of StudyPoint
+    x, y : str
+        Two of "gap", "damping" and "amplitude". Of what is not shown the
+        worst counts.
+    axes : matplotlib axes, optional
+    figure : matplotlib figure or subfigure, optional
+
+    Returns
+    -------
+    axes
+    """
+    for name, value in (("x", x), ("y", y)):
+        if value not in ("gap", "damping", "amplitude"):
+            raise ValueError(f"{name} = {value!r} is out of range: allowed "
+                             "gap|damping|amplitude")
+    axes = axes_of(axes, figure, figsize=(7, 5.5))
+    worst: dict[tuple[float, float], float] = {}
+    for point in data:
+        place = getattr(point, x), getattr(point, y)
+        worst[place] = max(worst.get(place, 0.0), point.impulse)
+    force = "N" if data.force == "tip" else "m"
+    sizes = {"gap": "m", "damping": "", "amplitude": force}
+    shown = {}
+    for name, at in ((x, 0), (y, 1)):
+        factor, unit = unit_for(max(place[at] for place in worst),
+                                sizes[name]) if sizes[name] else (1.0, "–")
+        shown[name] = factor, f"{name}  [{unit}]"
+    columns, rows = (sorted({place[at] for place in worst}) for at in (0, 1))
+    factor, unit = unit_for(max(worst.values()), "N s")
+    values = np.array([[worst[a, b] * factor for a in columns] for b in rows])
+    dots = axes.pcolormesh([a * shown[x][0] for a in columns],
+                           [b * shown[y][0] for b in rows], values,
+                           cmap=colour_map(), shading="nearest")
+    quiets = [place for place, impulse in worst.items() if impulse == 0.0]
+    axes.plot([a * shown[x][0] for a, _ in quiets],
+              [b * shown[y][0] for _, b in quiets], "x", ms=4, color="white")
+    axes.figure.colorbar(dots, ax=axes,
+                         label=f"worst impulse a period  [{unit}]")
+    axes.set_xlabel(shown[x][1])
+    axes.set_ylabel(shown[y][1])
+    return axes

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
+
+import numpy as np
 
 from .. import _core
 
@@ -18,9 +21,44 @@ def new(*arguments: Any, **options: Any) -> Any:
     return pyplot.figure(*arguments, layout="constrained", **options)
 
 
-def axes_of(axes: Any, **options: Any) -> Any:
-    """Return the axes given, or those of a new figure."""
-    return new(**options).add_subplot() if axes is None else axes
+def _require_one(axes: Any, figure: Any) -> None:
+    if axes is not None and figure is not None:
+        raise ValueError("axes clashes with figure: allowed one of them")
+
+
+def axes_of(axes: Any, figure: Any, **options: Any) -> Any:
+    """Return the axes given, or those of the figure given or a new one."""
+    _require_one(axes, figure)
+    if axes is not None:
+        return axes
+    return (figure or new(**options)).add_subplot()
+
+
+def axes_named(names: Sequence[str], axes: Any, figure: Any,
+               make: Callable[[Any], Any], **options: Any) -> dict[str, Any]:
+    """Return axes by name: those given, or what `make` puts into a figure.
+
+    A sequence has them in the order of the names.
+    """
+    _require_one(axes, figure)
+    if axes is None:
+        axes = make(figure or new(**options))
+    if not isinstance(axes, Mapping):
+        listed = np.ravel(axes)
+        axes = dict(zip(names, listed)) if len(listed) == len(names) else {}
+    if set(axes) != set(names):
+        raise ValueError(f"axes: allowed {len(names)} of them, in a sequence "
+                         f"or by the names {', '.join(names)}")
+    return {name: axes[name] for name in names}
+
+
+def pair(names: Sequence[str], axes: Any, figure: Any, **options: Any
+         ) -> tuple[Any, Any]:
+    """Return two axes, one above the other where they are made here."""
+    upper, lower = axes_named(
+        names, axes, figure, lambda made: made.subplots(2, 1, sharex=True),
+        **options).values()
+    return upper, lower
 
 
 def colour_map(name: str = "sequence", stops: int | None = None) -> Any:

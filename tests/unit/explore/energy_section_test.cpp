@@ -134,7 +134,7 @@ TEST_CASE("energy section: boxes have as many components as a grid shows")
             }
             INFO("d = " << places << ", rho = " << rho);
             const int counted = GridAbove(places, steps, rho).components();
-            CHECK(componentsAt(whole, rho * count * range.least) == counted);
+            CHECK(connectivityOf(whole, rho * count * range.least).components == counted);
             several += counted > 1 ? 1 : 0;
         }
         CHECK(several > 0);
@@ -247,8 +247,9 @@ TEST_CASE("energy section: components of wide boxes are counted where the number
         const OnePhaseSet whole = onePhaseSet(onePhase(cells, 1, 4 * cells - 1));
         REQUIRE(whole.set.kind == SetKind::box);
         REQUIRE(whole.set.count == 2 * cells - 1);
-        return componentsAt(whole,
-                            rho * energyRange(whole).most / static_cast<double>(2 * cells - 1));
+        return connectivityOf(whole,
+                              rho * energyRange(whole).most / static_cast<double>(2 * cells - 1))
+            .components;
     };
     CHECK(at(42, 81.0) == 82 * 81 / 2 + 1);
     CHECK(at(42, 83.0) == 1);
@@ -269,7 +270,7 @@ TEST_CASE("energy section: one simplex has the largest wave of its spikes, and o
         }
         INFO(describe(schedule));
         const EnergyRange range = energyRange(whole);
-        CHECK(componentsAt(whole, range.least) == 1);
+        CHECK(connectivityOf(whole, range.least).components == 1);
         CHECK(sectionOfOnePhase(schedule, range.least)->facts().isConnected == true);
         if (whole.set.kind != SetKind::simplex) {
             return;

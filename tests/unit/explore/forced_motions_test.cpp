@@ -119,6 +119,54 @@ TEST_CASE("forced motions: every motion simulated for ten periods returns to its
     CHECK(motions > 200);
 }
 
+TEST_CASE("forced motions: the field of one is what the bar does event by event")
+{
+    std::mt19937_64 generator(21);
+    int motions = 0;
+    while (motions < 60) {
+        const test::ForcedExample one = test::randomForced(generator);
+        const ForcedSet set = forcedMotions(one.schedule, one.damping, one.forcing);
+        if (set.status != Status::found) {
+            continue;
+        }
+        const ForcedMotion motion = leastAmplitudeMotion(set);
+        const std::int64_t cells = one.schedule.cells;
+        INFO(describe(one.schedule));
+        for (const std::int64_t factor : {1, 3}) {
+            Schedule fine = one.schedule;
+            fine.cells *= factor;
+            for (Phase& phase : fine.phases) {
+                phase.contact *= factor;
+                phase.free *= factor;
+            }
+            const std::vector<Segment> segments{{.cells = fine.cells}};
+            const Excitation excitation = refined(motion.excitation, factor);
+            const Motion field(refined(motion.state, factor), fine, segments, motion.damping,
+                               excitation);
+            BarSimulation simulation(wavesOf(motion.state), motion.damping, motion.excitation,
+                                     {.mergeBelow = 0.0});
+            const double size = std::max(1.0, amplitude(motion.state));
+            double impulse = 0.0;
+            double peak = 0.0;
+            for (std::int64_t m = 0; m < field.steps(); ++m) {
+                const Eigen::VectorXd u = stretching(simulation.waves(), cells);
+                const double base = excitation.baseDisplacement(m);
+                REQUIRE(field.displacement(0, m) == Approx(base).margin(1e-12 * size));
+                for (std::int64_t node = 0; m % factor == 0 && node <= cells; ++node) {
+                    REQUIRE(field.displacement(node * factor, m) ==
+                            Approx(base + u[node]).margin(1e-9 * size));
+                }
+                impulse += field.wallForce(m) / static_cast<double>(fine.cells);
+                peak = std::max(peak, field.wallForce(m));
+                simulation.advance(1.0 / static_cast<double>(factor));
+            }
+            CHECK(impulse == Approx(motion.extremes.impulse).margin(1e-8 * size));
+            CHECK(peak == Approx(motion.extremes.peakForce).margin(1e-8 * size));
+        }
+        ++motions;
+    }
+}
+
 TEST_CASE("forced motions: every absence is certain, and a tampered proof is not")
 {
     std::mt19937_64 generator(8);

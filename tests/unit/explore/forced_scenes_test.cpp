@@ -6,9 +6,9 @@
 #include "catch.hpp"
 #include "forced_case.hpp"
 #include "forced_oracle.hpp"
+#include "has_solver.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/response.hpp"
-#include "solver.hpp"
 
 using namespace signorini;
 
@@ -84,16 +84,11 @@ void compare(const test::ForcedExample& one, Count& count)
     }
 }
 
-bool hasSimplex()
-{
-    return preferred({.duals = true}) != nullptr;
-}
-
 }  // namespace
 
 TEST_CASE("forced scenes, one contact: an independent program agrees, motions return")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     std::mt19937_64 generator(31);
@@ -120,7 +115,7 @@ TEST_CASE("forced scenes, one contact: an independent program agrees, motions re
 
 TEST_CASE("forced scenes: waves that are always held bear any amplitude where the bar is pressed")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     // A corner that stands for infinity once made rows look met that were not.
@@ -143,7 +138,7 @@ TEST_CASE("forced scenes: waves that are always held bear any amplitude where th
 
 TEST_CASE("forced scenes, two contacts, each on its stop: an independent program agrees")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     std::mt19937_64 generator(32);
@@ -178,7 +173,7 @@ TEST_CASE("forced scenes, two contacts, each on its stop: an independent program
 
 TEST_CASE("forced scenes without damping: what is free needs no force")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     for (const Stops& stops : {Stops{-1, {}}, Stops{1, Fraction{1, 1}}, Stops{1, Fraction{2, 3}}}) {

@@ -9,22 +9,13 @@
 #include "forced_polytope.hpp"
 #include "forced_rows.hpp"
 #include "forced_support.hpp"
+#include "has_solver.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/response.hpp"
-#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;
 using test::onePhase;
-
-namespace {
-
-bool hasSimplex()
-{
-    return preferred({.duals = true}) != nullptr;
-}
-
-}  // namespace
 
 TEST_CASE("forced motions, two contacts: isolated points that a dense solver confirms, or proofs")
 {
@@ -91,7 +82,7 @@ TEST_CASE(
 
 TEST_CASE("forced motions: closed form and linear programs leave the same of a line")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     std::mt19937_64 generator(22);
@@ -128,7 +119,7 @@ TEST_CASE("forced motions: closed form and linear programs leave the same of a l
 
 TEST_CASE("forced motions without damping: what is free needs no force, the others some")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     int free = 0;
@@ -187,7 +178,7 @@ TEST_CASE("forced motions without damping: a wall that need not push, whatever t
     CHECK(test::driftInTenPeriods(motion) < 1e-9);
     for (const Excited place : {Excited::tip, Excited::base}) {
         for (const std::int64_t contact : {4, 5, 6}) {
-            if (contact == 4 || hasSimplex()) {
+            if (contact == 4 || test::hasSimplex()) {
                 INFO("n_c = " << contact);
                 CHECK(
                     forcedMotions(onePhase(6, contact, 16 - contact), {}, {place, 1, {}}).status !=
@@ -199,7 +190,7 @@ TEST_CASE("forced motions without damping: a wall that need not push, whatever t
 
 TEST_CASE("forced motions without damping: the paper's case bears no force at all")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     const ForcedSet set = forcedMotions(onePhase(12, 6, 36), {}, {});
@@ -218,7 +209,7 @@ TEST_CASE("forced motions without damping: the paper's case bears no force at al
 
 TEST_CASE("forced motions without damping: every amplitude of the range has a motion")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     int motions = 0;
@@ -299,7 +290,7 @@ TEST_CASE("forced motions: a limit on compression cuts the line where -min s = 2
     REQUIRE(none.status == Status::none);
     CHECK(none.reason == Reason::constraints);
     CHECK(isCertain(none));
-    if (hasSimplex()) {
+    if (test::hasSimplex()) {
         const ForcedSet held = forcedMotions(onePhase(12, 6, 36), {}, {}, {1.9});
         CHECK(held.status == Status::none);  // the flattest has 2, energy 4 E_1
         CHECK(isCertain(held));
@@ -344,7 +335,7 @@ TEST_CASE("forced motions: strains are those of the cells, step by step")
 
 TEST_CASE("response: nothing stays undecided where classes of steps are always in contact")
 {
-    if (!hasSimplex()) {
+    if (!test::hasSimplex()) {
         return;
     }
     std::int64_t held = 0;

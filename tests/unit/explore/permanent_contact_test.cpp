@@ -14,7 +14,7 @@ using namespace signorini;
 
 namespace {
 
-ResponseRange pressed(Excited place, double amplitude)
+ResponseRange pressedRange(Excited place, double amplitude)
 {
     ResponseRange range;
     range.cells = 20;
@@ -31,7 +31,7 @@ ResponseRange pressed(Excited place, double amplitude)
 TEST_CASE("permanent contact: under a force it is listed once at every frequency")
 {
     for (const double amplitude : {0.3, 0.999, 1.001}) {
-        const ResponseRange range = pressed(Excited::tip, amplitude);
+        const ResponseRange range = pressedRange(Excited::tip, amplitude);
         for (const FrequencyResponse& response : frequencyResponse(range)) {
             INFO("n = " << response.steps << ", " << response.detail);
             CHECK(response.undecided == 0);
@@ -68,7 +68,7 @@ TEST_CASE("permanent contact: under a force it is listed once at every frequency
 TEST_CASE("permanent contact: above a moving base it ends where the clamped bar resonates")
 {
     // A rod between base and wall: the strain at the wall is Y omega/sin(omega L/c) for fine grids.
-    ResponseRange range = pressed(Excited::base, 0.05);
+    ResponseRange range = pressedRange(Excited::base, 0.05);
     range.cells = 100;
     for (const std::int64_t n : {130, 170, 199, 201, 260, 340}) {
         const double turn = 200.0 * std::acos(-1.0) / static_cast<double>(n);

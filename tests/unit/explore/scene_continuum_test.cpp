@@ -79,22 +79,10 @@ int rankOf(std::vector<Point> rows)
     return rank;
 }
 
-Point wavesOf(const State& state)
-{
-    Point waves;
-    for (Eigen::Index i = state.a.size(); i-- > 0;) {
-        waves.push_back(state.a[i]);
-    }
-    for (const double value : state.b) {
-        waves.push_back(-value);
-    }
-    return waves;
-}
-
 /// The worst of (30)-(32) over one period, of a wave that runs to and fro.
 double breachOf(const Schedule& schedule, const State& state)
 {
-    const Point start = wavesOf(state);
+    const Point start = test::waves2NOf(state);
     const auto cells = static_cast<double>(schedule.cells);
     const double right = schedule.stops.right;
     const auto& left = schedule.stops.left;
@@ -134,7 +122,7 @@ void requireMembers(const Continuum& curve, std::size_t least)
     REQUIRE(curve.points.size() >= least);
     const auto cells = static_cast<double>(curve.schedule.cells);
     for (const ContinuumPoint& point : curve.points) {
-        const double energy = 2.0 / cells * squaresOf(wavesOf(point.state));
+        const double energy = 2.0 / cells * squaresOf(test::waves2NOf(point.state));
         CHECK(std::abs(energy / curve.energyRatio - 1.0) < 1e-12);
         CHECK(breachOf(curve.schedule, point.state) < 1e-12);
     }
@@ -332,7 +320,7 @@ TEST_CASE("two stops: both carry the same split pulse, mirrored, without a solve
         const std::size_t half = static_cast<std::size_t>(steps(schedule) / 2);
         for (const ContinuumPoint& point : curve.points) {
             // p_{m+n/2} = -p_m, in a wave that runs to and fro here.
-            std::vector<double> line = wavesOf(point.state);
+            std::vector<double> line = test::waves2NOf(point.state);
             const std::vector<double> start = line;
             for (std::size_t m = 0; m < half; ++m) {
                 const bool isContact = static_cast<std::int64_t>(m) < schedule.phases[0].contact;
@@ -362,7 +350,7 @@ TEST_CASE("two stops: programs trace a curve of members between both stops", "[i
     REQUIRE(curve.points.size() >= 9);
     CHECK(curve.dimension > 0);
     for (const ContinuumPoint& point : curve.points) {
-        const double energy = 2.0 / 12.0 * squaresOf(wavesOf(point.state));
+        const double energy = 2.0 / 12.0 * squaresOf(test::waves2NOf(point.state));
         CHECK(energy == Approx(17.0).epsilon(1e-9));
         CHECK(breachOf(curve.schedule, point.state) < 1e-9);
     }
@@ -384,7 +372,7 @@ TEST_CASE("two stops and no gap: an energy sets the size, and the second stop th
     const PeriodicResult found = findPeriodic(schedule, find);
     REQUIRE(found.status == Status::found);
     CHECK(breachOf(schedule, found.motion->state) < 1e-12);
-    CHECK(0.5 * squaresOf(wavesOf(found.motion->state)) == Approx(0.5 * most));
+    CHECK(0.5 * squaresOf(test::waves2NOf(found.motion->state)) == Approx(0.5 * most));
     find.energyRatio = 1.01 * most;
     const PeriodicResult none = findPeriodic(schedule, find);
     CHECK(none.status == Status::none);

@@ -26,18 +26,6 @@ double energyOf(const Waves2N& waves)
     return 4.0 * sum / static_cast<double>(waves.size());
 }
 
-Waves2N wavesOf(const State& state)
-{
-    Waves2N waves;
-    for (Eigen::Index i = state.cells(); i-- > 0;) {
-        waves.push_back(state.a[i]);
-    }
-    for (Eigen::Index i = 0; i < state.cells(); ++i) {
-        waves.push_back(-state.b[i]);
-    }
-    return waves;
-}
-
 Waves2N between(const Waves2N& from, const Waves2N& to, double t)
 {
     Waves2N point = from;
@@ -99,13 +87,14 @@ void checkListed(const Continuum& answer, const std::vector<Waves2N>& motions)
     CHECK(answer.dimension == 0);
     REQUIRE(answer.points.size() == motions.size());
     for (const ContinuumPoint& point : answer.points) {
-        const Waves2N waves = wavesOf(point.state);
+        const Waves2N waves = test::waves2NOf(point.state);
         CHECK(std::any_of(motions.begin(), motions.end(), [&waves](const Waves2N& motion) {
             return distance(motion, waves) < 1e-7;
         }));
     }
     if (motions.size() == 2) {
-        CHECK(distance(wavesOf(answer.points[0].state), wavesOf(answer.points[1].state)) > 1e-6);
+        CHECK(distance(test::waves2NOf(answer.points[0].state),
+                       test::waves2NOf(answer.points[1].state)) > 1e-6);
     }
 }
 

@@ -25,13 +25,13 @@ ResponseRange pairsOn(std::int64_t cells, const Damping& damping, double amplitu
     return range;
 }
 
-using Pair = std::array<Phase, 2>;
+using PhasePair = std::array<Phase, 2>;
 
 /// All schedules of n steps with two contacts, each in one of its two orders. A flight of one step
 /// that closes is none.
-std::vector<Pair> allPairs(std::int64_t steps)
+std::vector<PhasePair> allPairs(std::int64_t steps)
 {
-    std::vector<Pair> all;
+    std::vector<PhasePair> all;
     for (std::int64_t a = 1; a < steps; ++a) {
         for (std::int64_t b = 2; a + b < steps; ++b) {
             for (std::int64_t c = 1; a + b + c + 2 <= steps; ++c) {
@@ -47,9 +47,9 @@ std::vector<Pair> allPairs(std::int64_t steps)
 }
 
 /// The first contact on the wall, the second on the other stop: any four lengths.
-std::vector<Pair> allBetween(std::int64_t steps)
+std::vector<PhasePair> allBetween(std::int64_t steps)
 {
-    std::vector<Pair> all;
+    std::vector<PhasePair> all;
     for (std::int64_t a = 1; a < steps; ++a) {
         for (std::int64_t b = 1; a + b < steps; ++b) {
             for (std::int64_t c = 1; a + b + c < steps; ++c) {
@@ -84,7 +84,7 @@ TEST_CASE("response, two contacts: it lists what find has of the schedules one b
                 REQUIRE(response);
                 std::size_t next = 0;
                 std::int64_t undecided = 0;
-                for (const Pair& pair : allPairs(n)) {
+                for (const PhasePair& pair : allPairs(n)) {
                     const Schedule schedule{6, {pair.begin(), pair.end()}};
                     const ForcedSet set =
                         forcedMotions(schedule, range.damping, {place, cycles, {}});
@@ -137,19 +137,21 @@ TEST_CASE("response, two contacts: with other stops it lists what find has, and 
                 range.place = place;
                 const auto response = responseAt(range, n);
                 REQUIRE(response);
-                std::vector<Pair> all;
+                std::vector<PhasePair> all;
                 for (const Stop stop : {Stop::right, Stop::left}) {
-                    for (Pair pair :
-                         stop == Stop::right || stops.left ? allPairs(n) : std::vector<Pair>{}) {
+                    for (PhasePair pair : stop == Stop::right || stops.left
+                                              ? allPairs(n)
+                                              : std::vector<PhasePair>{}) {
                         pair[0].stop = pair[1].stop = stop;
                         all.push_back(pair);
                     }
                 }
-                for (const Pair& pair : stops.left ? allBetween(n) : std::vector<Pair>{}) {
+                for (const PhasePair& pair :
+                     stops.left ? allBetween(n) : std::vector<PhasePair>{}) {
                     all.push_back(pair);
                 }
                 CHECK(twoContactSchedules(n, stops) == static_cast<double>(all.size()));
-                for (const Pair& pair : all) {
+                for (const PhasePair& pair : all) {
                     const Schedule schedule{4, {pair.begin(), pair.end()}, stops};
                     const ForcedSet set = forcedMotions(schedule, range.damping, {place, 1, {}});
                     const bool isListed =

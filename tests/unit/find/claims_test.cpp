@@ -1,21 +1,16 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "has_solver.hpp"
 #include "known_motions.hpp"
 #include "signorini/amplitude_set.hpp"
 #include "signorini/find_periodic.hpp"
-#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;
 using test::onePhase;
 
 namespace {
-
-bool has(std::string_view solver)
-{
-    return findBackend(solver).available();
-}
 
 bool isVerifiedRange(const PeriodicResult& result)
 {
@@ -61,7 +56,7 @@ TEST_CASE("claims: a climb that ends below the known most energy is withdrawn")
     int tried = 0;
     int withdrawn = 0;
     for (const std::string solver : {"glpk-simplex", "nlopt-slsqp"}) {
-        if (!has(solver)) {
+        if (!test::hasSolver(solver)) {
             continue;
         }
         for (const Formulation form : {Formulation::state, Formulation::reduced}) {

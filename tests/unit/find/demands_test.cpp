@@ -6,21 +6,16 @@
 
 #include "catch.hpp"
 #include "formulation.hpp"
+#include "has_solver.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/one_phase_set.hpp"
-#include "solver.hpp"
 #include "support.hpp"
 
 using namespace signorini;
 using test::onePhase;
 
 namespace {
-
-bool has(std::string_view solver)
-{
-    return findBackend(solver).available();
-}
 
 /// -min s over a fine sample of x and t, inside steps too, from the travelling waves themselves:
 /// s = -(P(t + L - x) + P(t + L + x)), with P read off a refined march.
@@ -86,7 +81,7 @@ TEST_CASE("demands: a strain limit just met is met, one just missed is proved im
         const PeriodicResult met = findPeriodic(schedule, {.strainLimit = peak * (1 + 1e-12)});
         CHECK(met.status == Status::found);
         CHECK(met.how.route == "closed-form");
-        if (has("glpk-simplex") || has("ipopt")) {
+        if (test::hasSolver("glpk-simplex") || test::hasSolver("ipopt")) {
             const PeriodicResult missed = findPeriodic(schedule, {.strainLimit = 0.99 * peak});
             CHECK(missed.status == Status::none);
             CHECK(missed.absence->reason == Reason::constraints);
@@ -138,7 +133,7 @@ TEST_CASE("demands: the energy of a motion can be held at any value of the range
 TEST_CASE("demands: least energy by a quadratic program agrees with the closed form")
 {
     for (const std::string solver : {"ipopt", "nlopt-slsqp"}) {
-        if (!has(solver)) {
+        if (!test::hasSolver(solver)) {
             continue;
         }
         const double accuracy = solver == "ipopt" ? 1e-8 : 1e-6;
@@ -168,7 +163,7 @@ TEST_CASE("demands: the nearest motion to a motion is that motion, to another st
     std::mt19937_64 generator(6);
     const State member = motionOf(r, drawAmplitudes(r.set, generator));
     for (const std::string solver : {"auto", "ipopt"}) {
-        if (solver == "ipopt" && !has(solver)) {
+        if (solver == "ipopt" && !test::hasSolver(solver)) {
             continue;
         }
         const PeriodicResult same = findPeriodic(
@@ -190,7 +185,7 @@ TEST_CASE("demands: the nearest motion to a motion is that motion, to another st
         CHECK(distance(near.motion->state) <=
               distance(motionOf(r, drawAmplitudes(r.set, generator))) + 1e-12);
     }
-    if (has("ipopt")) {
+    if (test::hasSolver("ipopt")) {
         const PeriodicResult witness = findPeriodic(
             schedule, {.solver = "ipopt", .objective = Objective::nearest, .target = target});
         REQUIRE(witness.status == Status::found);
@@ -308,7 +303,7 @@ TEST_CASE("demands: wrong demands are refused by name")
 
 TEST_CASE("demands: what no back end of a build can do is said")
 {
-    if (has("ipopt") || has("nlopt-slsqp")) {
+    if (test::hasSolver("ipopt") || test::hasSolver("nlopt-slsqp")) {
         return;
     }
     // Within a limit that the nearest motion breaks it is a quadratic program.

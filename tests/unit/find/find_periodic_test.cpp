@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "catch.hpp"
+#include "has_solver.hpp"
 #include "solver.hpp"
 #include "support.hpp"
 
@@ -10,11 +11,6 @@ using namespace signorini;
 using test::onePhase;
 
 namespace {
-
-bool hasGlpk()
-{
-    return findBackend("glpk-simplex").available();
-}
 
 template <typename Steps>
 concept CanFind = requires(Steps steps)
@@ -247,7 +243,7 @@ TEST_CASE("findPeriodic: every absence is proved again from the answer alone")
     absences.push_back(findPeriodic(schedule, {.strainLimit = 1e-3}));
     absences.push_back(findPeriodic(schedule, {.energyRatio = 1e-3}));
     absences.push_back(findPeriodic(schedule, {.energyRatio = 1e6}));
-    if (hasGlpk()) {
+    if (test::hasSolver("glpk-simplex")) {
         absences.push_back(findPeriodic(schedule, {.tipFloor = 0.999}));
         absences.push_back(findPeriodic(schedule, {.fixed = {{Wave::a, 8, 1e4}}}));
         for (const Formulation form : {Formulation::state, Formulation::reduced}) {

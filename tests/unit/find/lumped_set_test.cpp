@@ -35,15 +35,15 @@ double seconds(std::chrono::steady_clock::time_point since)
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
 }
 
-struct Known {
+struct KnownPoint {
     Schedule schedule;
     double leastEnergy;
 };
 
 /// Motions of least energy that press in every phase.
-const std::vector<Known>& knownPoints()
+const std::vector<KnownPoint>& knownPoints()
 {
-    static const std::vector<Known> points{
+    static const std::vector<KnownPoint> points{
         {{4, {{1, 10}, {1, 14}}}, 16.0},       {{4, {{1, 12}, {1, 14}}}, 8.0},
         {{4, {{1, 12}, {3, 12}}}, 16.0 / 3.0}, {{4, {{1, 13}, {2, 12}}}, 6.0},
         {{4, {{2, 12}, {3, 11}}}, 6.0},        {{5, {{1, 1}, {1, 13}}}, 50.0}};
@@ -112,7 +112,7 @@ TEST_CASE("lumped set: 24,000 random schedules agree with an LP on the paper's o
 
 TEST_CASE("lumped set: known points of two phases, pressing in each")
 {
-    for (const Known& known : knownPoints()) {
+    for (const KnownPoint& known : knownPoints()) {
         const PeriodicResult result = findPeriodic(known.schedule);
         INFO(describe(known.schedule) << " " << result.detail);
         REQUIRE(result.status == Status::found);

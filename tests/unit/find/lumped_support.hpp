@@ -5,16 +5,11 @@
 #include <random>
 #include <string_view>
 
+#include "has_solver.hpp"
 #include "signorini/lumped_set.hpp"
-#include "solver.hpp"
 #include "support.hpp"
 
 namespace signorini::test {
-
-inline bool hasSolver(std::string_view name)
-{
-    return findBackend(name).available();
-}
 
 /// Flights near 3N and very short ones in turn: sums that vary, phases that only touch, and
 /// repeated motions are frequent here.

@@ -12,8 +12,6 @@ using namespace signorini;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// x + y = 3, x - y <= -1, 2 <= x, y free: feasible only for x <= 1. Infeasible.
 Program impossible()
 {
@@ -53,7 +51,7 @@ TEST_CASE("infeasibility: a proof is checked exactly, and wrong ones are not acc
 TEST_CASE("infeasibility: an infinite bound that the combination needs is no proof")
 {
     Program program = impossible();
-    program.lower[0] = -infinity;
+    program.lower[0] = -std::numeric_limits<double>::infinity();
     CHECK_FALSE(isProof(InfeasibilityProof{{{0, 1}}, {{0, 1}}}, program));
 }
 

@@ -11,19 +11,19 @@ using namespace signorini;
 
 namespace {
 
-const AmplitudeSet simplex{SetKind::simplex, 4, 2.0, 0.0, 0.0};
-const AmplitudeSet box{SetKind::box, 4, -2.0, -2.0, 0.0};
+const AmplitudeSet aSimplex{SetKind::simplex, 4, 2.0, 0.0, 0.0};
+const AmplitudeSet aBox{SetKind::box, 4, -2.0, -2.0, 0.0};
 
 }  // namespace
 
 TEST_CASE("amplitude set: distance is 0 inside and the largest relative violation outside")
 {
-    CHECK(distanceOutside(simplex, std::vector{0.5, 0.5, 1.0, 0.0}) == 0.0);
-    CHECK(distanceOutside(simplex, std::vector{-0.5, 1.5, 1.0, 0.0}) == 0.25);
-    CHECK(distanceOutside(simplex, std::vector{0.5, 0.5, 1.0, 1.0}) == 0.5);
-    CHECK(distanceOutside(box, std::vector{-2.0, 2.0, -2.0, 0.0}) == 0.0);
-    CHECK(distanceOutside(box, std::vector{1.0, -1.0, -2.0, 0.0}) == 0.5);
-    CHECK(std::isinf(distanceOutside(box, std::vector{std::nan(""), 0.0, 0.0, 0.0})));
+    CHECK(distanceOutside(aSimplex, std::vector{0.5, 0.5, 1.0, 0.0}) == 0.0);
+    CHECK(distanceOutside(aSimplex, std::vector{-0.5, 1.5, 1.0, 0.0}) == 0.25);
+    CHECK(distanceOutside(aSimplex, std::vector{0.5, 0.5, 1.0, 1.0}) == 0.5);
+    CHECK(distanceOutside(aBox, std::vector{-2.0, 2.0, -2.0, 0.0}) == 0.0);
+    CHECK(distanceOutside(aBox, std::vector{1.0, -1.0, -2.0, 0.0}) == 0.5);
+    CHECK(std::isinf(distanceOutside(aBox, std::vector{std::nan(""), 0.0, 0.0, 0.0})));
 }
 
 TEST_CASE("amplitude set: the distance is the worst of all bounds, each looked at alone")
@@ -71,13 +71,13 @@ TEST_CASE("amplitude set: partial sums drawn from a box are even between its bou
 
 TEST_CASE("amplitude set: a wrong number of amplitudes is refused")
 {
-    CHECK_THROWS_AS(distanceOutside(simplex, std::vector{2.0}), std::invalid_argument);
+    CHECK_THROWS_AS(distanceOutside(aSimplex, std::vector{2.0}), std::invalid_argument);
     CHECK_THROWS_AS(distanceOutside(AmplitudeSet{}, std::vector<double>{}), std::invalid_argument);
 }
 
 TEST_CASE("amplitude set: draws are members, differ, and repeat with the seed")
 {
-    for (const AmplitudeSet& set : {simplex, box}) {
+    for (const AmplitudeSet& set : {aSimplex, aBox}) {
         std::mt19937_64 first(5);
         std::mt19937_64 second(5);
         const std::vector<double> z = drawAmplitudes(set, first);

@@ -19,11 +19,6 @@ Assembly assembly(const std::string& text)
     return {.parts = partsOf(text)};
 }
 
-Network network(const std::string& text)
-{
-    return networkOf(assembly(text));
-}
-
 }  // namespace
 
 TEST_CASE("assembly: words are read and come back")
@@ -88,7 +83,7 @@ TEST_CASE("assembly: what is no scene is refused, and the word is named")
     for (const auto& [text, message] : wrong) {
         CHECK_THROWS_WITH(validate(assembly(text)), Catch::Contains(message));
     }
-    CHECK_THROWS_WITH(network("clamp 300 gap=1e-3 spring=50 dash=0.08"),
+    CHECK_THROWS_WITH(networkOf(assembly("clamp 300 gap=1e-3 spring=50 dash=0.08")),
                       Catch::Contains("dash = 0.08 is out of range: allowed D >= K h/2"));
     Assembly heavy = assembly("clamp 3 stop=1");
     heavy.length = std::nan("");
@@ -99,25 +94,25 @@ TEST_CASE("assembly: what is no scene is refused, and the word is named")
 
 TEST_CASE("assembly: the examples of the language are networks")
 {
-    const Network paper = network("clamp 300 stop=1e-3");
+    const Network paper = networkOf(assembly("clamp 300 stop=1e-3"));
     const Network today = networkOf(Scene{}, 300);
     CHECK(paper.rows == today.rows);
     CHECK(paper.contacts == today.contacts);
     CHECK(paper.scales.time == Approx(today.scales.time));
     CHECK(paper.scales.displacement == Approx(today.scales.displacement));
 
-    const Network two = network("clamp 150 gap=1e-3 200:1.3 clamp");
+    const Network two = networkOf(assembly("clamp 150 gap=1e-3 200:1.3 clamp"));
     CHECK(two.bars.size() == 2);
     CHECK(two.contacts == std::vector{NetworkContact{ContactKind::gap, 1, 350.0}});
-    const Network flying = network("stop=-1e-3 300 stop=1e-3");
+    const Network flying = networkOf(assembly("stop=-1e-3 300 stop=1e-3"));
     CHECK(flying.bars.front().drifts());
     CHECK(flying.contacts.front() == NetworkContact{ContactKind::stopLeft, 0, 300.0});
-    const Network string = network("clamp 100 stop=5e-4 200 clamp");
+    const Network string = networkOf(assembly("clamp 100 stop=5e-4 200 clamp"));
     CHECK(string.bars.front().clamps == 2);
-    const Network soft = network("clamp 300 gap=1e-3 spring=50 dash=0.1");
+    const Network soft = networkOf(assembly("clamp 300 gap=1e-3 spring=50 dash=0.1"));
     CHECK(soft.bars[1].firstNode == soft.bars[1].lastNode);
     CHECK(soft.stubs.front().impedance == Approx(50.0 / 600.0));
-    const Network root = network("spring=4 300 stop=1e-3");
+    const Network root = networkOf(assembly("spring=4 300 stop=1e-3"));
     CHECK(root.bars.front().springs == 1);
     CHECK(!root.bars.front().drifts());
 }
@@ -125,24 +120,26 @@ TEST_CASE("assembly: the examples of the language are networks")
 TEST_CASE("assembly: frequency, damping and energy of reference are those of closed forms")
 {
     const double pi = std::numbers::pi;
-    CHECK(referenceOf(network("clamp 300 stop=1e-3")).frequency == Approx(0.5 * pi).epsilon(1e-12));
-    CHECK(referenceOf(network("clamp 300 stop=1e-3")).energy.value() ==
+    CHECK(referenceOf(networkOf(assembly("clamp 300 stop=1e-3"))).frequency ==
+          Approx(0.5 * pi).epsilon(1e-12));
+    CHECK(referenceOf(networkOf(assembly("clamp 300 stop=1e-3"))).energy.value() ==
           Approx(0.5e-6).epsilon(1e-12));
-    CHECK(referenceOf(network("stop=-1e-3 300 stop=1e-3")).frequency == Approx(pi).epsilon(1e-12));
-    CHECK(!referenceOf(network("stop=-1e-3 300 stop=1e-3")).energy);
-    CHECK(referenceOf(network("clamp 100 stop=1e-3 200 clamp")).frequency ==
+    CHECK(referenceOf(networkOf(assembly("stop=-1e-3 300 stop=1e-3"))).frequency ==
           Approx(pi).epsilon(1e-12));
-    CHECK(referenceOf(network("clamp 100 stop=1e-3 200 clamp")).compliance.value() ==
+    CHECK(!referenceOf(networkOf(assembly("stop=-1e-3 300 stop=1e-3"))).energy);
+    CHECK(referenceOf(networkOf(assembly("clamp 100 stop=1e-3 200 clamp"))).frequency ==
+          Approx(pi).epsilon(1e-12));
+    CHECK(referenceOf(networkOf(assembly("clamp 100 stop=1e-3 200 clamp"))).compliance.value() ==
           Approx(2.0 / 9.0).epsilon(1e-12));
     // tan(w l_1) tan(w l_2) = Z_1/Z_2.
-    const SceneReference stepped = referenceOf(network("clamp 100 200:2 stop=1e-3"));
+    const SceneReference stepped = referenceOf(networkOf(assembly("clamp 100 200:2 stop=1e-3")));
     CHECK(std::tan(stepped.frequency / 3.0) * std::tan(stepped.frequency * 2.0 / 3.0) ==
           Approx(0.5).epsilon(1e-10));
     // A dashpot at the tip damps every mode alike.
     const Damping damping{0.02};
     const SceneReference damped = referenceOf(networkOf(Scene{}, 300, damping));
     CHECK(damped.damping.value() == Approx(0.02).epsilon(1e-9));
-    CHECK(referenceOf(network("clamp 300 gap=1e-3 200 clamp")).compliance.value() ==
+    CHECK(referenceOf(networkOf(assembly("clamp 300 gap=1e-3 200 clamp"))).compliance.value() ==
           Approx(1.0).epsilon(1e-12));
 }
 
@@ -175,7 +172,8 @@ TEST_CASE("assembly: springs and masses err by the square of the step")
             // A stop elsewhere, so that it is a scene.
             const std::string rows =
                 std::to_string(cells / 2) + " stop=1 " + std::to_string(cells - cells / 2);
-            const double found = referenceOf(network(scene.before + rows + scene.after)).frequency;
+            const double found =
+                referenceOf(networkOf(assembly(scene.before + rows + scene.after))).frequency;
             CHECK(found / scene.exact - 1.0 == Approx(scene.errors[k]).epsilon(0.03));
             ++k;
         }
@@ -223,7 +221,7 @@ TEST_CASE("assembly: at rest contacts push or are open, and a step changes nothi
         {"spring=2 3 gap=-1e-3 4 mass=1 2 clamp", 1},
         {"clamp 6 gap=-1e-3 spring=2 dash=1", 1}};
     for (const auto& [text, closed] : cases) {
-        const Network scene = network(text);
+        const Network scene = networkOf(assembly(text));
         const Rest rest = restOf(scene);
         CHECK(rest.closed == closed);
         const NetworkLaw<double> law(scene, rest.closed);
@@ -243,5 +241,6 @@ TEST_CASE("assembly: at rest contacts push or are open, and a step changes nothi
             CHECK(after[k] == Approx(rest.waves[k]).margin(1e-11 * size));
         }
     }
-    CHECK_THROWS_WITH(restOf(network("3 force=1 3 stop=-1")), Catch::Contains("constant forces"));
+    CHECK_THROWS_WITH(restOf(networkOf(assembly("3 force=1 3 stop=-1"))),
+                      Catch::Contains("constant forces"));
 }

@@ -53,7 +53,7 @@ Whole decideAll(const AtlasRange& range, std::int64_t threads = 1)
     return whole;
 }
 
-bool isSame(const AtlasRow& a, const AtlasRow& b)
+bool isSameRow(const AtlasRow& a, const AtlasRow& b)
 {
     const auto equal = [](double x, double y) { return x == y || (x != x && y != y); };
     return a.number == b.number && a.status == b.status && a.reason == b.reason &&
@@ -363,7 +363,7 @@ TEST_CASE("atlas: neither the number of threads nor who takes which batch change
         const Whole many = decideAll(range, threads);
         CHECK(many.tally == one.tally);
         REQUIRE(many.rows.size() == one.rows.size());
-        CHECK(std::equal(one.rows.begin(), one.rows.end(), many.rows.begin(), isSame));
+        CHECK(std::equal(one.rows.begin(), one.rows.end(), many.rows.begin(), isSameRow));
     }
     Whole shared;
     LocalBatches first(range, 1, {}, 1, 3);
@@ -380,7 +380,7 @@ TEST_CASE("atlas: neither the number of threads nor who takes which batch change
     }
     CHECK_FALSE(third.next());
     REQUIRE(shared.rows.size() == one.rows.size());
-    CHECK(std::equal(one.rows.begin(), one.rows.end(), shared.rows.begin(), isSame));
+    CHECK(std::equal(one.rows.begin(), one.rows.end(), shared.rows.begin(), isSameRow));
 }
 
 TEST_CASE("atlas: a cancelled source ends, however many threads wait")

@@ -32,7 +32,7 @@ inline std::string contentOf(const fs::path& path)
 }
 
 /// Runs the program in a folder of its own.
-class Program {
+class CommandLine {
 public:
     struct Outcome {
         int status;

@@ -1,0 +1,293 @@
+#pragma once
+/// \file
+/// Rows of an atlas, how far its ranges are decided, and what is said when it is asked.
+
+#include <functional>
+#include <string>
+
+#include "family_section.hpp"
+#include "parts.hpp"
+#include "signorini/atlas.hpp"
+#include "simulation_answer.hpp"
+
+namespace signorini::answers {
+
+/// A set of orbits; its motions of one energy, where one was asked for.
+struct AtlasFamilyOf {
+    AtlasFamily value;
+    Bar bar;
+    std::optional<FamilySection> section = {};
+};
+using AtlasEntryOf = Of<AtlasEntry>;
+using TwinsOf = Of<Twins>;
+
+/// A point of the frequency-energy plot, and how near rows are to be.
+struct AtlasPoint {
+    double frequencyRatio = 0.0;  ///< [omega_1]
+    double energyRatio = 0.0;     ///< [E_1]
+    double distance = 0.0;        ///< [-], relative
+    Bar bar = {};
+};
+
+/// What was asked of a database, and what was found: twins, or rows.
+struct AtlasAnswer {
+    Bar bar;  ///< for seconds, hertz and joules
+    std::optional<AtlasPoint> near = {};
+    std::optional<std::vector<TwinsOf>> twins = {};
+    std::optional<std::vector<AtlasFamilyOf>> families = {};
+    std::optional<std::vector<AtlasEntryOf>> schedules = {};
+    std::vector<AtlasRun> runs = {};  ///< of the grids asked about
+    bool isComplete = false;          ///< have they decided all that was asked?
+
+    [[nodiscard]] bool isEmpty() const
+    {
+        return twins ? twins->empty() : families->empty() && schedules->empty();
+    }
+};
+
+/// The outcome of deciding a range.
+struct AtlasBuilt {
+    AtlasRun run;
+    std::string database;
+    Scene scene;
+
+    [[nodiscard]] Ending status() const
+    {
+        return run.isFinished() ? Ending::done : Ending::interrupted;
+    }
+};
+
+/// Families with their units and, where an energy is given, their motions of it.
+[[nodiscard]] inline std::vector<AtlasFamilyOf> withUnits(const std::vector<AtlasFamily>& list,
+                                                          const Bar& bar,
+                                                          std::optional<double> energyRatio = {})
+{
+    std::vector<AtlasFamilyOf> all;
+    for (const AtlasFamily& one : list) {
+        all.push_back({one, bar});
+        if (energyRatio) {
+            all.back().section = sectionOf(one, *energyRatio);
+        }
+    }
+    return all;
+}
+
+/// Keys of a range and its limits.
+template <typename D, typename Get>
+void describeRange(D& d, Get run)
+{
+    const auto of = [run](auto member) {
+        return [=](const auto& a) { return run(a).range.*member; };
+    };
+    d.key("cells", "- >= 1", "N.", of(&AtlasRange::cells));
+    d.key("max_contact", "steps >= 1", "Longest contact.", of(&AtlasRange::maxContact));
+    d.key("max_free", "steps >= 1", "Longest flight.", of(&AtlasRange::maxFree));
+    d.key("phases", "- >= 1", "Contacts in a period, at most.", of(&AtlasRange::maxPhases));
+    d.key("max_energy_ratio", "E_1 > 0", "Kept up to it; nothing: all.",
+          [run](const auto& a) { return known(run(a).range.maxEnergyRatio); });
+    d.key("families_only", "-", "Were no schedules kept?", of(&AtlasRange::familiesOnly));
+}
+
+/// Keys of what has been decided of it.
+template <typename D, typename Get>
+void describeTally(D& d, Get run, When when = When::always)
+{
+    const auto key = [&d, run, when](const char* name, const char* sentence, auto get) {
+        d.key(
+            name, "- >= 0", sentence, [=](const auto& a) { return std::invoke(get, run(a).tally); },
+            when);
+    };
+    key("decided", "Schedules.", &AtlasTally::decided);
+    key("found", "Of them with motions.",
+        [](const AtlasTally& tally) { return tally.pressing + tally.grazing; });
+    key("pressing", "With force.", &AtlasTally::pressing);
+    key("grazing", "Without.", &AtlasTally::grazing);
+    key("family_count", "Sets of orbits on this grid that those with one phase belong to.",
+        &AtlasTally::families);
+    key("refuted", "Proved to have none.", &AtlasTally::refuted);
+    key("undecided", "Beyond the limits of exact arithmetic.", &AtlasTally::undecided);
+    d.key(
+        "batches", "- >= 0", "(decided, all).",
+        [run](const auto& a) { return std::tuple(run(a).nextBatch, run(a).batches); }, when);
+    d.key(
+        "seconds", "s >= 0", "Spent.", [run](const auto& a) { return run(a).seconds; }, when);
+}
+
+template <typename D>
+void describe(D& d, Type<AtlasRun>)
+{
+    d.record("AtlasRun", "A range of schedules, and how far it is decided.");
+    describeRange(d, std::identity());
+    d.key("finished", "-", "Is all of it decided?", &AtlasRun::isFinished);
+    describeTally(d, std::identity(), When::python);
+}
+
+template <typename D>
+void describe(D& d, Type<AtlasBuilt>)
+{
+    d.record("AtlasBuilt", "The outcome of deciding a range.");
+    d.key("status", "-", R"("done", or "interrupted".)", &AtlasBuilt::status);
+    d.key("database", "-", "Its file.", &AtlasBuilt::database);
+    describeRange(d, std::mem_fn(&AtlasBuilt::run));
+    describeTally(d, std::mem_fn(&AtlasBuilt::run));
+    describeScene(d, std::mem_fn(&AtlasBuilt::scene));
+}
+
+/// Keys of when motions repeat.
+template <typename D, typename T>
+void describePeriod(D& d, Type<T>)
+{
+    const auto seconds = [](const T& of) { return period(of.value) * scales(of.bar).time; };
+    d.key("period", "s > 0", "T, of the motions: a repetition has that of what it repeats.",
+          seconds);
+    d.key("period_ratio", "L/c > 0", "c T/L.", [](const T& of) { return period(of.value); });
+    d.key("frequency", "Hz > 0", "1/T.", [seconds](const T& of) { return 1.0 / seconds(of); });
+    d.key("frequency_ratio", "- > 0", "omega/omega_1.",
+          [](const T& of) { return frequencyRatio(of.value); });
+}
+
+/// Keys of energies; `energy` gives them in a unit.
+template <typename D, typename Get>
+void describeEnergies(D& d, Get energy, When when = When::always)
+{
+    d.key(
+        "energy_range", "J >= 0", "(least, most on this grid); nothing: unbounded or unknown.",
+        [energy](const auto& of) { return energy(of, scales(of.bar).energy); }, when);
+    d.key(
+        "energy_ratio_range", "E_1 >= 0", "(least, most on this grid).",
+        [energy](const auto& of) { return energy(of, 1.0); }, when);
+}
+
+/// Gets what a row says, without its units.
+template <typename Get>
+[[nodiscard]] auto ofValue(Get get)
+{
+    return [get](const auto& of) { return std::invoke(get, of.value); };
+}
+
+template <typename D>
+void describe(D& d, Type<AtlasFamilyOf> type)
+{
+    using T = AtlasFamilyOf;
+    d.record("AtlasFamily", R"(A set of orbits on a grid, a row of an atlas.
+
+Either a family, or all grazing motions of one period: those have no (order, nu, contact_blocks).
+)");
+    const auto number = [](std::int64_t Family::*member) {
+        return [member](const T& f) {
+            const std::optional<Family>& family = f.value.family;
+            return family ? std::optional(*family.*member) : std::nullopt;
+        };
+    };
+    d.key("id", "-", "Of its row.", ofValue(&AtlasFamily::id));
+    d.key("cells", "- >= 1", "N.", ofValue(&AtlasFamily::cells));
+    d.key("order", "- >= 1", "w.", number(&Family::order));
+    d.key("nu", "- >= 1", "nu.", number(&Family::blocks));
+    d.key("contact_blocks", "- >= 1", "k.", number(&Family::contactBlocks));
+    d.key("schedule", "-", "That has the whole set.", [](const T& f) {
+        return Schedule{f.value.cells, {f.value.top}};
+    });
+    describePeriod(d, type);
+    d.key("contact", "-", R"("pressing" or "grazing".)", ofValue(&AtlasFamily::contact));
+    d.key("kind", "-", "Of the set.", ofValue(&AtlasFamily::kind));
+    d.key("dimension", "- >= 0", "Of the set.", ofValue(&AtlasFamily::dimension));
+    describeEnergies(d, [](const T& f, double unit) { return scaled(f.value.energy, unit); });
+    d.key("schedules", "- >= 1", "How many of the range show some of its motions.",
+          ofValue(&AtlasFamily::schedules));
+    d.key(
+        "dimension_at_energy", "- >= 0",
+        "Of its motions of the energy that was asked for, or the nearest it has.",
+        [](const T& f) { return f.section ? std::optional(f.section->dimension) : std::nullopt; },
+        When::any);
+    d.key(
+        "connected_at_energy", "-",
+        "Are those connected? Nothing: not known, or no energy was asked for.",
+        [](const T& f) {
+            using Answer = std::optional<bool>;
+            return f.section ? std::optional<Answer>(f.section->isConnected) : std::nullopt;
+        },
+        When::any);
+}
+
+template <typename D>
+void describe(D& d, Type<AtlasEntryOf> type)
+{
+    using T = AtlasEntryOf;
+    d.record("AtlasSchedule", "A schedule that an atlas keeps.");
+    const auto ofRow = [](auto get) {
+        return [get](const T& e) { return std::invoke(get, e.value.row); };
+    };
+    const auto ifFound = [](auto get) {
+        return [get](const T& e) {
+            const AtlasRow& row = e.value.row;
+            return row.status == Status::found ? std::optional(std::invoke(get, row))
+                                               : std::nullopt;
+        };
+    };
+    d.key("cells", "- >= 1", "N.", [](const T& e) { return e.value.schedule.cells; });
+    d.key("schedule", "-", "What it is of.", ofValue(&AtlasEntry::schedule));
+    d.key("family", "-", "id of its AtlasFamily; nothing: several phases, or no motion.",
+          ofValue(&AtlasEntry::family));
+    describePeriod(d, type);
+    d.key("status", "-", "Decided.", ofRow(&AtlasRow::status));
+    d.key("reason", "-", "Why there is no motion.", ofRow(&AtlasRow::reason));
+    d.key("kernel_dimension", "- >= 0", "dim ker(W - 1).", ofRow([](const AtlasRow& row) {
+              const std::int64_t dimension = row.kernelDimension;
+              return dimension >= 0 ? std::optional(dimension) : std::nullopt;
+          }));
+    d.key("kind", "-", "Of the set.", ifFound(&AtlasRow::kind), When::any);
+    d.key("dimension", "-", "Of the set.", ifFound(&AtlasRow::dimension), When::any);
+    d.key("contact", "-", R"("pressing" or "grazing".)", ifFound(&AtlasRow::contact), When::any);
+    d.key("canonical", "-", "Does its motion of least energy press at every contact step?",
+          ifFound(&AtlasRow::isCanonical), When::any);
+    describeEnergies(
+        d,
+        [ifFound](const T& e, double unit) {
+            return ifFound([unit](const AtlasRow& row) { return scaled(row.energy, unit); })(e);
+        },
+        When::any);
+}
+
+template <typename D>
+void describe(D& d, Type<TwinsOf> type)
+{
+    using T = TwinsOf;
+    d.record("AtlasTwins", "Different orbits of equal period and energy.");
+    describePeriod(d, type);
+    d.key("energy", "J > 0", "The least of each.",
+          [](const T& t) { return energyRatio(t.value) * scales(t.bar).energy; });
+    d.key("energy_ratio", "E_1 > 0", "The same.", [](const T& t) { return energyRatio(t.value); });
+    d.key("families", "-", "Of one phase.",
+          [](const T& t) { return withUnits(t.value.families, t.bar); });
+    d.key("schedules", "-", "Of several.",
+          [](const T& t) { return withUnits(t.value.schedules, t.bar); });
+}
+
+template <typename D>
+void describe(D& d, Type<AtlasPoint>)
+{
+    using T = AtlasPoint;
+    d.record("AtlasPoint", "A point of the frequency-energy plot.");
+    d.key("frequency", "Hz > 0", "1/T.",
+          [](const T& p) { return p.frequencyRatio / (4.0 * scales(p.bar).time); });
+    d.key("frequency_ratio", "- > 0", "omega/omega_1.", &T::frequencyRatio);
+    d.key("energy", "J > 0", "E.", [](const T& p) { return p.energyRatio * scales(p.bar).energy; });
+    d.key("energy_ratio", "E_1 > 0", "E/E_1.", &T::energyRatio);
+    d.key("within", "- > 0", "How near, relative.", &T::distance);
+}
+
+template <typename D>
+void describe(D& d, Type<AtlasAnswer>)
+{
+    using T = AtlasAnswer;
+    d.record("AtlasAnswer", "What a database says.");
+    d.key("bar", "-", "What units mean.", &T::bar);
+    d.key("near", "-", "The point asked about.", &T::near, When::any);
+    d.key("twins", "-", "Groups of different orbits.", &T::twins, When::any);
+    d.key("families", "-", "Sets of orbits.", &T::families, When::any);
+    d.key("schedules", "-", "Those of no family; with --schedules all.", &T::schedules, When::any);
+    d.key("complete", "-", "Have the ranges decided all that was asked?", &T::isComplete);
+    d.key("ranges", "-", "Of the grids asked about.", &T::runs);
+}
+
+}  // namespace signorini::answers

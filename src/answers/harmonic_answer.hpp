@@ -1,0 +1,93 @@
+#pragma once
+/// \file
+/// What is said of a period whose excitation is an exact harmonic.
+
+#include "harmonic_contact.hpp"
+#include "parts.hpp"
+
+namespace signorini::answers {
+
+/// One motion, and what gives it units.
+struct HarmonicMotionOf {
+    HarmonicMotion value;
+    Bar bar;
+    std::optional<double> growth;  ///< [-], of a disturbance in a period, if it is known
+
+    [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
+    /// "pinned", or "smooth".
+    [[nodiscard]] const char* release() const { return value.isPinned ? "pinned" : "smooth"; }
+};
+
+/// All motions with one contact.
+struct HarmonicAnswer {
+    ExactPeriod period;  ///< [L/c], of the motion
+    Damping damping;
+    Excited place;
+    std::int64_t cycles;  ///< of the excitation in it
+    double amplitude;     ///< [N] or [m]
+    Scene scene;
+    Bar bar;                                ///< whose scales the answer has
+    std::vector<HarmonicMotionOf> motions;  ///< by ascending impulse
+
+    /// Found, or undecided: that there is none was computed, not proved.
+    [[nodiscard]] Status status() const
+    {
+        return motions.empty() ? Status::undecided : Status::found;
+    }
+    /// omega/omega_1 of the excitation.
+    [[nodiscard]] double frequencyRatio() const
+    {
+        return 4.0 * static_cast<double>(cycles) / period.value();
+    }
+    [[nodiscard]] std::optional<std::string> detail() const;
+};
+
+/// \throws as harmonicContacts.
+[[nodiscard]] HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping,
+                                      Excited place, std::int64_t cycles, double amplitude,
+                                      const Scene& scene);
+
+template <typename D>
+void describe(D& d, Type<HarmonicMotionOf>)
+{
+    using T = HarmonicMotionOf;
+    d.record("HarmonicMotion", "One motion under an exact harmonic; contact is at any times.");
+    d.key("contact_time_ratio", "L/c > 0", "From the start of contact to its release.",
+          [](const T& m) { return m.value.extremes.contactTime; });
+    d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
+          &T::release);
+    d.key("phase", "rad", "Of the excitation at the start of contact.",
+          [](const T& m) { return m.value.phase; });
+    d.key("physical", "-", "What can be measured, in SI units.", &T::physical);
+    d.key("admissible", "-", "Is s > -1 everywhere?",
+          [](const T& m) { return m.physical().isAdmissible(); });
+    d.key("growth", "- > 0",
+          "Of a small disturbance in a period; nothing where fronts fade too slowly to tell.",
+          &T::growth);
+    d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
+          [](const T& m) { return m.value.residual; });
+}
+
+template <typename D>
+void describe(D& d, Type<HarmonicAnswer>)
+{
+    using T = HarmonicAnswer;
+    d.record("HarmonicResult",
+             "All motions with one contact in a period, under an exact harmonic.");
+    d.key("status", "-", R"("found", or "undecided".)", &T::status);
+    d.key("contacts", "- >= 1", "In a period.", [](const T&) { return 1; });
+    d.key("damping", "-", "A dashpot.", [](const T& a) { return Of<Damping>{a.damping, a.bar}; });
+    d.key("force", "-", "What is excited.", &T::place);
+    d.key("cycles", "- >= 1", "Of the excitation in a period.", &T::cycles);
+    d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);
+    d.key("period", "s > 0", "T.",
+          [](const T& a) { return a.period.value() * scales(a.bar).time; });
+    d.key("period_ratio", "L/c > 0", "c T/L.", [](const T& a) { return a.period.value(); });
+    d.key("exact_period", "L/c", "c T/L as a fraction.", &T::period);
+    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.", &T::frequencyRatio);
+    d.key("motions", "-", "By ascending impulse.", &T::motions);
+    describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
+    d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
+}
+
+}  // namespace signorini::answers

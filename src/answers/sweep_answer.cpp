@@ -1,0 +1,40 @@
+#include "sweep_answer.hpp"
+
+namespace signorini::answers {
+
+double unitOf(Swept over, Excited place, const Bar& bar)
+{
+    switch (over) {
+        case Swept::amplitude:
+            return amplitudeUnit(place, bar);
+        case Swept::gap:
+            return scales(bar).displacement;
+        case Swept::frequency:
+        case Swept::damping:
+            return 1.0;
+    }
+    return 1.0;
+}
+
+double SweepPointOf::given() const
+{
+    return value.value * unitOf(over, place, bar);
+}
+
+std::optional<double> SweepPointOf::stress() const
+{
+    return bar.young && value.strain
+               ? std::optional(*value.strain * scales(bar).strain * *bar.young)
+               : std::nullopt;
+}
+
+std::vector<SweepPointOf> SweepAnswer::listed() const
+{
+    std::vector<SweepPointOf> all;
+    for (const SweepPoint& point : points) {
+        all.push_back({point, range.over, range.place, bar});
+    }
+    return all;
+}
+
+}  // namespace signorini::answers

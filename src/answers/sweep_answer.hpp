@@ -1,0 +1,133 @@
+#pragma once
+/// \file
+/// What a bar settled on at the values of a sweep.
+
+#include "parts.hpp"
+#include "signorini/sweep.hpp"
+#include "simulation_answer.hpp"
+
+namespace signorini::answers {
+
+/// One value, and its units.
+struct SweepPointOf {
+    SweepPoint value;
+    Swept over = Swept::frequency;
+    Excited place = Excited::tip;
+    Bar bar;
+
+    /// What was varied, in its unit.
+    [[nodiscard]] double given() const;
+    /// Largest |stress| [Pa], where Young's modulus is known.
+    [[nodiscard]] std::optional<double> stress() const;
+};
+
+/// What one unit of a sweep's numbers is: ω₁, N or m, m, -.
+[[nodiscard]] double unitOf(Swept over, Excited place, const Bar& bar);
+
+/// The outcome of one call.
+struct SweepAnswer {
+    SweepRange range;
+    Scene scene;
+    Bar bar;  ///< what units mean: of the first material
+    std::vector<SweepPoint> points;
+    bool isComplete = true;
+    std::optional<double> yieldStress = {};  ///< [Pa], the stress is compared with it
+
+    [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
+    [[nodiscard]] std::vector<SweepPointOf> listed() const;
+};
+
+template <typename D>
+void describe(D& d, Type<SweepPointOf>)
+{
+    using T = SweepPointOf;
+    const auto newtonSeconds = [](const T& p, double impulse) {
+        return impulse * impulseUnit(p.bar);
+    };
+    const auto metres = [](const T& p, double u) { return u * scales(p.bar).displacement; };
+    d.record("SweepPoint", "What the bar does at one value of a sweep.");
+    d.key("value", "omega_1, N, m or -", "Of what is varied.", &T::given);
+    d.key("direction", "-", R"("up" or "down".)", [](const T& p) { return p.value.direction; });
+    d.key("frequency", "Hz > 0", "Of the excitation.",
+          [](const T& p) { return p.value.frequencyRatio / 4.0 / scales(p.bar).time; });
+    d.key("periods", "- >= 1", "Of the excitation, after which all is as before.", [](const T& p) {
+        const auto& settled = p.value.settling.settled;
+        return settled ? std::optional(settled->periods) : std::nullopt;
+    });
+    d.key("residual", "- >= 0",
+          "Bound of the distance to a motion that repeats itself, in its own size.",
+          [](const T& p) {
+              const auto& settled = p.value.settling.settled;
+              return settled ? std::optional(settled->residual) : std::nullopt;
+          });
+    d.key("why", "-", "Where it has not settled, what it does instead.", [](const T& p) {
+        return p.value.settling.settled ? std::nullopt : std::optional(p.value.settling.why);
+    });
+    d.key("watched", "- >= 1", "Periods of the excitation that were simulated.",
+          [](const T& p) { return p.value.watched; });
+    d.key("contacts", "- >= 0", "In a period of the excitation, on average.",
+          [](const T& p) { return p.value.meanContacts; });
+    d.key("contacts_range", "- >= 0", "Fewest and most in a period of the excitation.",
+          [](const T& p) { return std::tuple(p.value.contacts[0], p.value.contacts[1]); });
+    d.key("impulse", "N s >= 0", "In a period of the excitation, on average.",
+          [=](const T& p) { return newtonSeconds(p, p.value.meanImpulse); });
+    d.key("impulse_range", "N s >= 0", "Least and most in a period of the excitation.",
+          [=](const T& p) {
+              return std::tuple(newtonSeconds(p, p.value.impulse[0]),
+                                newtonSeconds(p, p.value.impulse[1]));
+          });
+    d.key("impulses", "N s >= 0", "Of single contacts, in their order.", [=](const T& p) {
+        std::vector<double> all = p.value.impulses;
+        for (double& one : all) {
+            one = newtonSeconds(p, one);
+        }
+        return all;
+    });
+    d.key("mean_force", "N >= 0", "Largest mean of the wall's push over the resolution.",
+          [](const T& p) { return p.value.meanForce * forceUnit(p.bar); });
+    d.key("tip_lowest", "m", "min u(L, t).", [=](const T& p) { return metres(p, p.value.tip[0]); });
+    d.key("tip_highest", "m", "max u(L, t).",
+          [=](const T& p) { return metres(p, p.value.tip[1]); });
+    d.key("peak_strain", "- >= 0", "max |s| over all x and t, of a uniform bar.", [](const T& p) {
+        return p.value.strain ? std::optional(*p.value.strain * scales(p.bar).strain)
+                              : std::nullopt;
+    });
+    d.key("peak_stress", "Pa >= 0", "Largest |stress|, where Young's modulus is known.",
+          &T::stress);
+}
+
+template <typename D>
+void describe(D& d, Type<SweepAnswer>)
+{
+    using T = SweepAnswer;
+    d.record("Sweep", "What a bar settles on while one number is varied, the state carried over.");
+    d.key("status", "-", R"("done", or "interrupted".)", &T::status);
+    describeScene(d, [](const T& s) -> const Scene& { return s.scene; });
+    d.key("over", "-", R"(What is varied: "frequency", "amplitude", "gap" or "damping".)",
+          [](const T& s) { return s.range.over; });
+    d.key("damping", "-", "A dashpot, unless it is varied.", [](const T& s) {
+        return s.range.over == Swept::damping ? std::nullopt
+                                              : std::optional(Of<Damping>{s.range.damping, s.bar});
+    });
+    d.key("force", "-", R"(What is excited: "tip" or "base".)",
+          [](const T& s) { return s.range.place; });
+    d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation, unless it is varied.",
+          [](const T& s) {
+              return s.range.over == Swept::amplitude
+                         ? std::nullopt
+                         : std::optional(s.range.amplitude *
+                                         amplitudeUnit(s.range.place, s.bar, s.range.derivative));
+          });
+    d.key("amplitude_of", "-",
+          R"(Whose: "force", or of the base "displacement", "velocity" or "acceleration".)",
+          [](const T& s) { return amplitudeOf(s.range.place, s.range.derivative); });
+    d.key("cells", "- >= 1", "Steps of the excitation in L/c, nearly.",
+          [](const T& s) { return static_cast<std::int64_t>(s.range.cells); });
+    d.key("carried", "-", "Is the state carried over, or is each value a start at rest?",
+          [](const T& s) { return s.range.isCarried; });
+    d.key("yield_stress", "Pa > 0", "The stress is compared with it.", &T::yieldStress);
+    d.key("points", "-", "[SweepPoint, ...], each direction in the order in which it went.",
+          &T::listed);
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,90 @@
+#include "find_outputs.hpp"
+
+#include "find_command.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+OutputOption ofProof(const FindCommand& words)
+{
+    return {"--certificate", words.certificateFile};
+}
+
+std::vector<OutputOption> ofMotion(const FindCommand& words)
+{
+    return {{"--state", words.stateFile},
+            words.motionFile.option(),
+            {"--figure", words.figureFile},
+            {"--animate", words.animationFile}};
+}
+
+}  // namespace
+
+FindOutputs::FindOutputs(const FindCommand& words)
+    : words_(words),
+      motion_(ofMotion(words), {words.motionFile.folderOption(), ofProof(words)}),
+      proof_({ofProof(words)}, ofMotion(words))
+{
+}
+
+void FindOutputs::say(std::string_view what) const
+{
+    if (!words_.common.quiet) {
+        tell(fmt::format("signorini find: {}\n", what));
+    }
+}
+
+void FindOutputs::lackMotion() const
+{
+    if (motion_.areWanted()) {
+        say("no motion to write, so no file was written");
+    }
+}
+
+void FindOutputs::lackProof() const
+{
+    if (proof_.areWanted()) {
+        say("no proof to write, so --certificate was not written");
+    }
+}
+
+void FindOutputs::writeProof(const std::function<void(TextFile&)>& write)
+{
+    proof_.put("--certificate", [&](const std::string& path) {
+        TextFile file(path);
+        write(file);
+        file.close();
+    });
+    proof_.commit();
+}
+
+void FindOutputs::writeMotion(const WrittenMotion& motion)
+{
+    motion_.put("--state",
+                [&](const std::string& path) { writeStateCsv(path, motion.state, motion.bar); });
+    motion_.put("--figure", [&](const std::string& path) {
+        motion.draw(figureFormat(words_.figureFile), path);
+    });
+    if (words_.motionFile.isWanted() || !words_.animationFile.empty()) {
+        writeField(motion);
+    }
+    motion_.commit();
+}
+
+void FindOutputs::writeField(const WrittenMotion& motion)
+{
+    const Motion field = motion.field();
+    motion_.put("--animate", [&](const std::string& path) {
+        animateMotion(MotionSamples(field, motion.scene), animationFormat(words_.animationFile),
+                      path);
+    });
+    if (words_.motionFile.isWanted() && field.steps() < motion.steps) {
+        say(fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",
+                        field.steps(), motion.steps));
+    }
+    words_.motionFile.write(
+        motion_, [&](std::int64_t most) { return MotionSamples(field, motion.scene, most); });
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,51 @@
+#pragma once
+/// \file
+/// The files that a call of find names: of a motion, or of the proof that there is none.
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "files.hpp"
+#include "signorini/figures.hpp"
+#include "signorini/motion.hpp"
+#include "signorini/output.hpp"
+
+namespace signorini::cli {
+
+struct FindCommand;
+
+/// A motion, free or forced, as files hold it.
+struct WrittenMotion {
+    const State& state;
+    const Scene& scene;
+    const Bar& bar;      ///< whose scales the state has
+    std::int64_t steps;  ///< of its schedule
+    std::function<Motion()> field;
+    std::function<void(FigureFormat, const std::string&)> draw;
+};
+
+/// Says on stderr which files there is nothing for.
+class FindOutputs {
+public:
+    explicit FindOutputs(const FindCommand& words);
+
+    [[nodiscard]] bool areOfMotion() const { return motion_.areWanted(); }
+    [[nodiscard]] bool wantsProof() const { return proof_.areWanted(); }
+
+    void writeMotion(const WrittenMotion& motion);
+    void lackMotion() const;
+    void writeProof(const std::function<void(TextFile&)>& write);
+    void lackProof() const;
+
+private:
+    void say(std::string_view what) const;
+    void writeField(const WrittenMotion& motion);
+
+    const FindCommand& words_;
+    Outputs motion_;
+    Outputs proof_;
+};
+
+}  // namespace signorini::cli

@@ -1,0 +1,227 @@
+#include "sweep_report.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "json.hpp"
+#include "signorini/output.hpp"
+#include "text.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+using answers::SweepPointOf;
+
+const char* unitName(const SweepAnswer& answer)
+{
+    switch (answer.range.over) {
+        case Swept::frequency:
+            return "ω₁";
+        case Swept::amplitude:
+            return amplitudeUnitName(answer.range.place);
+        case Swept::gap:
+            return "m";
+        case Swept::damping:
+            return "[-]";
+    }
+    return "";
+}
+
+/// "1.02 ω₁ (431.2 Hz)", "3 N", "ζ = 0.02".
+std::string valueText(const SweepAnswer& answer, double value)
+{
+    const double given = value * answers::unitOf(answer.range.over, answer.range.place, answer.bar);
+    return fmt::format("{:.5g} {}", given, unitName(answer)) +
+           (answer.range.over == Swept::frequency
+                ? fmt::format(" ({:.6g} Hz)", value / 4.0 / scales(answer.bar).time)
+                : "");
+}
+
+/// "0.98 ω₁ (490 Hz) … 1.1 ω₁ (550 Hz)" of neighbours, ascending, and how many further bands.
+std::string bandsText(const SweepAnswer& answer, const std::vector<bool>& holds)
+{
+    constexpr int most = 4;
+    const std::vector<double> values = valuesOf(answer.range);
+    std::string text;
+    int bands = 0;
+    for (std::size_t k = 0; k < holds.size(); ++k) {
+        if (!holds[k] || (k > 0 && holds[k - 1])) {
+            continue;
+        }
+        std::size_t last = k;
+        while (last + 1 < holds.size() && holds[last + 1]) {
+            ++last;
+        }
+        if (++bands <= most) {
+            text += (text.empty() ? "" : ", ") + valueText(answer, values[k]) +
+                    (last > k ? " … " + valueText(answer, values[last]) : "");
+        }
+    }
+    return bands > most ? text + fmt::format(" and {} more", bands - most) : text;
+}
+
+/// At which values a point of a direction is like that.
+std::vector<bool> where(const SweepAnswer& answer, SweepDirection direction,
+                        const std::function<bool(const SweepPoint&)>& isIt)
+{
+    const std::vector<double> values = valuesOf(answer.range);
+    std::vector<bool> holds(values.size());
+    for (const SweepPoint& point : answer.points) {
+        if (point.direction == direction && isIt(point)) {
+            const auto at = std::lower_bound(values.begin(), values.end(), point.value);
+            holds[static_cast<std::size_t>(at - values.begin())] = true;
+        }
+    }
+    return holds;
+}
+
+/// What a point is counted as: periods and contacts in them; 0 periods where it does not repeat.
+std::pair<std::int64_t, std::int64_t> kindOf(const SweepPoint& point)
+{
+    return point.settling.settled
+               ? std::pair(point.settling.settled->periods, point.settling.settled->contacts)
+               : std::pair(std::int64_t{0}, std::int64_t{0});
+}
+
+void addKinds(const SweepAnswer& answer, SweepDirection direction, Text& text)
+{
+    constexpr std::size_t most = 12;
+    std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> kinds;
+    for (const SweepPoint& point : answer.points) {
+        kinds[kindOf(point)] += point.direction == direction ? 1 : 0;
+    }
+    std::erase_if(kinds, [](const auto& kind) { return kind.second == 0; });
+    if (!kinds.empty()) {
+        print(text, "{}\n", direction == SweepDirection::up ? "upward" : "downward");
+    }
+    std::size_t listed = 0;
+    for (const auto& [kind, count] : kinds) {
+        if (++listed > most) {
+            print(text, "  and {} kinds more; see --csv\n", kinds.size() - most);
+            break;
+        }
+        const auto [periods, contacts] = kind;
+        const std::string what =
+            periods == 0 ? "not seen to repeat itself"
+            : contacts == 0
+                ? "no contact"
+                : fmt::format("{} contact{} in {}", contacts, contacts == 1 ? "" : "s",
+                              periods == 1 ? "a period" : fmt::format("{} periods", periods));
+        print(text, "  {:<26}{:>6}  {}\n", what, count,
+              bandsText(answer, where(answer, direction, [kind = kind](const SweepPoint& point) {
+                            return kindOf(point) == kind;
+                        })));
+    }
+}
+
+/// Values at which the bar does one thing on the way up and another on the way down.
+void addHysteresis(const SweepAnswer& answer, Text& text)
+{
+    constexpr double part = 0.01;
+    std::map<double, std::vector<const SweepPoint*>> both;
+    double largest = 0.0;
+    for (const SweepPoint& point : answer.points) {
+        both[point.value].push_back(&point);
+        largest = std::max(largest, point.meanImpulse);
+    }
+    std::vector<bool> differs;
+    differs.reserve(both.size());
+    for (const auto& [value, points] : both) {
+        differs.push_back(points.size() == 2 && std::abs(points[0]->meanImpulse -
+                                                         points[1]->meanImpulse) > part * largest);
+    }
+    if (std::find(differs.begin(), differs.end(), true) != differs.end()) {
+        print(text, "hysteresis  {}: impulses up and down differ\n", bandsText(answer, differs));
+    }
+}
+
+void addWorst(const SweepAnswer& answer, Text& text)
+{
+    const auto worst = [&answer](const std::function<double(const SweepPoint&)>& size) {
+        return *std::max_element(answer.points.begin(), answer.points.end(),
+                                 [&](const SweepPoint& one, const SweepPoint& other) {
+                                     return size(one) < size(other);
+                                 });
+    };
+    const auto line = [&](const char* label, const SweepPoint& point, double value,
+                          const char* unit, const std::string& remark = {}) {
+        print(text, "{:<12}at most {:.6g} {} at {}, {}{}\n", label, value, unit,
+              valueText(answer, point.value), name(point.direction), remark);
+    };
+    const SweepPoint force = worst([](const SweepPoint& p) { return p.meanForce; });
+    line("force", force, force.meanForce * answers::forceUnit(answer.bar),
+         "N, averaged over the resolution,");
+    const SweepPoint impulse = worst([](const SweepPoint& p) { return p.impulse[1]; });
+    line("impulse", impulse, impulse.impulse[1] * answers::impulseUnit(answer.bar),
+         "N s per period");
+    const SweepPoint strain = worst([](const SweepPoint& p) { return p.strain.value_or(0.0); });
+    if (!strain.strain) {
+        return;
+    }
+    const double most = *strain.strain * scales(answer.bar).strain;
+    if (!answer.bar.young) {
+        line("strain", strain, most, "[-]");
+        return;
+    }
+    const double stress = most * *answer.bar.young;
+    std::string remark;
+    if (const auto limit = answer.yieldStress) {
+        remark =
+            fmt::format(": {:.3g} % of the yield stress, {} at these values",
+                        100.0 * stress / *limit, stress > *limit ? "the bar yields" : "no yield");
+    }
+    line("stress", strain, stress, "Pa", remark);
+}
+
+}  // namespace
+
+std::string asText(const SweepAnswer& answer)
+{
+    Text text;
+    print(text, "{:<12}{} of the {}, {} … {}, {}\n", answer.isComplete ? "sweep" : "interrupted",
+          name(answer.range.over), answer.range.place == Excited::tip ? "force on the tip" : "base",
+          valueText(answer, answer.range.least), valueText(answer, answer.range.most),
+          answer.range.isCarried ? "the state carried over" : "from rest at each value");
+    addKinds(answer, SweepDirection::up, text);
+    addKinds(answer, SweepDirection::down, text);
+    addHysteresis(answer, text);
+    if (!answer.points.empty()) {
+        addWorst(answer, text);
+    }
+    return fmt::to_string(text);
+}
+
+std::string asJson(const SweepAnswer& answer)
+{
+    return asLine(wholeJsonOf(answer));
+}
+
+void writeSweepCsv(const std::string& path, const SweepAnswer& answer)
+{
+    const auto maybe = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
+    TextFile file(path);
+    file.write(
+        "value,frequency,direction,periods,residual,watched,contacts,contacts_least,"
+        "contacts_most,impulse,impulse_least,impulse_most,mean_force,tip_lowest,tip_highest,"
+        "peak_strain,peak_stress\n");
+    for (const SweepPointOf& at : answer.listed()) {
+        const SweepPoint& p = at.value;
+        const Scales unit = scales(at.bar);
+        const double impulse = answers::impulseUnit(at.bar);
+        const std::optional<Settled>& settled = p.settling.settled;
+        file.write(fmt::format(
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", at.given(),
+            p.frequencyRatio / 4.0 / unit.time, name(p.direction),
+            settled ? fmt::format("{}", settled->periods) : "",
+            settled ? fmt::format("{}", settled->residual) : "", p.watched, p.meanContacts,
+            p.contacts[0], p.contacts[1], p.meanImpulse * impulse, p.impulse[0] * impulse,
+            p.impulse[1] * impulse, p.meanForce * answers::forceUnit(at.bar),
+            p.tip[0] * unit.displacement, p.tip[1] * unit.displacement,
+            p.strain ? fmt::format("{}", *p.strain * unit.strain) : "", maybe(at.stress())));
+    }
+    file.close();
+}
+
+}  // namespace signorini::cli

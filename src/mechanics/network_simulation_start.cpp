@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+
+#include "faults.hpp"
+#include "infinity.hpp"
+#include "network_simulation.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double sameSize = 1e-12;
+
+}  // namespace
+
+NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart& start,
+                                     const NetworkDrive& drive, const NetworkOptions& options)
+    : network_(network),
+      drive_(drive),
+      options_(options),
+      channels_(network.channels()),
+      nodes_(network.nodes.size()),
+      touches_(network.contacts.size()),
+      arriving_(network.channels(), 0.0),
+      due_(network.channels() + network.contacts.size() + 1, infinity),
+      paths_(network.nodes.size())
+{
+    validate(network);
+    Faults faults;
+    const auto areFinite = [](const std::vector<double>& values) {
+        return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
+    };
+    if (start.waves.size() != network.waves() || !areFinite(start.waves)) {
+        faults.add("waves of the start", start.waves.size(),
+                   fmt::format("{}, all finite", network.waves()));
+    }
+    if (start.displacements.size() != nodes_.size() || !areFinite(start.displacements)) {
+        faults.add("displacements of the start", start.displacements.size(),
+                   fmt::format("{}, all finite", nodes_.size()));
+    }
+    if (!areFinite(drive.forces) || !areFinite(drive.velocities) ||
+        !(drive.step > 0.0 && std::isfinite(drive.step))) {
+        faults.add("excitation", drive.step, "finite values and a step > 0 [h]");
+    }
+    faults.throwIfAny();
+    setScale(start);
+    place(start);
+    startEnergy_ = energy();
+    startMomentum_ = momentum();
+}
+
+void NetworkSimulation::setScale(const NetworkStart& start)
+{
+    double speed = 0.0;
+    for (const double wave : start.waves) {
+        speed = std::max(speed, std::abs(wave));
+    }
+    double least = infinity;
+    double most = 0.0;
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+        least = std::min(least, network_.impedanceOf(k));
+        most = std::max(most, network_.impedanceOf(k));
+    }
+    for (const NetworkNode& node : network_.nodes) {
+        speed = std::max(speed, std::abs(node.force) / least);
+    }
+    for (const double force : drive_.forces) {
+        speed = std::max(speed, std::abs(force) / least);
+    }
+    for (const double velocity : drive_.velocities) {
+        speed = std::max(speed, std::abs(velocity));
+    }
+    same_ = sameSize * static_cast<double>(network_.cells());
+    slow_ = sameSize * speed;
+    small_ = slow_ * most;
+}
+
+void NetworkSimulation::place(const NetworkStart& start)
+{
+    const std::size_t rows = network_.rows.size();
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+        Channel& channel = channels_[k];
+        channel.impedance = network_.impedanceOf(k);
+        channel.node = network_.nodeOf(k);
+        channel.sign = network_.sign(k);
+        nodes_[channel.node].channels.push_back(k);
+        if (k >= 2 * rows) {
+            channel.now = start.waves[network_.firstWave(rows) + k - 2 * rows];
+        } else {
+            const auto size = static_cast<std::size_t>(network_.rows[k / 2].cells);
+            const std::size_t first = network_.firstWave(k / 2) + (k % 2) * size;
+            const auto value = [&](std::size_t order) {
+                return start.waves[first + (k % 2 == 0 ? size - 1 - order : order)];
+            };
+            channel.delay = static_cast<double>(size);
+            channel.now = value(0);
+            for (std::size_t order = 1; order < size; ++order) {
+                if (value(order) != channel.last()) {
+                    channel.push({static_cast<double>(order), value(order)});
+                }
+            }
+        }
+        arriving_[k] = channel.now;
+        due_[k] = channel.due();
+    }
+    for (std::size_t node = 0; node < nodes_.size(); ++node) {
+        const NetworkNode& given = network_.nodes[node];
+        nodes_[node].displacement = start.displacements[node];
+        nodes_[node].isActed =
+            given.isClamped || given.isDriven || given.dashpot != 0.0 || given.force != 0.0 ||
+            std::any_of(nodes_[node].channels.begin(), nodes_[node].channels.end(),
+                        [this](std::size_t k) { return channels_[k].sign < 0.0; });
+    }
+    for (std::size_t j = 0; j < touches_.size(); ++j) {
+        const NetworkContact& contact = network_.contacts[j];
+        nodes_[contact.node].contacts.push_back(j);
+        nodes_[contact.node].path = options_.recordsPaths ? 1 : 0;
+        if (contact.kind == ContactKind::gap) {
+            nodes_[contact.node + 1].contacts.push_back(j);
+            nodes_[contact.node + 1].path = options_.recordsPaths ? 1 : 0;
+        }
+    }
+    for (std::size_t j = 0; j < touches_.size(); ++j) {
+        close_.push_back(slow_ + sameSize * std::abs(network_.contacts[j].gap));
+        if (const double size =
+                close_[j] + sameSize * std::abs(displacement(network_.contacts[j].node));
+            distance(j) < -1000.0 * size) {
+            Faults faults;
+            faults.add(fmt::format("distance of contact {} at the start", j + 1),
+                       distance(j) * network_.scales.displacement, ">= 0 [m]",
+                       "bars do not overlap: start at rest, or from a state");
+            faults.throwIfAny();
+        }
+    }
+    if (!drive_.forces.empty() || !drive_.velocities.empty()) {
+        takeClock();
+    }
+    law_ = &lawOf(0);
+    Range all{0, nodes_.size() - 1};
+    settle(all);
+}
+
+}  // namespace signorini

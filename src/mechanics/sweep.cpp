@@ -1,0 +1,321 @@
+#include "signorini/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <numeric>
+
+#include "excited_amplitude.hpp"
+#include "excited_names.hpp"
+#include "faults.hpp"
+#include "infinity.hpp"
+#include "stepped_bar.hpp"
+#include "sweep_point.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr std::int64_t firstLook = 50;  // [periods]
+
+/// The range at one value, and the unit of its lengths in gaps of the range.
+struct At {
+    SweepRange range;
+    double gap = 1.0;
+};
+
+At at(SweepRange range, double value)
+{
+    switch (range.over) {
+        case Swept::frequency:
+            range.frequencyRatio = value;
+            break;
+        case Swept::amplitude:
+            range.amplitude = value;
+            range.derivative = 0;
+            break;
+        case Swept::damping:
+            range.damping.ratio = value;
+            break;
+        case Swept::gap:
+            range.amplitude /= value;
+            if (range.stops.left) {
+                range.stops.left = simplestFraction(range.stops.left->value() / value);
+            }
+            break;
+    }
+    range.amplitude = displacementOf(range.amplitude, range.derivative, range.frequencyRatio);
+    range.derivative = 0;
+    const double gap = range.over == Swept::gap ? value : 1.0;
+    return {std::move(range), gap};
+}
+
+/// The excitation, sin(0) at the start: a base stands at 0. Its steps divide both its period and
+/// L/c, so that echoes of one step meet the next ones, and pieces do not multiply: the fewest with
+/// which the frequency is that asked for within 1e-5, or the nearest.
+Excitation drivingOf(const SweepRange& range)
+{
+    constexpr double near = 1e-5;
+    constexpr double most = 4.0;  // times as many steps
+    const double stride = isUniform(range.segments) ? 1.0 : range.cells;
+    double best = infinity;
+    double cells = range.cells;
+    for (double tried = cells; tried <= most * range.cells && best > near; tried += stride) {
+        const double steps = std::round(4.0 * tried / range.frequencyRatio);
+        const double off = std::abs(4.0 * tried / (steps * range.frequencyRatio) - 1.0);
+        if (off < best) {
+            best = off;
+            cells = tried;
+        }
+    }
+    const double steps = std::max(std::round(4.0 * cells / range.frequencyRatio), 1.0);
+    return excitationAt({.place = range.place,
+                         .amplitude = range.amplitude,
+                         .phase = std::numbers::pi / 2.0,
+                         .stepsPerCrossing = cells},
+                        best < infinity ? 4.0 * cells / steps : range.frequencyRatio);
+}
+
+Waves atRest(const SweepRange& range)
+{
+    return isUniform(range.segments) ? wavesAtRest(range.cells, range.stops)
+                                     : wavesAtRest(range.segments, range.stops);
+}
+
+double placeOfTip(const Waves& waves)
+{
+    return stretching(waves, 1)[1];
+}
+
+/// With a smaller gap a second stop may be nearer than the tip is: the waves shrink until it is
+/// not.
+void keepClear(Waves& waves, const Stops& stops)
+{
+    const double limit = stops.left ? -stops.left->value() : 0.0;
+    if (const double tip = placeOfTip(waves); stops.left && tip < limit) {
+        for (auto* wave : {&waves.a, &waves.b}) {
+            for (Piece& piece : *wave) {
+                piece.value *= limit / tip;
+            }
+        }
+    }
+}
+
+template <typename Number>
+std::array<Number, 2> leastAndMost(const std::vector<Number>& all)
+{
+    const auto [least, most] = std::minmax_element(all.begin(), all.end());
+    return {*least, *most};
+}
+
+template <typename Number>
+Number sumOf(const std::vector<Number>& all)
+{
+    return std::accumulate(all.begin(), all.end(), Number());
+}
+
+/// Goes on for a period. \return the largest strain in it; 0 for a bar that is not uniform.
+double advanced(BarSimulation& simulation, double period, double crossing)
+{
+    std::vector<Waves> states;
+    if (simulation.segments().empty()) {
+        states.push_back(simulation.waves());
+        for (; period > crossing; period -= crossing) {
+            simulation.advance(crossing);
+            states.push_back(simulation.waves());
+        }
+    }
+    simulation.advance(period);
+    return largestStrain(states);
+}
+
+/// Follows the bar for the periods that are reported, and one before them: contacts that are under
+/// way at the start are not theirs.
+void measure(const BarSimulation& simulation, double period, double gap, SweepPoint& point,
+             Waves& waves)
+{
+    const std::int64_t repeats =
+        point.settling.settled ? point.settling.settled->periods : mostPeriods;
+    BarSimulation seen = simulation.fork(true);
+    std::vector<std::int64_t> contacts;
+    std::vector<double> impulses;
+    double begin = 0.0;
+    for (std::int64_t k = 0; k <= repeats; ++k) {
+        const double pushed = seen.impulse();
+        const auto before = static_cast<std::int64_t>(seen.contacts().size());
+        const double strain = advanced(seen, period, waves.crossing);
+        if (seen.segments().empty()) {
+            point.strain = std::max(point.strain.value_or(0.0), gap * strain);
+        }
+        if (k == 0) {
+            begin = seen.time();
+        } else {
+            contacts.push_back(static_cast<std::int64_t>(seen.contacts().size()) - before);
+            impulses.push_back(gap * (seen.impulse() - pushed));
+        }
+    }
+    point.contacts = leastAndMost(contacts);
+    point.impulse = leastAndMost(impulses);
+    const auto count = static_cast<double>(repeats);
+    point.meanContacts = static_cast<double>(sumOf(contacts)) / count;
+    point.meanImpulse = sumOf(impulses) / count;
+    for (const ContactEvent& contact : seen.contacts()) {
+        if (contact.end > begin) {
+            point.impulses.push_back(gap * contact.impulse);
+            point.meanForce = std::max(point.meanForce, gap * contact.meanForce);
+        }
+    }
+    const auto [low, high] = std::minmax_element(
+        seen.tipPath().begin(), seen.tipPath().end(),
+        [](const TipPoint& a, const TipPoint& b) { return a.displacement < b.displacement; });
+    point.tip = {gap * low->displacement, gap * high->displacement};
+    waves = seen.waves();
+}
+
+/// A sweep with the state carried over.
+void follow(const SweepRange& range, const std::vector<double>& values, SweepDirection direction,
+            const Cancel& cancel, const std::function<void()>& done, std::vector<SweepPoint>& seen)
+{
+    Waves waves = atRest(range);
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const double value =
+            direction == SweepDirection::up ? values[k] : values[values.size() - 1 - k];
+        std::optional<SweepPoint> point = settleAt(range, value, direction, waves, cancel);
+        if (!point) {
+            return;
+        }
+        seen.push_back(std::move(*point));
+        done();
+    }
+}
+
+}  // namespace
+
+std::string_view name(Swept swept)
+{
+    return nameIn(sweptNames, swept);
+}
+
+std::string_view name(SweepDirection direction)
+{
+    return nameIn(sweepDirections, direction);
+}
+
+std::vector<double> valuesOf(const SweepRange& range)
+{
+    Faults faults;
+    faults.requirePositive("least", range.least, "-");
+    faults.requirePositive("most", range.most, "-");
+    if (range.most < range.least) {
+        faults.add("most", range.most, fmt::format("at least {}", range.least));
+    }
+    faults.requireWhole("points", range.points, maxSweepPoints);
+    faults.requireWhole("periods", range.periods, maxSweepPeriods);
+    faults.requirePositive("amplitude", range.amplitude, "EA g/L or g");
+    if (range.derivative < 0 || range.derivative > (range.place == Excited::base ? 2 : 0)) {
+        faults.add("derivative", range.derivative, "0, or of a base 1 or 2");
+    }
+    faults.requirePositive("frequencyRatio", range.frequencyRatio, "ω₁");
+    faults.requirePositive("cells", range.cells, "-");
+    if (!(range.resolution >= 0.0 && range.resolution < infinity)) {
+        faults.add("resolution", range.resolution, "finite and >= 0 [L/c]");
+    }
+    if (range.over == Swept::gap && range.stops.right != 1) {
+        faults.add("over", name(range.over), "it only where there is a gap > 0");
+    }
+    faults.throwIfAny();
+    std::vector<double> values;
+    for (std::int64_t k = 0; k < range.points; ++k) {
+        const double part =
+            range.points > 1 ? static_cast<double>(k) / static_cast<double>(range.points - 1) : 0.0;
+        values.push_back(range.least * (1.0 - part) + range.most * part);
+    }
+    (void)drivingOf(at(range, values.front()).range);
+    (void)drivingOf(at(range, values.back()).range);
+    validate(at(range, values.back()).range.damping);
+    return values;
+}
+
+std::optional<SweepPoint> settleAt(const SweepRange& range, double value, SweepDirection direction,
+                                   Waves& waves, const Cancel& cancel)
+{
+    const auto [now, gap] = at(range, value);
+    const Excitation driving = drivingOf(now);
+    if (range.over == Swept::gap) {
+        keepClear(waves, now.stops);
+    }
+    BarSimulation simulation(
+        waves, now.damping, driving,
+        {.mergeBelow = {},
+         .recordsTip = false,
+         .stops = now.stops,
+         .segments = isUniform(now.segments) ? std::vector<Segment>{} : now.segments,
+         .resolution = now.resolution > 0.0 ? now.resolution : 1.0 / driving.stepsPerCrossing});
+    const double period = stretchOf(driving, waves.crossing);
+    SweepPoint point{.value = value, .direction = direction};
+    point.frequencyRatio = 4.0 * driving.stepsPerCrossing / static_cast<double>(driving.steps());
+    for (std::int64_t look = std::min(firstLook, range.periods);;
+         look = std::min(2 * look, range.periods - point.watched)) {
+        Followed followed =
+            signorini::follow(simulation, period, static_cast<double>(look), cancel);
+        if (!followed.isComplete) {
+            return std::nullopt;
+        }
+        point.watched += look;
+        point.settling = std::move(followed.settling);
+        if (point.settling.settled || point.watched == range.periods) {
+            break;
+        }
+    }
+    if (point.settling.settled) {
+        point.settling.settled->impulse *= gap;
+    }
+    measure(simulation, period, gap, point, waves);
+    return point;
+}
+
+std::vector<SweepPoint> sweep(const SweepRange& range,
+                              const std::vector<SweepDirection>& directions, const Cancel& cancel,
+                              const SweepListener& show, const Sharing& share)
+{
+    const std::vector<double> values = valuesOf(range);
+    const std::size_t count = directions.size() * values.size();
+    std::mutex mutex;
+    double done = 0.0;
+    const auto tell = [&] {
+        const std::lock_guard lock(mutex);
+        done += 1.0;
+        if (show) {
+            show(done, static_cast<double>(count));
+        }
+    };
+    std::vector<std::vector<SweepPoint>> seen(range.isCarried ? directions.size() : count);
+    const auto serve = [&](std::size_t k) {
+        if (range.isCarried) {
+            follow(range, values, directions[k], cancel, tell, seen[k]);
+        } else {
+            Waves waves = atRest(range);
+            std::optional<SweepPoint> point = settleAt(
+                range, values[k % values.size()], directions[k / values.size()], waves, cancel);
+            if (point) {
+                seen[k].push_back(std::move(*point));
+                tell();
+            }
+        }
+        return !isRequested(cancel);
+    };
+    if (share) {
+        share(seen.size(), serve);
+    } else {
+        for (std::size_t k = 0; k < seen.size() && serve(k); ++k) {
+        }
+    }
+    std::vector<SweepPoint> all;
+    for (std::vector<SweepPoint>& part : seen) {
+        std::move(part.begin(), part.end(), std::back_inserter(all));
+    }
+    return all;
+}
+
+}  // namespace signorini

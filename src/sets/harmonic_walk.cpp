@@ -1,0 +1,229 @@
+#include "harmonic_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "portable.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Complex = HarmonicCase::Complex;
+
+constexpr double besides = 1e-9;  // L/c from an end of a piece: on this side of it
+
+Complex turned(double angle)
+{
+    return {portable::cos(angle), portable::sin(angle)};
+}
+
+double lengthOf(Complex z)
+{
+    return portable::hypot(z.real(), z.imag());
+}
+
+/// An extreme of a harmonic.
+struct Peak {
+    double angle;
+    double value;
+};
+
+/// Re(z e^{i angle}) for from <= angle <= to: at both ends, and where it turns in between.
+std::vector<Peak> peaksOf(Complex z, double from, double to)
+{
+    const double lead = portable::atan2(z.imag(), z.real());
+    const double size = lengthOf(z);
+    std::vector<Peak> peaks{{from, size * portable::cos(from + lead)},
+                            {to, size * portable::cos(to + lead)}};
+    const double half = std::ceil((from + lead) / std::numbers::pi);
+    for (const double k : {half, half + 1.0}) {
+        if (const double angle = k * std::numbers::pi - lead; angle <= to) {
+            peaks.push_back({angle, std::fmod(k, 2.0) == 0.0 ? size : -size});
+        }
+    }
+    return peaks;
+}
+
+struct Bounds {
+    double least;
+    double most;
+};
+
+Bounds boundsOf(Complex z, double from, double to)
+{
+    const auto peaks = peaksOf(z, from, to);
+    const auto [least, most] = std::minmax_element(
+        peaks.begin(), peaks.end(), [](const Peak& x, const Peak& y) { return x.value < y.value; });
+    return {least->value, most->value};
+}
+
+class PieceWalk {
+public:
+    PieceWalk(const HarmonicCase& given, HarmonicMotion& motion)
+        : given_(given),
+          motion_(motion),
+          seen_(motion.extremes),
+          excitation_(given.amplitude * turned(-motion.phase)),
+          size_(given.amplitude * std::max(given.force(), lengthOf(given.fromBase())))
+    {
+        for (const HarmonicPiece& piece : motion.pieces) {
+            size_ = std::max(size_, lengthOf(piece.wave));
+        }
+    }
+
+    void run()
+    {
+        const auto wall = static_cast<double>(given_.stops.right);
+        seen_.period = given_.period();
+        seen_.lowestTip = wall;
+        double defect = std::abs(startOfContact() - wall);
+        double begin = 0.0;
+        for (const HarmonicPiece& piece : motion_.pieces) {
+            const double middle = 0.5 * (begin + piece.end);
+            const bool isContact = middle < seen_.contactTime;
+            defect = std::max({defect, defectOfLaw(piece, middle, isContact),
+                               isContact ? press(piece, begin) : fly(piece, begin)});
+            begin = piece.end;
+        }
+        defect = std::max(defect, std::abs(way_));
+        motion_.residual = defect / std::max(size_, std::abs(wall));
+        if (motion_.residual <= harmonicTolerance) {
+            strain();
+        }
+    }
+
+private:
+    /// R = Re(push e^{i omega t}).
+    [[nodiscard]] Complex push(const HarmonicPiece& piece) const
+    {
+        return 2.0 * piece.wave + given_.force() * excitation_;
+    }
+
+    /// The integral of Re(z e^{i omega t}).
+    [[nodiscard]] double integral(Complex z, double begin, double end) const
+    {
+        return (z * (turned(given_.omega * end) - turned(given_.omega * begin))).imag() /
+               given_.omega;
+    }
+
+    /// u(L, 0).
+    [[nodiscard]] double startOfContact() const
+    {
+        double place = (given_.place() * excitation_).real();
+        for (double past = 0.0; past < 2.0; past += given_.period()) {
+            double begin = 0.0;
+            for (const HarmonicPiece& piece : motion_.pieces) {
+                const double end = std::min(piece.end, 2.0 - past);
+                if (begin >= end) {
+                    break;
+                }
+                place -= integral(piece.wave, begin, end);
+                begin = piece.end;
+            }
+        }
+        return place;
+    }
+
+    double press(const HarmonicPiece& piece, double begin)
+    {
+        const Bounds force = boundsOf(push(piece), given_.omega * begin, given_.omega * piece.end);
+        seen_.peakForce = std::max(seen_.peakForce, force.most);
+        seen_.impulse += integral(push(piece), begin, piece.end);
+        return -force.least;
+    }
+
+    double fly(const HarmonicPiece& piece, double begin)
+    {
+        const Complex speed = given_.admittance() * push(piece);
+        const Complex place = speed * Complex(0.0, -1.0 / given_.omega);
+        const double from = given_.omega * begin;
+        const double to = given_.omega * piece.end;
+        const double start = way_ - (place * turned(from)).real();
+        const Bounds way = boundsOf(place, from, to);
+        seen_.lowestTip =
+            std::min(seen_.lowestTip, static_cast<double>(given_.stops.right) + start + way.least);
+        seen_.approachSpeed = (speed * turned(to)).real();
+        way_ += integral(speed, begin, piece.end);
+        const auto& left = given_.stops.left;
+        return std::max(start + way.most, left ? -left->value() - seen_.lowestTip : 0.0);
+    }
+
+    /// What arrives 2L/c later is what the tip makes of this.
+    [[nodiscard]] double defectOfLaw(const HarmonicPiece& piece, double time, bool isContact) const
+    {
+        const double later = std::fmod(time + 2.0, given_.period());
+        const auto next =
+            std::upper_bound(motion_.pieces.begin(), motion_.pieces.end() - 1, later,
+                             [](double t, const HarmonicPiece& other) { return t < other.end; });
+        const Complex law = excitation_ * given_.after(piece.wave / excitation_, isContact);
+        return lengthOf(next->wave * given_.inCells(given_.back) - law);
+    }
+
+    void strain()
+    {
+        const Complex base =
+            excitation_ * given_.fromBase() * std::conj(given_.inCells(given_.back));
+        std::vector<Peak> arriving;
+        std::vector<Peak> left;  // B; angles are times here
+        double begin = 0.0;
+        for (const HarmonicPiece& piece : motion_.pieces) {
+            const bool isContact = 0.5 * (begin + piece.end) < seen_.contactTime;
+            const Complex leaving = given_.fromBase() * excitation_ -
+                                    excitation_ * given_.after(piece.wave / excitation_, isContact);
+            addPeaks(arriving, piece.wave, begin, piece.end);
+            addPeaks(left, base - piece.wave, begin, piece.end);
+            for (const Complex end : {base - 2.0 * piece.wave, leaving - piece.wave}) {
+                const Bounds seen = boundsOf(end, given_.omega * begin, given_.omega * piece.end);
+                stretch(seen.least);
+                stretch(seen.most);
+            }
+            begin = piece.end;
+        }
+        for (const Peak& r : arriving) {
+            for (const Peak& b : left) {
+                const double apart = b.angle - r.angle;
+                if (apart - given_.period() * std::floor(apart / given_.period()) <= 2.0) {
+                    stretch(b.value - r.value);
+                }
+            }
+        }
+    }
+
+    void addPeaks(std::vector<Peak>& peaks, Complex z, double begin, double end) const
+    {
+        for (Peak peak : peaksOf(z, given_.omega * begin, given_.omega * end)) {
+            peak.angle = std::clamp(peak.angle / given_.omega, begin + besides, end - besides);
+            peaks.push_back(peak);
+        }
+    }
+
+    void stretch(double s)
+    {
+        seen_.peakCompression = std::max(seen_.peakCompression, -s);
+        seen_.peakTension = std::max(seen_.peakTension, s);
+    }
+
+    const HarmonicCase& given_;
+    HarmonicMotion& motion_;
+    Extremes& seen_;
+    Complex excitation_;  ///< A
+    double size_;         ///< of the waves
+    double way_ = 0.0;    ///< u(L) - g
+};
+
+}  // namespace
+
+std::complex<double> turnOf(std::int64_t part, std::int64_t whole)
+{
+    return turned(2.0 * std::numbers::pi * static_cast<double>(part % whole) /
+                  static_cast<double>(whole));
+}
+
+void measure(const HarmonicCase& given, HarmonicMotion& motion)
+{
+    PieceWalk(given, motion).run();
+}
+
+}  // namespace signorini
