@@ -10,7 +10,7 @@ from ._blame import named
 from ._core import (Bar, Damping, ForcedFrequency, ForcedMotion, Scene, Simulation,
                     State, Sweep, Waves)
 from ._progress import Progress, listener
-from ._tables import Table, flat, frame_of
+from ._tables import Table, flat, frame_of, keys_of
 from ._words import Segments, cells_of, scene_of, state_of
 
 
@@ -107,10 +107,8 @@ def response(*, damping: float, force: str, amplitude: float,
     data = _core.response(damping, force, amplitude, start, to, cycles,
                           cells_of(cells, whole) or 300, stability, threads,
                           whole, listener(progress))
-    head = {key: getattr(data, key) for key in (
-        "status", "cells", "bar", "stops", "segments", "static_force",
-        "damping", "force", "amplitude", "cycles", "contacts", "band",
-        "frequency_ratio_range", "complete")}
+    head = {name: value for name, value, _ in keys_of(data)
+            if name != "frequencies"}
     return Response("frequencies", data.frequencies, **head)
 
 
