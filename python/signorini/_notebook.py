@@ -75,10 +75,9 @@ def _short(value: Any, longest: int) -> str:
 
 def _unit(unit: str, said: dict[str, Any]) -> str:
     """The unit as people write it, where it depends on what was asked."""
-    of = said.get("amplitude_of") or {
-        "tip": "force", "base": "displacement"}.get(said.get("force", ""))
-    amplitude = {"force": "N", "displacement": "m", "velocity": "m/s",
-                 "acceleration": "m/s^2"}.get(of, "N or m")
+    of = said.get("amplitude_of", said.get("force", ""))
+    amplitude = {"tip": "N", "force": "N", "base": "m", "displacement": "m",
+                 "velocity": "m/s", "acceleration": "m/s^2"}.get(of, "N or m")
     if unit in ("N or m", "N, m, m/s or m/s^2"):
         unit = amplitude
     elif unit.startswith("omega_1, N"):
