@@ -209,8 +209,16 @@ void addFooter(CLI::App& command, const char* text)
     command.footer(text);
 }
 
-void CommonOptions::addTo(CLI::App& command)
+void CommonOptions::addTo(CLI::App& command, bool hasScene)
 {
+    if (hasScene) {
+        addWord(command, "--scene", "TEXT|FILE.json",
+                "bars in a row, from left to right: clamp, free, N[:Z[:C]], gap=G, stop=G, dash=D, "
+                "spring=K, mass=M, force=F, driven, shaken",
+                [this](const std::string& text) { sceneText = text.empty() ? " " : text; });
+    }
+    addWord(command, "--gravity", "M/S2", "gravity, to the right along all bars of a scene (0)",
+            [this](const std::string& text) { gravity = parseReal("--gravity", text, "m/s^2"); });
     addWhole(command, "--cells", 1, maxCells, cells, "N", "N, equal cells of the bar (300)");
     addPositive(command, "--length", "m", bar_.length, "M", "L (1)");
     addPositive(command, "--wave-speed", "m/s", waveSpeed_, "M/S", "c (1)");
@@ -236,6 +244,8 @@ void CommonOptions::addTo(CLI::App& command)
                 }
             });
     command.add_flag("--quiet", quiet, "nothing on stderr but errors");
+    command.add_flag("--verbose", isVerbose,
+                     "in text, also by which route an answer was found and what that left out");
     addWhole(command, "--threads", 1, maxThreads, threads, "K", "most threads to use (1)");
     for (CLI::Option* option : command.get_options()) {
         if (option->get_name().starts_with("--") && option->get_items_expected_max() > 0) {
@@ -251,10 +261,16 @@ void CommonOptions::addTo(CLI::App& command)
 
 std::int64_t CommonOptions::usualCells() const
 {
+    std::int64_t sum = 0;
+    if (hasScene()) {
+        for (const AssemblyPart& part : assembly().parts) {
+            sum += part.cells;
+        }
+        return sum;
+    }
     if (cells || segments_.empty()) {
         return cells.value_or(300);
     }
-    std::int64_t sum = 0;
     for (const Segment& segment : segments_) {
         sum += std::min(segment.cells, maxCells);
     }
@@ -283,14 +299,15 @@ Bar CommonOptions::barOfAnyGap() const
 
 Scene CommonOptions::sceneOfOneBar() const
 {
-    if (!segments_.empty()) {
+    Scene one = scene();
+    if (!one.segments.empty()) {
         throw std::invalid_argument(
             "--segments: allowed with find, simulate, response and atlas only");
     }
-    return scene();
+    return one;
 }
 
-Scene CommonOptions::scene() const
+Scene CommonOptions::shortForms() const
 {
     Scene scene(givenBar(), secondStop_, segments_);
     validate(scene);

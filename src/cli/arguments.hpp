@@ -14,6 +14,7 @@
 
 #include "faults.hpp"
 #include "names.hpp"
+#include "signorini/assembly.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/schedule.hpp"
@@ -131,10 +132,13 @@ struct CommonOptions {
     std::optional<std::int64_t> cells;
     bool wantsJson = false;
     bool quiet = false;
+    bool isVerbose = false;
     std::int64_t threads = 1;
+    std::string sceneText;  ///< of --scene: words, or the name of a file; empty: not given
+    double gravity = 0.0;   ///< [m/s^2], to the right along all bars of a scene
 
-    /// Adds them to a command.
-    void addTo(CLI::App& command);
+    /// Adds them to a command; --scene unless its words have a place of their own.
+    void addTo(CLI::App& command, bool hasScene = true);
 
     /// Those given, or those of all segments, or 300.
     [[nodiscard]] std::int64_t usualCells() const;
@@ -145,8 +149,17 @@ struct CommonOptions {
     [[nodiscard]] Bar bar() const;
     /// The same for commands that know gaps of any sign.
     [[nodiscard]] Bar barOfAnyGap() const;
-    /// \throws std::invalid_argument on a clash, or numbers that do not go together.
+    /// The short forms, or (scene_options.cpp) a --scene that is a bar with stops at its tip.
+    /// \throws std::invalid_argument on a clash, numbers that do not go together, or a --scene that
+    /// is more; FileError.
     [[nodiscard]] Scene scene() const;
+    /// --gap, --second-stop and --segments, whatever --scene says.
+    /// \throws std::invalid_argument as `scene`.
+    [[nodiscard]] Scene shortForms() const;
+    [[nodiscard]] bool hasScene() const { return !sceneText.empty(); }
+    /// What --scene says. \throws std::invalid_argument on words that are no scene, or options that
+    /// clash with them; FileError. \pre hasScene().
+    [[nodiscard]] const Assembly& assembly() const;
     /// The line with which an answer in words begins: the bar that was meant, so that a wrong or
     /// forgotten option is seen. With cells and damping where they are part of the question.
     [[nodiscard]] std::string restated(std::optional<std::int64_t> grid = {},
@@ -158,7 +171,8 @@ struct CommonOptions {
 private:
     [[nodiscard]] Bar givenBar() const;
 
-    Bar bar_;  ///< length and gap
+    mutable std::optional<Assembly> assembly_;  ///< kept: a file may be a pipe
+    Bar bar_;                                   ///< length and gap
     std::optional<double> secondStop_;
     std::vector<Segment> segments_;
     std::optional<double> waveSpeed_;

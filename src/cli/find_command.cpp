@@ -15,6 +15,7 @@
 #include "progress.hpp"
 #include "report.hpp"
 #include "scene_find.hpp"
+#include "scene_options.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
@@ -146,7 +147,6 @@ void FindCommand::addTo(CLI::App& command)
             "strain or displacement); may be a pipe");
     question.addTo(command);
     forced.addTo(command);
-    scene.addTo(command);
     addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X",
                 "hold E/E_1 = X: the motion of least peak compression");
     addPositive(command, "--energy", "J", energy, "J", "hold the energy, in joules");
@@ -188,14 +188,15 @@ void FindCommand::warn(const Physical& physical) const
     }
 }
 
-/// Forced motions are chosen by amplitude alone, within a limit on strain; those of a scene by
-/// their energy, and nothing but their states is written.
-void FindCommand::requireNothingElse(const char* with, const char* allowed) const
+/// Forced motions are chosen by amplitude alone, within a limit on strain; those of a scene that is
+/// no bar by their energy, and nothing but their states is written.
+const char* FindCommand::otherDemand(bool isScene) const
 {
     const FindOptions usual;
-    const bool isScene = scene.isGiven();
-    const std::array<std::pair<const char*, bool>, 13> others{{
+    const std::array<std::pair<const char*, bool>, 15> others{{
         {"--period, --frequency, --hertz", isScene && question.isAsked()},
+        {"--force, --damping, --amplitude", isScene && forced.isAsked()},
+        {"--strain-limit", isScene && std::isfinite(options.strainLimit)},
         {"--energy", energy.has_value()},
         {"--energy-ratio", options.energyRatio.has_value()},
         {"--objective", options.objective != usual.objective},
@@ -209,25 +210,25 @@ void FindCommand::requireNothingElse(const char* with, const char* allowed) cons
         {"--animate", isScene && !animationFile.empty()},
         {"--stability", isScene && wantsStability},
     }};
-    for (const auto& [option, isGiven] : others) {
-        if (isGiven) {
-            throw std::invalid_argument(
-                fmt::format("{} clashes with {}: allowed with {}", option, with, allowed));
-        }
-    }
+    const auto* other =
+        std::find_if(others.begin(), others.end(), [](const auto& one) { return one.second; });
+    return other == others.end() ? nullptr : other->first;
 }
 
 ExitStatus FindCommand::run() const
 {
-    if (scene.isGiven()) {
-        requireNothingElse("--scene", "it --state and --certificate");
-        if (forced.isAsked() || std::isfinite(options.strainLimit)) {
-            throw std::invalid_argument(
-                "--force, --damping, --amplitude, --strain-limit clash with --scene: forced "
-                "motions "
-                "and limits of scenes are not known");
+    if (common.hasScene()) {
+        const char* other = otherDemand(true);
+        if (other == nullptr) {
+            return findInScene(*this);
         }
-        return findInScene(*this);
+        if (!barOf(common.assembly())) {
+            throw std::invalid_argument(fmt::format(
+                "{} clashes with --scene '{}': allowed of one bar, clamped on the left, "
+                "with stops at its tip; of other scenes only the motion of least "
+                "energy is known, its --state and its --certificate",
+                other, shortened(common.sceneText)));
+        }
     }
     if (!forced.isAsked() && forced.cycles != 1) {
         throw std::invalid_argument("--cycles: allowed only together with --damping and --force");
@@ -254,8 +255,12 @@ ExitStatus FindCommand::run() const
     }
     ExitStatus status = exitUndecided;
     if (forced.isAsked()) {
-        requireNothingElse("--damping, --force and --amplitude",
-                           "them --cycles, --strain-limit, --yield-stress, --stability and files");
+        if (const char* other = otherDemand(false)) {
+            throw std::invalid_argument(
+                fmt::format("{} clashes with --damping, --force and --amplitude: allowed with them "
+                            "--cycles, --strain-limit, --yield-stress, --stability and files",
+                            other));
+        }
         status = question.isAsked()
                      ? answerHarmonic(*this)
                      : answerForced(*this, {common.usualCells(), parsePhases(steps), stopsOf(bar)});
@@ -296,7 +301,7 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
     if (common.wantsJson) {
         writeAnswer(wholeJsonOf(answer, "certificate"), result, writeOut);
     } else {
-        writeOut(common.restated() + asText(answer));
+        writeOut(common.restated() + asText(answer, common.isVerbose));
     }
     if (result.motion) {
         warn(result.motion->physical);
@@ -333,7 +338,8 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
                         measured.size()));
     }
     writeFiles(files, request.options, first.value_or(PeriodicResult{}), {});
-    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer)) : common.restated() + asText(answer));
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
+                              : common.restated() + asText(answer, common.isVerbose));
     for (const Physical& physical : measured) {
         warn(physical);
     }

@@ -9,7 +9,6 @@
 #include "forced_find.hpp"
 #include "motion_file.hpp"
 #include "question.hpp"
-#include "scene_options.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::cli {
@@ -22,7 +21,6 @@ struct FindCommand {
     std::vector<std::string> steps;
     PeriodQuestion question;
     ForcedFind forced;
-    SceneOptions scene;
     FindOptions options;
     std::optional<double> energy;       ///< [J]
     std::optional<double> yieldStress;  ///< [Pa]
@@ -44,7 +42,8 @@ struct FindCommand {
     void warn(const Physical& physical) const;
 
 private:
-    void requireNothingElse(const char* with, const char* allowed) const;
+    /// The first demand given that forced motions, or scenes, do not have; nullptr: none.
+    [[nodiscard]] const char* otherDemand(bool isScene) const;
     void requireStable(const Schedule& schedule) const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
                                             const FindRequest& request) const;

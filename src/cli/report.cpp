@@ -225,6 +225,16 @@ std::string absenceAsText(const Absence& absence)
                        std::visit([](const auto& proof) { return asText(proof); }, absence.proof));
 }
 
+std::string howAsText(const Provenance& how)
+{
+    std::string text =
+        fmt::format("route       {}, {:.3g} s: {}\n", how.route, how.solver.seconds, how.reason);
+    for (std::size_t k = 0; k < how.leftOut.size(); ++k) {
+        text += fmt::format("{:<12}{}\n", k == 0 ? "left out" : "", how.leftOut[k]);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string fractionAsText(const ExactPeriod& fraction)
@@ -248,7 +258,7 @@ std::string asText(const Physical& p)
            (p.peakStress ? fmt::format("; stress {:.6g} Pa\n", *p.peakStress) : "\n");
 }
 
-std::string asText(const answers::FindAnswer& answer)
+std::string asText(const answers::FindAnswer& answer, bool isVerbose)
 {
     const PeriodicResult& result = answer.result;
     const auto& target = answer.target;
@@ -279,10 +289,8 @@ std::string asText(const answers::FindAnswer& answer)
     if (target) {
         text += fmt::format("target      {}\n", target->how);
     }
-    text += fmt::format("route       {}, {:.3g} s: {}\n", result.how.route,
-                        result.how.solver.seconds, result.how.reason);
-    for (std::size_t k = 0; k < result.how.leftOut.size(); ++k) {
-        text += fmt::format("{:<12}{}\n", k == 0 ? "left out" : "", result.how.leftOut[k]);
+    if (isVerbose) {
+        text += howAsText(result.how);
     }
     for (const answers::StabilityReport& report : answer.stability) {
         text += asText(report);
@@ -290,7 +298,7 @@ std::string asText(const answers::FindAnswer& answer)
     return text;
 }
 
-std::string asText(const answers::QuestionAnswer& answer)
+std::string asText(const answers::QuestionAnswer& answer, bool isVerbose)
 {
     const std::int64_t cells = answer.period.cells;
     const ExactPeriod exact = exactPeriod(answer.asked.steps, cells);
@@ -312,7 +320,7 @@ std::string asText(const answers::QuestionAnswer& answer)
     for (const answers::FindAnswer& set : answer.answers) {
         const bool isFound = set.result.status == Status::found;
         count += isFound ? 1 : 0;
-        (isFound ? found : others).append("\n").append(asText(set));
+        (isFound ? found : others).append("\n").append(asText(set, isVerbose));
     }
     text +=
         fmt::format("\nsets        {} with this period and one contact in it, {} with a motion\n",

@@ -8,9 +8,9 @@
 
 namespace signorini::cli {
 
-/// Several lines for people, with a final newline.
-[[nodiscard]] std::string asText(const answers::FindAnswer& answer);
-[[nodiscard]] std::string asText(const answers::QuestionAnswer& answer);
+/// Several lines for people, with a final newline; if verbose, also the route that found it.
+[[nodiscard]] std::string asText(const answers::FindAnswer& answer, bool isVerbose);
+[[nodiscard]] std::string asText(const answers::QuestionAnswer& answer, bool isVerbose);
 
 /// The same in lines for people.
 [[nodiscard]] std::string asText(const Physical& physical);

@@ -39,9 +39,8 @@ std::string asText(const Assembly& assembly, const Network& network)
 void SceneCommand::addTo(CLI::App& command)
 {
     addWords(command, "words", "TEXT", words, "TEXT or FILE.json: the words of the scene");
-    options.addTo(command, false);
     addFigure(command, "--figure", figureFile, "draw it");
-    common.addTo(command);
+    common.addTo(command, false);
     addFooter(command,
               "Elements, from left to right, separated by blanks: clamp, free, N[:Z[:C]] cells, "
               "gap=G, stop=G "
@@ -52,11 +51,11 @@ void SceneCommand::addTo(CLI::App& command)
 
 ExitStatus SceneCommand::run() const
 {
-    SceneOptions given = options;
+    CommonOptions given = common;
     for (const std::string& word : words) {
-        given.text += (given.text.empty() ? "" : " ") + word;
+        given.sceneText += (given.hasScene() ? " " : "") + word;
     }
-    const Assembly assembly = given.assembly(common);
+    const Assembly& assembly = given.assembly();
     const Network network = networkOf(assembly);
     Outputs outputs({{"--figure", figureFile}});
     outputs.put("--figure", [&](const std::string& path) {

@@ -12,7 +12,6 @@ namespace signorini::cli {
 /// One call.
 struct SceneCommand {
     CommonOptions common;
-    SceneOptions options;
     std::vector<std::string> words;  ///< of the scene
     std::string figureFile;
 

@@ -211,7 +211,7 @@ std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words, std::
 ExitStatus findInScene(const FindCommand& command)
 {
     Answer answer;
-    answer.assembly = command.scene.assembly(command.common);
+    answer.assembly = command.common.assembly();
     answer.network = networkOf(answer.assembly);
     answer.schedule = parseSpans(command.steps, answer.network.contacts.size());
     const SceneReference reference = referenceOf(answer.network);

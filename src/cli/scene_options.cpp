@@ -151,32 +151,19 @@ std::string contentOf(const std::string& path)
     return text;
 }
 
-}  // namespace
-
-void SceneOptions::addTo(CLI::App& command, bool asOption)
+/// Is it more of the same bar?
+bool isContinued(const Segment& one, const Segment& next)
 {
-    if (asOption) {
-        addWord(command, "--scene", "TEXT|FILE.json",
-                "bars in a row, from left to right: clamp, free, N[:Z[:C]], gap=G, stop=G, dash=D, "
-                "spring=K, mass=M, force=F, driven, shaken",
-                [this](const std::string& given) { text = given.empty() ? " " : given; });
-    }
-    addWord(command, "--gravity", "M/S2", "gravity, to the right along all bars of a scene (0)",
-            [this](const std::string& given) { gravity = parseReal("--gravity", given, "m/s^2"); });
+    return one.impedance == next.impedance && one.speed == next.speed && one.dashpot == 0.0;
 }
 
-Assembly SceneOptions::assembly(const CommonOptions& common) const
+}  // namespace
+
+Assembly readAssembly(const std::string& text, const Bar& bar, double gravity)
 {
-    const Scene scene = common.scene();
-    const bool hasShort =
-        common.cells || scene.secondStop || !scene.segments.empty() || scene.bar.gap != Bar{}.gap;
-    if (hasShort) {
-        throw std::invalid_argument(
-            "--scene clashes with --cells, --gap, --second-stop, --segments: allowed one of them");
-    }
     Assembly assembly;
     if (text.ends_with(".json")) {
-        if (!(scene.bar == Bar{}) || gravity != 0.0) {
+        if (!(bar == Bar{}) || gravity != 0.0) {
             throw std::invalid_argument(
                 "--scene FILE.json clashes with --length, --wave-speed, --axial-stiffness, "
                 "--young, "
@@ -185,14 +172,74 @@ Assembly SceneOptions::assembly(const CommonOptions& common) const
         assembly = assemblyOfJson(contentOf(text), text);
     } else {
         assembly = {.parts = partsOf(text),
-                    .length = scene.bar.length,
-                    .waveSpeed = scene.bar.waveSpeed,
-                    .axialStiffness = scene.bar.axialStiffness,
+                    .length = bar.length,
+                    .waveSpeed = bar.waveSpeed,
+                    .axialStiffness = bar.axialStiffness,
                     .gravity = gravity,
-                    .young = scene.bar.young};
+                    .young = bar.young};
     }
     validate(assembly);
     return assembly;
+}
+
+std::optional<Scene> barOf(const Assembly& assembly)
+{
+    Scene scene(Bar{.length = assembly.length,
+                    .waveSpeed = assembly.waveSpeed,
+                    .axialStiffness = assembly.axialStiffness,
+                    .young = assembly.young});
+    std::vector<Segment>& segments = scene.segments;
+    std::vector<double> walls;
+    bool isPastTip = false;
+    bool isBar = assembly.gravity == 0.0 && assembly.parts.front().kind == PartKind::clamp;
+    for (const AssemblyPart& part : assembly.parts) {
+        const bool isAtBase = segments.empty();
+        isPastTip = isPastTip || part.kind == PartKind::free || part.kind == PartKind::driven ||
+                    part.kind == PartKind::rightStop || part.kind == PartKind::leftStop;
+        switch (part.kind) {
+            case PartKind::clamp:
+            case PartKind::shaken:
+                isBar = isBar && isAtBase;
+                break;
+            case PartKind::cells:
+                isBar = isBar && !isPastTip;
+                segments.push_back({part.cells, part.impedance, part.speed});
+                if (segments.size() > 1 && isContinued(segments.end()[-2], segments.back())) {
+                    segments.end()[-2].cells += part.cells;
+                    segments.pop_back();
+                }
+                break;
+            case PartKind::dash:
+                isBar = isBar && !isAtBase;
+                if (isBar) {
+                    segments.back().dashpot = part.value;
+                }
+                break;
+            case PartKind::rightStop:
+                walls.push_back(part.value);
+                break;
+            case PartKind::leftStop:
+                scene.secondStop = part.value;
+                break;
+            case PartKind::free:
+            case PartKind::driven:
+                isBar = isBar && !isAtBase;
+                break;
+            default:
+                return std::nullopt;
+        }
+    }
+    // A dashpot at the tip is the damping of a question, not of a scene.
+    isBar = isBar && walls.size() == 1 && segments.front().impedance == 1.0 &&
+            segments.front().speed == 1.0 && segments.back().dashpot == 0.0;
+    if (!isBar) {
+        return std::nullopt;
+    }
+    scene.bar.gap = walls.front();
+    if (segments.size() == 1) {
+        segments.clear();
+    }
+    return scene;
 }
 
 Assembly assemblyOf(const Scene& scene, std::int64_t cells, const Damping& damping)
@@ -280,6 +327,40 @@ Assembly assemblyOfJson(std::string_view text, const std::string& name)
         assembly.parts.push_back(partOfJson(part, fmt::format("parts[{}]", number++)));
     }
     return assembly;
+}
+
+Scene CommonOptions::scene() const
+{
+    if (!hasScene()) {
+        if (gravity != 0.0) {
+            throw std::invalid_argument("--gravity: allowed with --scene, and with simulate");
+        }
+        return shortForms();
+    }
+    const std::optional<Scene> bar = barOf(assembly());
+    if (!bar) {
+        throw std::invalid_argument(fmt::format(
+            "--scene '{}': allowed for this question: one bar, clamped on the left, with stops at "
+            "its tip, as in 'clamp 300 stop=1e-3'; of other scenes simulate knows motions and find "
+            "the one of least energy",
+            shortened(sceneText)));
+    }
+    validate(*bar);
+    return *bar;
+}
+
+const Assembly& CommonOptions::assembly() const
+{
+    if (!assembly_) {
+        const Bar bar = givenBar();
+        if (cells || secondStop_ || !segments_.empty() || bar.gap != Bar{}.gap) {
+            throw std::invalid_argument(
+                "--scene clashes with --cells, --gap, --second-stop, --segments: allowed one of "
+                "them");
+        }
+        assembly_ = readAssembly(sceneText, bar, gravity);
+    }
+    return *assembly_;
 }
 
 }  // namespace signorini::cli

@@ -12,18 +12,13 @@
 
 namespace signorini::cli {
 
-struct SceneOptions {
-    std::string text;  ///< words, or the name of a file; empty: not given
-    double gravity = 0.0;
+/// The words of a scene, or of a file, with the scales of a bar.
+/// \throws std::invalid_argument on words that are no scene, scales beside a file; FileError.
+[[nodiscard]] Assembly readAssembly(const std::string& text, const Bar& bar, double gravity);
 
-    /// Adds --gravity, and --scene unless the words have a place of their own.
-    void addTo(CLI::App& command, bool asOption = true);
-
-    [[nodiscard]] bool isGiven() const { return !text.empty(); }
-    /// \throws std::invalid_argument on words that are no scene, or options that clash with them;
-    /// FileError.
-    [[nodiscard]] Assembly assembly(const CommonOptions& common) const;
-};
+/// The bar with stops at its tip that such words are, if they are one: clamped on the left, without
+/// weight, springs and masses, its first segment of impedance and speed 1. \pre valid.
+[[nodiscard]] std::optional<Scene> barOf(const Assembly& assembly);
 
 /// Today's scenes in the same words. Damping as a dashpot at the tip; the tip is driven, the clamp
 /// shaken. \pre a valid scene of so many cells.

@@ -187,16 +187,16 @@ void setDrive(const SimulateCommand& command, Question& question)
 Question questionOf(const SimulateCommand& command)
 {
     Question question;
-    if (command.sceneGiven.isGiven()) {
+    if (command.common.hasScene()) {
         if (command.force.ratio) {
             throw std::invalid_argument(
                 "--damping clashes with --scene: allowed dash=D among its words");
         }
-        question.assembly = command.sceneGiven.assembly(command.common);
+        question.assembly = command.common.assembly();
     } else {
-        const Scene scene = command.common.scene();
+        const Scene scene = command.common.shortForms();
         question.assembly = assemblyOf(scene, command.common.usualCells(), command.force.damping());
-        question.assembly.gravity = command.sceneGiven.gravity;
+        question.assembly.gravity = command.common.gravity;
     }
     question.network = networkOf(question.assembly);
     setDrive(command, question);

@@ -49,7 +49,6 @@ void SimulateCommand::addTo(CLI::App& command)
             "write how impacts are spread: rate, impulse, speed, energy turned over");
     addFile(command, "--tip", tipFile, "write the path of the tip");
     addFigure(command, "--figure", figureFile, "draw tip, contacts and force");
-    sceneGiven.addTo(command);
     addWord(command, "--velocity", "V1,V2,...",
             "start undeformed, each bar with its own speed [m/s], from the left",
             [this](const std::string& text) {

@@ -8,7 +8,6 @@
 
 #include "arguments.hpp"
 #include "force_options.hpp"
-#include "scene_options.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::cli {
@@ -27,7 +26,6 @@ struct SimulateCommand {
     std::string eventsFile;
     std::string tipFile;
     std::string figureFile;
-    SceneOptions sceneGiven;
     std::vector<double> speeds;  ///< [m/s], one for each bar
     std::string stateFile;
     std::string forceFile;
@@ -50,8 +48,7 @@ private:
     /// Is it a question for the simulation of a network?
     [[nodiscard]] bool isOfNetwork() const
     {
-        return sceneGiven.isGiven() || sceneGiven.gravity != 0.0 || !speeds.empty() ||
-               !stateFile.empty();
+        return common.hasScene() || common.gravity != 0.0 || !speeds.empty() || !stateFile.empty();
     }
     /// The start, `base` [g] the place of the base then.
     [[nodiscard]] Waves start(const Scene& scene, double base) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "energy_floor.hpp"
 #include "faults.hpp"
@@ -17,17 +18,19 @@ constexpr double broken = 1e-10;  // a row, relative to waves of the motion's si
 void requireKnown(const Network& network, const std::vector<ContactSpan>& schedule)
 {
     validate(network);
-    Faults faults;
     if (std::any_of(network.nodes.begin(), network.nodes.end(),
                     [](const NetworkNode& node) { return node.force != 0.0; })) {
-        faults.add("constant forces", "given",
-                   "none: least energies about a shape that stands on a contact are not known");
+        throw std::invalid_argument(
+            "constant force: allowed without: no method is known for least energies about a shape "
+            "that stands on a contact");
     }
     if (std::any_of(network.bars.begin(), network.bars.end(),
                     [](const NetworkBar& bar) { return bar.drifts(); })) {
-        faults.add("a bar without clamp and spring", "given",
-                   "none: proofs for bars that drift are not known");
+        throw std::invalid_argument(
+            "a bar that drifts: allowed bars with a clamp or a spring: no method is known for "
+            "proofs about the others");
     }
+    Faults faults;
     if (network.waves() > mostForcedWaves) {
         faults.add("waves", network.waves(), fmt::format("at most {}", mostForcedWaves));
     }

@@ -251,7 +251,65 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
     refuses("--scene 'clamp 4 stop=1e-3' 3 x", "schedule = x");
     refuses("--scene 'clamp 4 stop=1e-3' 3", "NC NF");
     refuses("--scene 'clamp 4 stop=0' 3 9", "at rest are a motion");
-    refuses("--scene 'stop=-1e-3 4 stop=1e-3' 1:2 -:9", "without clamp and spring");
-    refuses("--scene 'clamp 4 stop=1e-3' 3 9 --energy-ratio 3", "--energy-ratio");
-    refuses("--scene 'clamp 4 stop=1e-3' 3 9 --force tip --damping 0.1", "--force");
+    refuses("--scene 'stop=-1e-3 4 stop=1e-3' 1:2 -:9", "no method is known for proofs");
+    refuses("--scene '4 stop=1e-3' --gravity 10 3 9", "no method is known for least energies");
+    refuses(bars + "3 9 --energy-ratio 3", "--energy-ratio");
+    refuses(bars + "3 9 --force tip --damping 0.1", "--force");
+    refuses("--gravity 10 3 9", "--gravity: allowed with --scene");
+}
+
+TEST_CASE("cli scenes: a bar is the same question by its words and by its options")
+{
+    const CommandLine program;
+    const auto same = [&](const std::string& words, const std::string& scene,
+                          const std::string& options) {
+        INFO(words);
+        const auto given = program.run(words + " --scene '" + scene + "'");
+        const auto plain = program.run(words + " " + options);
+        CHECK(given.status == plain.status);
+        CHECK(plain.status <= 1);
+        CHECK(given.out == plain.out);
+    };
+    const std::string bar = "clamp shaken 8 free driven stop=1e-3";
+    same("find 3 25 --energy-ratio 20", bar, "--cells 8");
+    same("find --frequency 8/7 --energy-ratio 20", "clamp 12 stop=2e-3", "--cells 12 --gap 2e-3");
+    same("find 2 12 --damping 0.05 --force tip", "clamp 4 4 stop=right:-1e-3",
+         "--cells 8 --gap -1e-3");
+    same("find 6 28 --damping 0.05 --force base", "clamp 4 dash=0.1 4:1.3 stop=1e-3 stop=-2e-3",
+         "--segments 4:1:1:0.1,4:1.3 --second-stop 2e-3");
+    same("continuum 3 25 --energy-ratio 20 --points 5", bar, "--cells 8");
+    same("families --max-order 4", bar, "--cells 8");
+    same("modes --max-order 3", bar, "");
+    same("mode 4 -1 --period 7/2", bar, "--cells 8");
+    same("response --damping 0.05 --force tip --amplitude 1e-3", "clamp 4 4:1.3 stop=1e-3",
+         "--segments 4:1,4:1.3");
+    same("sweep --damping 0.05 --force tip --amplitude 1e-3 --from 0.9 --to 1.1 --points 3", bar,
+         "--cells 8");
+    const auto refuses = [&](const std::string& words) {
+        const auto outcome = program.run(words);
+        INFO(words << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, containsText("one bar, clamped on the left"));
+        CHECK(lines(outcome.err) == 1);
+    };
+    const std::string forced = "response --damping 0.05 --force tip --amplitude 1e-3 --scene ";
+    for (const char* scene :
+         {"clamp 4 gap=1e-3 4 clamp", "clamp 4 stop=1e-3 4 clamp", "spring=4 8 stop=1e-3",
+          "stop=-1e-3 8 stop=1e-3", "clamp 8:2 stop=1e-3", "clamp 8 dash=0.1 stop=1e-3",
+          "clamp 4 driven 4 stop=1e-3"}) {
+        refuses(forced + "'" + scene + "'");
+    }
+    refuses("modes --gravity 10 --scene 'clamp 8 stop=1e-3'");
+    CHECK_THAT(program.run("modes --scene 'clamp 8 stop=1e-3' --gap 2e-3").err,
+               containsText("--scene clashes with"));
+}
+
+TEST_CASE("cli: the route, and what it left out, are said if asked for")
+{
+    const CommandLine program;
+    const std::string plain = program.run("find 3 25 --cells 8").out;
+    const std::string verbose = program.run("find 3 25 --cells 8 --verbose").out;
+    CHECK(plain.find("\nroute ") == std::string::npos);
+    CHECK(verbose.starts_with(plain));
+    CHECK_THAT(verbose, containsText("\nroute       closed-form") && containsText("\nleft out "));
 }
