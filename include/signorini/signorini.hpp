@@ -7,6 +7,7 @@
 #include "signorini/atlas.hpp"
 #include "signorini/atlas_database.hpp"
 #include "signorini/bar.hpp"
+#include "signorini/bar_pieces.hpp"
 #include "signorini/certificate.hpp"
 #include "signorini/config.hpp"
 #include "signorini/continuum.hpp"

@@ -232,6 +232,10 @@ void CommonOptions::addTo(CLI::App& command, bool hasScene)
             "cells, relative impedance and speed of each segment, clamp first (one, uniform); a "
             "fourth number is the dashpot at the joint after it, in units of the first impedance",
             [this](const std::string& text) { segments_ = parseSegments("--segments", text); });
+    addWord(command, "--segments-file", "FILE.csv",
+            "the same of a drawing: columns length [m], young [Pa], density [kg/m^3], and area "
+            "[m^2] or diameter [m]; on --cells cells at most",
+            [this](const std::string& path) { piecesFile_ = path; });
     addPositive(command, "--young", "Pa", young_, "PA",
                 "E, with --density and --area in place of c and EA");
     addPositive(command, "--density", "kg/m^3", density_, "KG/M3", "rho");
@@ -261,6 +265,9 @@ void CommonOptions::addTo(CLI::App& command, bool hasScene)
 
 std::int64_t CommonOptions::usualCells() const
 {
+    if (!piecesFile_.empty()) {
+        return pieces().cells;
+    }
     std::int64_t sum = 0;
     if (hasScene()) {
         for (const AssemblyPart& part : assembly().parts) {
@@ -310,6 +317,10 @@ Scene CommonOptions::sceneOfOneBar() const
 Scene CommonOptions::shortForms() const
 {
     Scene scene(givenBar(), secondStop_, segments_);
+    if (!piecesFile_.empty()) {
+        scene = pieces().scene;
+        scene.secondStop = secondStop_;
+    }
     validate(scene);
     return scene;
 }
@@ -356,6 +367,12 @@ std::string CommonOptions::restated(std::optional<std::int64_t> grid,
         text += fmt::format("; segments {}, c, EA, ω₁, E₁ of the first", textOf(meant.segments));
     }
     text += "\n";
+    if (!piecesFile_.empty()) {
+        text += fmt::format(
+            "pieces      on {} cells; lengths are rounded by at most {:.2g} %, travel times with "
+            "them\n",
+            pieces().cells, 100.0 * pieces().rounding);
+    }
     constexpr double softest = 1e5;  // Pa; rubber is ten times as stiff
     if (young_ && *young_ < softest) {
         text += fmt::format(

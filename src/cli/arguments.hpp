@@ -16,6 +16,7 @@
 #include "names.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/bar.hpp"
+#include "signorini/bar_pieces.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/schedule.hpp"
 
@@ -153,7 +154,7 @@ struct CommonOptions {
     /// \throws std::invalid_argument on a clash, numbers that do not go together, or a --scene that
     /// is more; FileError.
     [[nodiscard]] Scene scene() const;
-    /// --gap, --second-stop and --segments, whatever --scene says.
+    /// --gap, --second-stop, --segments and --segments-file, whatever --scene says.
     /// \throws std::invalid_argument as `scene`.
     [[nodiscard]] Scene shortForms() const;
     [[nodiscard]] bool hasScene() const { return !sceneText.empty(); }
@@ -171,8 +172,13 @@ struct CommonOptions {
 private:
     [[nodiscard]] Bar givenBar() const;
 
-    mutable std::optional<Assembly> assembly_;  ///< kept: a file may be a pipe
-    Bar bar_;                                   ///< length and gap
+    /// What --segments-file says. \pre it is given.
+    [[nodiscard]] const PiecedBar& pieces() const;
+
+    std::string piecesFile_;
+    mutable std::optional<PiecedBar> pieces_;  ///< kept: files may be pipes
+    mutable std::optional<Assembly> assembly_;
+    Bar bar_;  ///< length and gap
     std::optional<double> secondStop_;
     std::vector<Segment> segments_;
     std::optional<double> waveSpeed_;

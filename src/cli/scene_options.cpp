@@ -353,10 +353,11 @@ const Assembly& CommonOptions::assembly() const
 {
     if (!assembly_) {
         const Bar bar = givenBar();
-        if (cells || secondStop_ || !segments_.empty() || bar.gap != Bar{}.gap) {
+        if (cells || secondStop_ || !segments_.empty() || !piecesFile_.empty() ||
+            bar.gap != Bar{}.gap) {
             throw std::invalid_argument(
-                "--scene clashes with --cells, --gap, --second-stop, --segments: allowed one of "
-                "them");
+                "--scene clashes with --cells, --gap, --second-stop, --segments, --segments-file: "
+                "allowed one of them");
         }
         assembly_ = readAssembly(sceneText, bar, gravity);
     }

@@ -313,3 +313,44 @@ TEST_CASE("cli: the route, and what it left out, are said if asked for")
     CHECK(verbose.starts_with(plain));
     CHECK_THAT(verbose, containsText("\nroute       closed-form") && containsText("\nleft out "));
 }
+
+TEST_CASE("cli scenes: a stepped bar from a drawing")
+{
+    const CommandLine program;
+    const auto write = [&](const std::string& text) {
+        std::ofstream(program.file("rod.csv")) << text;
+    };
+    const std::string files = " --segments-file rod.csv --cells 20 ";
+    write("length,young,density,diameter\n1.2,210e9,7850,0.02\n0.8,210e9,7850,0.03\n");
+    const json r = program.find("12 68" + files + "--gap 1e-4", 0);
+    CHECK(r["cells"] == 20);
+    CHECK(r["bar"]["length"].get<double>() == Approx(2.0));
+    CHECK(r["bar"]["axial_stiffness"].get<double>() == Approx(210e9 * 1e-4 * std::acos(-1.0)));
+    REQUIRE(r["segments"].size() == 2);
+    CHECK(r["segments"][0]["cells"] == 12);
+    CHECK(r["segments"][1]["impedance"].get<double>() == Approx(2.25));
+    CHECK(r["bar"]["young"] == 210e9);
+    // The same bar in relative numbers.
+    const json plain = program.find(
+        "12 68 --segments 12:1,8:2.25 --gap 1e-4 --length 2 --young 210e9 --density 7850 "
+        "--area 3.141592653589793e-4",
+        0);
+    CHECK(r["energy"].get<double>() == Approx(plain["energy"].get<double>()));
+    CHECK_THAT(program.run("find 12 68" + files).out,
+               containsText("pieces      on 20 cells; lengths are rounded by at most "));
+    const auto refuses = [&](const std::string& words, const std::string& part) {
+        const auto outcome = program.run("find 12 68" + files + words);
+        INFO(words << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, containsText(part));
+        CHECK(lines(outcome.err) == 1);
+    };
+    refuses("--young 3 --density 1 --area 1", "--segments-file clashes with");
+    refuses("--segments 4:1,4:2", "--segments-file clashes with");
+    write("length,young,density\n1,2,3\n");
+    refuses("", "area and diameter: allowed one of them");
+    write("length,young,density,area\n1,2,3,4\n1,-2,3,4\n");
+    refuses("", "line 3: column young (field 2): '-2': allowed numbers > 0 [Pa]");
+    write("length,young,density,area\n");
+    refuses("", "pieces = 0");
+}

@@ -1,0 +1,60 @@
+#include "pieces_file.hpp"
+
+#include <numbers>
+
+#include "arguments.hpp"
+#include "files.hpp"
+#include "table.hpp"
+
+namespace signorini::cli {
+
+std::vector<BarPiece> readPieces(const std::string& path)
+{
+    return forFile("--segments-file", path, [&] {
+        Table table(path);
+        const bool isRound = table.has("diameter");
+        if (isRound == table.has("area")) {
+            table.refuse("columns area and diameter: allowed one of them");
+        }
+        const auto positive = [&table](std::size_t column, const char* unit) {
+            const double value = table.numberAt(column);
+            if (!(value > 0.0)) {
+                table.refuse(column, fmt::format("numbers > 0 [{}]", unit));
+            }
+            return value;
+        };
+        const std::size_t length = table.columnOf("length");
+        const std::size_t young = table.columnOf("young");
+        const std::size_t density = table.columnOf("density");
+        const std::size_t section = table.columnOf(isRound ? "diameter" : "area");
+        std::vector<BarPiece> pieces;
+        while (table.next()) {
+            const double size = positive(section, isRound ? "m" : "m^2");
+            pieces.push_back({.length = positive(length, "m"),
+                              .young = positive(young, "Pa"),
+                              .density = positive(density, "kg/m^3"),
+                              .area = isRound ? 0.25 * std::numbers::pi * size * size : size});
+            if (pieces.size() > maxParts) {
+                table.refuse(fmt::format("more than {} pieces", maxParts));
+            }
+        }
+        return pieces;
+    });
+}
+
+const PiecedBar& CommonOptions::pieces() const
+{
+    if (!pieces_) {
+        const bool isClash = !segments_.empty() || hasScene() || bar_.length != Bar{}.length ||
+                             waveSpeed_ || axialStiffness_ || young_ || density_ || area_;
+        if (isClash) {
+            throw std::invalid_argument(
+                "--segments-file clashes with --scene, --segments, --length, --wave-speed, "
+                "--axial-stiffness, --young, --density, --area: the file says them");
+        }
+        pieces_ = barOfPieces(readPieces(piecesFile_), bar_.gap, cells.value_or(300));
+    }
+    return *pieces_;
+}
+
+}  // namespace signorini::cli
