@@ -62,6 +62,10 @@ class Scene(_Record):
     second_stop: Optional[float]
     def __init__(self, bar: Bar = ..., second_stop: Optional[float] = ...,
                  segments: Sequence[Segment] = ...) -> None: ...
+    @staticmethod
+    def of_pieces(pieces: Sequence[tuple[float, float, float, float]], *,
+                  gap: float = ..., second_stop: Optional[float] = ...,
+                  cells: int = ...) -> tuple[Scene, float]: ...
 
 class Schedule:
     def __init__(self, *steps: Union[int, Sequence[int]],

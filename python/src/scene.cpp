@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cmath>
 
 #include "described.hpp"
@@ -131,6 +132,46 @@ ValueError
              }),
              py::arg("bar") = Bar{}, py::arg("second_stop") = py::none(),
              py::arg("segments") = std::vector<Segment>{})
+        .def_static(
+            "of_pieces",
+            [](const std::vector<std::array<double, 4>>& pieces, double gap,
+               std::optional<double> secondStop, std::int64_t cells) {
+                std::vector<BarPiece> list;
+                for (const auto& [length, young, density, area] : pieces) {
+                    list.push_back({length, young, density, area});
+                }
+                PiecedBar made = barOfPieces(list, gap, cells);
+                made.scene.secondStop = secondStop;
+                validate(made.scene);
+                return std::pair(made.scene, made.rounding);
+            },
+            R"(A stepped bar as a drawing has it, on cells with whole travel times.
+
+Impedances, speeds and the time through all pieces are kept, lengths are rounded.
+
+Parameters
+----------
+pieces : list of (length [m], young [Pa], density [kg/m^3], area [m^2])
+    Clamp first.
+gap : float
+    [m], from the tip at rest to the wall.
+second_stop : float, optional
+    h [m]: a stop at u(L) = -h.
+cells : int
+    At most, of all pieces.
+
+Returns
+-------
+(Scene, float)
+    The scene, and how far a length was rounded at most, relative.
+
+Raises
+------
+ValueError
+    If a value is out of its range; the message names the piece.
+)",
+            py::arg("pieces"), py::kw_only(), py::arg("gap") = Bar{}.gap,
+            py::arg("second_stop") = py::none(), py::arg("cells") = 300)
         .def_readonly("second_stop", &Scene::secondStop, "h [m], or None.");
 }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -202,3 +203,22 @@ def test_state_of_a_stepped_bar_knows_its_segments() -> None:
     with pytest.raises(ValueError, match="segments: allowed only without"):
         sg.find(6, 28, cells=8, segments=parts,  # type: ignore[call-overload]
                 damping=0.05, force="tip")
+
+
+def test_a_stepped_bar_from_a_drawing(program: Program, tmp_path: Path) -> None:
+    pieces = [(1.2, 210e9, 7850.0, 3.1e-4), (0.7, 120e9, 8900.0, 7.1e-4)]
+    scene, rounding = sg.Scene.of_pieces(pieces, gap=1e-4, cells=60)
+    assert 0.0 < rounding < 1e-2
+    times = [length * (density / young) ** 0.5
+             for length, young, density, _ in pieces]
+    cells = [segment.cells for segment in scene.segments]
+    for steps, time in zip(cells, times):
+        assert abs(steps / sum(cells) / (time / sum(times)) - 1) <= rounding + 1e-12
+    (tmp_path / "rod.csv").write_text(
+        "\n".join(["length,young,density,area"] + [
+            ",".join(map(repr, piece)) for piece in pieces]) + "\n")
+    said = program("find", 12, 68, "--segments-file", tmp_path / "rod.csv",
+                   "--cells", 60, "--gap", 1e-4)
+    alike(said, sg.find(12, 68, scene=scene).to_dict())
+    with pytest.raises(ValueError, match="young of piece 2 = -1"):
+        sg.Scene.of_pieces([pieces[0], (1, -1, 1, 1)])
