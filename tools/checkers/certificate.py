@@ -1,6 +1,7 @@
 """What an answer of `find` proves."""
 from .energies import check_energies
 from .floor import check_floor, check_least
+from .network import check_scene
 from .paper import check_farkas
 from .reading import NoProof, require_keys, shown
 from .scene import ASKED, BESIDES, DERIVED, Scene, unsaid
@@ -47,6 +48,8 @@ def claim_of(answer, proof):
 
 def check(answer):
     """What an answer proves, in a sentence. NoProof if it proves nothing."""
+    if isinstance(answer, dict) and "scene" in answer:
+        return check_scene(answer)
     require_keys(answer, "answer", ASKED, (*ENERGIES, *BESIDES, *DERIVED, *EMPTY))
     certificate = answer["certificate"]
     if not isinstance(certificate, dict):
