@@ -135,7 +135,7 @@ type answer = {
 let unread = [
   "schema"; "version"; "static_force"; "period"; "period_ratio"; "frequency_ratio"; "kernel_dimension";
   "solution_set"; "family"; "contact"; "canonical_schedule"; "energy"; "energy_section"; "physical";
-  "admissible"; "residuals"; "reason"; "route"; "route_reason"; "left_out"; "solver"; "repetitions";
+  "admissible"; "residuals"; "reason"; "near_schedule"; "route"; "route_reason"; "left_out"; "solver"; "repetitions";
   "pressing_phases"; "symmetric"; "peak_strain"; "detail" ]
 
 let most_steps = 200_000

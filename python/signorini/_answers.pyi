@@ -129,6 +129,7 @@ class Result(_Record):
     admissible: Optional[bool]
     residuals: Known[Residuals]
     reason: Optional[str]
+    near_schedule: Known[Schedule]
     certificate: Any  # one of several, or None
     route: str
     route_reason: str

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "near_schedule.hpp"
 #include "propagation.hpp"
 #include "stepped_bar.hpp"
 
@@ -48,6 +49,16 @@ FindAnswer answerOf(PeriodicResult result, const FindOptions& options, const std
         }
     }
     return answer;
+}
+
+std::optional<Schedule> FindAnswer::nearSchedule() const
+{
+    const Scene& scene = result.scene;
+    const bool hasNone = result.absence && result.absence->reason != Reason::constraints;
+    if (!hasNone || scene.secondStop || !isUniform(scene.segments)) {
+        return std::nullopt;
+    }
+    return signorini::nearSchedule(result.schedule, stopsOf(scene).right);
 }
 
 std::optional<std::string> FindAnswer::detail() const

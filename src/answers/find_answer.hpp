@@ -50,6 +50,8 @@ struct FindAnswer {
     {
         return result.absence ? std::optional(result.absence->reason) : std::nullopt;
     }
+    /// Of the uniform bar and one wall where no motion has the schedule: one that has some.
+    [[nodiscard]] std::optional<Schedule> nearSchedule() const;
     /// E/E_1 of the whole set.
     [[nodiscard]] std::optional<EnergyRange> energies() const;
     /// [m/s], with which the tip met the stop before each phase of `canonical`, where n is at most
@@ -182,6 +184,9 @@ frequencies in omega_1.
     d.key("residuals", "-", "Recomputed by code that did not solve.", ofMotion(&M::residuals),
           When::found);
     d.key("reason", "-", "Why there is no motion, in a word.", &T::reason, When::none);
+    d.key("near_schedule", "-",
+          "Of those with one contact that have motions the one that differs in the fewest steps.",
+          &T::nearSchedule, When::none);
     d.key(
         "certificate", "-", "The proof that there is none.",
         [](const T& a) {

@@ -12,7 +12,9 @@
 #include <csignal>
 #include <cstdio>
 #include <limits>
+#include <numbers>
 #include <system_error>
+#include <utility>
 
 #include "faults.hpp"
 #include "hints.hpp"
@@ -239,7 +241,13 @@ void CommonOptions::addTo(CLI::App& command, bool hasScene)
     addPositive(command, "--young", "Pa", young_, "PA",
                 "E, with --density and --area in place of c and EA");
     addPositive(command, "--density", "kg/m^3", density_, "KG/M3", "rho");
-    addPositive(command, "--area", "m^2", area_, "M2", "cross-section");
+    addWord(command, "--area", "M2", "cross-section",
+            [this](const std::string& text) { takeArea(parsePositive("--area", text, "m^2")); });
+    addWord(command, "--diameter", "M", "of a round bar, in place of --area",
+            [this](const std::string& text) {
+                const double diameter = parsePositive("--diameter", text, "m");
+                takeArea(0.25 * std::numbers::pi * diameter * diameter);
+            });
     addWord(command, "--format", "text|json", "text or json (text)",
             [this](const std::string& text) {
                 wantsJson = text == "json";
@@ -260,6 +268,13 @@ void CommonOptions::addTo(CLI::App& command, bool hasScene)
                            : std::string();
             });
         }
+    }
+}
+
+void CommonOptions::takeArea(double area)
+{
+    if (std::exchange(area_, area)) {
+        throw std::invalid_argument("--area clashes with --diameter: allowed one of them");
     }
 }
 

@@ -171,6 +171,7 @@ struct CommonOptions {
 
 private:
     [[nodiscard]] Bar givenBar() const;
+    void takeArea(double area);
 
     /// What --segments-file says. \pre it is given.
     [[nodiscard]] const PiecedBar& pieces() const;

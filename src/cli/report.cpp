@@ -281,6 +281,9 @@ std::string asText(const answers::FindAnswer& answer, bool isVerbose)
             break;
         case Status::none:
             text += absenceAsText(*result.absence);
+            if (const auto near = answer.nearSchedule()) {
+                text += fmt::format("near        {} has motions\n", describe(*near));
+            }
             break;
         case Status::undecided:
             text += fmt::format("why         {}\n", result.detail);

@@ -1,5 +1,7 @@
 // Scenes on the command line: gaps of any sign, a second stop.
 
+#include <fmt/format.h>
+
 #include "command_line.hpp"
 
 using namespace signorini;
@@ -302,6 +304,32 @@ TEST_CASE("cli scenes: a bar is the same question by its words and by its option
     refuses("modes --gravity 10 --scene 'clamp 8 stop=1e-3'");
     CHECK_THAT(program.run("modes --scene 'clamp 8 stop=1e-3' --gap 2e-3").err,
                containsText("--scene clashes with"));
+}
+
+TEST_CASE("cli: a round bar is given by its diameter")
+{
+    const CommandLine program;
+    const std::string steel = "find 3 25 --cells 8 --young 210GPa --density 7850 ";
+    const auto round = program.run(steel + "--diameter 20mm");
+    CHECK(round.status == 0);
+    CHECK(round.out == program.run(steel + "--area 3.141592653589793e-4").out);
+    const auto both = program.run(steel + "--diameter 20mm --area 1cm2");
+    CHECK(both.status == 2);
+    CHECK_THAT(both.err, containsText("--area clashes with --diameter"));
+}
+
+TEST_CASE("cli: where there is no motion the nearest schedule with some is named")
+{
+    const CommandLine program;
+    const json none = program.find("20 109 --cells 40", 1);
+    const std::string near = fmt::format("{} {}", none["near_schedule"][0][0].get<int>(),
+                                         none["near_schedule"][0][1].get<int>());
+    CHECK(near != "20 109");
+    CHECK(program.find(near + " --cells 40", 0)["contact"] == "pressing");
+    CHECK_THAT(program.run("find 20 109 --cells 40").out, containsText("\nnear        N = 40, ("));
+    // It has motions, but not of this energy; several segments and contacts are not asked about.
+    CHECK(program.find("150 900 --energy-ratio 2", 1)["near_schedule"].is_null());
+    CHECK(program.find("12 8 --segments 5:1,5:1.5", 1)["near_schedule"].is_null());
 }
 
 TEST_CASE("cli: the route, and what it left out, are said if asked for")

@@ -10,7 +10,7 @@ MOST_PHASES = 1000
 MOST_WORK = 10 ** 6  # cells times phases
 ASKED = ("status", "cells", "schedule", "bar", "stops", "segments", "certificate")
 # Who found the answer, and what else is said of it: named, not proved.
-BESIDES = ("schema", "version", "detail", "reason", "route", "route_reason", "left_out", "solver",
+BESIDES = ("schema", "version", "detail", "reason", "route", "route_reason", "left_out", "solver", "near_schedule",
            "kernel_dimension", "solution_set", "family")
 DERIVED = ("period", "period_ratio", "frequency_ratio", "static_force")
 
