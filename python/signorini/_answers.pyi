@@ -434,6 +434,36 @@ class ForcedResult(_Record):
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...
 
+class HarmonicMotion(_Record):
+    contact_time_ratio: float
+    release: str
+    phase: float
+    physical: Physical
+    admissible: bool
+    growth: Optional[float]
+    residual: float
+
+class HarmonicResult(_Record):
+    status: str
+    contacts: int
+    damping: Damping
+    force: str
+    cycles: int
+    amplitude: float
+    period: float
+    period_ratio: float
+    exact_period: tuple[int, int]
+    frequency_ratio: float
+    motions: list[HarmonicMotion]
+    bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
+    detail: Optional[str]
+    found: bool
+    def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
+
 class PermanentContact(_Record):
     least_force: float
     peak_force: float

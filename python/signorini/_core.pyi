@@ -181,8 +181,11 @@ def schedules_of_period(cells: int, steps: int, scene: Scene, /
                         ) -> list[Schedule]: ...
 def find_forced(schedule: Sequence[Steps], cells: Optional[int],
                 scene: Scene, damping: float, force: str,
-                amplitude: Optional[float], cycles: int,
+                amplitude: Optional[float], derivative: int, cycles: int,
                 strain_limit: Optional[float], /) -> ForcedResult: ...
+def find_harmonic(numerator: int, denominator: int, scene: Scene,
+                  damping: float, force: str, amplitude: float,
+                  derivative: int, cycles: int, /) -> HarmonicResult: ...
 def continuum(schedule: Sequence[Steps], cells: Optional[int], scene: Scene,
               energy_ratio: Optional[float], energy: Optional[float],
               points: int, start: Optional[State],
@@ -205,16 +208,17 @@ def build_atlas(path: str, cells: int, max_contact: Optional[int],
                 max_energy_ratio: Optional[float], all: bool,
                 families_only: bool, resume: bool, threads: int, bar: Bar,
                 progress: Listener, /) -> AtlasRun: ...
-def response(damping: float, force: str, amplitude: float, start: float,
-             to: float, cycles: int, cells: int, stability: bool,
+def response(damping: float, force: str, amplitude: float, derivative: int,
+             start: float, to: float, cycles: int, cells: int, stability: bool,
              threads: int, scene: Scene, progress: Listener, /) -> ResponseData: ...
 def sweep(over: str, start: float, to: float, force: str, damping: float,
-          amplitude: float, frequency: float, points: int, direction: str,
+          amplitude: float, derivative: int, frequency: float, points: int, direction: str,
           periods: int, rest: bool, resolve: Optional[float], cells: int,
           threads: int, scene: Scene, progress: Listener, /) -> Sweep: ...
 def simulate(start: Union[State, Waves, None], cells: Optional[int],
              scene: Scene, damping: float, force: Optional[str],
-             amplitude: Optional[float], frequency: Optional[float],
+             amplitude: Optional[float], derivative: int,
+             frequency: Optional[float],
              phase: float, time: Optional[float], periods: Optional[int],
              resolve: Optional[float],
              tip: bool, progress: Listener, /) -> Simulation: ...

@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, overload
 
 from . import _core
 from ._blame import named
-from ._core import Bar, Continuum, ForcedResult, Result, Scene, State
+from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
+                    Scene, State)
 from ._progress import Progress, listener
-from ._question import Question, ask
-from ._words import (Number, Segments, Steps, cells_of, scene_of,
+from ._question import Question, ask, period_of
+from ._words import (Number, Segments, Steps, amplitude_of, cells_of, scene_of,
                      state_of)
 
 
@@ -65,8 +66,21 @@ def find(*, period: Number | None = None, frequency: Number | None = None,
 
 @overload
 def find(first: Steps, /, *schedule: Steps, damping: float, force: str,
-         amplitude: float | None = None, cycles: int = 1,
+         segments: Segments | None = None,
+         amplitude: float | None = None,
+         amplitude_velocity: float | None = None,
+         amplitude_acceleration: float | None = None, cycles: int = 1,
          **options: Unpack[_Options]) -> ForcedResult: ...
+
+
+@overload
+def find(*, damping: float, force: str,
+         period: Number | None = None, frequency: Number | None = None,
+         hertz: float | None = None,
+         amplitude: float | None = None,
+         amplitude_velocity: float | None = None,
+         amplitude_acceleration: float | None = None, cycles: int = 1,
+         **options: Unpack[_Options]) -> HarmonicResult: ...
 
 
 @named
@@ -82,9 +96,11 @@ def find(
          period: Number | None = None, frequency: Number | None = None,
          hertz: float | None = None,
          damping: float | None = None, force: str | None = None,
-         amplitude: float | None = None, cycles: int = 1,
+         amplitude: float | None = None,
+         amplitude_velocity: float | None = None,
+         amplitude_acceleration: float | None = None, cycles: int = 1,
          **bar_options: float | None
-         ) -> Result | Question | ForcedResult:
+         ) -> Result | Question | ForcedResult | HarmonicResult:
     """Decide a schedule: a verified motion, or the proof that there is none.
 
     Parameters
@@ -126,21 +142,27 @@ def find(
         For a solver [s].
     period, frequency, hertz : float, str or Fraction, optional
         In place of a schedule: all motions of the period T [L/c], of the
-        frequency omega/omega_1, or of that of the grid nearest to f [Hz].
+        frequency omega/omega_1, or of that of the grid nearest to f [Hz];
+        with `damping` and `force` those with one contact under an exact
+        harmonic, on no grid, `frequency` being that of the excitation.
     damping : float, optional
         zeta; with `force` it asks for forced, damped motions.
     force : str, optional
         "tip" or "base".
     amplitude : float, optional
         Of the force [N] or the base [m]; without, the least is looked for.
+    amplitude_velocity, amplitude_acceleration : float, optional
+        In its place, of the velocity [m/s] or acceleration [m/s^2] of the
+        base.
     cycles : int
         Of the excitation in a period of the motion.
 
     Returns
     -------
-    Result, Question or ForcedResult
+    Result, Question, ForcedResult or HarmonicResult
         A Question, a sequence of Result, for a period or frequency; a
-        ForcedResult where `damping` and `force` are given.
+        ForcedResult where `damping` and `force` are given, and of a period
+        or frequency with them a HarmonicResult.
 
     Raises
     ------
@@ -155,12 +177,24 @@ def find(
     if damping is not None or force is not None:
         if damping is None or force is None:
             raise ValueError("damping, force: allowed only together")
-        if whole.segments:
-            raise ValueError("segments: allowed only without damping and "
-                             "force")
-        return _core.find_forced(schedule, cells, whole, damping, force,
-                                 amplitude, cycles, strain_limit)
-    if amplitude is not None or cycles != 1:
+        size, derivative = amplitude_of(force, amplitude, amplitude_velocity,
+                                        amplitude_acceleration)
+        if period is None and frequency is None and hertz is None:
+            return _core.find_forced(schedule, cells, whole, damping, force,
+                                     size, derivative, cycles, strain_limit)
+        if schedule or whole.segments or strain_limit is not None:
+            raise ValueError("period, frequency, hertz: allowed with damping "
+                             "and force only without a schedule, segments and "
+                             "strain_limit")
+        if size is None:
+            raise ValueError("amplitude is missing: allowed numbers > 0 "
+                             "[N or m]")
+        exact = period_of({"period": period, "frequency": frequency,
+                           "hertz": hertz}, cells, units, cycles)
+        return _core.find_harmonic(exact.numerator, exact.denominator, whole,
+                                   damping, force, size, derivative, cycles)
+    if (amplitude, amplitude_velocity, amplitude_acceleration) != (None,) * 3 \
+            or cycles != 1:
         raise ValueError("amplitude, cycles: allowed only together with "
                          "damping and force")
     nearest: State | None = None

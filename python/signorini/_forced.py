@@ -11,7 +11,7 @@ from ._core import (Bar, Damping, ForcedFrequency, ForcedMotion, Scene, Simulati
                     State, Sweep, Waves)
 from ._progress import Progress, listener
 from ._tables import Table, flat, frame_of, keys_of
-from ._words import Segments, cells_of, scene_of, state_of
+from ._words import Segments, amplitude_of, cells_of, scene_of, state_of
 
 
 class Response(Table[ForcedFrequency]):
@@ -55,7 +55,9 @@ class Response(Table[ForcedFrequency]):
 
 
 @named
-def response(*, damping: float, force: str, amplitude: float,
+def response(*, damping: float, force: str, amplitude: float | None = None,
+             amplitude_velocity: float | None = None,
+             amplitude_acceleration: float | None = None,
              start: float = 0.5, to: float = 2.0, cycles: int = 1,
              cells: int | None = None, stability: bool = False,
              threads: int = 1, bar: Bar | None = None,
@@ -70,8 +72,11 @@ def response(*, damping: float, force: str, amplitude: float,
         zeta of the first linear mode, > 0.
     force : str
         "tip", a force on the tip, or "base", a base that moves.
-    amplitude : float
+    amplitude : float, optional
         Of the force [N] or the base [m].
+    amplitude_velocity, amplitude_acceleration : float, optional
+        In its place, of the velocity [m/s] or acceleration [m/s^2] of the
+        base.
     start, to : float
         Lowest and highest omega/omega_1 of the excitation (the program's
         ``--from`` and ``--to``).
@@ -104,7 +109,11 @@ def response(*, damping: float, force: str, amplitude: float,
         If an argument is out of its range; the message is the library's.
     """
     whole = scene_of(scene, bar, second_stop, segments, bar_options)
-    data = _core.response(damping, force, amplitude, start, to, cycles,
+    size, derivative = amplitude_of(force, amplitude, amplitude_velocity,
+                                    amplitude_acceleration)
+    if size is None:
+        raise ValueError("amplitude is missing: allowed numbers > 0 [N or m]")
+    data = _core.response(damping, force, size, derivative, start, to, cycles,
                           cells_of(cells, whole) or 300, stability, threads,
                           whole, listener(progress))
     head = {name: value for name, value, _ in keys_of(data)
@@ -115,8 +124,11 @@ def response(*, damping: float, force: str, amplitude: float,
 @named
 def simulate(start: State | Waves | str | None = None, *,
              damping: float = 0.0, force: str | None = None,
-             amplitude: float | None = None, frequency: float | None = None,
-             phase: float = 0.0, time: float | None = None,
+             amplitude: float | None = None,
+             amplitude_velocity: float | None = None,
+             amplitude_acceleration: float | None = None,
+             frequency: float | None = None, phase: float = 0.0,
+             time: float | None = None,
              periods: int | None = None, resolve: float | None = None,
              cells: int | None = None, tip: bool = True, bar: Bar | None = None,
              scene: Scene | None = None, second_stop: float | None = None,
@@ -134,6 +146,9 @@ def simulate(start: State | Waves | str | None = None, *,
         "tip" or "base".
     amplitude : float, optional
         Of the force [N] or the base [m].
+    amplitude_velocity, amplitude_acceleration : float, optional
+        In its place, of the velocity [m/s] or acceleration [m/s^2] of the
+        base.
     frequency : float, optional
         omega/omega_1 of the excitation.
     phase : float
@@ -171,13 +186,18 @@ def simulate(start: State | Waves | str | None = None, *,
         bar = start.bar
     whole = scene_of(scene, bar, second_stop, None, bar_options)
     return _core.simulate(state_of(start, whole.bar, cells), cells, whole,
-                          damping, force, amplitude, frequency, phase, time,
+                          damping, force,
+                          *amplitude_of(force, amplitude, amplitude_velocity,
+                                        amplitude_acceleration),
+                          frequency, phase, time,
                           periods, resolve, tip, listener(progress))
 
 
 @named
 def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
-          force: str, damping: float = 0.0, amplitude: float = 0.0,
+          force: str, damping: float = 0.0, amplitude: float | None = None,
+          amplitude_velocity: float | None = None,
+          amplitude_acceleration: float | None = None,
           frequency: float = 1.0, points: int = 101,
           direction: str = "both", periods: int = 1000, rest: bool = False,
           resolve: float | None = None, cells: int | None = None,
@@ -197,8 +217,11 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
         "tip", a force on the tip, or "base", a base that moves.
     damping : float
         zeta of the first linear mode, unless it is varied.
-    amplitude : float
+    amplitude : float, optional
         Of the force [N] or the base [m], unless it is varied.
+    amplitude_velocity, amplitude_acceleration : float, optional
+        In its place, of the velocity [m/s] or acceleration [m/s^2] of the
+        base.
     frequency : float
         omega/omega_1 of the excitation, unless it is varied.
     points : int
@@ -236,7 +259,10 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
         If an argument is out of its range; the message is the library's.
     """
     whole = scene_of(scene, bar, second_stop, segments, bar_options)
-    return _core.sweep(over, start, to, force, damping, amplitude, frequency,
+    size, derivative = amplitude_of(force, amplitude, amplitude_velocity,
+                                    amplitude_acceleration)
+    return _core.sweep(over, start, to, force, damping, 0.0 if size is None
+                       else size, derivative, frequency,
                        points, direction, periods, rest, resolve,
                        cells_of(cells, whole) or 300, threads, whole,
                        listener(progress))

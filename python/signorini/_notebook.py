@@ -327,7 +327,7 @@ def be_at_home() -> None:
         _set(kind, "_repr_html_", html)
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)
-    for kind in (_core.Result, _core.ForcedResult, _core.Continuum,
+    for kind in (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.Continuum,
                  _core.AtlasSchedule, Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)
@@ -336,6 +336,7 @@ def be_at_home() -> None:
         _set(kind, "__eq__", _same)
         _set(kind, "__hash__", None)
     for kind, rows in ((_core.Continuum, "points"), (_core.Sweep, "points"),
-                       (_core.ForcedResult, "motions")):
+                       (_core.ForcedResult, "motions"),
+                       (_core.HarmonicResult, "motions")):
         _set(kind, "frame", _frame_of(rows))
     _set(_core.Simulation, "frame", _contacts)

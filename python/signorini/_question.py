@@ -15,6 +15,9 @@ from ._words import Number, fraction_of
 #: What fits the library's numbers, with room for sums.
 MOST_STEPS = 2 ** 62
 
+#: Of the fraction that is a period on no grid.
+MOST_DIGITS = 10 ** 9
+
 #: A float is a period of the grid if it is so to the last digit.
 LAST_DIGIT = 4e-16
 
@@ -68,26 +71,58 @@ class Question(Table[Result]):
         detail: str | None
 
 
-def ask(asked: dict[str, Any], cells: int | None, scene: Scene,
-        demands: tuple[Any, ...]) -> Question:
-    """Answer a question by `find` for each set of motions of a period."""
+def _one_of(asked: dict[str, Any]) -> tuple[str, Any]:
+    """What was asked, and the word for it."""
     given = {name: word for name, word in asked.items() if word is not None}
     if len(given) != 1:
         raise ValueError("period, frequency, hertz: allowed one of them")
     (name, word), = given.items()
+    return name, word
+
+
+def _cells_of(cells: int | None) -> int:
     cells = 300 if cells is None else operator.index(cells)
     if cells < 1:
         raise ValueError(f"cells = {cells} is out of range: allowed whole "
                          "numbers >= 1")
-    unit = scene.bar.time_unit
+    return cells
+
+
+def _nearest(word: Any, cells: int, unit: float) -> int:
+    """The steps of the period of the grid nearest to a frequency in Hz."""
+    least = cells / unit / MOST_STEPS
+    if not least < float(word) < math.inf:
+        raise ValueError(f"hertz = {word} is out of range: allowed finite "
+                         f"numbers > {least:.3g} [Hz]")
+    return max(2, round(cells / unit / float(word)))
+
+
+def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
+              ) -> Fraction:
+    """The period [L/c] of a motion on no grid, exactly.
+
+    A frequency is that of the excitation, of which there are so many cycles.
+    """
+    name, word = _one_of(asked)
     if name == "hertz":
-        least = cells / unit / MOST_STEPS
-        if not least < float(word) < math.inf:
-            raise ValueError(f"hertz = {word} is out of range: allowed finite "
-                             f"numbers > {least:.3g} [Hz]")
-        steps = max(2, round(cells / unit / float(word)))
+        count = _cells_of(cells)
+        period = Fraction(_nearest(word, count, bar.time_unit), count) * cycles
     else:
-        steps = _on_grid(name, word, cells)
+        exact = fraction_of(str(word) if isinstance(word, float) else word, name)
+        period = exact if name == "period" else 4 * cycles / exact
+    if max(period.numerator, period.denominator) > MOST_DIGITS:
+        raise ValueError(f"{name} = {word} is out of range: allowed periods "
+                         f"P/Q with P and Q up to {MOST_DIGITS}")
+    return period
+
+
+def ask(asked: dict[str, Any], cells: int | None, scene: Scene,
+        demands: tuple[Any, ...]) -> Question:
+    """Answer a question by `find` for each set of motions of a period."""
+    name, word = _one_of(asked)
+    cells = _cells_of(cells)
+    steps = (_nearest(word, cells, scene.bar.time_unit) if name == "hertz"
+             else _on_grid(name, word, cells))
     results = [_core.find((schedule,), None, scene, *demands)
                for schedule in _core.schedules_of_period(cells, steps,
                                                          scene)]

@@ -29,6 +29,10 @@ auto valueOf(const char* argument, const std::string& word, const Table& table)
 /// "tip" or "base". \throws std::invalid_argument for another word.
 [[nodiscard]] Excited placeOf(const std::string& force);
 
+/// [N] or [m], of an amplitude of the base's velocity or acceleration at a frequency.
+[[nodiscard]] double displaced(double amplitude, int derivative, double frequencyRatio,
+                               const Bar& bar);
+
 using MotionOf = answers::ForcedMotionOf;
 template <>
 struct Members<MotionOf> {

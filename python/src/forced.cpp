@@ -5,9 +5,11 @@
 #include <cmath>
 
 #include "described.hpp"
+#include "excited_amplitude.hpp"
 #include "excited_names.hpp"
 #include "faults.hpp"
 #include "force.hpp"
+#include "harmonic_answer.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
 #include "scene.hpp"
@@ -17,6 +19,13 @@
 namespace signorini::python {
 
 using answers::ForcedAnswer;
+using answers::HarmonicAnswer;
+using answers::HarmonicMotionOf;
+SIGNORINI_MEMBERS(HarmonicPiece, &T::end, &T::wave);
+SIGNORINI_MEMBERS(HarmonicMotion, &T::phase, &T::isPinned, &T::pieces, &T::extremes, &T::residual);
+SIGNORINI_MEMBERS(HarmonicMotionOf, &T::value, &T::bar, &T::growth);
+SIGNORINI_MEMBERS(HarmonicAnswer, &T::period, &T::damping, &T::place, &T::cycles, &T::amplitude,
+                  &T::scene, &T::bar, &T::motions);
 template <>
 struct Members<ForcedAnswer> {
     static constexpr auto list =
@@ -49,13 +58,13 @@ void addMotionOf(py::module_& module)
 
 ForcedAnswer findForced(const py::tuple& words, std::optional<std::int64_t> cells,
                         const Scene& scene, double damping, const std::string& force,
-                        std::optional<double> asked, std::int64_t cycles,
+                        std::optional<double> asked, int derivative, std::int64_t cycles,
                         std::optional<double> strainLimit)
 {
     Schedule schedule = scheduleOf(words, cells);
     schedule.stops = stopsOf(scene);
     validate(schedule);
-    const Bar& bar = scene.bar;
+    const Bar bar = answers::unitsOf(scene);
     if (!asked && canRest(schedule.phases, schedule.stops)) {
         throw std::invalid_argument(
             "amplitude is missing: allowed numbers > 0 [N or m]: without a gap motions are as "
@@ -67,8 +76,26 @@ ForcedAnswer findForced(const py::tuple& words, std::optional<std::int64_t> cell
         requireLimit(*strainLimit);
         limits.strain = *strainLimit / scales(bar).strain;
     }
+    const double ratio = 4.0 * static_cast<double>(schedule.cells) * static_cast<double>(cycles) /
+                         static_cast<double>(steps(schedule));
+    const std::optional<double> amplitude =
+        asked ? std::optional(displaced(*asked, derivative, ratio, bar)) : std::nullopt;
     return patiently([=](const Wires&) {
-        return answers::answerOf(forcedMotions(schedule, {damping}, forcing, limits), scene, asked);
+        return answers::answerOf(
+            forcedMotions(schedule, {damping}, forcing, limits, scene.segments), scene, amplitude);
+    });
+}
+
+HarmonicAnswer findHarmonic(std::int64_t numerator, std::int64_t denominator, const Scene& scene,
+                            double damping, const std::string& force, double amplitude,
+                            int derivative, std::int64_t cycles)
+{
+    validate(scene);
+    const ExactPeriod period = exactPeriod(numerator, denominator);
+    const double ratio = 4.0 * static_cast<double>(cycles) / period.value();
+    const double meant = displaced(amplitude, derivative, ratio, answers::unitsOf(scene));
+    return patiently([=](const Wires&) {
+        return answers::answerOf(period, {damping}, placeOf(force), cycles, meant, scene);
     });
 }
 
@@ -79,6 +106,15 @@ void addForced(py::module_& module)
     addMotionOf(module);
     classOf<ForcedAnswer>(module);
     module.def("find_forced", &findForced);
+    classOf<HarmonicMotionOf>(module);
+    classOf<HarmonicAnswer>(module);
+    module.def("find_harmonic", &findHarmonic);
+}
+
+double displaced(double amplitude, int derivative, double frequencyRatio, const Bar& bar)
+{
+    const double hertz = frequencyRatio * (0.25 / scales(bar).time);
+    return derivative == 0 ? amplitude : displacementAt(hertz, amplitude, derivative);
 }
 
 Excited placeOf(const std::string& force)

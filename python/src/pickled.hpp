@@ -2,12 +2,14 @@
 /// \file
 /// C++ values as tuples of Python's own, and back: what a pickle holds. And whether two are equal.
 
+#include <pybind11/complex.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <complex>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -131,7 +133,8 @@ struct Travel {
 
 /// Numbers, truth values and text are Python's own.
 template <typename T>
-requires(std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) struct Travel<T> {
+requires(std::is_arithmetic_v<T> || std::is_same_v<T, std::string> ||
+         std::is_same_v<T, std::complex<double>>) struct Travel<T> {
     static py::object put(const T& value) { return py::cast(value); }
     static T get(const py::handle& source) { return py::cast<T>(source); }
     /// Two that are no numbers are the same.

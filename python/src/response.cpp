@@ -33,9 +33,10 @@ struct Members<ResponseAnswer> {
 
 namespace {
 
-ResponseAnswer response(double damping, const std::string& force, double amplitude, double least,
-                        double most, std::int64_t cycles, std::int64_t cells, bool stability,
-                        std::int64_t threads, const Scene& scene, const py::object& progress)
+ResponseAnswer response(double damping, const std::string& force, double amplitude, int derivative,
+                        double least, double most, std::int64_t cycles, std::int64_t cells,
+                        bool stability, std::int64_t threads, const Scene& scene,
+                        const py::object& progress)
 {
     validate(scene);
     const Bar bar = answers::unitsOf(scene);
@@ -43,7 +44,8 @@ ResponseAnswer response(double damping, const std::string& force, double amplitu
     ResponseAnswer answer{{.cells = cells,
                            .damping = {damping},
                            .place = place,
-                           .amplitude = amplitude / amplitudeUnit(place, bar),
+                           .amplitude = amplitude / amplitudeUnit(place, bar, derivative),
+                           .derivative = derivative,
                            .cycles = cycles,
                            .leastFrequencyRatio = least,
                            .mostFrequencyRatio = most,

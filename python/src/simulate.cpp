@@ -241,8 +241,8 @@ Simulated simulated(Simulated answer, const Excitation& excitation, double total
 
 Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, const Scene& scene,
                    double damping, const std::optional<std::string>& force,
-                   std::optional<double> amplitude, std::optional<double> frequency, double phase,
-                   std::optional<double> time, std::optional<std::int64_t> periods,
+                   std::optional<double> amplitude, int derivative, std::optional<double> frequency,
+                   double phase, std::optional<double> time, std::optional<std::int64_t> periods,
                    std::optional<double> resolve, bool tip, const py::object& progress)
 {
     Simulated answer;
@@ -265,7 +265,8 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
         faults.throwIfAny();
     }
     if (force) {
-        answer.drive = Drive{placeOf(*force), *amplitude, *frequency, phase};
+        answer.drive = Drive{placeOf(*force), displaced(*amplitude, derivative, *frequency, bar),
+                             *frequency, phase};
     }
     const auto drivenBy = [&](double grid) {
         return answer.drive ? excitationOf(*answer.drive, grid, bar)

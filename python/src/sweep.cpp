@@ -26,10 +26,10 @@ SIGNORINI_MEMBERS(SweepAnswer, &T::range, &T::scene, &T::bar, &T::points, &T::is
 namespace {
 
 SweepAnswer sweep(const std::string& over, double least, double most, const std::string& force,
-                  double damping, double amplitude, double frequency, std::int64_t points,
-                  const std::string& direction, std::int64_t periods, bool rest,
-                  std::optional<double> resolve, std::int64_t cells, std::int64_t threads,
-                  const Scene& scene, const py::object& progress)
+                  double damping, double amplitude, int derivative, double frequency,
+                  std::int64_t points, const std::string& direction, std::int64_t periods,
+                  bool rest, std::optional<double> resolve, std::int64_t cells,
+                  std::int64_t threads, const Scene& scene, const py::object& progress)
 {
     validate(scene);
     const Bar bar = answers::unitsOf(scene);
@@ -39,6 +39,7 @@ SweepAnswer sweep(const std::string& over, double least, double most, const std:
                      .isCarried = !rest,
                      .cells = static_cast<double>(cells),
                      .place = placeOf(force),
+                     .derivative = derivative,
                      .frequencyRatio = frequency,
                      .damping = {damping},
                      .stops = stopsOf(scene),
@@ -47,8 +48,9 @@ SweepAnswer sweep(const std::string& over, double least, double most, const std:
     const double unit = answers::unitOf(range.over, range.place, bar);
     range.least = least / unit;
     range.most = most / unit;
-    range.amplitude =
-        range.over == Swept::amplitude ? range.least : amplitude / amplitudeUnit(range.place, bar);
+    range.amplitude = range.over == Swept::amplitude
+                          ? range.least
+                          : amplitude / amplitudeUnit(range.place, bar, derivative);
     std::vector<SweepDirection> directions{SweepDirection::up, SweepDirection::down};
     if (direction != "both") {
         directions = {valueOf("direction", direction, sweepDirections)};

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import random
 from fractions import Fraction
 from pathlib import Path
@@ -116,6 +117,57 @@ def test_continua_agree(program: Program) -> None:
                      0.25, "--state", "/dev/null")["member"]
     curve = sg.continuum(150, 900, energy_ratio=20)
     alike(member, curve.member(0.25).to_dict())
+
+
+@pytest.mark.parametrize("name, value", [
+    ("amplitude", 4e-4), ("amplitude_velocity", 6e-4),
+    ("amplitude_acceleration", 1e-3)])
+def test_amplitudes_of_a_base_agree(program: Program, name: str, value: float) -> None:
+    option = "--" + name.replace("_", "-")
+    drive: dict[str, Any] = {"damping": 0.05, "force": "base", name: value}
+    words = ["--damping", 0.05, "--force", "base", option, value]
+    alike(program("response", *words, "--cells", 12),
+          sg.response(cells=12, **drive).to_dict())
+    alike(program("sweep", *words, "--cells", 12, "--from", 0.9, "--to", 1.1,
+                  "--points", 3),
+          sg.sweep("frequency", 0.9, 1.1, points=3, cells=12, **drive).to_dict())
+    alike(program("simulate", *words, "--rest", "--cells", 12, "--frequency", 1.1,
+                  "--periods", 20),
+          sg.simulate(cells=12, frequency=1.1, periods=20, **drive).to_dict())
+    alike(program("find", 6, 30, *words, "--cells", 12),
+          sg.find(6, 30, cells=12, **drive).to_dict())
+    alike(program("find", "--frequency", "8/7", *words),
+          sg.find(frequency="8/7", **drive).to_dict())
+    with pytest.raises(ValueError, match="clash|only"):
+        sg.response(cells=12, damping=0.05, force="tip", amplitude_velocity=1.0)
+    with pytest.raises(ValueError, match="clash"):
+        sg.response(cells=12, amplitude_velocity=1.0, amplitude_acceleration=1.0,
+                    damping=0.05, force="base")
+
+
+@pytest.mark.parametrize("asked, cycles, drive", [
+    ({"period": "7/2"}, 1, {"force": "tip", "amplitude": 3e-4}),
+    ({"period": 3.7}, 2, {"force": "tip", "amplitude": 2e-4}),
+    ({"frequency": "10/9"}, 1, {"force": "base", "amplitude": 4e-4}),
+    ({"hertz": 0.27}, 1, {"force": "tip", "amplitude": 2e-4}),
+    ({"period": "7/2"}, 1, {"force": "tip", "amplitude": 1e-7})])
+def test_motions_off_the_grid_agree(program: Program, asked: dict[str, Any], cycles: int,
+                                    drive: dict[str, Any]) -> None:
+    words = [word for name, value in {**asked, **drive, "cycles": cycles}.items()
+             for word in (f"--{name}", value)]
+    ours = sg.find(damping=0.05, cycles=cycles, **asked, **drive)
+    alike(program("find", *words, "--damping", 0.05), ours.to_dict())
+    assert bool(ours) == ours.found == (len(ours.motions) > 0)
+    assert len(ours.frame()) == len(ours.motions)
+    again = pickle.loads(pickle.dumps(ours))
+    assert again == ours
+
+
+def test_forced_motions_of_segments_agree(program: Program) -> None:
+    drive: dict[str, Any] = {"damping": 0.05, "force": "tip"}
+    alike(program("find", 6, 28, "--segments", "4:1,4:1.3", "--damping", 0.05,
+                  "--force", "tip"),
+          sg.find(6, 28, segments=[(4, 1.0), (4, 1.3)], **drive).to_dict())
 
 
 def test_forced_motions_agree(program: Program) -> None:

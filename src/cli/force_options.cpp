@@ -1,8 +1,6 @@
 #include "force_options.hpp"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 
 #include "excited_names.hpp"
 #include "parts.hpp"
@@ -93,8 +91,8 @@ ForceOptions ForceOptions::at(double frequencyRatio, double firstHertz) const
 {
     ForceOptions displaced = *this;
     if (derivative > 0) {
-        const double omega = 2.0 * std::numbers::pi * frequencyRatio * firstHertz;
-        displaced.amplitude = amplitude.value() / std::pow(omega, derivative);
+        displaced.amplitude =
+            displacementAt(frequencyRatio * firstHertz, amplitude.value(), derivative);
         displaced.derivative = 0;
     }
     return displaced;

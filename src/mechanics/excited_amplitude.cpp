@@ -12,6 +12,11 @@ double displacementOf(double amplitude, int derivative, double frequencyRatio)
     return amplitude / std::pow(omega, derivative);
 }
 
+double displacementAt(double hertz, double amplitude, int derivative)
+{
+    return amplitude / std::pow(2.0 * std::numbers::pi * hertz, derivative);
+}
+
 double amplitudeUnit(Excited place, const Bar& bar, int derivative)
 {
     const Scales unit = scales(bar);

@@ -12,6 +12,9 @@ namespace signorini {
 /// W omega_1, omega_1 = pi c/(2 L).
 [[nodiscard]] double displacementOf(double amplitude, int derivative, double frequencyRatio);
 
+/// Y [m] of a base of which that derivative has an amplitude in m/s^derivative, at so many Hz.
+[[nodiscard]] double displacementAt(double hertz, double amplitude, int derivative);
+
 /// What an amplitude of 1 is: EA g/L [N], or g (c/L)^derivative [m, m/s, m/s^2].
 [[nodiscard]] double amplitudeUnit(Excited place, const Bar& bar, int derivative = 0);
 /// "N", "m", "m/s", "m/s^2".
