@@ -186,7 +186,7 @@ frequencies in omega_1.
     d.key("reason", "-", "Why there is no motion, in a word.", &T::reason, When::none);
     d.key("near_schedule", "-",
           "Of those with one contact that have motions the one that differs in the fewest steps.",
-          &T::nearSchedule, When::none);
+          &T::nearSchedule, When::any);
     d.key(
         "certificate", "-", "The proof that there is none.",
         [](const T& a) {

@@ -48,6 +48,15 @@ struct Answer {
     NetworkMotions motions;
 
     [[nodiscard]] double joules(double energy) const { return energy * network.scales.energy(); }
+    /// In a period.
+    [[nodiscard]] double closedSteps(std::size_t contact) const
+    {
+        double steps = 0.0;
+        for (const ContactSpan& span : schedule) {
+            steps += contains(span.closed, contact) ? static_cast<double>(span.steps) : 0.0;
+        }
+        return steps;
+    }
     [[nodiscard]] double period() const
     {
         double steps = 0.0;
@@ -142,6 +151,7 @@ Json asJson(const Answer& answer)
         json["contacts"][j]["peak_force"] = motions.residuals.peakForces[j] * scales.force();
         json["contacts"][j]["impulse"] =
             motions.residuals.impulses[j] * scales.force() * scales.time;
+        json["contacts"][j]["contact_time"] = scales.time * answer.closedSteps(j);
     }
     return json;
 }

@@ -260,7 +260,11 @@ void BarSimulation::press(double push, double p, double lasts)
         contact_.meanForce = contact_.peakForce;
         return;
     }
-    const auto see = [&](double mean) { contact_.meanForce = std::max(contact_.meanForce, mean); };
+    // No mean is beyond the peak; where the resolution is near the rounding of times, quotients
+    // are.
+    const auto see = [&](double mean) {
+        contact_.meanForce = std::max(contact_.meanForce, std::min(mean, contact_.peakForce));
+    };
     if (now >= stretchEnd_) {  // since then nothing pressed
         stretchEnd_ += resolution_ * (1.0 + std::floor((now - stretchEnd_) / resolution_));
         stretchImpulse_ = 0.0;
@@ -401,76 +405,6 @@ double BarSimulation::base() const
     const auto m = static_cast<std::int64_t>(whole);
     return std::lerp(excitation_.baseDisplacement(m), excitation_.baseDisplacement(m + 1),
                      steps - whole);
-}
-
-Waves BarSimulation::waves() const
-{
-    return segments_.empty() ? wavesOfEcho() : segments_.front().waves();
-}
-
-Waves BarSimulation::wavesOfEcho() const
-{
-    Waves waves;
-    waves.crossing = crossing_;
-    const auto put = [](std::vector<Piece>& to, double duration, double value) {
-        if (!to.empty() && to.back().value == value) {
-            to.back().duration += duration;
-        } else {
-            to.push_back({duration, value});
-        }
-    };
-    Clock clock = base_;
-    double left = crossing_;
-    for (std::size_t k = 0; k < echo_.size(); ++k) {
-        Piece piece = echo_[k];
-        while (left > same_ && piece.duration > 0.0) {
-            double lasts = std::min(clock.left, left);
-            lasts = piece.duration <= lasts + same_ ? piece.duration : lasts;
-            put(waves.a, lasts, clock.value - piece.value);
-            piece.duration -= lasts;
-            left -= lasts;
-            clock.left < infinity ? clock.pass(lasts, same_) : void();
-        }
-        if (piece.duration > 0.0) {
-            put(waves.b, piece.duration, piece.value);
-        }
-    }
-    return waves;
-}
-
-std::int64_t BarSimulation::pieces() const
-{
-    return static_cast<std::int64_t>(segments_.empty() ? echo_.size() : segments_.front().pieces());
-}
-
-double BarSimulation::energyRatio() const
-{
-    return segments_.empty() ? signorini::energyRatio(waves()) : 2.0 * storedSquares() / crossing_;
-}
-
-double BarSimulation::merged() const
-{
-    return (segments_.empty() ? echo_.merged() - mergedBefore_ : segments_.front().merged()) /
-           crossing_;
-}
-
-double BarSimulation::storedSquares() const
-{
-    return segments_.empty() ? echo_.squares() : segments_.front().squares();
-}
-
-EnergyBalance BarSimulation::balance() const
-{
-    // What the base does is counted where it is felt, so the energy is that of what left the tip.
-    const double unit = 2.0 / crossing_;
-    const double squares = storedSquares();
-    Sum error;
-    for (const double term :
-         {squares, -start_, -work_.value, -work_.lost, dissipated_.value, dissipated_.lost}) {
-        error.add(term);
-    }
-    return {unit * work_.total(), unit * dissipated_.total(), unit * error.total(),
-            unit * std::max({squares, start_, std::abs(work_.total()), dissipated_.total()})};
 }
 
 }  // namespace signorini

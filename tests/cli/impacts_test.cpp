@@ -185,3 +185,20 @@ TEST_CASE(
     refuses("response --damping 0.02 --force base --amplitude-velocity 1 --map m.svg", "--map");
     refuses("response --damping 0.02 --force base --amplitude-acceleration 0", "[m/s^2]");
 }
+
+TEST_CASE("cli impacts: no mean force is beyond the peak, however short the resolution")
+{
+    const CommandLine program;
+    for (const char* resolution : {"1e-9", "1e-6", "1e-3"}) {
+        REQUIRE(program
+                    .run("simulate --rest --damping 0.05 --force tip --amplitude 1e-3 --frequency "
+                         "1.1 --cells 20 --periods 100 --events e.csv --resolve " +
+                         std::string(resolution))
+                    .status == 0);
+        const auto events = fieldsOf(contentOf(program.file("e.csv")));
+        REQUIRE(events.size() > 50);
+        for (const auto& event : events) {
+            CHECK(std::stod(event.at(4)) <= std::stod(event.at(3)));
+        }
+    }
+}

@@ -337,12 +337,15 @@ class Claim:
         if len(found) != len(bars.contacts):
             raise NoProof("contacts: not those of the scene")
         for k, (one, contact) in enumerate(zip(found, bars.contacts), 1):
-            require_keys(one, "contacts", ("number", "kind", "place", "gap"), ("peak_force", "impulse"))
+            require_keys(one, "contacts", ("number", "kind", "place", "gap"), ("peak_force", "impulse", "contact_time"))
             if one["kind"] != contact.kind:
                 raise NoProof(f"contacts: {shown(one['kind'])} is not the kind of contact {k}")
             truth += [("contacts: number", one["number"], Fraction(k)),
                       ("contacts: place", one["place"], bars.places[contact.node]),
                       ("contacts: gap", one["gap"], contact.gap)]
+            if "contact_time" in one:
+                truth.append(("contacts: contact_time", one["contact_time"],
+                              sum(k - 1 in closed for closed in self.closed) * bars.step))
         for name, value, exact in truth:
             if not close(value if exact >= 0 else -number(value, name), abs(exact), NINE):
                 raise NoProof(f"{name}: {shown(value)} does not follow from scene and schedule")
