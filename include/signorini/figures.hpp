@@ -134,17 +134,18 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
 /// Draws impulse on the wall and reach of the tip against the frequency of the excitation: motions
 /// with one contact as dots, with two as diamonds, heavy where they attract, fine where they repel
 /// (their `stability`, if it was tried), the bar without a wall as a line, and behind them the
-/// free, undamped motions of the modes, the backbones that they stand on. \throws
+/// free, undamped motions of the modes, the backbones that they stand on. `bar`: whose scales the
+/// second axes have, Hz, N s and m. \throws
 /// std::invalid_argument if there is no frequency; BackendUnavailable, FileError as above.
 void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
-                  FigureFormat format, const std::string& path);
+                  const Bar& bar, FigureFormat format, const std::string& path);
 
 /// Draws amplitude against frequency of the excitation: how many motions with at most one contact
 /// there are at each place, the amplitude from which the motion without contact meets the wall, and
 /// the least one of a motion with contact; between the two edges several coexist. Motions with two
 /// contacts are diamonds, the amplitude of the range is a line across. Errors as above.
 void drawResponseMap(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
-                     FigureFormat format, const std::string& path);
+                     const Bar& bar, FigureFormat format, const std::string& path);
 
 /// Draws impulse and swing of a sweep against what was varied, upward and downward, with strokes
 /// from least to most where the bar does not repeat itself, over the motions of a response, if any
@@ -158,10 +159,11 @@ void drawSweep(std::span<const SweepPoint> points, const SweepRange& range, cons
 void drawBifurcation(std::span<const SweepPoint> points, const SweepRange& range, const Bar& bar,
                      FigureFormat format, const std::string& path);
 
-/// Draws what a simulation saw: the tip beside the wall with its contacts, at the beginning and at
-/// the end, and the impulse of each contact. \throws std::invalid_argument if the path of the tip
-/// was not recorded; BackendUnavailable, FileError as above.
-void drawSimulation(const BarSimulation& simulation, const Excitation& excitation,
+/// Draws what a simulation saw, in SI units: the tip beside the wall with its contacts, at the
+/// beginning and at the end, and the impulse of each contact. `bar`: whose scales it has. \throws
+/// std::invalid_argument if the path of the tip was not recorded; BackendUnavailable, FileError as
+/// above.
+void drawSimulation(const BarSimulation& simulation, const Excitation& excitation, const Bar& bar,
                     FigureFormat format, const std::string& path);
 
 }  // namespace signorini

@@ -200,10 +200,12 @@ ExitStatus ResponseCommand::run() const
         outputs.put("--backbone-csv",
                     [&](const std::string& path) { writeBackboneCsv(path, answer); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawResponse(answer.frequencies, answer.range, figureFormat(figureFile), path);
+            drawResponse(answer.frequencies, answer.range, answer.bar, figureFormat(figureFile),
+                         path);
         });
         outputs.put("--map", [&](const std::string& path) {
-            drawResponseMap(answer.frequencies, answer.range, figureFormat(mapFile), path);
+            drawResponseMap(answer.frequencies, answer.range, answer.bar, figureFormat(mapFile),
+                            path);
         });
         outputs.commit();
     }

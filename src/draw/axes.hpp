@@ -27,4 +27,12 @@ struct Unit {
 /// The least of 1, 2, 5 times a power of ten that is not below `least` > 0.
 [[nodiscard]] double niceStep(double least);
 
+/// Gnuplot's words for a second axis "x" or "y" on the other side of the first one, which reaches
+/// over `span` > 0: a number there is `factor` times as much, in `unit`.
+[[nodiscard]] std::string linkedAxis(const char* axis, double span, double factor,
+                                     const std::string& unit);
+
+/// The same for a frequency ratio ω/ω_1 of a bar, in Hz.
+[[nodiscard]] std::string hertzAxis(double span, const Bar& bar);
+
 }  // namespace signorini

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "axes.hpp"
+#include "excited_amplitude.hpp"
 #include "faults.hpp"
 #include "gnuplot.hpp"
 #include "palette.hpp"
@@ -144,31 +146,27 @@ std::string segmentsOf(const ResponseRange& range)
     return text + (range.segments.size() > most ? ", …" : "");
 }
 
-std::string titleOf(const ResponseRange& range)
+std::string titleOf(const ResponseRange& range, const Bar& bar)
 {
     const bool hasUnit = range.stops.right != 0;
-    return fmt::format(
-        "{} of amplitude {:.4g} {}{},  ζ = {:.4g},  N = {}{}{}{}",
-        range.place == Excited::tip ? "force on the tip" : "base moving", range.amplitude,
-        range.place == Excited::tip ? (hasUnit ? "EA g/L" : "EA")
-        : hasUnit                   ? "g"
-                                    : "L",
-        range.derivative == 0   ? ""
-        : range.derivative == 1 ? " c/L"
-                                : " c²/L²",
-        range.damping.ratio, range.cells,
-        range.stops.right < 0 ? ",  g < 0"
-        : hasUnit             ? ""
-                              : ",  g = 0",
-        range.cycles > 1 ? fmt::format(",  period of {} cycles of the excitation", range.cycles)
-                         : "",
-        isUniform(range.segments) ? "" : ",  segments " + segmentsOf(range));
+    const double amplitude = range.amplitude * amplitudeUnit(range.place, bar, range.derivative);
+    return fmt::format("{} of amplitude {},  ζ = {:.4g},  N = {}{}{}{}",
+                       range.place == Excited::tip ? "force on the tip" : "base moving",
+                       withUnit(amplitude, amplitudeUnitName(range.place, range.derivative)),
+                       range.damping.ratio, range.cells,
+                       range.stops.right < 0 ? ",  g < 0"
+                       : hasUnit             ? ""
+                                             : ",  g = 0",
+                       range.cycles > 1
+                           ? fmt::format(",  period of {} cycles of the excitation", range.cycles)
+                           : "",
+                       isUniform(range.segments) ? "" : ",  segments " + segmentsOf(range));
 }
 
 }  // namespace
 
 void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
-                  FigureFormat format, const std::string& path)
+                  const Bar& bar, FigureFormat format, const std::string& path)
 {
     if (frequencies.empty()) {
         throw std::invalid_argument("figure: the response holds no frequency to draw");
@@ -207,27 +205,32 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
             pushed = std::max(pushed, motion.extremes.impulse);
         }
     }
+    const double highest = pushed > 0.0 ? 1.15 * pushed : 1.0;
+    const double impulseInSi = bar.axialStiffness * scales(bar).strain * scales(bar).time;
+    const Unit impulses = unitFor(highest * impulseInSi, "N s");
+    const double height = heightOf(frequencies, range);
+    const Unit swings = unitFor(height * scales(bar).displacement, "m");
     print(script,
-          "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
+          "set multiplot\nset border lw 0.8\nset tics out scale 0.6\n{}{}"
           "set grid lw 0.4 lc '{}'\nset xrange [{}:{}]\nset lmargin at screen 0.12\n"
-          "set rmargin at screen 0.97\nset label 1 \"{}\" at screen 0.54,0.965 center\n"
-          "set tmargin at screen 0.92\nset bmargin at screen 0.54\nset format x ''\n"
-          "set ylabel 'impulse  [EA {}/c]'\nset yrange [0:{}]\n"
+          "set rmargin at screen 0.88\nset label 1 \"{}\" at screen 0.5,0.965 center\n"
+          "set tmargin at screen 0.89\nset bmargin at screen 0.54\nset format x ''\n"
+          "set ylabel 'impulse  [EA {}/c]'\nset yrange [0:{:.4g}]\n"
           "set key top left reverse Left samplen 2 spacing 1.1\n"
           "plot $linear using 1:(-1) with lines notitle, {}NaN with lines lw 2 lc '{}' title 'no "
           "contact', "
           "NaN with lines lw 1.5 dt (6,3) lc '{}' title 'no stop in its way'{}\n",
-          palette::grid, least - margin, most + margin, titleOf(range), unit,
-          pushed > 0.0 ? fmt::format("{:.4g}", 1.15 * pushed)
-          : hasModes   ? "*"
-                       : "1",
+          hertzAxis(most - least + 2.0 * margin, bar),
+          linkedAxis("y", highest, impulseInSi * impulses.factor, impulses.name), palette::grid,
+          least - margin, most + margin, titleOf(range, bar), unit, highest,
           hasModes ? fmt::format("$modes using 1:2 with lines lw 5 lc '{}' title 'modes: free, "
                                  "undamped', ",
                                  palette::fading.back())
                    : std::string(),
           palette::ink, palette::faint, upper);
     print(script,
-          "unset label 1\n{}unset key\nset format x '%g'\nset tmargin at screen 0.49\n"
+          "unset label 1\n{}{}unset key\nunset x2tics\nset format x '%g'\nset tmargin "
+          "at screen 0.49\n"
           "set bmargin at screen 0.12\nset xlabel 'frequency of the excitation  ω/ω_1'\n"
           "set ylabel 'swing  −min u(L)/{}'\nset yrange [0:{:.4g}]\n"
           "plot $modes using 1:3 with lines lw 5 lc '{}', $linear using 1:2 with lines lw 2 lc "
@@ -235,8 +238,8 @@ void drawResponse(std::span<const FrequencyResponse> frequencies, const Response
           range.stops.left ? "set label 2 'second stop' at graph 0.01,first secondStop left "
                              "offset 0,0.5\n"
                            : "",
-          unit, heightOf(frequencies, range), palette::fading.back(), palette::ink, palette::faint,
-          lower);
+          linkedAxis("y", height, scales(bar).displacement * swings.factor, swings.name), unit,
+          height, palette::fading.back(), palette::ink, palette::faint, lower);
     runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "axes.hpp"
+#include "excited_amplitude.hpp"
 #include "gnuplot.hpp"
 #include "palette.hpp"
 #include "signorini/figures.hpp"
@@ -83,7 +85,7 @@ std::vector<CountedBand> bandsOf(const FrequencyResponse& response, const Respon
 }  // namespace
 
 void drawResponseMap(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
-                     FigureFormat format, const std::string& path)
+                     const Bar& bar, FigureFormat format, const std::string& path)
 {
     if (frequencies.empty()) {
         throw std::invalid_argument("figure: the response holds no frequency to draw");
@@ -135,8 +137,12 @@ void drawResponseMap(std::span<const FrequencyResponse> frequencies, const Respo
     const auto [low, high] =
         std::minmax(frequencies.front().frequencyRatio, frequencies.back().frequencyRatio);
     const double margin = high > low ? 0.0 : 0.05;
+    const double amplitudeInSi = amplitudeUnit(range.place, bar);
+    const Unit unit = unitFor(top * amplitudeInSi, amplitudeUnitName(range.place));
+    print(script, "{}{}", hertzAxis(high - low + 2.0 * margin, bar),
+          linkedAxis("y", top, amplitudeInSi * unit.factor, unit.name));
     print(script,
-          "set border lw 0.8 front\nset tics out nomirror scale 0.6\nset xrange [{}:{}]\n"
+          "set border lw 0.8 front\nset tics out scale 0.6\nset xrange [{}:{}]\n"
           "set yrange [0:{}]\nset xlabel 'frequency of the excitation  ω/ω_1'\n"
           "set ylabel 'amplitude of the {}'\n"
           "set title \"motions with at most one contact in {},  ζ = {:.4g},  N = {}\"\n"
