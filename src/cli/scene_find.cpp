@@ -7,6 +7,7 @@
 #include "interrupt.hpp"
 #include "network_find.hpp"
 #include "network_state_file.hpp"
+#include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "signorini/find_periodic.hpp"
 #include "units.hpp"
