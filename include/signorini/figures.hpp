@@ -8,9 +8,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "signorini/atlas_database.hpp"
 #include "signorini/continuum.hpp"
+#include "signorini/figure_data.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/output.hpp"
@@ -26,6 +28,10 @@ enum class FigureFormat { svg, png, pdf };
 /// By the ending of the name: .svg, .png or .pdf.
 /// \throws std::invalid_argument for any other ending.
 [[nodiscard]] FigureFormat figureFormat(const std::string& path);
+
+/// Draws a figure with gnuplot. \throws BackendUnavailable if gnuplot is missing or fails,
+/// FileError if `path` cannot be written.
+void drawFigure(const FigureData& figure, FigureFormat format, const std::string& path);
 
 /// Draws a found motion as in the paper's Fig. 3, in SI units: strain and velocity along the bar at
 /// t = 0, the displacement u(x, t) over one period, and with the same axis of time the path of the
@@ -61,6 +67,10 @@ enum class AnimationFormat { gif, mp4 };
 
 /// By the ending of the name: .gif or .mp4. \throws std::invalid_argument for any other ending.
 [[nodiscard]] AnimationFormat animationFormat(const std::string& path);
+
+/// Draws figures one after the other, 20 a second; .mp4 needs ffmpeg besides. Errors as above.
+void drawFigures(std::span<const FigureData> frames, AnimationFormat format,
+                 const std::string& path);
 
 /// A motion over one period: the bar at the wall, displacements magnified and coloured by strain
 /// (compression red), and u, s, v along it. At most 120 frames, 20 a second. Gnuplot draws them;
@@ -131,14 +141,13 @@ void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int6
 void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                       FigureFormat format, const std::string& path);
 
-/// Draws impulse on the wall and reach of the tip against the frequency of the excitation: motions
-/// with one contact as dots, with two as diamonds, heavy where they attract, fine where they repel
-/// (their `stability`, if it was tried), the bar without a wall as a line, and behind them the
-/// free, undamped motions of the modes, the backbones that they stand on. `bar`: whose scales the
-/// second axes have, Hz, N s and m. \throws
-/// std::invalid_argument if there is no frequency; BackendUnavailable, FileError as above.
-void drawResponse(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
-                  const Bar& bar, FigureFormat format, const std::string& path);
+/// Impulse on the wall and reach of the tip against the frequency of the excitation: motions with
+/// contact as dots, large where they attract and small where they repel (their `stability`, if it
+/// was tried), the bar without a wall as a line, and behind them the free, undamped motions of the
+/// modes, the backbones that they stand on. `bar`: whose scales the axes have, Hz, N s and m.
+/// Panels "impulse" and "tip". \throws std::invalid_argument if there is no frequency.
+[[nodiscard]] FigureData responseFigure(std::span<const FrequencyResponse> frequencies,
+                                        const ResponseRange& range, const Bar& bar);
 
 /// Draws amplitude against frequency of the excitation: how many motions with at most one contact
 /// there are at each place, the amplitude from which the motion without contact meets the wall, and

@@ -13,6 +13,7 @@
 #include "signorini/continuum.hpp"
 #include "signorini/control.hpp"
 #include "signorini/demands.hpp"
+#include "signorini/figure_data.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/lumped_set.hpp"

@@ -200,8 +200,8 @@ ExitStatus ResponseCommand::run() const
         outputs.put("--backbone-csv",
                     [&](const std::string& path) { writeBackboneCsv(path, answer); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawResponse(answer.frequencies, answer.range, answer.bar, figureFormat(figureFile),
-                         path);
+            drawFigure(responseFigure(answer.frequencies, answer.range, answer.bar),
+                       figureFormat(figureFile), path);
         });
         outputs.put("--map", [&](const std::string& path) {
             drawResponseMap(answer.frequencies, answer.range, answer.bar, figureFormat(mapFile),

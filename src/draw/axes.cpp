@@ -64,6 +64,38 @@ double niceStep(double least)
     return 10.0 * power;
 }
 
+Unit axisUnit(double scale, double largest, const std::string& base)
+{
+    const Unit unit = unitFor(scale * std::abs(largest), base);
+    return {scale * unit.factor, unit.name};
+}
+
+std::string labelled(const std::string& words, const Unit& unit)
+{
+    return fmt::format("{}  [{}]", words, unit.name);
+}
+
+plot::Axis axisIn(const Unit& unit, const std::string& words, double low, double high,
+                  const std::string& other)
+{
+    plot::Axis axis{
+        .label = labelled(words, unit), .low = unit.factor * low, .high = unit.factor * high};
+    if (!other.empty() && std::isfinite(1.0 / unit.factor)) {
+        axis.other = plot::OtherSide{.label = other, .factor = 1.0 / unit.factor};
+    }
+    return axis;
+}
+
+plot::Axis frequencyAxis(const std::string& words, double low, double high, const Bar& bar)
+{
+    plot::Axis axis{.label = words + "  ω/ω_1", .low = low, .high = high};
+    const Unit unit = axisUnit(0.25 / scales(bar).time, high, "Hz");
+    if (std::isfinite(unit.factor) && unit.factor > 0.0) {
+        axis.other = plot::OtherSide{.label = labelled("frequency", unit), .factor = unit.factor};
+    }
+    return axis;
+}
+
 std::string linkedAxis(const char* axis, double span, double factor, const std::string& unit)
 {
     const double step = niceStep(span * factor / 5.0);

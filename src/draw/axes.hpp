@@ -5,6 +5,7 @@
 #include <string>
 
 #include "signorini/bar.hpp"
+#include "signorini/figure_data.hpp"
 
 namespace signorini {
 
@@ -26,6 +27,21 @@ struct Unit {
 
 /// The least of 1, 2, 5 times a power of ten that is not below `least` > 0.
 [[nodiscard]] double niceStep(double least);
+
+/// From numbers of which 1 is `scale` in SI to an axis that shows `largest` of them at the most.
+[[nodiscard]] Unit axisUnit(double scale, double largest, const std::string& base);
+
+/// "impulse", mN s -> "impulse  [mN s]".
+[[nodiscard]] std::string labelled(const std::string& words, const Unit& unit);
+
+/// An axis in `unit` from `low` to `high` of its numbers; on the other side, if it has words, the
+/// numbers themselves.
+[[nodiscard]] plot::Axis axisIn(const Unit& unit, const std::string& words, double low, double high,
+                                const std::string& other = {});
+
+/// An axis of frequency ratios ω/ω_1, above it Hz.
+[[nodiscard]] plot::Axis frequencyAxis(const std::string& words, double low, double high,
+                                       const Bar& bar);
 
 /// Gnuplot's words for a second axis "x" or "y" on the other side of the first one, which reaches
 /// over `span` > 0: a number there is `factor` times as much, in `unit`.

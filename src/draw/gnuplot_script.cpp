@@ -1,0 +1,358 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "axes.hpp"
+#include "gnuplot.hpp"
+#include "signorini/figures.hpp"
+#include "text.hpp"
+
+namespace signorini {
+
+namespace {
+
+using namespace plot;
+
+/// A text of gnuplot in double quotes.
+std::string quoted(const std::string& words)
+{
+    std::string text = "\"";
+    for (const char c : words) {
+        text += c == '"' || c == '\\' ? fmt::format("\\{}", c) : std::string(1, c);
+    }
+    return text + "\"";
+}
+
+std::string dashOf(Dash dash)
+{
+    constexpr std::array dashes{"", " dt (6,3)", " dt (2,3)", " dt (10,4)"};
+    return dashes.at(static_cast<std::size_t>(dash));
+}
+
+int pointOf(Marker marker)
+{
+    constexpr std::array points{7, 6, 2, 5, 13, 12, 9};
+    return points.at(static_cast<std::size_t>(marker));
+}
+
+/// A limit of a range.
+std::string limit(const std::optional<double>& value)
+{
+    return value ? fmt::format("{:.10g}", *value) : "*";
+}
+
+/// Writes one panel; numbers of data blocks go on from panel to panel.
+class PanelScript {
+public:
+    PanelScript(Text& script, const Panel& panel, int& blocks)
+        : script_(script), panel_(panel), blocks_(blocks)
+    {
+    }
+
+    void write()
+    {
+        std::string plots;
+        for (const Series& series : panel_.series) {
+            plots += series.kind == Kind::words ? "" : plotOf(series);
+        }
+        for (const Series& series : panel_.series) {
+            plots += series.kind == Kind::words && !series.isInPanel ? plotOf(series) : "";
+        }
+        frame();
+        axis("x", panel_.x);
+        axis("y", panel_.y);
+        colours();
+        legend();
+        for (const Series& series : panel_.series) {
+            if (series.isInPanel) {
+                labels(series);
+            }
+        }
+        print(script_, "plot {}NaN notitle\nunset label\n", plots);
+    }
+
+private:
+    void frame()
+    {
+        const Place& place = panel_.place;
+        print(script_,
+              "set lmargin at screen {:.5g}\nset rmargin at screen {:.5g}\n"
+              "set bmargin at screen {:.5g}\nset tmargin at screen {:.5g}\n"
+              "set size {}\nset {} border{}\n{}\nset title {} offset 0,{}\n",
+              place.left, place.right, place.bottom, place.top,
+              panel_.isEqual ? "ratio -1" : "noratio", panel_.isFramed ? "" : "no",
+              panel_.isFramed ? " 31 lw 0.8 front" : "",
+              panel_.hasGrid && panel_.isFramed
+                  ? fmt::format("set grid lw 0.4 lc '{}'", colourOf(Role::grid))
+                  : "unset grid",
+              quoted(panel_.title), panel_.x.other ? "0" : "-0.5");
+    }
+
+    void axis(const char* side, const Axis& axis)
+    {
+        print(script_,
+              "unset link {0}2\nset {0}range [{1}:{2}] noextend\n{3} logscale {0}\nset {0}label "
+              "{4}{5}\n"
+              "set format {0} {6}\n",
+              side, limit(axis.low), limit(axis.high), axis.isLogarithmic ? "set" : "unset",
+              quoted(axis.label), *side == 'x' ? " offset 0,0.3" : "",
+              !axis.hasNumbers ? "''"
+              : isWide(axis)   ? "'10^{%L}'"
+                               : "'%g'");
+        if (!panel_.isFramed) {
+            print(script_, "unset {0}tics\nunset {0}2tics\nunset {0}2label\n", side);
+            return;
+        }
+        print(script_, "set {}tics out nomirror scale 0.6 {}\n", side, ticksOf(axis));
+        if (!axis.other || !axis.low || !axis.high) {
+            print(script_, "unset {0}2tics\nunset {0}2label\n", side);
+            return;
+        }
+        const OtherSide& other = *axis.other;
+        const double span = (*axis.high - *axis.low) * other.factor;
+        const std::string inverse = fmt::format("{:.17g}/{}", other.factor, side);
+        std::string ticks;
+        for (const double tick : other.ticks) {
+            ticks += fmt::format("{}{}", ticks.empty() ? "(" : ", ", tick);
+        }
+        print(script_,
+              "set link {0}2 via {1} inverse {2}\nset {0}2tics out nomirror scale 0.6 {3}\n"
+              "set {0}2label {4}{5}\nset format {0}2 '%g'\n",
+              side, other.isInverse ? inverse : fmt::format("{}*{:.17g}", side, other.factor),
+              other.isInverse ? inverse : fmt::format("{}/{:.17g}", side, other.factor),
+              !ticks.empty()    ? ticks + ")"
+              : other.isInverse ? "autofreq"
+                                : fmt::format("{:.17g}", niceStep(span / 5.0)),
+              quoted(other.label), *side == 'x' ? " offset 0,-0.4" : "");
+    }
+
+    /// Powers of ten rather than numbers?
+    static bool isWide(const Axis& axis)
+    {
+        return axis.isLogarithmic && axis.ticks.empty() && axis.high && *axis.high > 1000.0;
+    }
+
+    static std::string ticksOf(const Axis& axis)
+    {
+        std::string ticks;
+        for (const Tick& tick : axis.ticks) {
+            ticks +=
+                fmt::format("{}{} {:.10g}", ticks.empty() ? "(" : ", ", quoted(tick.text), tick.at);
+        }
+        return !ticks.empty()    ? ticks + ")"
+               : axis.step > 0.0 ? fmt::format("{:.10g}", axis.step)
+                                 : "autofreq";
+    }
+
+    void colours()
+    {
+        const Axis& axis = panel_.colour;
+        std::string map;
+        int stop = 0;
+        for (const std::string& colour : coloursOf(panel_.map)) {
+            map += fmt::format("{}{} '{}'", stop == 0 ? "" : ", ", stop, colour);
+            ++stop;
+        }
+        print(script_, "set palette defined ({})\nset cbrange [{}:{}]\n{} logscale cb\n", map,
+              limit(axis.low), limit(axis.high), axis.isLogarithmic ? "set" : "unset");
+        if (!panel_.colourBar) {
+            print(script_, "unset colorbox\n");
+            return;
+        }
+        const Place& bar = *panel_.colourBar;
+        print(script_,
+              "set colorbox user origin screen {:.5g},{:.5g} size screen {:.5g},{:.5g}\n"
+              "set cblabel {}\nset format cb '{}'\nset cbtics {}\n",
+              bar.left, bar.bottom, bar.right - bar.left, bar.top - bar.bottom, quoted(axis.label),
+              isWide(axis) ? "10^{%L}" : "%g", ticksOf(axis));
+    }
+
+    void legend()
+    {
+        constexpr std::array places{"",
+                                    "inside top left reverse Left",
+                                    "inside top right reverse Left",
+                                    "inside bottom right reverse Left",
+                                    "outside top left horizontal reverse Left",
+                                    "outside bottom center horizontal reverse Left"};
+        if (panel_.legend == Legend::none) {
+            print(script_, "unset key\n");
+            return;
+        }
+        print(script_, "set key {} samplen 2 spacing {:.3g} width 1 maxrows {}{}\n",
+              places.at(static_cast<std::size_t>(panel_.legend)), 1.15,
+              panel_.legendRows > 0 ? std::to_string(panel_.legendRows) : "auto",
+              panel_.legendSize == 1.0 ? " font ''"
+                                       : fmt::format(" font ',{:.3g}'", 9.0 * panel_.legendSize));
+    }
+
+    void labels(const Series& series)
+    {
+        for (std::size_t k = 0; k < series.words.size(); ++k) {
+            print(script_, "set label {} at graph {:.5g},{:.5g} {}{} front textcolor '{}'\n",
+                  sized(series, series.words[k]), series.x[k], series.y[k], alignOf(series),
+                  turnOf(series), colourOf(series.role));
+        }
+    }
+
+    static std::string sized(const Series& series, const std::string& words)
+    {
+        return quoted(series.size == 1.0 ? words
+                                         : fmt::format("{{/*{:.3g} {}}}", series.size, words));
+    }
+    static std::string alignOf(const Series& series)
+    {
+        constexpr std::array aligns{"left", "center", "right"};
+        return aligns.at(static_cast<std::size_t>(series.align));
+    }
+    static std::string turnOf(const Series& series)
+    {
+        return series.turn == 0.0 ? "" : fmt::format(" rotate by {:.4g}", series.turn);
+    }
+
+    /// A data block and how it is plotted; a title without data where there are none.
+    std::string plotOf(const Series& series)
+    {
+        const std::string title = series.legend.empty()
+                                      ? " notitle, "
+                                      : fmt::format(" title {}, ", quoted(series.legend));
+        const std::string line = fmt::format("lw {:.3g}{} lc '{}'", series.width,
+                                             dashOf(series.dash), colourOf(series.role));
+        if (series.x.empty() && series.legend.empty()) {
+            return "";
+        }
+        ++blocks_;
+        const std::string block = fmt::format("$d{} using ", blocks_);
+        print(script_, "$d{} << EOD\n", blocks_);
+        rows(series);
+        print(script_, "EOD\n");
+        const bool hasColour = !series.z.empty();
+        const std::string fill = fmt::format(
+            "fillstyle {} noborder fillcolor {}",
+            series.isHatched       ? std::string("pattern 4")
+            : series.opacity < 1.0 ? fmt::format("transparent solid {:.3g}", series.opacity)
+                                   : std::string("solid 1.0"),
+            hasColour ? "palette" : fmt::format("'{}'", colourOf(series.role)));
+        switch (series.kind) {
+            case Kind::line:
+            case Kind::strokes:
+                return block + "1:2 with lines " + line + title;
+            case Kind::dots:
+                return block +
+                       fmt::format(
+                           "{} with points pt {} ps {:.3g} lw {:.3g} lc {}",
+                           hasColour ? "1:2:3" : "1:2", pointOf(series.marker), 0.8 * series.size,
+                           series.width,
+                           hasColour ? "palette" : fmt::format("'{}'", colourOf(series.role))) +
+                       title;
+            case Kind::arrows:
+                return block + "1:2:3:4 with vectors head filled size screen 0.01,25 " + line +
+                       title;
+            case Kind::band:
+                return block +
+                       (series.y2.empty() ? "1:2 with filledcurves closed "
+                                          : "1:2:3 with filledcurves ") +
+                       fill + title;
+            case Kind::boxes:
+                return block + "1:2:3:4:5:6" + (hasColour ? ":7" : "") + " with boxxyerror " +
+                       fill + title;
+            case Kind::image:
+                return block + "1:2:3 with image" + title;
+            case Kind::words:
+                return block +
+                       fmt::format("1:2:3 with labels {}{} textcolor '{}'", alignOf(series),
+                                   turnOf(series), colourOf(series.role)) +
+                       title;
+        }
+        return "";
+    }
+
+    void rows(const Series& series)
+    {
+        if (series.x.empty()) {
+            print(script_, "NaN NaN NaN NaN NaN NaN NaN\n");
+        }
+        if (series.kind == Kind::image) {
+            for (std::size_t k = 0; k < series.z.size(); ++k) {
+                print(script_, "{:.7g} {:.7g} {:.5g}\n", series.x[k % series.x.size()],
+                      series.y[k / series.x.size()], series.z[k]);
+            }
+            return;
+        }
+        for (std::size_t k = 0; k < series.x.size(); ++k) {
+            row(series, k);
+        }
+    }
+
+    void row(const Series& series, std::size_t k)
+    {
+        const double x = series.x[k];
+        const double y = series.y[k];
+        if (!std::isfinite(x) || !std::isfinite(y)) {
+            print(script_, "\n");
+            return;
+        }
+        print(script_, "{:.9g} {:.7g}", x, y);
+        switch (series.kind) {
+            case Kind::strokes:
+                print(script_, "\n{:.9g} {:.7g}\n", series.x2[k], series.y2[k]);
+                break;
+            case Kind::arrows:
+                print(script_, " {:.7g} {:.7g}", series.x2[k] - x, series.y2[k] - y);
+                break;
+            case Kind::band:
+                print(script_, " {:.7g}", series.y2.empty() ? y : series.y2[k]);
+                break;
+            case Kind::boxes:
+                print(script_, " {:.9g} {:.9g} {:.7g} {:.7g}", x, series.x2[k], y, series.y2[k]);
+                break;
+            case Kind::words:
+                print(script_, " {}", sized(series, series.words[k]));
+                break;
+            default:
+                break;
+        }
+        print(script_, "{}\n", series.z.empty() ? "" : fmt::format(" {:.6g}", series.z[k]));
+    }
+
+    Text& script_;
+    const Panel& panel_;
+    int& blocks_;
+};
+
+void printFigure(Text& script, const FigureData& figure)
+{
+    int blocks = 0;
+    print(script, "set multiplot\n");
+    if (!figure.title.empty()) {
+        print(script, "set label {} at screen 0.5,{:.5g} center\n", quoted(figure.title),
+              1.0 - 0.45 / figure.height);
+    }
+    for (const Panel& panel : figure.panels) {
+        PanelScript(script, panel, blocks).write();
+    }
+    print(script, "unset multiplot\n");
+}
+
+}  // namespace
+
+void drawFigure(const FigureData& figure, FigureFormat format, const std::string& path)
+{
+    Text script;
+    printFigure(script, figure);
+    runGnuplot(fmt::to_string(script), format, figure.width, figure.height, path);
+}
+
+void drawFigures(std::span<const FigureData> frames, AnimationFormat format,
+                 const std::string& path)
+{
+    Text script;
+    for (const FigureData& frame : frames) {
+        printFigure(script, frame);
+    }
+    runGnuplot(fmt::to_string(script), format, path);
+}
+
+}  // namespace signorini
