@@ -13,6 +13,7 @@
 #include "network_state_file.hpp"
 #include "progress.hpp"
 #include "scene_figures.hpp"
+#include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "signorini/output.hpp"
 #include "simulate_command.hpp"
