@@ -437,11 +437,14 @@ class ForcedResult(_Record):
 class HarmonicMotion(_Record):
     contact_time_ratio: float
     release: str
+    contacts: list[HarmonicContact]
     phase: float
     physical: Physical
     admissible: bool
     growth: Optional[float]
     residual: float
+    enclosed: Optional[float]
+    alone_within: Optional[float]
 
 class HarmonicResult(_Record):
     status: str

@@ -185,7 +185,8 @@ def find_forced(schedule: Sequence[Steps], cells: Optional[int],
                 strain_limit: Optional[float], /) -> ForcedResult: ...
 def find_harmonic(numerator: int, denominator: int, scene: Scene,
                   damping: float, force: str, amplitude: float,
-                  derivative: int, cycles: int, /) -> HarmonicResult: ...
+                  derivative: int, cycles: int, contacts: int, /
+                  ) -> HarmonicResult: ...
 def continuum(schedule: Sequence[Steps], cells: Optional[int], scene: Scene,
               energy_ratio: Optional[float], energy: Optional[float],
               points: int, start: Optional[State],

@@ -80,6 +80,7 @@ def find(*, damping: float, force: str,
          amplitude: float | None = None,
          amplitude_velocity: float | None = None,
          amplitude_acceleration: float | None = None, cycles: int = 1,
+         contacts: int = 1,
          **options: Unpack[_Options]) -> HarmonicResult: ...
 
 
@@ -99,6 +100,7 @@ def find(
          amplitude: float | None = None,
          amplitude_velocity: float | None = None,
          amplitude_acceleration: float | None = None, cycles: int = 1,
+         contacts: int = 1,
          **bar_options: float | None
          ) -> Result | Question | ForcedResult | HarmonicResult:
     """Decide a schedule: a verified motion, or the proof that there is none.
@@ -156,6 +158,9 @@ def find(
         base.
     cycles : int
         Of the excitation in a period of the motion.
+    contacts : int
+        In a period, for a period or frequency with `damping` and `force`; of
+        several the motion on which a bar at rest settles.
 
     Returns
     -------
@@ -192,7 +197,8 @@ def find(
         exact = period_of({"period": period, "frequency": frequency,
                            "hertz": hertz}, cells, units, cycles)
         return _core.find_harmonic(exact.numerator, exact.denominator, whole,
-                                   damping, force, size, derivative, cycles)
+                                   damping, force, size, derivative, cycles,
+                                   contacts)
     if (amplitude, amplitude_velocity, amplitude_acceleration) != (None,) * 3 \
             or cycles != 1:
         raise ValueError("amplitude, cycles: allowed only together with "

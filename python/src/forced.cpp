@@ -20,12 +20,17 @@ namespace signorini::python {
 
 using answers::ForcedAnswer;
 using answers::HarmonicAnswer;
+using answers::HarmonicContactOf;
 using answers::HarmonicMotionOf;
 SIGNORINI_MEMBERS(HarmonicPiece, &T::end, &T::wave);
-SIGNORINI_MEMBERS(HarmonicMotion, &T::phase, &T::isPinned, &T::pieces, &T::extremes, &T::residual);
-SIGNORINI_MEMBERS(HarmonicMotionOf, &T::value, &T::bar, &T::growth);
+SIGNORINI_MEMBERS(HarmonicContact, &T::begin, &T::end, &T::stop, &T::isPinned, &T::front,
+                  &T::travel, &T::impulse, &T::peakForce, &T::speed);
+SIGNORINI_MEMBERS(HarmonicMotion, &T::phase, &T::contacts, &T::pieces, &T::extremes, &T::residual);
+SIGNORINI_MEMBERS(HarmonicProof, &T::isProved, &T::within, &T::aloneWithin, &T::why);
+SIGNORINI_MEMBERS(HarmonicContactOf, &T::value, &T::bar);
+SIGNORINI_MEMBERS(HarmonicMotionOf, &T::value, &T::bar, &T::growth, &T::proof);
 SIGNORINI_MEMBERS(HarmonicAnswer, &T::period, &T::damping, &T::place, &T::cycles, &T::amplitude,
-                  &T::scene, &T::bar, &T::motions);
+                  &T::scene, &T::bar, &T::contacts, &T::motions, &T::settled);
 template <>
 struct Members<ForcedAnswer> {
     static constexpr auto list =
@@ -88,14 +93,14 @@ ForcedAnswer findForced(const py::tuple& words, std::optional<std::int64_t> cell
 
 HarmonicAnswer findHarmonic(std::int64_t numerator, std::int64_t denominator, const Scene& scene,
                             double damping, const std::string& force, double amplitude,
-                            int derivative, std::int64_t cycles)
+                            int derivative, std::int64_t cycles, std::int64_t contacts)
 {
     validate(scene);
     const ExactPeriod period = exactPeriod(numerator, denominator);
     const double ratio = 4.0 * static_cast<double>(cycles) / period.value();
     const double meant = displaced(amplitude, derivative, ratio, answers::unitsOf(scene));
     return patiently([=](const Wires&) {
-        return answers::answerOf(period, {damping}, placeOf(force), cycles, meant, scene);
+        return answers::answerOf(period, {damping}, placeOf(force), cycles, meant, scene, contacts);
     });
 }
 
@@ -106,6 +111,7 @@ void addForced(py::module_& module)
     addMotionOf(module);
     classOf<ForcedAnswer>(module);
     module.def("find_forced", &findForced);
+    classOf<HarmonicContactOf>(module);
     classOf<HarmonicMotionOf>(module);
     classOf<HarmonicAnswer>(module);
     module.def("find_harmonic", &findHarmonic);

@@ -2,23 +2,38 @@
 /// \file
 /// What is said of a period whose excitation is an exact harmonic.
 
-#include "harmonic_contact.hpp"
+#include "harmonic_proof.hpp"
 #include "parts.hpp"
 
 namespace signorini::answers {
+
+/// What is 0 is not known.
+[[nodiscard]] inline std::optional<double> positive(double value)
+{
+    return value > 0.0 ? std::optional(value) : std::nullopt;
+}
+
+/// One contact, and what gives it units.
+struct HarmonicContactOf {
+    HarmonicContact value;
+    Bar bar;
+
+    /// "pinned", or "smooth".
+    [[nodiscard]] const char* release() const { return value.isPinned ? "pinned" : "smooth"; }
+};
 
 /// One motion, and what gives it units.
 struct HarmonicMotionOf {
     HarmonicMotion value;
     Bar bar;
     std::optional<double> growth;  ///< [-], of a disturbance in a period, if it is known
+    HarmonicProof proof = {};      ///< with enclosed numbers
 
     [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
-    /// "pinned", or "smooth".
-    [[nodiscard]] const char* release() const { return value.isPinned ? "pinned" : "smooth"; }
+    [[nodiscard]] std::vector<HarmonicContactOf> contacts() const;
 };
 
-/// All motions with one contact.
+/// All motions with one contact, or with several the one on which a bar at rest settles.
 struct HarmonicAnswer {
     ExactPeriod period;  ///< [L/c], of the motion
     Damping damping;
@@ -27,7 +42,10 @@ struct HarmonicAnswer {
     double amplitude;     ///< [N] or [m]
     Scene scene;
     Bar bar;                                ///< whose scales the answer has
+    std::int64_t contacts;                  ///< in a period
     std::vector<HarmonicMotionOf> motions;  ///< by ascending impulse
+    /// With several contacts asked for: what the bar settled on had so many, in so many cycles.
+    std::optional<std::pair<std::int64_t, std::int64_t>> settled = {};
 
     /// Found, or undecided: that there is none was computed, not proved.
     [[nodiscard]] Status status() const
@@ -42,20 +60,44 @@ struct HarmonicAnswer {
     [[nodiscard]] std::optional<std::string> detail() const;
 };
 
-/// \throws as harmonicContacts.
+/// \throws as harmonicCase.
 [[nodiscard]] HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping,
                                       Excited place, std::int64_t cycles, double amplitude,
-                                      const Scene& scene);
+                                      const Scene& scene, std::int64_t contacts,
+                                      const Cancel& cancel = {});
+
+template <typename D>
+void describe(D& d, Type<HarmonicContactOf>)
+{
+    using T = HarmonicContactOf;
+    d.record("HarmonicContact", "One contact under an exact harmonic.");
+    d.key("begin", "s >= 0", "From the start of the first contact.",
+          [](const T& c) { return c.value.begin * scales(c.bar).time; });
+    d.key("end", "s > 0", "The release.",
+          [](const T& c) { return c.value.end * scales(c.bar).time; });
+    d.key("begin_ratio", "L/c >= 0", "The same.", [](const T& c) { return c.value.begin; });
+    d.key("end_ratio", "L/c > 0", "The same.", [](const T& c) { return c.value.end; });
+    d.key("stop", "-", R"("right", or "left".)", [](const T& c) { return c.value.stop; });
+    d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
+          &T::release);
+    d.key("impulse", "N s > 0", "Of the stop on the tip.",
+          [](const T& c) { return c.value.impulse * impulseUnit(c.bar); });
+    d.key("peak_force", "N > 0", "Largest.",
+          [](const T& c) { return c.value.peakForce * forceUnit(c.bar); });
+    d.key("speed", "m/s >= 0", "Of the tip when it meets the stop.",
+          [](const T& c) { return c.value.speed * scales(c.bar).velocity; });
+}
 
 template <typename D>
 void describe(D& d, Type<HarmonicMotionOf>)
 {
     using T = HarmonicMotionOf;
     d.record("HarmonicMotion", "One motion under an exact harmonic; contact is at any times.");
-    d.key("contact_time_ratio", "L/c > 0", "From the start of contact to its release.",
+    d.key("contact_time_ratio", "L/c > 0", "In a period.",
           [](const T& m) { return m.value.extremes.contactTime; });
-    d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
-          &T::release);
+    d.key("release", "-", "Of the first contact.",
+          [](const T& m) { return m.contacts().front().release(); });
+    d.key("contacts", "-", "In a period, as they follow each other.", &T::contacts);
     d.key("phase", "rad", "Of the excitation at the start of contact.",
           [](const T& m) { return m.value.phase; });
     d.key("physical", "-", "What can be measured, in SI units.", &T::physical);
@@ -66,16 +108,23 @@ void describe(D& d, Type<HarmonicMotionOf>)
           &T::growth);
     d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
           [](const T& m) { return m.value.residual; });
+    d.key("enclosed", "L/c > 0",
+          "Enclosed numbers prove that there is a motion so near; nothing where they do not.",
+          [](const T& m) { return positive(m.proof.within); });
+    d.key("alone_within", "L/c > 0", "So near there is no other with these contacts and fronts.",
+          [](const T& m) { return positive(m.proof.aloneWithin); });
 }
 
 template <typename D>
 void describe(D& d, Type<HarmonicAnswer>)
 {
     using T = HarmonicAnswer;
-    d.record("HarmonicResult",
-             "All motions with one contact in a period, under an exact harmonic.");
+    d.record(
+        "HarmonicResult",
+        "All motions with one contact in a period, under an exact harmonic; of several contacts "
+        "that on which a bar at rest settles.");
     d.key("status", "-", R"("found", or "undecided".)", &T::status);
-    d.key("contacts", "- >= 1", "In a period.", [](const T&) { return 1; });
+    d.key("contacts", "- >= 1", "In a period.", &T::contacts);
     d.key("damping", "-", "A dashpot.", [](const T& a) { return Of<Damping>{a.damping, a.bar}; });
     d.key("force", "-", "What is excited.", &T::place);
     d.key("cycles", "- >= 1", "Of the excitation in a period.", &T::cycles);

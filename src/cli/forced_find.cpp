@@ -18,8 +18,9 @@ void ForcedFind::addTo(CLI::App& command)
     force.addTo(command);
     addWhole(command, "--cycles", 1, maxForcedSteps / 2, cycles, "K",
              "cycles of the excitation in a period of the motion (1)");
-    addWhole(command, "--contacts", 1, 1, contacts, "K",
-             "with --period, --frequency or --hertz: contacts in a period (1)");
+    addWhole(command, "--contacts", 1, maxHarmonicContacts, contacts, "K",
+             "with --period, --frequency or --hertz: contacts in a period (1); of several the "
+             "motion on which a bar at rest settles");
 }
 
 namespace {
@@ -108,8 +109,10 @@ ExitStatus answerHarmonic(const FindCommand& call)
     const double frequencyRatio = 4.0 * static_cast<double>(call.forced.cycles) / period.value();
     const ForceOptions displaced = force.at(frequencyRatio, firstHertz(scene.bar));
     (void)displaced.scaledAmplitude(scene.bar);
-    const answers::HarmonicAnswer answer = answers::answerOf(
-        period, force.damping(), *force.place, call.forced.cycles, *displaced.amplitude, scene);
+    const Interrupt interrupt;
+    const answers::HarmonicAnswer answer =
+        answers::answerOf(period, force.damping(), *force.place, call.forced.cycles,
+                          *displaced.amplitude, scene, call.forced.contacts, interrupt.cancel());
     writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
                               : common.restated({}, force.ratio) + asText(answer));
     for (const answers::HarmonicMotionOf& motion : answer.motions) {

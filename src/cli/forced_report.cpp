@@ -95,15 +95,28 @@ std::string asText(const answers::ForcedAnswer& answer)
 std::string asText(const answers::HarmonicAnswer& answer)
 {
     Text text;
-    print(text, "{:<12}one contact in T = {} L/c, {}{} of amplitude {:.6g} {}, ω/ω₁ = {:.10g}\n",
-          name(answer.status()), fractionAsText(answer.period), wordsOf(answer.place),
-          wordsOf(answer.cycles), answer.amplitude, answer.place == Excited::tip ? "N" : "m",
-          answer.frequencyRatio());
+    print(text, "{:<12}{} in T = {} L/c, {}{} of amplitude {:.6g} {}, ω/ω₁ = {:.10g}\n",
+          name(answer.status()),
+          answer.contacts == 1 ? "one contact" : fmt::format("{} contacts", answer.contacts),
+          fractionAsText(answer.period), wordsOf(answer.place), wordsOf(answer.cycles),
+          answer.amplitude, answer.place == Excited::tip ? "N" : "m", answer.frequencyRatio());
     for (const answers::HarmonicMotionOf& motion : answer.motions) {
-        print(text, "motion      contact of {:.10g} L/c, {}; phase {:.6g} rad, residual {:.2g}\n{}",
-              motion.value.extremes.contactTime,
-              motion.value.isPinned ? "ended by a wave front" : "ended smoothly",
-              motion.value.phase, motion.value.residual, asText(motion.physical()));
+        const auto& contacts = motion.value.contacts;
+        for (const HarmonicContact& one : contacts) {
+            print(text, "{:<12}contact of {:.10g} L/c{}, {}{}",
+                  &one == &contacts[0] ? "motion" : "", one.end - one.begin,
+                  contacts.size() == 1 ? "" : fmt::format(" from {:.10g} L/c", one.begin),
+                  one.isPinned ? "ended by a wave front" : "ended smoothly",
+                  &one == &contacts.back() ? "; " : "\n");
+        }
+        print(text, "phase {:.6g} rad, residual {:.2g}\n{}", motion.value.phase,
+              motion.value.residual, asText(motion.physical()));
+        if (motion.proof.isProved) {
+            print(text,
+                  "proof       enclosed numbers: such a motion within {:.1e} L/c of these numbers, "
+                  "and only one within {:.0e}\n",
+                  motion.proof.within, motion.proof.aloneWithin);
+        }
         if (motion.growth) {
             print(text,
                   "stability   {}: small disturbances become {:.4g} times as large in a period\n",

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
-#include "faults.hpp"
 #include "harmonic_walk.hpp"
 #include "portable.hpp"
 
@@ -19,53 +17,6 @@ using std::numbers::pi;
 constexpr double sameMotion = 1e-7;      // what rounding makes of a double root
 constexpr double nearEnd = 1e-12;        // of an angle, in which a release may be the next cell's
 constexpr double shortestPiece = 1e-13;  // of a period
-
-double sizeOf(Complex z)
-{
-    return portable::hypot(z.real(), z.imag());
-}
-
-double angleOf(Complex z)
-{
-    return portable::atan2(z.imag(), z.real());
-}
-
-Complex turn(double angle)
-{
-    return {portable::cos(angle), portable::sin(angle)};
-}
-
-HarmonicCase posed(const Damping& damping, const Harmonic& excitation, const Stops& stops)
-{
-    validate(damping);
-    Faults faults;
-    faults.requirePositive("damping ratio", damping.ratio, "-");
-    faults.requirePositive("amplitude", excitation.amplitude, "-");
-    faults.requireWhole("cycles", excitation.cycles, maxHarmonicCells);
-    const double crossing = excitation.stepsPerCrossing;
-    if (!(crossing >= 1.0 && crossing <= static_cast<double>(maxCells) &&
-          crossing == std::floor(crossing))) {
-        faults.add("stepsPerCrossing", crossing, fmt::format("whole numbers 1..{}", maxCells));
-    }
-    faults.requireWhole("steps", excitation.steps, maxExcitationSteps);
-    faults.throwIfAny();
-    const std::int64_t back = 2 * static_cast<std::int64_t>(crossing);
-    const std::int64_t common = std::gcd(back, excitation.steps);
-    faults.requireWhole("steps in lowest terms", excitation.steps / common, maxHarmonicCells);
-    faults.requireWhole("stepsPerCrossing in lowest terms", back / common, maxHarmonicCells);
-    faults.throwIfAny();
-    HarmonicCase given{back / common,
-                       excitation.steps / common,
-                       excitation.cycles,
-                       2.0 * static_cast<double>(common) / static_cast<double>(back),
-                       0.0,
-                       damping.rho(),
-                       excitation.amplitude,
-                       excitation.place == Excited::tip,
-                       stops};
-    given.omega = 2.0 * pi * static_cast<double>(given.cycles) / given.period();
-    return given;
-}
 
 /// kappa on all cells.
 struct Chain {
@@ -133,25 +84,22 @@ private:
         return turns_[static_cast<std::size_t>(m % given_.cells)];
     }
 
-    /// R = Re(push A e^{i omega t}).
-    [[nodiscard]] Complex push(Complex wave) const { return 2.0 * wave + given_.force(); }
-
     /// R(tau) = 0 in cell j: A = +-i |A| unit e^{-i omega sigma h}.
     void addSmooth(std::int64_t j, const Chain& early, const Chain& late)
     {
         const Complex integrate = Complex(0.0, -1.0) / given_.omega;  // 1/(i omega)
         const Complex alpha = given_.place() - (inCells(1) * late.sum - early.sum) * integrate;
         const Complex beta = (late.sum - early.sum) * integrate;
-        const Complex release = push(early.at(j));
-        if (sizeOf(alpha) == 0.0 || sizeOf(release) == 0.0) {
+        const Complex release = given_.push(early.at(j));
+        if (lengthOf(alpha) == 0.0 || lengthOf(release) == 0.0) {
             return;  // u(L, 0) or R is the same for all sigma
         }
         const Complex unit =
-            Complex(0.0, 1.0) * std::conj(release) / sizeOf(release) * std::conj(inCells(j));
+            Complex(0.0, 1.0) * std::conj(release) / lengthOf(release) * std::conj(inCells(j));
         const double wall = static_cast<double>(given_.stops.right) / given_.amplitude;
         const double cell = given_.omega * given_.step;
         for (const double sign : {1.0, -1.0}) {
-            const double cosine = (sign * wall - (unit * beta).real()) / sizeOf(alpha);
+            const double cosine = (sign * wall - (unit * beta).real()) / lengthOf(alpha);
             if (!(std::abs(cosine) <= 1.0 + nearEnd)) {
                 continue;
             }
@@ -161,7 +109,7 @@ private:
                 angle -= 2.0 * pi * std::floor((angle + nearEnd) / (2.0 * pi));
                 for (; angle <= cell + nearEnd; angle += 2.0 * pi) {
                     const double part = std::clamp(angle / cell, 0.0, 1.0);
-                    add(j, part, sign * unit * turn(-part * cell), early, late);
+                    add(j, part, sign * unit * turned(-part * cell), early, late);
                 }
             }
         }
@@ -173,18 +121,18 @@ private:
         const Complex gap =
             given_.place() + Complex(0.0, 1.0) / given_.omega * chain.sum * (inCells(1) - 1.0);
         const double cosine =
-            static_cast<double>(given_.stops.right) / given_.amplitude / sizeOf(gap);
+            static_cast<double>(given_.stops.right) / given_.amplitude / lengthOf(gap);
         if (!(std::abs(cosine) <= 1.0 + nearEnd)) {
             return;
         }
         const double apart = portable::acos(std::clamp(cosine, -1.0, 1.0));
         for (const double angle : {apart, -apart}) {
-            const Complex unit = turn(angle - angleOf(gap));
+            const Complex unit = turned(angle - angleOf(gap));
             const Complex now = unit * inCells(j);
-            const double before = (push(chain.at(j - 1)) * now).real();
-            const double after = (push(chain.at(j)) * now).real();
+            const double before = (given_.push(chain.at(j - 1)) * now).real();
+            const double after = (given_.push(chain.at(j)) * now).real();
             const double near =
-                harmonicTolerance * (1.0 + sizeOf(chain.at(j - 1)) + sizeOf(chain.at(j)));
+                harmonicTolerance * (1.0 + lengthOf(chain.at(j - 1)) + lengthOf(chain.at(j)));
             if (before >= -near && after <= near) {
                 add(j, 0.0, unit, chain, chain);
             }
@@ -195,12 +143,13 @@ private:
     void add(std::int64_t j, double part, Complex unit, const Chain& early, const Chain& late)
     {
         HarmonicMotion motion;
-        motion.extremes.contactTime = (static_cast<double>(j) + part) * given_.step;
-        if (motion.extremes.contactTime <= shortestPiece * given_.period()) {
+        const double release = (static_cast<double>(j) + part) * given_.step;
+        if (release <= shortestPiece * given_.period()) {
             return;
         }
         motion.phase = -angleOf(unit);
-        motion.isPinned = part == 0.0;
+        motion.contacts.push_back(
+            {.end = release, .isPinned = part == 0.0, .travel = part == 0.0 ? release : 0.0});
         const Complex excitation = given_.amplitude * unit;
         double begin = 0.0;
         const auto append = [&](double end, Complex wave) {
@@ -215,8 +164,7 @@ private:
         }
         measure(given_, motion);
         const bool isKnown = std::any_of(found_.begin(), found_.end(), [&](const auto& other) {
-            return std::abs(other.extremes.contactTime - motion.extremes.contactTime) <=
-                       sameMotion &&
+            return std::abs(other.contacts[0].end - release) <= sameMotion &&
                    std::abs(std::remainder(other.phase - motion.phase, 2.0 * pi)) <= sameMotion;
         });
         if (motion.residual <= harmonicTolerance && !isKnown) {
@@ -232,11 +180,15 @@ private:
 
 }  // namespace
 
+std::vector<HarmonicMotion> harmonicContacts(const HarmonicCase& given)
+{
+    return ContactSearch(given).run();
+}
+
 std::vector<HarmonicMotion> harmonicContacts(const Damping& damping, const Harmonic& excitation,
                                              const Stops& stops)
 {
-    const HarmonicCase given = posed(damping, excitation, stops);
-    return ContactSearch(given).run();
+    return harmonicContacts(harmonicCase(damping, excitation, stops));
 }
 
 }  // namespace signorini

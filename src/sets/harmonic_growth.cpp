@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
+#include <utility>
 
 #include "portable.hpp"
 
@@ -13,142 +12,282 @@ namespace {
 
 constexpr double faded = 1e-12;          // of a front
 constexpr double sameGrowth = 2e-3;      // of all orders
-constexpr std::size_t mostTerms = 2000;  // of the equation
+constexpr double sameInstant = 1e-9;     // L/c
+constexpr std::size_t mostTerms = 2000;  // of periods in which a front is there
+constexpr int grownPeriods = 3000;       // in which growth is looked at, and as many before
+constexpr double together = 1e-9;        // a front and a pair of growths that are all there is
 
-/// Are all zeros of lambda^n + a_1 lambda^{n-1} + ... within |lambda| < 1? Schur and Cohn.
-bool isContracting(std::vector<double> a)
-{
-    for (std::size_t m = a.size() - 1; m > 0; --m) {
-        const double k = a[m];
-        if (!(std::abs(k) < 1.0)) {
-            return false;
-        }
-        std::vector<double> shorter(m);
-        for (std::size_t i = 0; i < m; ++i) {
-            shorter[i] = (a[i] - k * a[m - i]) / (1.0 - k * k);
-        }
-        a = std::move(shorter);
-    }
-    return true;
-}
+/// How a front goes on.
+struct Orders {
+    bool isLateAtRelease;  ///< do old fronts come after the newest?
+    bool isLateAtContact;  ///< or after the beginning of contact?
+};
 
-/// Largest |lambda| of 1 + c_1/lambda + ... = 0, or `low`.
-double largest(const std::vector<double>& c, double low)
-{
-    double high = 64.0;
-    while (high - low > 1e-7 * high) {
-        const double middle = 0.5 * (low + high);
-        std::vector<double> scaled = c;
-        double power = 1.0;
-        for (double& term : scaled) {
-            term *= power;
-            power /= middle;
-        }
-        (isContracting(std::move(scaled)) ? high : low) = middle;
-    }
-    return high;
-}
-
-/// One front on its way, on the cells of its motion.
-class Front {
+class Fronts {
 public:
-    Front(const Damping& damping, const Harmonic& excitation, const HarmonicMotion& motion)
-        : rho_(damping.rho())
+    Fronts(const HarmonicCase& given, const HarmonicMotion& motion)
+        : given_(given), motion_(motion), contacts_(motion.contacts)
     {
-        const std::int64_t twoCrossings =
-            2 * static_cast<std::int64_t>(excitation.stepsPerCrossing);
-        const std::int64_t common = std::gcd(twoCrossings, excitation.steps);
-        back_ = twoCrossings / common;
-        cells_ = excitation.steps / common;
-        const double cell = motion.extremes.period / static_cast<double>(cells_);
-        place_ = motion.extremes.contactTime / cell;
-        if (motion.isPinned) {
-            pin_ = std::llround(place_);
-            setJump(excitation, motion);
+        for (const HarmonicContact& one : contacts_) {
+            if (one.isPinned) {
+                pinned_.push_back(pushAt(one));
+            } else {
+                pinned_.emplace_back(1.0, -1.0);
+            }
         }
     }
 
-    /// The largest growth with old fronts before the newest, or after it, at the release and at the
-    /// beginning of contact; none if they fade too slowly.
-    [[nodiscard]] std::optional<double> growth(bool isLateAtRelease, bool isLateAtContact) const
+    [[nodiscard]] std::optional<double> growth(const Orders& orders)
     {
-        const double before = isLateAtRelease ? before_ : after_ - jump_;
-        const double after = std::abs(isLateAtRelease ? before_ + jump_ : after_);
-        const double mu = (before - rho_ * after) / (before + after);
-        std::vector<double> terms{1.0};
-        double left = 1.0;
-        bool isNew = true;
-        std::int64_t visits = 0;  // so far
-        for (std::int64_t s = 1; std::abs(left) > faded; ++s) {
-            if (terms.size() > mostTerms) {
+        const std::size_t count = contacts_.size();
+        setFactors(orders);
+        std::vector<std::vector<double>> ways(count);
+        std::size_t terms = 1;
+        for (std::size_t j = 0; j < count; ++j) {
+            const auto way = wayOf(j, orders);
+            if (!way) {
                 return std::nullopt;
             }
-            for (; visits < s * cells_ / back_; ++visits) {
-                const std::int64_t m = (visits + 1) % cells_ * back_ % cells_;
-                if (m == 0) {
-                    left *= isLateAtContact ? 1.0 : -rho_;
-                } else if (m != pin_) {
-                    left *= through(m);
-                } else {
-                    left *= isNew ? mu : isLateAtRelease ? -rho_ : 1.0;
-                    isNew = false;
+            ways[j] = *way;
+            const double last = 2.0 * static_cast<double>(way->size()) / given_.period();
+            terms = std::max(terms, static_cast<std::size_t>(last) + 2);
+        }
+        // pi of each pair and period.
+        std::vector<double> weights(terms * count * count, 0.0);
+        for (std::size_t s = 0; s < terms; ++s) {
+            for (std::size_t k = 0; k < count; ++k) {
+                for (std::size_t j = 0; j < count; ++j) {
+                    const double apart = contacts_[k].begin - contacts_[j].begin +
+                                         static_cast<double>(s) * given_.period();
+                    const auto i =
+                        static_cast<std::size_t>(std::max(0.0, 0.5 * apart + sameInstant));
+                    if (apart > -sameInstant && i < ways[j].size()) {
+                        weights[(s * count + k) * count + j] = ways[j][i];
+                    }
                 }
             }
-            terms.push_back(left);
         }
-        // Beside contacts, waves fade by themselves, by rho in each flight.
-        const double flights = std::floor(static_cast<double>(cells_) - place_);
-        return largest(terms, portable::pow(rho_, flights / static_cast<double>(back_)));
+        const auto growth = repeated(weights, terms);
+        return growth ? std::optional(std::max(*growth, fading())) : std::nullopt;
     }
 
 private:
-    [[nodiscard]] double through(std::int64_t m) const
+    /// Push before and after a release, times the sign of its stop.
+    [[nodiscard]] std::pair<double, double> pushAt(const HarmonicContact& contact) const
     {
-        return static_cast<double>(m) < place_ ? 1.0 : -rho_;
+        const std::complex<double> turn = given_.at(contact.end);
+        const auto next =
+            std::find_if(motion_.pieces.begin(), motion_.pieces.end(),
+                         [&](const auto& piece) { return piece.end > contact.end + sameInstant; });
+        const double force =
+            given_.force() * given_.amplitude * (turn * turned(-motion_.phase)).real();
+        const double sign = contact.stop == Stop::right ? 1.0 : -1.0;
+        return {sign * (force + 2.0 * (std::prev(next)->wave * turn).real()),
+                sign * (force + 2.0 * (next->wave * turn).real())};
     }
 
-    /// The push on both sides of the release, and what the newest front adds to it there.
-    void setJump(const Harmonic& excitation, const HarmonicMotion& motion)
+    /// mu of each pinned release, from the newest front alone.
+    void setFactors(const Orders& orders)
     {
-        const double time = motion.extremes.contactTime;
-        const double angle = 2.0 * std::numbers::pi * static_cast<double>(excitation.cycles) *
-                             time / motion.extremes.period;
-        const std::complex<double> turn(portable::cos(angle), portable::sin(angle));
-        const auto next = std::find_if(
-            motion.pieces.begin(), motion.pieces.end(),
-            [&](const auto& piece) { return piece.end > time + 1e-9 * motion.extremes.period; });
-        const double force = excitation.place == Excited::tip
-                                 ? excitation.amplitude * portable::cos(angle - motion.phase)
-                                 : 0.0;
-        before_ = force + 2.0 * (std::prev(next)->wave * turn).real();
-        after_ = force + 2.0 * (next->wave * turn).real();
-        jump_ = 2.0 * motion.extremes.approachSpeed;
-        for (std::int64_t m = back_ % cells_; m != pin_; m = (m + back_) % cells_) {
-            jump_ *= through(m);
+        factors_.assign(contacts_.size(), 0.0);
+        // A front may pin one release on its way to another.
+        for (std::size_t pass = 0; pass < contacts_.size(); ++pass) {
+            for (std::size_t k = 0; k < contacts_.size(); ++k) {
+                const HarmonicContact& contact = contacts_[k];
+                if (!contact.isPinned) {
+                    continue;
+                }
+                const HarmonicContact& from = contacts_[contact.front];
+                double jump = 2.0 * from.speed * (from.stop == contact.stop ? 1.0 : -1.0);
+                const std::int64_t visits = visitsOf(contact);
+                for (std::int64_t i = 1; i < visits; ++i) {
+                    jump *= factorAt(contact.front, i, orders);
+                }
+                const auto [first, last] = pinned_[k];
+                const double before = orders.isLateAtRelease ? first : last - jump;
+                const double after = std::abs(orders.isLateAtRelease ? first + jump : last);
+                factors_[k] = (before - given_.rho * after) / (before + after);
+            }
         }
     }
 
-    double rho_;
-    std::int64_t back_ = 1;   ///< w
-    std::int64_t cells_ = 1;  ///< nu
-    double place_ = 0.0;      ///< of the release, in cells
-    std::int64_t pin_ = -1;   ///< the same, where a front ends the contact
-    double before_ = 1.0;     ///< push
-    double after_ = -1.0;     ///< push
-    double jump_ = -2.0;
+    /// The return on which a front ends this contact.
+    [[nodiscard]] std::int64_t visitsOf(const HarmonicContact& contact) const
+    {
+        std::int64_t i = 1;
+        while (i < given_.cells &&
+               std::abs(std::remainder(2.0 * static_cast<double>(i) - contact.travel,
+                                       given_.period())) > sameInstant) {
+            ++i;
+        }
+        return i;
+    }
+
+    /// What becomes of the front of contact j on its i-th return.
+    [[nodiscard]] double factorAt(std::size_t j, std::int64_t i, const Orders& orders) const
+    {
+        const double period = given_.period();
+        double time = std::fmod(contacts_[j].begin + 2.0 * static_cast<double>(i), period);
+        for (std::size_t k = 0; k < contacts_.size(); ++k) {
+            const HarmonicContact& one = contacts_[k];
+            if (std::abs(std::remainder(time - one.begin, period)) < sameInstant) {
+                return orders.isLateAtContact ? 1.0 : -given_.rho;
+            }
+            if (one.isPinned && std::abs(std::remainder(time - one.end, period)) < sameInstant) {
+                return one.front == j && i == visitsOf(one) ? factors_[k]
+                       : orders.isLateAtRelease             ? -given_.rho
+                                                            : 1.0;
+            }
+            if (time > one.begin && time < one.end) {
+                return 1.0;
+            }
+        }
+        return -given_.rho;
+    }
+
+    /// pi_1, pi_2, ... until nothing is left.
+    [[nodiscard]] std::optional<std::vector<double>> wayOf(std::size_t j,
+                                                           const Orders& orders) const
+    {
+        std::vector<double> way{1.0};
+        while (std::abs(way.back()) > faded) {
+            const auto i = static_cast<std::int64_t>(way.size());
+            if (static_cast<double>(i) > 0.5 * given_.period() * mostTerms) {
+                return std::nullopt;
+            }
+            way.push_back(way.back() * factorAt(j, i, orders));
+        }
+        return way;
+    }
+
+    /// Growth of a_k, period after period. \return none if it is not yet settled.
+    [[nodiscard]] std::optional<double> repeated(const std::vector<double>& weights,
+                                                 std::size_t terms) const
+    {
+        const std::size_t count = contacts_.size();
+        const std::size_t all = 2 * static_cast<std::size_t>(grownPeriods);
+        std::vector<double> late(count * all, 0.0);
+        std::vector<double> scale(all, 0.0);  // log of what late is divided by
+        for (std::size_t n = 0; n < all; ++n) {
+            double* now = &late[n * count];
+            for (std::size_t k = 0; k < count; ++k) {
+                double sum = n == 0 ? -1.0 / static_cast<double>(k + 1) : 0.0;
+                for (std::size_t s = 0; s < std::min(terms, n + 1); ++s) {
+                    const double* row = &weights[(s * count + k) * count];
+                    const double* then = &late[(n - s) * count];
+                    for (std::size_t j = 0; j < (s == 0 ? k : count); ++j) {
+                        sum += row[j] * then[j];
+                    }
+                }
+                now[k] = -sum;
+            }
+            scale[n] = n > 0 ? scale[n - 1] : 0.0;
+            double most = 0.0;
+            for (std::size_t k = 0; k < count; ++k) {
+                most = std::max(most, std::abs(now[k]));
+            }
+            if (most > 1e100 || (most < 1e-100 && most > 0.0)) {
+                // Only what is still seen is kept on one scale.
+                for (std::size_t i = n - std::min(n, terms); i <= n; ++i) {
+                    for (std::size_t k = 0; k < count; ++k) {
+                        late[i * count + k] /= most;
+                    }
+                }
+                scale[n] += portable::log(most);
+            }
+        }
+        return pairOf(late, scale);
+    }
+
+    /// a(n + 1) = p a(n) + q a(n - 1) at the end, or else the mean growth of two long stretches.
+    [[nodiscard]] std::optional<double> pairOf(const std::vector<double>& late,
+                                               const std::vector<double>& scale) const
+    {
+        const std::size_t count = contacts_.size();
+        const std::size_t all = scale.size();
+        const auto at = [&](std::size_t n) { return late[n * count]; };
+        double xx = 0.0, xy = 0.0, yy = 0.0, xz = 0.0, yz = 0.0, zz = 0.0;
+        for (std::size_t n = all - 20; n + 1 < all; ++n) {
+            if (scale[n - 1] != scale[all - 1]) {
+                continue;
+            }
+            const double x = at(n), y = at(n - 1), z = at(n + 1);
+            xx += x * x;
+            xy += x * y;
+            yy += y * y;
+            xz += x * z;
+            yz += y * z;
+            zz += z * z;
+        }
+        const double one = zz > 0.0 ? xz / xx : 0.0;
+        if (zz > 0.0 && std::abs(zz - one * xz) < together * zz) {
+            return std::abs(one);
+        }
+        const double area = xx * yy - xy * xy;
+        const double p = (xz * yy - yz * xy) / area;
+        const double q = (yz * xx - xz * xy) / area;
+        if (std::isfinite(p) && std::isfinite(q) &&
+            std::abs(zz - p * xz - q * yz) < together * zz) {
+            const double square = 0.25 * p * p + q;
+            return square < 0.0 ? std::sqrt(-q) : 0.5 * std::abs(p) + std::sqrt(square);
+        }
+        const auto size = [&](std::size_t n) {
+            double sum = 0.0;
+            for (std::size_t i = n - 200; i < n; ++i) {
+                const double value = at(i);
+                sum += value * value * portable::exp(2.0 * (scale[i] - scale[n - 1]));
+            }
+            return 0.5 * portable::log(sum) + scale[n - 1];
+        };
+        const double third = static_cast<double>(all / 3);
+        const double early = portable::exp((size(2 * all / 3) - size(all / 3)) / third);
+        const double last = portable::exp((size(all) - size(2 * all / 3)) / third);
+        return std::abs(early - last) <= sameGrowth * last ? std::optional(last) : std::nullopt;
+    }
+
+    /// Beside contacts, waves fade by themselves, by rho in each flight.
+    [[nodiscard]] double fading() const
+    {
+        std::vector<double> parts{0.0, given_.step};
+        for (const HarmonicContact& one : contacts_) {
+            parts.push_back(std::fmod(one.begin, given_.step));
+            parts.push_back(std::fmod(one.end, given_.step));
+        }
+        std::sort(parts.begin(), parts.end());
+        std::int64_t least = given_.cells;
+        for (std::size_t p = 1; p < parts.size(); ++p) {
+            if (parts[p] - parts[p - 1] < sameInstant) {
+                continue;
+            }
+            const double middle = 0.5 * (parts[p] + parts[p - 1]);
+            std::int64_t flights = given_.cells;
+            for (const HarmonicContact& one : contacts_) {
+                flights -= static_cast<std::int64_t>(std::ceil((one.end - middle) / given_.step) -
+                                                     std::ceil((one.begin - middle) / given_.step));
+            }
+            least = std::min(least, flights);
+        }
+        return portable::pow(given_.rho,
+                             static_cast<double>(least) / static_cast<double>(given_.back));
+    }
+
+    const HarmonicCase& given_;
+    const HarmonicMotion& motion_;
+    const std::vector<HarmonicContact>& contacts_;
+    std::vector<std::pair<double, double>> pinned_;
+    std::vector<double> factors_;
 };
 
 }  // namespace
 
-std::optional<double> growthOf(const Damping& damping, const Harmonic& excitation,
-                               const HarmonicMotion& motion)
+std::optional<double> growthOf(const HarmonicCase& given, const HarmonicMotion& motion)
 {
-    const Front front(damping, excitation, motion);
+    Fronts fronts(given, motion);
     double least = 0.0;
     double most = 0.0;
     for (const bool isLateAtRelease : {false, true}) {
         for (const bool isLateAtContact : {false, true}) {
-            const auto growth = front.growth(isLateAtRelease, isLateAtContact);
+            const auto growth = fronts.growth({isLateAtRelease, isLateAtContact});
             if (!growth) {
                 return std::nullopt;
             }

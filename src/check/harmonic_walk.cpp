@@ -14,16 +14,6 @@ using Complex = HarmonicCase::Complex;
 
 constexpr double besides = 1e-9;  // L/c from an end of a piece: on this side of it
 
-Complex turned(double angle)
-{
-    return {portable::cos(angle), portable::sin(angle)};
-}
-
-double lengthOf(Complex z)
-{
-    return portable::hypot(z.real(), z.imag());
-}
-
 /// An extreme of a harmonic.
 struct Peak {
     double angle;
@@ -75,20 +65,37 @@ public:
 
     void run()
     {
-        const auto wall = static_cast<double>(given_.stops.right);
+        std::vector<HarmonicContact>& contacts = motion_.contacts;
+        tip_ = startOfContact();
         seen_.period = given_.period();
-        seen_.lowestTip = wall;
-        double defect = std::abs(startOfContact() - wall);
+        seen_.lowestTip = given_.placeOf(contacts.front().stop);
+        double defect = 0.0;
         double begin = 0.0;
+        std::size_t k = contacts.size() - 1;
         for (const HarmonicPiece& piece : motion_.pieces) {
             const double middle = 0.5 * (begin + piece.end);
-            const bool isContact = middle < seen_.contactTime;
+            if (const std::size_t next = (k + 1) % contacts.size();
+                middle > contacts[next].begin && middle < contacts[next].end && next != k) {
+                k = next;
+            }
+            HarmonicContact& contact = contacts[k];
+            const bool isContact = middle > contact.begin && middle < contact.end;
             defect = std::max({defect, defectOfLaw(piece, middle, isContact),
-                               isContact ? press(piece, begin) : fly(piece, begin)});
+                               isContact ? press(contact, piece, begin) : fly(piece, begin)});
+            if (!isContact) {
+                contacts[(k + 1) % contacts.size()].speed = std::abs(speed_);
+            }
             begin = piece.end;
         }
-        defect = std::max(defect, std::abs(way_));
-        motion_.residual = defect / std::max(size_, std::abs(wall));
+        defect = std::max(defect, std::abs(tip_ - given_.placeOf(contacts.front().stop)));
+        for (const HarmonicContact& contact : contacts) {
+            seen_.contactTime += contact.end - contact.begin;
+            seen_.impulse += contact.impulse;
+            seen_.peakForce = std::max(seen_.peakForce, contact.peakForce);
+            seen_.approachSpeed = std::max(seen_.approachSpeed, contact.speed);
+        }
+        motion_.residual =
+            defect / std::max(size_, std::abs(static_cast<double>(given_.stops.right)));
         if (motion_.residual <= harmonicTolerance) {
             strain();
         }
@@ -126,28 +133,32 @@ private:
         return place;
     }
 
-    double press(const HarmonicPiece& piece, double begin)
+    /// \return by how much the tip is beside the stop, or the stop pulls.
+    double press(HarmonicContact& contact, const HarmonicPiece& piece, double begin)
     {
-        const Bounds force = boundsOf(push(piece), given_.omega * begin, given_.omega * piece.end);
-        seen_.peakForce = std::max(seen_.peakForce, force.most);
-        seen_.impulse += integral(push(piece), begin, piece.end);
-        return -force.least;
+        const double sign = contact.stop == Stop::right ? 1.0 : -1.0;
+        const Complex force = sign * push(piece);
+        const Bounds seen = boundsOf(force, given_.omega * begin, given_.omega * piece.end);
+        contact.peakForce = std::max(contact.peakForce, seen.most);
+        contact.impulse += integral(force, begin, piece.end);
+        return std::max(-seen.least, std::abs(tip_ - given_.placeOf(contact.stop)));
     }
 
+    /// \return by how much the tip is beyond a stop.
     double fly(const HarmonicPiece& piece, double begin)
     {
         const Complex speed = given_.admittance() * push(piece);
         const Complex place = speed * Complex(0.0, -1.0 / given_.omega);
         const double from = given_.omega * begin;
         const double to = given_.omega * piece.end;
-        const double start = way_ - (place * turned(from)).real();
+        const double start = tip_ - (place * turned(from)).real();
         const Bounds way = boundsOf(place, from, to);
-        seen_.lowestTip =
-            std::min(seen_.lowestTip, static_cast<double>(given_.stops.right) + start + way.least);
-        seen_.approachSpeed = (speed * turned(to)).real();
-        way_ += integral(speed, begin, piece.end);
-        const auto& left = given_.stops.left;
-        return std::max(start + way.most, left ? -left->value() - seen_.lowestTip : 0.0);
+        seen_.lowestTip = std::min(seen_.lowestTip, start + way.least);
+        speed_ = (speed * turned(to)).real();
+        tip_ += integral(speed, begin, piece.end);
+        const double beyond = start + way.most - static_cast<double>(given_.stops.right);
+        return given_.stops.left ? std::max(beyond, given_.placeOf(Stop::left) - start - way.least)
+                                 : beyond;
     }
 
     /// What arrives 2L/c later is what the tip makes of this.
@@ -169,7 +180,10 @@ private:
         std::vector<Peak> left;  // B; angles are times here
         double begin = 0.0;
         for (const HarmonicPiece& piece : motion_.pieces) {
-            const bool isContact = 0.5 * (begin + piece.end) < seen_.contactTime;
+            const double middle = 0.5 * (begin + piece.end);
+            const bool isContact = std::any_of(
+                motion_.contacts.begin(), motion_.contacts.end(),
+                [&](const auto& one) { return middle > one.begin && middle < one.end; });
             const Complex leaving = given_.fromBase() * excitation_ -
                                     excitation_ * given_.after(piece.wave / excitation_, isContact);
             addPeaks(arriving, piece.wave, begin, piece.end);
@@ -210,16 +224,11 @@ private:
     Extremes& seen_;
     Complex excitation_;  ///< A
     double size_;         ///< of the waves
-    double way_ = 0.0;    ///< u(L) - g
+    double tip_ = 0.0;    ///< u(L)
+    double speed_ = 0.0;  ///< of it, at the end of a flight
 };
 
 }  // namespace
-
-std::complex<double> turnOf(std::int64_t part, std::int64_t whole)
-{
-    return turned(2.0 * std::numbers::pi * static_cast<double>(part % whole) /
-                  static_cast<double>(whole));
-}
 
 void measure(const HarmonicCase& given, HarmonicMotion& motion)
 {
