@@ -103,6 +103,8 @@ public:
     [[nodiscard]] double displacement(std::size_t node) const;
     [[nodiscard]] double velocity(std::size_t node) const { return nodes_[node].velocity; }
     [[nodiscard]] ContactSet closed() const { return closed_; }
+    /// The force of a contact just now, 0 while it is open [Z_1 delta/h].
+    [[nodiscard]] double push(std::size_t contact) const { return touches_[contact].push; }
     /// Those that have ended, and then those that last.
     [[nodiscard]] std::vector<NetworkContactEvent> contacts() const;
     /// How many have begun to press.

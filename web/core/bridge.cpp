@@ -14,10 +14,10 @@ namespace {
 const std::map<std::string, Reply (*)(const Request&)>& views()
 {
     static const std::map<std::string, Reply (*)(const Request&)> table{
-        {"schedule", showSchedule},     {"mode", showMode}, {"forced", showForced},
-        {"simulation", showSimulation}, {"map", showMap},   {"family", showFamily},
-        {"response", showResponse},     {"file", download}, {"polygons", showPolygons},
-        {"polygon", showPolygon},
+        {"schedule", showSchedule},     {"mode", showMode},   {"forced", showForced},
+        {"simulation", showSimulation}, {"map", showMap},     {"family", showFamily},
+        {"response", showResponse},     {"file", download},   {"polygons", showPolygons},
+        {"polygon", showPolygon},       {"scene", showScene}, {"sweep", showSweep},
     };
     return table;
 }

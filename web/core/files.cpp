@@ -9,6 +9,7 @@
 #include "mode_report.hpp"
 #include "report.hpp"
 #include "signorini/output.hpp"
+#include "sweep_report.hpp"
 #include "text_of.hpp"
 #include "views.hpp"
 
@@ -136,7 +137,7 @@ const std::map<Text, std::function<Text(const Request&)>>& files()
              const Simulated result = simulated(of);
              return cli::asJson(result.answer, result.simulation);
          }},
-        {"simulation.start", [](const Request& of) { return pluckTable(of.part("start")); }},
+        {"simulation.start", startTable},
         {"simulation.events",
          [](const Request& of) { return simulationFile(of, cli::writeEvents); }},
         {"simulation.tip", [](const Request& of) { return simulationFile(of, cli::writeTip); }},
@@ -144,6 +145,11 @@ const std::map<Text, std::function<Text(const Request&)>>& files()
         {"response.csv",
          [](const Request& of) {
              return textOf([&](const Text& path) { cli::writeResponseCsv(path, responseOf(of)); });
+         }},
+        {"sweep.json", [](const Request& of) { return cli::asJson(sweepOf(of)); }},
+        {"sweep.csv",
+         [](const Request& of) {
+             return textOf([&](const Text& path) { cli::writeSweepCsv(path, sweepOf(of)); });
          }},
         {"families.csv", familiesFile},
     };

@@ -7,9 +7,11 @@
 #include <cmath>
 
 #include "excited_names.hpp"
+#include "frames.hpp"
 #include "measurements.hpp"
 #include "names.hpp"
 #include "signorini/settling.hpp"
+#include "text_of.hpp"
 #include "views.hpp"
 
 namespace signorini::web {
@@ -18,6 +20,8 @@ namespace {
 
 constexpr double mostDamping = 1.0;
 constexpr double mostAmplitude = 10.0;  // [N] or [m], of a bar with EA g/L = 1 mN and g = 1 mm
+
+}  // namespace
 
 Excited placeOf(const Request& request)
 {
@@ -34,52 +38,33 @@ double amplitudeOf(const Request& request)
     return request.number("amplitude", 1e-9, mostAmplitude);
 }
 
-/// Goes on from instant to instant and looks.
-class Camera {
-public:
-    Camera(BarSimulation& simulation, std::int64_t cells) : simulation_(simulation), cells_(cells)
-    {
-    }
+namespace {
 
-    void look()
-    {
-        times_.push_back(simulation_.time());
-        const Eigen::VectorXd stretched = stretching(simulation_.waves(), cells_);
-        const double base = simulation_.base();
-        for (const double value : stretched) {
-            u_.push_back(base + value);
+/// `rows` + 1 looks at a simulation that goes on for so many of its units, `crossings` L/c: its
+/// displacements, and the mean force of the wall until the next look.
+void film(Reply& reply, BarSimulation& simulation, std::int64_t cells, std::int64_t rows,
+          double duration, double crossings)
+{
+    Frames frames(cells);
+    const auto count = static_cast<double>(rows);
+    const double begin = simulation.time();
+    for (std::int64_t k = 0; k <= rows; ++k) {
+        frames.times.push_back(begin + crossings * static_cast<double>(k) / count);
+        const double base = simulation.base();
+        for (const double value : stretching(simulation.waves(), frames.places)) {
+            frames.u.push_back(base + value);
         }
-        for (Eigen::Index i = 1; i < stretched.size(); ++i) {
-            s_.push_back((stretched[i] - stretched[i - 1]) * static_cast<double>(cells_));
+        frames.tip.push_back(frames.u.back());
+        const double before = simulation.impulse();
+        if (k < rows) {
+            simulation.advance(duration / count);
         }
+        frames.force.push_back(k < rows ? (simulation.impulse() - before) * count / crossings
+                                        : frames.force.back());
     }
-
-    /// The mean force until the next look, as a time in units of the simulation and in L/c.
-    void goOn(double duration, double crossings)
-    {
-        const double before = simulation_.impulse();
-        simulation_.advance(duration);
-        force_.push_back((simulation_.impulse() - before) / crossings);
-    }
-
-    void addTo(Reply& reply)
-    {
-        force_.push_back(force_.empty() ? 0.0 : force_.back());
-        reply.json["nodes"] = cells_ + 1;
-        reply.add("times", times_);
-        reply.add("u", u_);
-        reply.add("s", s_);
-        reply.add("force", force_);
-    }
-
-private:
-    BarSimulation& simulation_;
-    std::int64_t cells_;
-    std::vector<double> times_;
-    std::vector<double> u_;
-    std::vector<double> s_;
-    std::vector<double> force_;
-};
+    frames.pathTimes = frames.times;
+    frames.addTo(reply);
+}
 
 /// The hand's place [L] and how far [g] it has pulled the bar.
 struct Pluck {
@@ -125,8 +110,9 @@ struct Course {
     Waves start;
     Damping damping;
     Excitation excitation;
-    double stretch;  ///< a period or 16 L/c, in steps
-    double total;    ///< in stretches
+    double stretch;      ///< a period or 16 L/c, in steps
+    double total;        ///< in stretches
+    double phase = 0.0;  ///< [rad], of the harmonic
 
     /// Of the excitation [L/c]; 0 without.
     [[nodiscard]] double period() const
@@ -137,6 +123,23 @@ struct Course {
 
 /// In all, which a page takes seconds for; longer runs are a matter for the command line.
 constexpr std::int64_t mostExcitedSteps = 20'000'000;
+
+/// That one of at most two which is asked for by "which".
+const ForcedMotion& forcedMotionOf(const Request& request, const answers::ForcedAnswer& answer)
+{
+    if (answer.motions.empty()) {
+        throw std::invalid_argument("there is no such forced motion");
+    }
+    const auto which = static_cast<std::size_t>(request.whole("which", 0, 1));
+    return answer.motions[std::min(which, answer.motions.size() - 1)].value;
+}
+
+/// A forced motion, made a little smaller: it starts short of the wall.
+State besideState(const Request& request, const ForcedMotion& motion)
+{
+    const double share = request.part("start").number("share", 0.5, 1.0);
+    return {share * motion.state.a, share * motion.state.b};
+}
 
 Course courseOf(const Request& request)
 {
@@ -162,14 +165,27 @@ Course courseOf(const Request& request)
     } else {
         course.total = request.number("crossings", 0.1, 1000.0) * perCrossing / course.stretch;
     }
-    course.start = startOf(request.part("start"), cells, course.excitation.baseDisplacement(0));
+    const Request start = request.part("start");
+    if (start.word("kind") == "beside") {
+        const ForcedMotion motion = forcedMotionOf(request, forcedAnswer(request));
+        course.excitation = motion.excitation;
+        course.phase = motion.phase;
+        course.start = wavesOf(besideState(request, motion));
+        return course;
+    }
+    course.start = startOf(start, cells, course.excitation.baseDisplacement(0));
     return course;
 }
 
 }  // namespace
 
-std::string pluckTable(const Request& start)
+std::string startTable(const Request& request)
 {
+    const Request start = request.part("start");
+    if (start.word("kind") == "beside") {
+        const State state = besideState(request, forcedMotionOf(request, forcedAnswer(request)));
+        return textOf([&](const std::string& path) { writeStateCsv(path, state, bar); });
+    }
     std::string table = "x,velocity,displacement\n";
     for (const auto& [x, u] : Pluck(start).rows()) {
         table += fmt::format("{},0,{}\n", x * bar.length, u);
@@ -196,19 +212,12 @@ Reply showForced(const Request& request)
     if (answer.motions.empty()) {
         return reply;
     }
-    const auto which = std::min<std::size_t>(static_cast<std::size_t>(request.whole("which", 0, 1)),
-                                             answer.motions.size() - 1);
-    const ForcedMotion& motion = answer.motions[which].value;
-    reply.json["which"] = which;
+    const ForcedMotion& motion = forcedMotionOf(request, answer);
+    reply.json["which"] = &motion == &answer.motions.front().value ? 0 : 1;
     BarSimulation simulation(wavesOf(motion.state), motion.damping, motion.excitation);
-    Camera camera(simulation, answer.set.schedule.cells);
-    const auto perCrossing = static_cast<double>(answer.set.schedule.cells);
-    camera.look();
-    for (std::int64_t m = 0; m < steps(answer.set.schedule); ++m) {
-        camera.goOn(1.0, 1.0 / perCrossing);
-        camera.look();
-    }
-    camera.addTo(reply);
+    const std::int64_t count = steps(answer.set.schedule);
+    film(reply, simulation, answer.set.schedule.cells, std::min(count, 2 * mostRows),
+         static_cast<double>(count), period(answer.set.schedule));
     addState(reply, motion.state);
     return reply;
 }
@@ -230,7 +239,8 @@ Simulated simulated(const Request& request, bool recordsTip)
     if (isForced) {
         result.answer.drive = answers::Drive{.place = course.excitation.place,
                                              .amplitude = amplitudeOf(request),
-                                             .frequencyRatio = 4.0 / course.period()};
+                                             .frequencyRatio = 4.0 / course.period(),
+                                             .phase = course.phase};
         result.answer.drive->follow(course.excitation, bar);
     }
     SettlingWatch watch(static_cast<std::int64_t>(course.total));
@@ -272,16 +282,9 @@ Reply showSimulation(const Request& request)
         reply.add("impulses", impulses);
     }
     simulation.advance(from * perCrossing);
-    const auto frames = static_cast<std::int64_t>(
-        std::clamp(span * static_cast<double>(request.whole("frames", 4, 240)), 2.0, 2400.0));
-    const double crossings = span / static_cast<double>(frames);
-    Camera camera(simulation, course.cells);
-    camera.look();
-    for (std::int64_t k = 0; k < frames; ++k) {
-        camera.goOn(crossings * perCrossing, crossings);
-        camera.look();
-    }
-    camera.addTo(reply);
+    const auto frames = static_cast<std::int64_t>(std::clamp(
+        span * static_cast<double>(request.whole("frames", 4, 240)), 2.0, 2.0 * mostRows));
+    film(reply, simulation, course.cells, frames, span * perCrossing, span);
     reply.json["period"] = span;
     reply.json["end"] = end;
     reply.json["excitation_period"] = course.period();

@@ -13,6 +13,7 @@ namespace signorini::web {
 namespace {
 
 constexpr int samplesOfMode = 240;
+constexpr std::int64_t mostMapCells = 1200;
 
 void addFamilies(Reply& reply, std::int64_t order, double energy)
 {
@@ -61,19 +62,6 @@ void addSchedules(Reply& reply, std::int64_t cells, double energy)
         return true;
     });
     reply.add("schedules", rows);
-}
-
-ResponseRange rangeOf(const Request& request)
-{
-    ResponseRange range;
-    range.cells = request.whole("cells", 4, mostCells);
-    range.damping = {request.number("damping", 1e-4, 1.0)};
-    range.place = request.word("place") == "base" ? Excited::base : Excited::tip;
-    const double unit = range.place == Excited::tip ? answers::forceUnit(bar) : bar.gap;
-    range.amplitude = request.number("amplitude", 1e-9, 10.0) / unit;
-    range.leastFrequencyRatio = request.number("least", 0.1, 10.0);
-    range.mostFrequencyRatio = request.number("most", 0.1, 10.0);
-    return range;
 }
 
 /// The last response that was asked for, as far as it was.
@@ -129,11 +117,23 @@ void addResponses(Reply& reply, const std::vector<FrequencyResponse>& responses,
 
 }  // namespace
 
+ResponseRange rangeOf(const Request& request)
+{
+    ResponseRange range;
+    range.cells = request.whole("cells", 4, mostCells);
+    range.damping = {request.number("damping", 1e-4, 1.0)};
+    range.place = placeOf(request);
+    range.amplitude = amplitudeOf(request) / amplitudeUnit(range.place, bar);
+    range.leastFrequencyRatio = request.number("least", 0.1, 10.0);
+    range.mostFrequencyRatio = request.number("most", 0.1, 10.0);
+    return range;
+}
+
 Reply showMap(const Request& request)
 {
     Reply reply;
     const double energy = request.number("energy", 1.0, 1e6);
-    const std::int64_t cells = request.whole("cells", 1, mostCells);
+    const std::int64_t cells = request.whole("cells", 1, mostMapCells);
     addFamilies(reply, request.whole("order", 1, 200), energy);
     addModes(reply, energy);
     addSchedules(reply, cells, energy);

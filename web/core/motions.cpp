@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "frames.hpp"
 #include "mode_report.hpp"
 #include "report.hpp"
 #include "signorini/modes.hpp"
@@ -14,35 +15,21 @@ namespace signorini::web {
 
 namespace {
 
-constexpr std::int64_t mostInstants = 2401;
-
-/// u at the nodes and s on the cells, instant by instant; tip and force of the wall. A scene
-/// without a gap counts displacements in L: `unit` is what they are counted in, in g of the page's
-/// bar.
+/// A scene without a gap counts displacements in L: `unit` is what they are counted in, in g of the
+/// page's bar.
 void addMotion(Reply& reply, const State& state, const Schedule& schedule, double unit)
 {
     const Motion motion(state, schedule);
-    const std::vector<std::int64_t> instants = thinned(motion.steps(), mostInstants);
-    const auto perCrossing = static_cast<double>(motion.cells());
-    std::vector<double> times;
-    std::vector<double> u;
-    std::vector<double> s;
-    std::vector<double> force;
-    for (const std::int64_t m : instants) {
-        times.push_back(static_cast<double>(m) / perCrossing);
-        for (std::int64_t i = 0; i <= motion.cells(); ++i) {
-            u.push_back(unit * motion.displacement(i, m));
-        }
-        for (std::int64_t i = 1; i <= motion.cells(); ++i) {
-            s.push_back(unit * motion.strain(i, m));
-        }
-        force.push_back(unit * motion.wallForce(std::min(m, motion.steps() - 1)));
-    }
-    reply.json["nodes"] = motion.cells() + 1;
-    reply.add("times", times);
-    reply.add("u", u);
-    reply.add("s", s);
-    reply.add("force", force);
+    const auto cells = static_cast<double>(motion.cells());
+    const auto inSteps = [&](double t) {
+        return std::min(t * cells, static_cast<double>(motion.steps()));
+    };
+    Frames frames(motion.cells());
+    frames.take(
+        static_cast<double>(motion.steps()) / cells, motion.steps(),
+        [&](double x, double t) { return unit * motion.displacementAt(x * cells, inSteps(t)); },
+        [&](double t) { return unit * motion.wallForce(std::llround(inSteps(t))); });
+    frames.addTo(reply);
     addState(reply, {unit * state.a, unit * state.b});
 }
 
@@ -50,30 +37,13 @@ void addMotion(Reply& reply, const State& state, const Schedule& schedule, doubl
 
 void addMode(Reply& reply, const ModeMotion& motion, std::int64_t cells)
 {
-    const auto steps = static_cast<std::int64_t>(
-        std::fmax(2.0, std::round(motion.period() * static_cast<double>(cells))));
-    std::vector<double> times;
-    std::vector<double> u;
-    std::vector<double> s;
-    std::vector<double> force;
-    for (std::int64_t m = 0; m <= steps; ++m) {
-        const double t = motion.period() * static_cast<double>(m) / static_cast<double>(steps);
-        times.push_back(t);
-        for (std::int64_t i = 0; i <= cells; ++i) {
-            u.push_back(
-                motion.displacement(static_cast<double>(i) / static_cast<double>(cells), t));
-        }
-        for (std::int64_t i = 0; i < cells; ++i) {
-            const double middle = (static_cast<double>(i) + 0.5) / static_cast<double>(cells);
-            s.push_back(motion.strain(middle, t));
-        }
-        force.push_back(motion.wallForce(m < steps ? t : times[times.size() - 2]));
-    }
-    reply.json["nodes"] = cells + 1;
-    reply.add("times", times);
-    reply.add("u", u);
-    reply.add("s", s);
-    reply.add("force", force);
+    Frames frames(cells);
+    frames.take(
+        motion.period(),
+        std::max<std::int64_t>(2, std::llround(motion.period() * static_cast<double>(cells))),
+        [&](double x, double t) { return motion.displacement(x, t); },
+        [&](double t) { return motion.wallForce(t); });
+    frames.addTo(reply);
     addState(reply, cellMeans(motion, cells));
 }
 

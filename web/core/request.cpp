@@ -151,6 +151,18 @@ std::vector<std::array<std::int64_t, 3>> Request::triples(const char* name, std:
     return all;
 }
 
+std::vector<double> Request::numbers(const char* name, double low, double high) const
+{
+    std::vector<double> all;
+    for (const Json& value : has(name) ? at(name) : Json::array()) {
+        if (!value.is_number() || !(value >= low && value <= high)) {
+            refuse(name, value, fmt::format("numbers {}..{}", low, high));
+        }
+        all.push_back(value.get<double>());
+    }
+    return all;
+}
+
 Request Request::part(const char* name) const
 {
     const Json& value = at(name);

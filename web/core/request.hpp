@@ -44,6 +44,8 @@ public:
     /// [[a, b, c], ...], at most ten rows of whole numbers 0..high.
     [[nodiscard]] std::vector<std::array<std::int64_t, 3>> triples(const char* name,
                                                                    std::int64_t high) const;
+    /// A list of numbers; none where it is missing.
+    [[nodiscard]] std::vector<double> numbers(const char* name, double low, double high) const;
     [[nodiscard]] Request part(const char* name) const;
     /// The values as text, to see whether two questions are the same.
     [[nodiscard]] std::string key() const { return values_.dump(); }
@@ -73,6 +75,6 @@ private:
 };
 
 /// Cells that the page works on at most; a finer bar is a matter for the command line.
-inline constexpr std::int64_t mostCells = 1200;
+inline constexpr std::int64_t mostCells = 5000;
 
 }  // namespace signorini::web

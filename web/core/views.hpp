@@ -11,6 +11,7 @@
 #include "response_report.hpp"
 #include "signorini/find_periodic.hpp"
 #include "simulation_report.hpp"
+#include "sweep_report.hpp"
 
 namespace signorini::web {
 
@@ -34,6 +35,11 @@ namespace signorini::web {
 /// The next "count" frequencies of a response, from number "done" on.
 [[nodiscard]] Reply showResponse(const Request& request);
 
+/// The next value of a sweep over the frequency, "up" or "down": see sweeps.cpp.
+[[nodiscard]] Reply showSweep(const Request& request);
+/// Bars in a row with all that stands at them, in "words": see scenes.cpp.
+[[nodiscard]] Reply showScene(const Request& request);
+
 /// A file as the command line writes it: "name" of the motion or response "of" this question.
 [[nodiscard]] Reply download(const Request& request);
 
@@ -53,8 +59,16 @@ struct Simulated {
 };
 /// Simulated as the command line does; its tip file needs the path of the tip.
 [[nodiscard]] Simulated simulated(const Request& request, bool recordsTip = false);
-/// The table from which a plucked bar starts, as `simulate --from` reads it.
-[[nodiscard]] std::string pluckTable(const Request& start);
+/// The table from which a bar starts that is not at rest, as `simulate --from` reads it.
+[[nodiscard]] std::string startTable(const Request& request);
+/// "tip" or "base".
+[[nodiscard]] Excited placeOf(const Request& request);
+/// "amplitude" [N] or [m].
+[[nodiscard]] double amplitudeOf(const Request& request);
+/// The same, and damping, grid and frequencies "least" to "most".
+[[nodiscard]] ResponseRange rangeOf(const Request& request);
+/// The sweep as far as it was asked for with `showSweep`.
+[[nodiscard]] const cli::SweepAnswer& sweepOf(const Request& request);
 
 /// x, velocity and strain of a state, the initial values that are drawn.
 void addState(Reply& reply, const State& state);

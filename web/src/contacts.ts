@@ -4,6 +4,7 @@ import type { PolygonMotion } from './core';
 import { byId, input, round, shown } from './dom';
 import type { Explorer } from './explorer';
 import type { Polygon } from './polygons';
+import { withUnit } from './units';
 
 /** In the widest polygon, away from its middle. */
 export const firstPolygon: PolygonMotion = { show: 'polygon', chains: [[2, 1, 2], [2, 2, 1]], period: 2.58, split: 0.3, cells: 200 };
@@ -49,7 +50,7 @@ export class PolygonControls {
     const [least, most] = answer.first_contact_range;
     input('split').disabled = !(most > least);
     input('split').value = String(motion.split);
-    byId('polygon-period-value').textContent = `${shown(motion.period, 10)} L/c`;
-    byId('split-value').textContent = `${shown(answer.stretches[0], 4)} and ${shown(answer.stretches[2], 4)} L/c`;
+    byId('polygon-period-value').textContent = withUnit('time', motion.period, 10);
+    byId('split-value').textContent = `${shown(answer.stretches[0], 4)} and ${withUnit('time', answer.stretches[2], 4)}`;
   }
 }

@@ -1,6 +1,7 @@
 // Sliders, lists and buttons: each changes the view and nothing else.
 
-import { commandOf, filesOf, polygonOrder, pythonOf, responseCommand, save } from './takeaway';
+import { Builder, firstScene } from './builder';
+import { commandOf, filesOf, polygonOrder, pythonOf, responseCommand, save, sweepCommand } from './takeaway';
 import type { ForcedMotion, Motion, Phases, ScheduleMotion, Simulation, Start } from './core';
 import { firstPolygon, PolygonControls } from './contacts';
 import { byId, input, round, shown } from './dom';
@@ -8,7 +9,8 @@ import type { Explorer } from './explorer';
 import { pictures } from './pictures';
 import { SceneControls } from './scene';
 import { paperCase, type MapKind } from './view';
-import { controls } from './words';
+import { isShown, listenToTabs } from './side';
+import { withUnit } from './units';
 
 type Json = Record<string, any>;
 
@@ -28,31 +30,20 @@ export class Controls {
   private start: Start = { kind: 'pluck', place: 1, displacement: -3 };
   private readonly scene: SceneControls;
   private readonly polygon: PolygonControls;
+  private readonly builder: Builder;
   private readonly last: Partial<Record<Motion['show'], Motion>> = {};
 
   constructor(private readonly explorer: Explorer) {
-    this.describe();
     this.listen();
+    listenToTabs((panel) => { if (panel === 'take') this.followTake(this.motion); });
     this.scene = new SceneControls(explorer);
     this.polygon = new PolygonControls(explorer);
+    this.builder = new Builder(explorer);
     explorer.onShown = () => this.follow();
   }
 
   private get motion(): Motion { return this.explorer.view.motion; }
   private get answer(): Json { return (this.explorer.answer?.json.answer ?? {}) as Json; }
-
-  /** Two sentences at each control, and the formula for those who ask. */
-  private describe(): void {
-    for (const place of document.querySelectorAll<HTMLElement>('[data-control]')) {
-      const control = controls[place.dataset.control!];
-      place.className = 'about';
-      const text = Object.assign(document.createElement('span'), { textContent: `${control.text} ` });
-      const details = document.createElement('details');
-      details.append(Object.assign(document.createElement('summary'), { textContent: 'Formula' }),
-        Object.assign(document.createElement('code'), { textContent: control.formula }));
-      place.append(text, details);
-    }
-  }
 
   private slide(id: string, act: (value: number) => void): void {
     input(id).addEventListener('input', () => act(Number(input(id).value)));
@@ -92,10 +83,6 @@ export class Controls {
       explorer.keepLink();
     });
     byId('play').onclick = () => explorer.setPlaying(!explorer.isPlaying);
-    input('relief').onchange = () => {
-      explorer.surface.isRelief = input('relief').checked;
-      explorer.surface.paint();
-    };
     byId('bar-canvas').addEventListener('keydown', (event) => {
       const step = { ArrowRight: 0.01, ArrowLeft: -0.01 }[event.key];
       if (event.key === ' ') explorer.setPlaying(!explorer.isPlaying);
@@ -170,6 +157,7 @@ export class Controls {
   private listenForcing(): void {
     const { explorer } = this;
     const changed = (): void => {
+      explorer.sweeps.clear();
       this.labels();
       if (this.motion.show === 'forced') {
         const { damping, place, amplitude } = explorer.view.forcing;
@@ -194,16 +182,16 @@ export class Controls {
       explorer.view.forcing.cells = Number(byId<HTMLSelectElement>('force-cells').value);
       changed();
     };
-    byId('settle').onclick = () => void explorer.show(this.shaken());
+    byId('settle').onclick = () => void explorer.show(this.shaken({ kind: 'rest' }));
   }
 
   /** Damped and shaken, at the period of the forced motion that was looked at last. */
-  private shaken(): Simulation {
+  private shaken(start: Start = this.start): Simulation {
     const { damping, place, amplitude, cells } = this.explorer.view.forcing;
     const forced = this.last.forced as ForcedMotion | undefined;
     const grid = forced?.cells ?? cells;
     const steps = forced ? forced.phases[0][0] + forced.phases[0][1] : Math.round((4 * grid) / 1.1);
-    return { show: 'simulation', cells: grid, start: this.start, damping, steps, periods: 300, place, amplitude, from: 0, span: 24, frames: 60 };
+    return { show: 'simulation', cells: grid, start, damping, steps, periods: 300, place, amplitude, from: 0, span: 24, frames: 60 };
   }
 
   plucked(): Simulation {
@@ -230,6 +218,7 @@ export class Controls {
     const canvas = byId<HTMLCanvasElement>('bar-canvas');
     let from: { x: number; place: number } | undefined;
     canvas.addEventListener('pointerdown', (event) => {
+      if (this.motion.show === 'scene') return;
       const place = explorer.bar.placeOf(event.offsetX);
       if (place < 0.05 || place > 1.3) return;
       from = { x: event.offsetX, place: round(Math.min(Math.max(place, 0.1), 1), 2) };
@@ -259,6 +248,7 @@ export class Controls {
     if (kind === 'schedule') return void this.explorer.show(paperCase);
     if (kind === 'mode') return void this.explorer.show({ show: 'mode', contact: 4, turns: -1, period: Math.PI, cells: 200 });
     if (kind === 'simulation') return void this.explorer.show(this.plucked());
+    if (kind === 'scene') return void this.explorer.show(firstScene);
     if (kind === 'polygon') {
       this.explorer.showMap('contacts');
       return void this.explorer.show(firstPolygon);
@@ -275,15 +265,14 @@ export class Controls {
     const put = (id: string, text: string): void => {
       byId(id).textContent = text;
     };
-    put('pace-value', `${shown(view.pace, 3)} L/c a second`);
+    put('pace-value', `${withUnit('time', view.pace, 2)} per s`);
     const { drawn } = this.explorer.bar;
-    put('magnified-value', `× ${view.magnified}${drawn < view.magnified ? `, drawn × ${shown(drawn, 3)}` : ''}`);
+    put('magnified-value', `× ${drawn < view.magnified ? `${shown(drawn, 3)} of ` : ''}${view.magnified}`);
     put('damping-value', shown(view.forcing.damping, 3));
-    const amount = shown(view.forcing.amplitude * 1000, 4);
-    put('amplitude-value', view.forcing.place === 'tip' ? `${amount} mN = ${amount} EA g/L` : `${amount} mm = ${amount} g`);
+    put('amplitude-value', withUnit(view.forcing.place === 'tip' ? 'force' : 'displacement', view.forcing.amplitude * 1000, 4));
     if (this.start.kind === 'pluck') {
-      put('pluck-place-value', `${shown(this.start.place, 3)} L`);
-      put('pluck-displacement-value', `${shown(this.start.displacement, 3)} g`);
+      put('pluck-place-value', withUnit('place', this.start.place, 3));
+      put('pluck-displacement-value', withUnit('displacement', this.start.displacement, 3));
     }
     put('dashpot-value', shown(Number(input('dashpot').value), 3));
   }
@@ -313,6 +302,8 @@ export class Controls {
     if (motion.show === 'schedule') this.followSchedule(motion);
     if (motion.show === 'mode') this.followMode(motion.contact, motion.turns, motion.period);
     if (motion.show === 'polygon') this.polygon.follow(motion);
+    if (motion.show === 'scene') this.builder.follow(motion);
+    byId('settled-where').hidden = motion.show !== 'simulation' || motion.start.kind !== 'beside';
     if (motion.show === 'simulation') {
       if (motion.start.kind === 'pluck') this.start = motion.start;
       input('dashpot').value = String(motion.damping);
@@ -324,8 +315,12 @@ export class Controls {
       input('pluck-place').value = String(this.start.place);
       input('pluck-displacement').value = String(this.start.displacement);
     }
+    byId('forcing').hidden = view.map !== 'response' || motion.show === 'scene';
+    byId('units').textContent = view.units === 'si' ? 'Scaled units' : 'SI units';
+    byId('beside').setAttribute('aria-pressed', String(Boolean(this.explorer.bar.kept)));
+    byId('beside').textContent = this.explorer.bar.kept ? 'Drop the kept' : 'Keep beside';
     this.labels();
-    this.followTake(motion);
+    if (isShown('take')) this.followTake(motion);
   }
 
   private fillLists(): void {
@@ -347,11 +342,11 @@ export class Controls {
     const energy = input('energy');
     energy.disabled = !range;
     if (range) energy.value = String(Math.log((motion.energy ?? range[0]) / range[0]) / Math.log(range[1] / range[0]));
-    byId('energy-value').textContent = motion.gap === 0 ? `${motion.energy} of EA L/2: without a gap there is no E₁` : a.energy_ratio ? `${shown(a.energy_ratio)}${motion.energy === undefined ? ' (the least)' : ''}` : '–';
+    byId('energy-value').textContent = motion.gap === 0 ? `${motion.energy} of EA L/2: without a gap there is no E₁` : a.energy_ratio ? `${withUnit('energy', a.energy_ratio)}${motion.energy === undefined ? ' (the least)' : ''}` : '–';
     const pauses = this.explorer.answer?.json.pauses as [number, number] | null | undefined;
     input('pause').disabled = !pauses || pauses[1] <= pauses[0];
     input('pause').value = String(pauses && motion.pause !== undefined ? (motion.pause - pauses[0]) / (pauses[1] - pauses[0]) : 0);
-    byId('pause-value').textContent = pauses ? `pause ${shown(motion.pause ?? pauses[0], 4)} L/c` : motion.phases.length > 1 || motion.gap !== undefined || motion.second_stop !== undefined
+    byId('pause-value').textContent = pauses ? `pause ${withUnit('time', motion.pause ?? pauses[0], 4)}` : motion.phases.length > 1 || motion.gap !== undefined || motion.second_stop !== undefined
       ? 'here with one wall, a gap and one contact only' : 'give it more energy first';
     const contact = input('contact');
     const [nc, nf] = motion.phases[0];
@@ -364,7 +359,7 @@ export class Controls {
       contact.max = String(Math.min(nc + nf - 1, top + classes - 1));
     }
     contact.value = String(nc);
-    byId('contact-value').textContent = `${nc} of ${nc + nf} steps, ${shown(nc / motion.cells, 4)} L/c`;
+    byId('contact-value').textContent = `${nc} of ${nc + nf} steps, ${withUnit('time', nc / motion.cells, 4)}`;
   }
 
   private followMode(contact: number, turns: number, period: number): void {
@@ -372,13 +367,16 @@ export class Controls {
     list.value = `${contact},${turns}`;
     const mode = this.explorer.map.atlas?.modes.find((m) => m.contact[0] === contact && m.contact[1] === turns);
     if (mode) input('period').value = String((period - mode.lowest) / (mode.highest - mode.lowest));
-    byId('period-value').textContent = `${shown(period, 12)} L/c`;
+    byId('period-value').textContent = withUnit('time', period, 12);
   }
 
   private followTake(motion: Motion): void {
     const isResponse = this.explorer.view.map === 'response';
     const nearest = this.explorer.answer?.json.nearest as Phases | undefined;
-    byId('command').textContent = commandOf(motion, nearest) + (isResponse ? `\n${responseCommand(this.explorer.view.forcing)}` : '');
+    const swept = isResponse ? this.explorer.sweeps.last : undefined;
+    const phase = motion.show === 'simulation' && motion.start.kind === 'beside' ? Number((this.answer.excitation as Json | null)?.phase ?? 0) : 0;
+    byId('command').textContent = [commandOf(motion, nearest, phase), ...(isResponse ? [responseCommand(this.explorer.view.forcing)] : []),
+      ...(swept === undefined ? [] : [sweepCommand(this.explorer.view.forcing, swept)])].join('\n');
     byId('python').textContent = pythonOf(motion, nearest);
     const offer = (label: string, act: () => Promise<Blob>, file: string): HTMLButtonElement => {
       const button = Object.assign(document.createElement('button'), { textContent: label });
@@ -394,6 +392,8 @@ export class Controls {
       ...filesOf(motion).map(({ label, name, file }) => offer(label, () => ask(name, name.startsWith('polygons') ? { order: polygonOrder } : motion), file)),
       ...(isResponse ? [offer('Response (JSON)', () => ask('response.json', forcing), 'response.json'),
         offer('Response (CSV)', () => ask('response.csv', forcing), 'response.csv')] : []),
+      ...(swept === undefined ? [] : [offer('Sweep (JSON)', () => ask('sweep.json', this.explorer.sweeps.question(swept)), 'sweep.json'),
+        offer('Sweep (CSV)', () => ask('sweep.csv', this.explorer.sweeps.question(swept)), 'sweep.csv')]),
       offer('Families (CSV)', () => ask('families.csv', { order: 12 }), 'families.csv'));
     byId('pictures').replaceChildren(...pictures(this.explorer).flatMap(({ label, file, png, svg }) => [
       offer(`${label} PNG`, png, `${file}.png`), offer(`${label} SVG`, svg, `${file}.svg`)]));

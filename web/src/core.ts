@@ -24,13 +24,20 @@ export interface ForcedMotion {
   show: 'forced'; cells: number; phases: Phases; damping: number; place: Place; amplitude: number;
   which: number;
 }
-export type Start = { kind: 'rest' } | { kind: 'pluck'; place: number; displacement: number };
+/** A forced motion, made a little smaller, is where "beside" starts. */
+export type Start = { kind: 'rest' } | { kind: 'pluck'; place: number; displacement: number } | { kind: 'beside'; share: number };
 export interface Simulation {
   show: 'simulation'; cells: number; start: Start; damping: number; crossings?: number;
   steps?: number; periods?: number; place?: Place; amplitude?: number;
+  phases?: Phases; which?: number;
   from: number; span: number; frames: number;
 }
-export type Motion = ScheduleMotion | ModeMotion | PolygonMotion | ForcedMotion | Simulation;
+/** Bars in a row, in the words of `signorini scene`; hands: how far each held bar is pulled [g], or how fast a free one flies [c g/L]. */
+export interface SceneMotion {
+  show: 'scene'; words: string; hands: number[]; gravity?: number; amplitude?: number; frequency?: number; from: number; span: number;
+}
+export type BarMotion = ScheduleMotion | ModeMotion | PolygonMotion | ForcedMotion | Simulation;
+export type Motion = BarMotion | SceneMotion;
 
 export type Question = { show: string } & Record<string, unknown>;
 

@@ -4,13 +4,15 @@ import uPlot from 'uplot';
 import { BarView, Film } from './bar';
 import { palette, tones } from './colours';
 import { Latest, type Answer, type Library, type Motion, type Question } from './core';
-import { byId, input, shown } from './dom';
+import { byId, input } from './dom';
 import { Atlas, MapView, type Pick, type ResponsePoint } from './map';
-import { showFacts } from './panels';
+import { headlineOf, showFacts } from './panels';
 import { Plot } from './plots';
 import { Polygons } from './polygons';
+import { Sweeps } from './sweeps';
 import { SurfaceView } from './surface';
 import { polygonOrder } from './takeaway';
+import { units, withUnit, type System } from './units';
 import { asLink, fromLink, whatOf, type MapKind, type View } from './view';
 
 const usualGap = 1e-3;  // [m], of the bar of the page
@@ -27,7 +29,8 @@ export class Explorer {
   readonly surface = new SurfaceView(byId<HTMLCanvasElement>('surface'), byId('surface-host'));
   readonly map: MapView;
   readonly plots = { tip: new Plot(byId('tip')), force: new Plot(byId('force')), strain: new Plot(byId('strain')),
-    velocity: new Plot(byId('velocity')), settling: new Plot(byId('settling')) };
+    velocity: new Plot(byId('velocity')), settling: new Plot(byId('settling')), faces: new Plot(byId('faces')), pushes: new Plot(byId('pushes')) };
+  readonly sweeps: Sweeps;
   /** Called when a motion is on the screen: the controls follow. */
   onShown: () => void = () => undefined;
   private readonly motions = new Latest();
@@ -40,8 +43,10 @@ export class Explorer {
 
   constructor(readonly library: Library) {
     this.view = this.read(location.hash);
+    units.system = this.view.units;
     this.asked = this.view.motion;
     this.map = new MapView(byId('map'), (pick) => void this.pick(pick));
+    this.sweeps = new Sweeps(this);
     addEventListener('hashchange', () => this.follow(location.hash));
     const isDragged = (event: Event): boolean => event.target instanceof HTMLInputElement && event.target.type === 'range';
     for (const kind of ['click', 'change', 'submit', 'input']) {
@@ -60,6 +65,7 @@ export class Explorer {
 
   follow(link: string): void {
     this.view = this.read(link);
+    units.system = this.view.units;
     this.showMap(this.view.map);
     void this.show(this.view.motion, true);
   }
@@ -87,7 +93,7 @@ export class Explorer {
         if (motion.show !== this.view.motion.show && !keepsTime) this.view.time = 0;
         this.view.motion = motion;
         this.answer = answer;
-        this.film = answer.has('u') ? new Film(answer) : undefined;
+        this.film = answer.has('u') ? this.filmOf(motion, answer) : undefined;
         this.showAnswer(motion, answer);
       } catch (fault) {
         this.say(`${(fault as Error).message}. What is shown stays as it was.`);
@@ -95,7 +101,7 @@ export class Explorer {
           this.view = fromLink('').view;
           const answer = await this.library.ask(this.view.motion as unknown as Question);
           this.answer = answer;
-          this.film = new Film(answer);
+          this.film = this.filmOf(this.view.motion, answer);
           this.showAnswer(this.view.motion, answer);
         }
         if (this.asked === motion) this.asked = this.view.motion;
@@ -104,17 +110,22 @@ export class Explorer {
     });
   }
 
+  private filmOf(motion: Motion, answer: Answer): Film {
+    const { gap, second_stop: stop } = motion.show === 'schedule' ? motion : {};
+    return new Film(answer, (gap ?? usualGap) / usualGap, stop === undefined ? undefined : stop / usualGap);
+  }
+
   private showAnswer(motion: Motion, answer: Answer): void {
     this.bar.film = this.film;
     this.bar.pluck = undefined;
     this.bar.magnified = this.view.magnified;
-    this.bar.gap = motion.show === 'schedule' ? (motion.gap ?? usualGap) / usualGap : 1;
-    this.bar.stop = motion.show === 'schedule' && motion.second_stop !== undefined ? motion.second_stop / usualGap : undefined;
     showFacts(motion, answer);
-    if (this.film) {
-      this.surface.show(this.film);
-      this.showTraces(this.film, answer);
-    }
+    const isScene = motion.show === 'scene';
+    byId('map-card').hidden = isScene;
+    byId('faces-card').hidden = !isScene;
+    for (const part of document.querySelectorAll<HTMLElement>('[data-curves]')) part.hidden = isScene;
+    byId('initial-card').hidden = !answer.has('s0');
+    if (this.film) this.showCurves(this.film, answer);
     this.showSettling(motion, answer);
     this.map.setHere(this.here());
     this.setTime(this.view.time);
@@ -123,17 +134,41 @@ export class Explorer {
     this.onShown();
   }
 
-  private showTraces(film: Film, answer: Answer): void {
+  /** The motion on the screen stays beside those to come; without one beside, that goes. */
+  keepBeside(): void {
+    const { answer, film, bar } = this;
+    bar.kept = bar.kept || !film || !answer ? undefined : { film, name: headlineOf(this.view.motion, answer).replace(/\.$/, '') };
+    bar.paint();
+    if (film && answer) this.showCurves(film, answer);
+    this.onShown();
+  }
+
+  useUnits(system: System): void {
+    units.system = this.view.units = system;
+    this.redraw();
+    this.keepLink();
+  }
+
+  private showCurves(film: Film, answer: Answer): void {
+    if (film.isScene) return this.showFaces(film);
+    this.surface.show(film);
     const { ink } = tones();
-    const line = (stroke: string, isStepped: boolean): uPlot.Series => ({
-      stroke, width: 2, points: { show: false }, ...(isStepped ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
+    const line = (stroke: string, isStepped: boolean, width = 2): uPlot.Series => ({
+      stroke, width, points: { show: false }, ...(isStepped ? { paths: uPlot.paths.stepped!({ align: 1 }) } : {}),
     });
-    this.plots.tip.show({ x: 'time t [L/c]', y: 'tip u(L, t) [g]' }, [film.times, film.tip()], [line(ink, false)], (plot) => {
+    const kept = this.bar.kept?.film;
+    // The kept motion at the same times, as often as it fits.
+    const beside = (of: 'tip' | 'force'): Float64Array[] => (kept && !kept.isScene ? [film.pathTimes.map((t) => {
+      const share = ((t - film.begin) / (kept.end - kept.begin)) % 1;
+      return kept[of][Math.min(Math.floor(share * (kept.pathTimes.length - 1)), kept.pathTimes.length - 1)];
+    })] : []);
+    const grey = (isStepped: boolean): uPlot.Series[] => (kept && !kept.isScene ? [line(palette.faint, isStepped, 1.5)] : []);
+    this.plots.tip.show({ x: ['time t', 'time'], y: ['tip u(L, t)', 'displacement'] }, [film.pathTimes, film.tip, ...beside('tip')], [line(ink, false), ...grey(false)], (plot) => {
       plot.ctx.strokeStyle = palette.faint;
       plot.ctx.lineWidth = 2 * devicePixelRatio;
       plot.ctx.setLineDash([6, 4]);
-      for (const place of [this.bar.gap, ...(this.bar.stop === undefined ? [] : [-this.bar.stop])]) {
-        const y = plot.valToPos(place, 'y', true);
+      for (const { kind, gap } of film.contacts) {
+        const y = plot.valToPos(kind === 'left stop' ? -gap : gap, 'y', true);
         plot.ctx.beginPath();
         plot.ctx.moveTo(plot.bbox.left, y);
         plot.ctx.lineTo(plot.bbox.left + plot.bbox.width, y);
@@ -141,14 +176,29 @@ export class Explorer {
       }
       plot.ctx.setLineDash([]);
     });
-    this.plots.force.show({ x: 'time t [L/c]', y: 'force [EA g/L]' }, [film.times, film.force],
-      [{ ...line(palette.contact, true), fill: `${palette.contact}33` }]);
-    byId('initial-card').hidden = !answer.has('s0');
+    this.plots.force.show({ x: ['time t', 'time'], y: ['force', 'force'] }, [film.pathTimes, film.force, ...beside('force')],
+      [{ ...line(palette.contact, true), fill: `${palette.contact}33` }, ...grey(true)]);
     if (answer.has('s0')) {
       const x = answer.array('x');
-      this.plots.strain.show({ x: 'place x [L]', y: 'strain s [g/L]', xRange: [0, 1] }, [x, answer.array('s0')], [line(palette.strain, true)]);
-      this.plots.velocity.show({ x: 'place x [L]', y: 'velocity v [c g/L]', xRange: [0, 1] }, [x, answer.array('v0')], [line(palette.velocity, true)]);
+      this.plots.strain.show({ x: ['place x', 'place'], y: ['strain s', 'strain'], xRange: [0, 1] }, [x, answer.array('s0')], [line(palette.strain, true)]);
+      this.plots.velocity.show({ x: ['place x', 'place'], y: ['velocity v', 'velocity'], xRange: [0, 1] }, [x, answer.array('v0')], [line(palette.velocity, true)]);
     }
+  }
+
+  /** Of several bars: the faces that may touch, counted from the first one of each pair, and how they press. */
+  private showFaces(film: Film): void {
+    const colours = [palette.strain, palette.contact, palette.velocity, palette.faint];
+    const at = (node: number): Float64Array => film.times.map((_, m) => film.u[m * film.nodes + node]);
+    const lines = film.contacts.flatMap(({ kind, at: node, next, gap }, k) => {
+      const stroke = colours[k % colours.length];
+      const wall = next === null ? film.times.map(() => (kind === 'left stop' ? -gap : gap)) : at(next).map((u) => u + gap);
+      return [{ values: at(node), series: { stroke, width: 2, points: { show: false } } }, { values: wall, series: { stroke, width: 1.5, dash: [6, 4], points: { show: false } } }];
+    });
+    this.plots.faces.show({ x: ['time t', 'time'], y: ['faces', 'displacement'] }, [film.times, ...lines.map((one) => one.values)], lines.map((one) => one.series));
+    const pushes = film.contacts.map((_, k) => film.times.map((__, m) => film.forces[m * film.contacts.length + k]));
+    this.plots.pushes.show({ x: ['time t', 'time'], y: ['force', 'force'] }, [film.times, ...pushes],
+      pushes.map((_, k) => ({ stroke: colours[k % colours.length], width: 1.5, points: { show: false }, paths: uPlot.paths.stepped!({ align: 1 }) })));
+    byId('faces-legend').textContent = 'Full: the node at a contact; dashed: what it may meet. Below: how hard they press.';
   }
 
   private showSettling(motion: Motion, answer: Answer): void {
@@ -156,7 +206,7 @@ export class Explorer {
     host.hidden = !(motion.show === 'simulation' && answer.has('impulses'));
     if (host.hidden) return;
     const impulses = answer.array('impulses');
-    this.plots.settling.show({ x: 'periods of the excitation', y: 'impulse [EA g/c]' },
+    this.plots.settling.show({ x: ['periods of the excitation', 'count'], y: ['impulse', 'impulse'] },
       [Float64Array.from(impulses, (_, k) => k + 1), impulses], [{ stroke: palette.strain, width: 1.5, points: { show: false } }]);
   }
 
@@ -164,7 +214,7 @@ export class Explorer {
   private here(): { x: number; y: number } | undefined {
     const motion = this.view.motion;
     const a = this.answer?.json.answer as Record<string, any> | undefined;
-    if (!a || (motion.show === 'schedule' && (motion.gap !== undefined || motion.second_stop !== undefined))) return undefined;
+    if (!a || motion.show === 'scene' || (motion.show === 'schedule' && (motion.gap !== undefined || motion.second_stop !== undefined))) return undefined;
     if (this.view.map === 'energy' && typeof a.energy_ratio === 'number' && typeof a.frequency_ratio === 'number') {
       return { x: a.frequency_ratio, y: a.energy_ratio };
     }
@@ -186,15 +236,16 @@ export class Explorer {
   showMap(kind: MapKind): void {
     this.view.map = kind;
     this.map.show(kind, this.view);
+    byId('forcing').hidden = kind !== 'response' || this.view.motion.show === 'scene';
     this.map.setHere(this.here());
-    byId('forcing').hidden = kind !== 'response';
     byId('map-legend').textContent = {
-      energy: 'Black curves: modes, a motion for every period. Blue half-lines: families, each a continuum; a dot is their least energy. The ring is what you see.',
-      existence: 'A dot for each schedule of 300 cells that has a motion: dark for little energy, bright for much; grey ones only touch the wall. Each tent is one family.',
-      contacts: 'Two contacts in a period, on no grid. Filled: polygons; at one period their motions divide the contact time between the two contacts freely, at one energy. Dashed: at each period a single motion. Drag the ring.',
-      response: 'A dot for each motion with one contact in a period. Full: tested, it attracts; open: it repels, or was not tested yet. Grey: without a wall the bar would not reach it.',
+      energy: 'Black curves: modes, a motion for every period. Blue half-lines: families, each a continuum; a dot is their least energy. Ring: what you see. The axis is spread near ω₁.',
+      existence: 'A dot for each schedule of 300 cells that has a motion: dark for little energy, bright for much; grey: it only touches the wall. Each tent is one family.',
+      contacts: 'Filled: polygons, whose motions divide the contact time between two contacts freely, at one energy. Dashed: at each period a single motion. Drag the ring.',
+      response: 'Each dot is a motion with one contact in a period: ● tried, it attracts; ○ tried, it repels; · not tried. ▲▼ a sweep. Grey: without a wall the bar would not reach it.',
     }[kind];
     if (kind === 'response') void this.loadResponse();
+    else this.sweeps.stop();
     if (kind === 'contacts' && !this.map.polygons) void this.loadPolygons();
     this.keepLink();
   }
@@ -238,6 +289,9 @@ export class Explorer {
     }
   }
 
+  /** A sweep has the library to itself. */
+  haltResponse(): void { ++this.responseRun; }
+
   async pick(pick: Pick): Promise<void> {
     if (pick.kind === 'family') {
       const { order, nu, blocks, least } = pick.family;
@@ -271,7 +325,15 @@ export class Explorer {
     this.plots.tip.setCursor(t);
     this.plots.force.setCursor(t);
     input('time').value = String(share);
-    byId('time-value').textContent = `${shown(t, 4)} L/c`;
+    byId('time-value').textContent = withUnit('time', t, 4);
+  }
+
+  /** All once more, in other colours, units or letters. */
+  redraw(): void {
+    this.bar.recolour();
+    this.surface.recolour();
+    this.showMap(this.view.map);
+    if (this.answer) this.showAnswer(this.view.motion, this.answer);
   }
 
   private frame(now: number): void {
@@ -304,15 +366,5 @@ export class Explorer {
       this.isChoice = false;
       history[isEntry ? 'pushState' : 'replaceState'](null, '', link);
     }, 150);
-  }
-
-  recolour(): void {
-    this.bar.recolour();
-    this.bar.paint();
-    this.surface.recolour();
-    this.showMap(this.view.map);
-    if (this.answer && this.film) this.showTraces(this.film, this.answer);
-    if (this.answer) this.showSettling(this.view.motion, this.answer);
-    this.setTime(this.view.time);
   }
 }

@@ -1,17 +1,17 @@
 import 'uplot/dist/uPlot.min.css';
 import './style.css';
-import { isDark, palette } from './colours';
+import { isDark } from './colours';
 import { Controls } from './controls';
 import { Library } from './core';
 import { byId } from './dom';
 import { Explorer } from './explorer';
+import { addHelp, listenToLecture } from './side';
 import { Tour } from './tour';
 import { glossary } from './words';
 
 const root = document.documentElement;
-root.style.setProperty('--compressed', palette.diverging[0]);
-root.style.setProperty('--stretched', palette.diverging[2]);
 
+addHelp();
 const explorer = new Explorer(new Library());
 new Controls(explorer);
 new Tour(explorer);
@@ -32,9 +32,13 @@ byId('copy-link').onclick = async () => {
   setTimeout(() => { byId('copy-link').textContent = 'Copy link'; }, 2000);
 };
 
+listenToLecture(() => explorer.redraw());
+byId('beside').onclick = () => explorer.keepBeside();
+byId('units').onclick = () => explorer.useUnits(explorer.view.units === 'si' ? 'scaled' : 'si');
+
 function showTheme(): void {
   byId('theme').textContent = isDark() ? 'Light' : 'Dark';
-  explorer.recolour();
+  explorer.redraw();
 }
 byId('theme').onclick = () => {
   root.dataset.theme = isDark() ? 'light' : 'dark';

@@ -3,9 +3,10 @@
 import type uPlot from 'uplot';
 import { asText, palette, through, tones } from './colours';
 import type { Answer, Motion, Phases } from './core';
-import { shown } from './dom';
-import { at, Plot } from './plots';
+import { at, fontOf, letters, Plot, type Axes } from './plots';
 import type { Polygons, PolygonPick } from './polygons';
+import type { SweepPoint } from './sweeps';
+import { withUnit } from './units';
 import type { Forcing, MapKind, View } from './view';
 
 export interface ModeLine {
@@ -26,7 +27,11 @@ export type Pick =
   | { kind: 'response'; point: ResponsePoint };
 
 const mostEnergy = 60;
-const mapRange: [number, number] = [0.97, 2.12];
+/** Families crowd above ω₁: there the axis is spread. */
+const frequencies: { range: [number, number]; spread: NonNullable<Axes['spreadX']> } = {
+  range: [0.995, 2.1],
+  spread: { there: (ratio) => Math.log(ratio - 0.93), back: (place) => 0.93 + Math.exp(place), ticks: [1, 1.05, 1.1, 1.2, 1.3, 1.5, 1.7, 2] },
+};
 
 export class Atlas {
   readonly families: FamilyPoint[] = [];
@@ -58,12 +63,15 @@ export class MapView {
   polygons: Polygons | undefined;
   readonly lines: [number, number, number][] = [];      // omega/omega_1, highest tip without wall, touches
   readonly response: ResponsePoint[] = [];
+  readonly sweep: SweepPoint[] = [];
+  settled: { x: number; y: number } | undefined;  // where a bar settled that was let go beside a motion
   private kind: MapKind = 'energy';
   private here: { x: number; y: number } | undefined;
 
   constructor(host: HTMLElement, private readonly onPick: (pick: Pick) => void) {
     this.plot = new Plot(host);
     this.plot.onPlot = (plot) => this.listen(plot);
+    this.plot.drawOver = (plot, c) => this.drawOver(plot, c);
   }
 
   private listen(plot: uPlot): void {
@@ -106,12 +114,14 @@ export class MapView {
     const { x, y } = plot.scales;
     const whole = this.plot.whole();
     const isLog = this.kind === 'energy';
-    const there = isLog ? Math.log : (value: number): number => value;
-    const back = isLog ? Math.exp : there;
-    const [bottom, top] = part(there(y.min!), there(y.max!), shareY, [there(whole.y[0]), there(whole.y[1])]);
-    // At its edges the whole, to the last digit.
-    const exact = (value: number, edge: number): number => (value === there(edge) ? edge : back(value));
-    this.plot.zoom(part(x.min!, x.max!, shareX, whole.x), [exact(bottom, whole.y[0]), exact(top, whole.y[1])]);
+    const same = (value: number): number => value;
+    const zoomed = ({ min, max }: uPlot.Scale, share: number, edges: [number, number], there: typeof same, back: typeof same): [number, number] => {
+      const [low, high] = part(there(min!), there(max!), share, [there(edges[0]), there(edges[1])]);
+      // At its edges the whole, to the last digit.
+      return [low === there(edges[0]) ? edges[0] : back(low), high === there(edges[1]) ? edges[1] : back(high)];
+    };
+    const { there, back } = this.plot.spread ?? { there: same, back: same };
+    this.plot.zoom(zoomed(x, shareX, whole.x, there, back), zoomed(y, shareY, whole.y, isLog ? Math.log : same, isLog ? Math.exp : same));
   }
 
   private pickAt(plot: uPlot, px: number, py: number): void {
@@ -191,21 +201,22 @@ export class MapView {
 
   setHere(here: { x: number; y: number } | undefined): void {
     this.here = here;
-    this.plot.redraw();
+    // Of polygons the one that is meant is drawn otherwise.
+    if (this.kind === 'contacts') this.plot.redraw();
+    else this.plot.redrawOver();
   }
 
   show(kind: MapKind, view: View): void {
     this.kind = kind;
     if (kind === 'energy') {
-      this.plot.show({ x: 'frequency ω/ω₁', y: 'energy E/E₁', logY: true, xRange: mapRange, yRange: [0.95, mostEnergy], zoom: true,
-        yTicks: (v) => ([1, 2, 5, 10, 20, 50].includes(v) ? String(v) : '') },
-        [[1, 2], [1, 1]], [{ show: false }], (plot) => this.drawEnergy(plot));
+      this.plot.show({ x: ['frequency ω', 'frequency'], y: ['energy E', 'energy'], logY: true, spreadX: frequencies.spread, xRange: frequencies.range, yRange: [0.95, mostEnergy],
+        zoom: true, yTicks: [1, 2, 5, 10, 20, 50] }, [[1, 2], [1, 1]], [{ show: false }], (plot) => this.drawEnergy(plot));
     } else if (kind === 'existence') {
-      this.plot.show({ x: 'contact time t_c [L/c]', y: 'flight time t_f [L/c]', xRange: [0, 2], yRange: [0, 4], zoom: true },
+      this.plot.show({ x: ['contact time t_c', 'time'], y: ['flight time t_f', 'time'], xRange: [0, 2], yRange: [0, 4], zoom: true },
         [[0, 2], [0, 4]], [{ show: false }], (plot) => this.drawExistence(plot));
     } else if (kind === 'contacts') {
       const { x, y } = this.polygons?.ranges() ?? { x: [0, 8], y: [0, 2] };
-      this.plot.show({ x: 'period T [L/c]', y: 'first contact [L/c]', xRange: x, yRange: y, zoom: true, isDragged: true },
+      this.plot.show({ x: ['period T', 'time'], y: ['first contact', 'time'], xRange: x, yRange: y, zoom: true, isDragged: true },
         [x, y], [{ show: false }], (plot) => this.drawContacts(plot, view.motion));
     } else {
       this.showResponse(view.forcing);
@@ -213,26 +224,25 @@ export class MapView {
   }
 
   showResponse(forcing: Forcing): void {
-    const most = Math.max(0.5, ...this.response.map((p) => p.impulse));
-    this.plot.show({ x: 'frequency of the excitation ω/ω₁', y: 'impulse on the wall [EA g/c]', xRange: [forcing.least, forcing.most],
+    const most = Math.max(0.5, ...this.response.map((p) => p.impulse), ...this.sweep.map((p) => p.most));
+    this.plot.show({ x: ['frequency of the excitation', 'frequency'], y: ['impulse in a period', 'impulse'], xRange: [forcing.least, forcing.most],
       yRange: [0, 1.08 * most], zoom: true }, [[forcing.least, forcing.most], [0, 1]], [{ show: false }], (plot) => this.drawResponse(plot));
   }
 
-  private drawHere(plot: uPlot): void {
+  private drawHere(plot: uPlot, c: CanvasRenderingContext2D): void {
     if (!this.here) return;
-    const r = 7 * devicePixelRatio;
+    const r = 7 * devicePixelRatio * letters();
     const { left, top, width, height } = plot.bbox;
     const [trueX, trueY] = at(plot, this.here.x, this.here.y);
     const inside = (value: number, low: number, high: number): number => Math.min(Math.max(value, low), high);
     const [x, y] = [inside(trueX, left + 3 * r, left + width - 3 * r), inside(trueY, top + 3 * r, top + height - 3 * r)];
     const isOutside = trueX < left || trueX > left + width || trueY < top || trueY > top + height;
-    if (isOutside) return this.drawAway(plot, x, y, Math.atan2(trueY - y, trueX - x), r);
-    this.drawRing(plot, trueX, trueY, r);
+    if (isOutside) return this.drawAway(plot, c, x, y, Math.atan2(trueY - y, trueX - x), r);
+    this.drawRing(c, trueX, trueY, r);
   }
 
   /** The motion is beyond what the map shows: an arrow there, and where it is. */
-  private drawAway(plot: uPlot, x: number, y: number, angle: number, r: number): void {
-    const c = plot.ctx;
+  private drawAway(plot: uPlot, c: CanvasRenderingContext2D, x: number, y: number, angle: number, r: number): void {
     c.save();
     c.translate(x, y);
     c.rotate(angle);
@@ -252,25 +262,26 @@ export class MapView {
     c.restore();
     const { left, width } = plot.bbox;
     c.fillStyle = tones().ink;
-    c.font = `${13 * devicePixelRatio}px system-ui, sans-serif`;
+    c.font = fontOf(13 * devicePixelRatio);
     c.textAlign = x > left + width / 2 ? 'right' : 'left';
     c.textBaseline = 'middle';
-    const what = this.kind === 'energy' ? `E = ${shown(this.here!.y, 4)} E₁ at ${shown(this.here!.x, 4)} ω₁` : `at ${shown(this.here!.x, 4)}, ${shown(this.here!.y, 4)}`;
+    const { x: hereX, y: hereY } = this.here!;
+    const what = this.kind === 'energy' ? `E = ${withUnit('energy', hereY, 4)} at ${withUnit('frequency', hereX, 4)}` : `at ${Number(hereX.toPrecision(4))}, ${Number(hereY.toPrecision(4))}`;
     c.fillText(what, x + (c.textAlign === 'left' ? 3 : -3) * r, y);
   }
 
-  private drawRing(plot: uPlot, x: number, y: number, r: number): void {
-    plot.ctx.strokeStyle = palette.contact;
-    plot.ctx.lineWidth = 3 * devicePixelRatio;
-    dot(plot.ctx, x, y, r);
-    plot.ctx.stroke();
-    plot.ctx.lineWidth = devicePixelRatio;
-    plot.ctx.strokeStyle = tones().ink;
+  private drawRing(c: CanvasRenderingContext2D, x: number, y: number, r: number): void {
+    c.strokeStyle = palette.contact;
+    c.lineWidth = 3 * devicePixelRatio;
+    dot(c, x, y, r);
+    c.stroke();
+    c.lineWidth = devicePixelRatio;
+    c.strokeStyle = tones().ink;
     for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-      plot.ctx.beginPath();
-      plot.ctx.moveTo(x + dx * r * 1.2, y + dy * r * 1.2);
-      plot.ctx.lineTo(x + dx * r * 1.9, y + dy * r * 1.9);
-      plot.ctx.stroke();
+      c.beginPath();
+      c.moveTo(x + dx * r * 1.2, y + dy * r * 1.2);
+      c.lineTo(x + dx * r * 1.9, y + dy * r * 1.9);
+      c.stroke();
     }
   }
 
@@ -315,7 +326,6 @@ export class MapView {
       c.stroke();
     });
     c.globalAlpha = 1;
-    this.drawHere(plot);
   }
 
   private drawExistence(plot: uPlot): void {
@@ -334,13 +344,11 @@ export class MapView {
       c.fillRect(x - size / 2, y - size / 2, size, size);
     }
     c.globalAlpha = 1;
-    this.drawHere(plot);
   }
 
   private drawContacts(plot: uPlot, motion: Motion): void {
     if (!this.polygons) return;
     this.polygons.draw(plot, motion.show === 'polygon' ? this.polygons.of(motion) : -1);
-    this.drawHere(plot);
   }
 
   private drawResponse(plot: uPlot): void {
@@ -365,13 +373,51 @@ export class MapView {
     c.globalAlpha = 1;
     for (const point of this.response) {
       const [x, y] = at(plot, point.frequency, point.impulse);
-      dot(c, x, y, r);
+      // Full: tried, it attracts. Open: tried, it repels. Small: not tried.
+      dot(c, x, y, point.stays === 0 ? 0.4 * r : r);
       c.strokeStyle = palette.strain;
       c.lineWidth = 1.5 * devicePixelRatio;
-      c.fillStyle = point.stays > 0 ? palette.strain : paper;
+      c.fillStyle = point.stays < 0 ? paper : palette.strain;
       c.fill();
       c.stroke();
     }
-    this.drawHere(plot);
+  }
+
+  private drawOver(plot: uPlot, c: CanvasRenderingContext2D): void {
+    if (this.kind === 'response') this.drawSweep(plot, c);
+    this.drawHere(plot, c);
+    if (this.kind === 'response' && this.settled) {
+      const r = 3.2 * devicePixelRatio;
+      const [x, y] = at(plot, this.settled.x, this.settled.y);
+      c.strokeStyle = palette.velocity;
+      c.lineWidth = 3 * devicePixelRatio;
+      c.beginPath();
+      for (const [dx, dy] of [[-1, 0], [0, -1], [1, 0], [0, 1]]) c.lineTo(x + 3.2 * r * dx, y + 3.2 * r * dy);
+      c.closePath();
+      c.stroke();
+    }
+  }
+
+  /** Triangles that point where the sweep went; a bar from the least impulse to the most where a motion does not repeat every period. */
+  private drawSweep(plot: uPlot, c: CanvasRenderingContext2D): void {
+    const r = 4.5 * devicePixelRatio;
+    for (const { frequency, least, most, isDown } of this.sweep) {
+      c.fillStyle = c.strokeStyle = isDown ? palette.velocity : palette.contact;
+      const [x, low] = at(plot, frequency, least);
+      const [, high] = at(plot, frequency, most);
+      c.lineWidth = 2 * devicePixelRatio;
+      c.beginPath();
+      c.moveTo(x, low);
+      c.lineTo(x, high);
+      c.stroke();
+      const side = isDown ? -1 : 1;
+      const y = isDown ? low : high;
+      c.beginPath();
+      c.moveTo(x, y - side * r);
+      c.lineTo(x - r, y + side * r);
+      c.lineTo(x + r, y + side * r);
+      c.closePath();
+      c.fill();
+    }
   }
 }

@@ -2,6 +2,7 @@
 
 import type { Answer, Motion } from './core';
 import { byId, counted, fill, shown } from './dom';
+import { withUnit, type Quantity } from './units';
 import { assumed } from './words';
 
 type Json = Record<string, any>;
@@ -25,22 +26,27 @@ export function headlineOf(motion: Motion, answer: Answer): string {
     }
     if (motion.show === 'forced') {
       const one = a.motions[Number(answer.json.which)];
-      return `${name} on ${motion.cells} cells, shaken at ${shown(a.frequency_ratio)} ω₁: impulse ${shown(one.impulse / 1e-3, 5)} EA g/c in a period.`;
+      return `${name} on ${motion.cells} cells, shaken at ${withUnit('frequency', a.frequency_ratio)}: impulse ${withUnit('impulse', one.impulse / 1e-3, 5)} in a period.`;
     }
-    return `${name} on ${motion.cells} cells: T = ${shown(a.period_ratio)} L/c, ω = ${shown(a.frequency_ratio, 5)} ω₁, E = ${a.energy_ratio === null ? `${shown(a.energy)} J` : `${shown(a.energy_ratio)} E₁`}.`;
+    return `${name} on ${motion.cells} cells: T = ${withUnit('time', a.period_ratio)}, ω = ${withUnit('frequency', a.frequency_ratio, 5)}, E = ${a.energy_ratio === null ? `${shown(a.energy)} J` : withUnit('energy', a.energy_ratio)}.`;
   }
   if (motion.show === 'polygon') {
     const [first, , second] = a.stretches as number[];
-    return `Two contacts of ${shown(first, 4)} and ${shown(second, 4)} L/c at T = ${shown(motion.period, 10)} L/c: ω = ${shown(a.frequency_ratio, 5)} ω₁, E = ${shown(a.energy_ratio)} E₁.`;
+    return `Two contacts of ${shown(first, 4)} and ${withUnit('time', second, 4)} at T = ${withUnit('time', motion.period, 10)}: ω = ${withUnit('frequency', a.frequency_ratio, 5)}, E = ${withUnit('energy', a.energy_ratio)}.`;
   }
   if (motion.show === 'mode') {
-    return `Mode t_c = ${motion.contact} − ${motion.turns === -1 ? '' : -motion.turns}T at T = ${shown(motion.period, 10)} L/c: contact ${shown(a.contact_time_ratio)} L/c, E = ${shown(a.energy_ratio)} E₁.`;
+    return `Mode t_c = ${motion.contact} − ${motion.turns === -1 ? '' : -motion.turns}T at T = ${withUnit('time', motion.period, 10)}: contact ${withUnit('time', a.contact_time_ratio)}, E = ${withUnit('energy', a.energy_ratio)}.`;
   }
-  const from = motion.start.kind === 'rest' ? 'Started at rest' : `Held at ${shown(motion.start.place)} L, pulled by ${shown(motion.start.displacement)} g, let go`;
+  if (motion.show === 'scene') {
+    const count = (a.contacts as { count: number }[]).map((one) => one.count).join(' + ');
+    return `${(a.words as string).trim()}: ${count} contacts in ${withUnit('time', a.time, 4)}, ${a.events} events.`;
+  }
+  const from = motion.start.kind === 'rest' ? 'Started at rest' : motion.start.kind === 'beside' ? `Started ${shown(100 * (1 - motion.start.share), 2)} % beside (${motion.phases![0].slice(0, 2).join(', ')})`
+    : `Held at ${withUnit('place', motion.start.place)}, pulled by ${withUnit('displacement', motion.start.displacement)}, let go`;
   const every = a.settled?.periods === 1 ? 'every period' : `every ${a.settled?.periods} periods`;
   const end = a.settled ? ` It settles: ${a.settled.contacts > 0 ? `${counted(a.settled.contacts, 'contact')} ${every}` : `clear of the wall, the same ${every}`}.`
     : motion.steps !== undefined ? ' It has not settled.' : '';
-  return `${from}: ${counted(a.contacts, 'contact')} in ${shown(a.time_ratio)} L/c.${end}`;
+  return `${from}: ${counted(a.contacts, 'contact')} in ${withUnit('time', a.time_ratio)}.${end}`;
 }
 
 function provedOf(motion: Motion, answer: Answer): string[] {
@@ -83,23 +89,37 @@ function provedOf(motion: Motion, answer: Answer): string[] {
 function computedOf(motion: Motion, answer: Answer): [string, string][] {
   const a = answer.json.answer as Json;
   const list: [string, string][] = [];
-  const add = (name: string, value: number | null | undefined, unit: string): void => {
-    if (value !== null && value !== undefined) list.push([name, `${shown(value)} ${unit}`]);
+  /** A value in the units of the theory; `scale` of them make the SI unit in which it came. */
+  const add = (name: string, value: number | null | undefined, what: Quantity, scale = 1): void => {
+    if (value !== null && value !== undefined) list.push([name, withUnit(what, value * scale).trim()]);
   };
-  add('Period', a.period_ratio, 'L/c');
-  add('Frequency', a.frequency_ratio, 'ω₁');
-  add('Energy', a.energy_ratio, 'E₁');
+  const milli = 1e3;  // EA g/L = 1 mN, EA g/c = 1 mN s, g = 1 mm, c g/L = 1 mm/s of the page's bar
+  if (motion.show === 'scene') {
+    for (const one of a.contacts as Json[]) {
+      const name = `Contact ${one.number}, ${one.kind}`;
+      list.push([name, counted(one.count, 'time')]);
+      add(`${name}: impulse`, one.impulse, 'impulse', milli);
+      add(`${name}: peak force`, one.peak_force, 'force', milli);
+    }
+    if (a.reference.frequency) add('First frequency, contacts open', 4 * a.reference.frequency, 'frequency');
+    add('Energy at the end', a.energy / 5e-7, 'energy');
+    add('Balance of energy is off by', a.balance, 'count');
+    return list;
+  }
+  add('Period', a.period_ratio, 'time');
+  add('Frequency', a.frequency_ratio, 'frequency');
+  add('Energy', a.energy_ratio, 'energy');
   const p = a.physical;
   if (p) {
-    add('Wall is pressed for', p.contact_time, 's in a period');
-    add('Peak force', p.peak_force, 'N');
-    add('Impulse', p.impulse, 'N s');
-    add('Tip meets the wall at', p.approach_speed, 'm/s');
-    add('Peak compression', p.peak_compression, '');
-    add('Lowest tip', p.tip_lowest, 'm');
+    add('Wall is pressed in a period for', p.contact_time, 'time');
+    add('Peak force', p.peak_force, 'force', milli);
+    add('Impulse', p.impulse, 'impulse', milli);
+    add('Tip meets the wall at', p.approach_speed, 'velocity', milli);
+    add('Peak compression', p.peak_compression, 'strain', milli);
+    add('Lowest tip', p.tip_lowest, 'displacement', milli);
   }
   if (motion.show === 'schedule') {
-    add('Different motions on the curve', answer.json.orbits as number, '');
+    add('Different motions on the curve', answer.json.orbits as number, 'count');
     const residuals = a.residuals as Record<string, number> | null;
     if (residuals) {
       const worst = answer.json.residual ?? Math.max(...Object.values(residuals));
@@ -108,18 +128,19 @@ function computedOf(motion: Motion, answer: Answer): [string, string][] {
   }
   if (motion.show === 'forced' && a.status === 'found') {
     const one = a.motions[Number(answer.json.which)];
-    add('Amplitudes of the schedule from', a.amplitude_range?.[0], motion.place === 'tip' ? 'N' : 'm');
-    add('to', a.amplitude_range?.[1] ?? Infinity, motion.place === 'tip' ? 'N' : 'm');
-    add('Phase', one.phase, 'rad');
-    add('Peak force', one.peak_force, 'N');
-    add('Worst residual', one.residual, '');
+    const what = motion.place === 'tip' ? 'force' : 'displacement';
+    add('Amplitudes of the schedule from', a.amplitude_range?.[0], what, milli);
+    add('to', a.amplitude_range?.[1] ?? Infinity, what, milli);
+    list.push(['Phase', `${shown(one.phase)} rad`]);
+    add('Peak force', one.peak_force, 'force', milli);
+    add('Worst residual', one.residual, 'count');
   }
   if (motion.show === 'simulation') {
-    add('Impulse in all', a.impulse, 'N s');
-    if (a.settled) add('Impulse when settled', a.settled.impulse, 'N s');
-    add('Energy at the end', a.energy_ratio, 'E₁');
-    add('Balance of energy is off by', a.balance.error, 'J');
-    add('Events', a.events, '');
+    add('Impulse in all', a.impulse, 'impulse', milli);
+    if (a.settled) add('Impulse when settled', a.settled.impulse, 'impulse', milli);
+    add('Energy at the end', a.energy_ratio, 'energy');
+    add('Balance of energy is off by', a.balance.error / 5e-7, 'energy');
+    add('Events', a.events, 'count');
   }
   const { gap = 1e-3, second_stop: stop } = motion.show === 'schedule' ? motion : {};
   list.push(['Bar', `L = 1 m, c = 1 m/s, EA = 1 N, g = ${shown(gap * 1000)} mm${stop === undefined ? (gap === 1e-3 ? ', as the command line has it' : '') : `, second stop at −${shown(stop * 1000)} mm`}`]);

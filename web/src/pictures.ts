@@ -30,9 +30,15 @@ function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
 function ofCanvas(label: string, file: string, view: Drawable): Picture {
   return {
     label, file,
-    png: () => pngOf(view.canvas),
+    png: () => {
+      const copy = document.createElement('canvas');
+      const [width, height] = [view.canvas.clientWidth || 640, view.canvas.clientHeight || 230];
+      [copy.width, copy.height] = [width * devicePixelRatio, height * devicePixelRatio];
+      view.draw(copy.getContext('2d')!, width, height, devicePixelRatio);
+      return pngOf(copy);
+    },
     svg: async () => {
-      const [width, height] = [view.canvas.clientWidth, view.canvas.clientHeight];
+      const [width, height] = [view.canvas.clientWidth || 640, view.canvas.clientHeight || 230];
       const context = new SvgContext(view.canvas);
       view.draw(context as unknown as Drawing, width, height, 1);
       return asSvg(context.asText(width, height, label));
@@ -41,11 +47,12 @@ function ofCanvas(label: string, file: string, view: Drawable): Picture {
 }
 
 function ofPlot(label: string, file: string, plot: Plot): Picture {
-  return { label, file, png: () => pngOf(plot.canvas!), svg: async () => asSvg(await plot.svg(label)) };
+  return { label, file, png: () => pngOf(plot.canvas), svg: async () => asSvg(await plot.svg(label)) };
 }
 
 export function pictures(explorer: Explorer): Picture[] {
-  const { tip, force, strain, velocity } = explorer.plots;
+  const { tip, force, strain, velocity, faces, pushes } = explorer.plots;
+  if (explorer.film?.isScene) return [ofCanvas('Bars', 'bars', explorer.bar), ofPlot('Faces', 'faces', faces), ofPlot('Forces', 'forces', pushes)];
   return [
     ofPlot('Map', 'map', explorer.map.plot), ofCanvas('Bar', 'bar', explorer.bar), ofCanvas('u(x, t)', 'surface', explorer.surface),
     ofPlot('Tip', 'tip', tip), ofPlot('Force', 'force', force),

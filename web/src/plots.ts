@@ -1,21 +1,27 @@
-// Curves, by uPlot: one look for all of them.
+// Curves, by uPlot: one look for all of them, and new values in place of old ones while one drags.
 
 import uPlot from 'uplot';
 import { tones } from './colours';
 import { recorded } from './svg';
+import { inUnit, unitOf, units, type Quantity } from './units';
 
-const font = '13px system-ui, sans-serif';
+type Map1 = (value: number) => number;
 
 export interface Axes {
-  x: string; y: string;
+  x: [string, Quantity]; y: [string, Quantity];
   logY?: boolean;
+  spreadX?: { there: Map1; back: Map1; ticks: number[] };
   xRange?: [number, number]; yRange?: [number, number];
   zoom?: boolean;
   isDragged?: boolean;  // what is drawn, so that the frame is not
-  yTicks?: (value: number) => string;
+  yTicks?: number[];
 }
 
 type Draw = (plot: uPlot) => void;
+
+/** How much larger letters are in the lecture view. */
+export const letters = (): number => (document.body.classList.contains('lecture') ? 1.6 : 1);
+export const fontOf = (size = 13): string => `${Math.round(size * letters())}px system-ui, sans-serif`;
 
 /** Where a value stands on the canvas, in its own dots. */
 export function at(plot: uPlot, x: number, y: number): [number, number] {
@@ -24,24 +30,33 @@ export function at(plot: uPlot, x: number, y: number): [number, number] {
 
 export class Plot {
   private plot: uPlot | undefined;
+  private look = '';  // of what `plot` was made: as long as it stays, values change in place
+  private isStale = false;
   private data: uPlot.AlignedData = [[]];
   private series: uPlot.Series[] = [];
-  private axes: Axes = { x: '', y: '' };
+  private axes: Axes = { x: ['', 'time'], y: ['', 'time'] };
   private draw: Draw = () => undefined;
   private readonly cursor = document.createElement('div');
   private place: number | undefined;
+  private isZoomed = false;
+  /** What moves over the plot, on a sheet of its own: it costs no drawing of what stands. */
+  drawOver: (plot: uPlot, c: CanvasRenderingContext2D) => void = () => undefined;
+  private readonly sheet = document.createElement('canvas');
 
   constructor(private readonly host: HTMLElement) {
     this.cursor.className = 'time-cursor';
     this.cursor.hidden = true;
     new ResizeObserver(() => {
+      if (!this.isVisible) return;
       const { width, height } = this.size();
-      if (this.plot && (this.plot.width !== width || this.plot.height !== height)) this.plot.setSize({ width, height });
+      if (this.isStale) this.update();
+      else if (this.plot && (this.plot.width !== width || this.plot.height !== height)) this.plot.setSize({ width, height });
       this.moveCursor();
     }).observe(host);
   }
 
   get inner(): uPlot | undefined { return this.plot; }
+  private get isVisible(): boolean { return this.host.clientWidth > 0; }
 
   private size(): { width: number; height: number } {
     return { width: Math.max(this.host.clientWidth, 120), height: Math.max(this.host.clientHeight, 90) };
@@ -50,21 +65,27 @@ export class Plot {
   private options(size: { width: number; height: number }, scales?: { x: [number, number]; y: [number, number] }): uPlot.Options {
     const { ink, grid } = tones();
     const { axes } = this;
-    const axis = (label: string, isY: boolean): uPlot.Axis => ({
-      label, labelFont: font, font, stroke: ink, labelSize: 20, size: isY ? 56 : 34,
-      grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 5 },
-      ...(isY && axes.yTicks ? { values: (_: uPlot, all: number[]) => all.map((v) => (v === null ? '' : axes.yTicks!(v))) } : {}),
-    });
-    const range = (fixed: [number, number] | undefined, zoomed: [number, number] | undefined): uPlot.Scale =>
+    const [font, k] = [fontOf(), letters()];
+    const axis = ([name, what]: [string, Quantity], isY: boolean): uPlot.Axis => {
+      const splits = isY ? axes.yTicks : axes.spreadX?.ticks;
+      const unit = unitOf(what);
+      return {
+        label: unit ? `${name} [${unit}]` : name, labelFont: font, font, stroke: ink, labelSize: 18 * k, labelGap: 0, size: (isY ? 46 : 26) * k, gap: 3, space: (isY ? 26 : 60) * k,
+        grid: { stroke: grid, width: 1 }, ticks: { stroke: grid, width: 1, size: 4 },
+        values: (_: uPlot, all: number[]) => all.map((v) => (v === null ? '' : String(Number(inUnit(what, v).toPrecision(6))))),
+        ...(splits ? { splits: () => splits, filter: (_: uPlot, all: number[]) => all } : {}),
+      };
+    };
+    const range = (which: 'xRange' | 'yRange', zoomed: [number, number] | undefined): uPlot.Scale =>
       zoomed ? { min: zoomed[0], max: zoomed[1], range: (_, low, high) => [low, high] as [number, number] }
-        : fixed ? { range: (_, low, high) => (axes.zoom && this.isZoomed ? [low, high] : fixed) as [number, number] } : {};
+        : axes[which] ? { range: (_, low, high) => (axes.zoom && this.isZoomed ? [low, high] : this.axes[which]!) as [number, number] } : {};
     return {
       ...size,
       legend: { show: false },
       cursor: { show: Boolean(axes.zoom), points: { show: false }, drag: { x: !axes.isDragged, y: !axes.isDragged, setScale: !axes.isDragged, dist: 6 } },
       scales: {
-        x: { time: false, ...range(axes.xRange, scales?.x) },
-        y: { ...(axes.logY ? { distr: 3, log: 10 } : {}), ...range(axes.yRange, scales?.y) },
+        x: { time: false, ...(axes.spreadX ? { distr: 100, fwd: axes.spreadX.there, bwd: axes.spreadX.back } : {}), ...range('xRange', scales?.x) } as uPlot.Scale,
+        y: { ...(axes.logY ? { distr: 3, log: 10 } : {}), ...range('yRange', scales?.y) },
       },
       axes: [axis(axes.x, false), axis(axes.y, true)],
       series: [{}, ...this.series],
@@ -74,28 +95,54 @@ export class Plot {
         plot.ctx.rect(plot.bbox.left, plot.bbox.top, plot.bbox.width, plot.bbox.height);
         plot.ctx.clip();
         this.draw(plot);
+        if (plot === this.plot) this.redrawOver();
+        else this.drawOver(plot, plot.ctx);
         plot.ctx.restore();
       }] },
     };
   }
 
-  private isZoomed = false;
-
   show(axes: Axes, data: uPlot.AlignedData, series: uPlot.Series[], draw: Draw = () => undefined): void {
-    this.axes = axes;
-    this.data = data;
-    this.series = series;
-    this.draw = draw;
+    Object.assign(this, { axes, data, series, draw });
+    if (this.isVisible) this.update();
+    else this.isStale = true;
+  }
+
+  private update(): void {
+    this.isStale = false;
+    const { axes, series } = this;
+    const look = JSON.stringify([axes.x, axes.y, axes.logY, axes.isDragged, Boolean(axes.xRange), Boolean(axes.yRange), axes.yTicks, axes.spreadX?.ticks,
+      series.map(({ stroke, width }) => [stroke, width]), tones(), units.system, letters()]);
+    if (this.plot && look === this.look) {
+      this.plot.setData(this.data, !this.isZoomed);
+      return this.moveCursor();
+    }
+    this.look = look;
     this.isZoomed = false;
     this.plot?.destroy();
-    this.plot = new uPlot(this.options(this.size()), data, this.host);
+    this.plot = new uPlot(this.options(this.size()), this.data, this.host);
     this.plot.over.addEventListener('mousedown', () => { this.isZoomed = true; });
     this.plot.over.append(this.cursor);
+    this.sheet.className = 'sheet';
+    this.plot.over.append(this.sheet);
+    this.redrawOver();
     this.moveCursor();
     this.onPlot?.(this.plot);
   }
 
   onPlot: ((plot: uPlot) => void) | undefined;
+
+  redrawOver(): void {
+    const { plot, sheet } = this;
+    if (!plot) return;
+    const { left, top, width, height } = plot.bbox;
+    if (sheet.width !== width || sheet.height !== height) [sheet.width, sheet.height] = [width, height];
+    const c = sheet.getContext('2d')!;
+    c.setTransform(1, 0, 0, 1, 0, 0);
+    c.clearRect(0, 0, width, height);
+    c.translate(-left, -top);
+    this.drawOver(plot, c);
+  }
 
   redraw(): void { this.plot?.redraw(false, true); }
 
@@ -103,6 +150,7 @@ export class Plot {
   whole(): { x: [number, number]; y: [number, number] } {
     return { x: this.axes.xRange ?? [0, 1], y: this.axes.yRange ?? [0, 1] };
   }
+  get spread(): Axes['spreadX'] { return this.axes.spreadX; }
 
   /** Shows a part; without one the whole. */
   zoom(x?: [number, number], y?: [number, number]): void {
@@ -124,19 +172,28 @@ export class Plot {
 
   private moveCursor(): void {
     this.cursor.hidden = this.place === undefined || !this.plot;
-    if (this.place !== undefined && this.plot) {
+    if (this.place !== undefined && this.plot && this.isVisible) {
       this.cursor.style.transform = `translateX(${this.plot.valToPos(this.place, 'x')}px)`;
     }
   }
 
-  get canvas(): HTMLCanvasElement | undefined { return this.plot?.ctx.canvas; }
+  /** To be saved, whether it is on the screen or not. */
+  get canvas(): HTMLCanvasElement {
+    if (this.isStale || !this.plot) this.update();
+    const { canvas } = this.plot!.ctx;
+    const both = Object.assign(document.createElement('canvas'), { width: canvas.width, height: canvas.height });
+    const c = both.getContext('2d')!;
+    c.drawImage(canvas, 0, 0);
+    c.drawImage(this.sheet, this.plot!.bbox.left, this.plot!.bbox.top);
+    return both;
+  }
 
   async svg(title: string): Promise<string> {
-    const { plot } = this;
-    if (!plot) throw new Error('there is no plot');
+    if (this.isStale || !this.plot) this.update();
+    const plot = this.plot!;
     const scales = { x: [plot.scales.x.min, plot.scales.x.max], y: [plot.scales.y.min, plot.scales.y.max] } as
       { x: [number, number]; y: [number, number] };
-    const size = this.size();
+    const size = { width: Math.max(plot.width, 480), height: Math.max(plot.height, 140) };
     const context = await recorded(async () => {
       const copy = new uPlot(this.options(size, scales), this.data, document.createElement('div'));
       await new Promise((resolve) => setTimeout(resolve));

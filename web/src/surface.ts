@@ -1,17 +1,19 @@
-// u(x, t): a map over the period, and the same as a relief of lines.
+// u(x, t): a map over the period, with the scale of its colours.
 
 import { Film, type Drawing } from './bar';
-import { diverging, palette, tones } from './colours';
+import { asText, diverging, palette, tones } from './colours';
+import { shown } from './dom';
+import { fontOf } from './plots';
+import { inUnit, unitOf } from './units';
 
-const [leftRoom, bottomRoom, topRoom, rightRoom] = [52, 40, 16, 14];
-const reliefRun = 0.14;  // of the width, how far the relief runs into the depth
+const [leftRoom, bottomRoom, topRoom, rightRoom] = [44, 38, 12, 74];
 
 export class SurfaceView {
   private readonly context: Drawing;
   private readonly image = document.createElement('canvas');
   private readonly cursor: HTMLElement;
+  private isStale = false;
   film: Film | undefined;
-  isRelief = false;
   private share = 0;
 
   constructor(readonly canvas: HTMLCanvasElement, host: HTMLElement) {
@@ -19,12 +21,20 @@ export class SurfaceView {
     this.cursor = document.createElement('div');
     this.cursor.className = 'time-cursor';
     host.append(this.cursor);
-    new ResizeObserver(() => this.paint()).observe(canvas);
+    new ResizeObserver(() => this.update()).observe(canvas);
   }
 
+  /** Painted once it is on the screen. */
   show(film: Film): void {
     this.film = film;
-    this.paintImage();
+    this.isStale = true;
+    this.update();
+  }
+
+  private update(): void {
+    if (this.canvas.clientWidth === 0) return;
+    if (this.isStale) this.paintImage();
+    this.isStale = false;
     this.paint();
   }
 
@@ -60,15 +70,15 @@ export class SurfaceView {
 
   setCursor(share: number): void {
     this.share = share;
-    this.cursor.hidden = this.isRelief;
+    if (this.canvas.clientWidth === 0) return;
     this.cursor.style.transform = `translateX(${leftRoom + share * this.box().width}px)`;
     this.cursor.style.top = `${topRoom}px`;
     this.cursor.style.height = `${this.box().height}px`;
   }
 
   recolour(): void {
-    this.paintImage();
-    this.paint();
+    this.isStale = true;
+    this.update();
   }
 
   paint(): void {
@@ -82,83 +92,55 @@ export class SurfaceView {
   draw(c: Drawing, width: number, height: number, ratio: number): void {
     const { film } = this;
     const { ink, paper } = tones();
+    if (this.isStale) this.paintImage();
     c.setTransform(ratio, 0, 0, ratio, 0, 0);
     c.fillStyle = paper;
     c.fillRect(0, 0, width, height);
     if (!film) return;
-    const box = this.box();
-    c.font = '13px system-ui, sans-serif';
-    if (this.isRelief) {
-      this.drawRelief(c, film, box, ink, paper);
-    } else {
-      c.imageSmoothingEnabled = false;
-      c.drawImage(this.image, leftRoom, topRoom, box.width, box.height);
-      c.strokeStyle = ink;
-      c.strokeRect(leftRoom, topRoom, box.width, box.height);
-      // Contact: a bar along the tip's edge.
-      c.fillStyle = palette.contact;
-      const step = box.width / (film.times.length - 1);
-      for (let m = 0; m + 1 < film.times.length; ++m) {
-        if (Math.abs(film.force[m]) > 1e-9) c.fillRect(leftRoom + m * step, topRoom - 6, step + 0.5, 6);
-      }
-      c.fillStyle = ink;
-      c.textAlign = 'right';
-      c.textBaseline = 'middle';
-      c.fillText('tip', leftRoom - 8, topRoom + 6);
-      c.fillText('clamp', leftRoom - 8, topRoom + box.height - 6);
-    }
-    const timeWidth = this.isRelief ? (1 - reliefRun) * box.width : box.width;
-    c.fillStyle = ink;
-    c.textBaseline = 'top';
-    for (let k = 0; k <= 4; ++k) {
-      const t = film.begin + ((film.end - film.begin) * k) / 4;
-      c.textAlign = k === 0 ? 'left' : k === 4 ? 'right' : 'center';
-      c.fillText(String(Number(t.toPrecision(4))), leftRoom + (timeWidth * k) / 4, topRoom + box.height + 5);
-    }
-    c.textAlign = 'center';
-    c.fillText('time t [L/c]', leftRoom + timeWidth / 2, topRoom + box.height + 22);
-  }
-
-  /** u over time for one place after the other, from the clamp at the back to the tip in front. */
-  private drawRelief(c: Drawing, film: Film, box: { width: number; height: number }, ink: string, paper: string): void {
-    const lines = 24;
-    const lift = (0.34 * box.height) / film.mostDisplacement;
-    const span = box.width - reliefRun * box.width;
-    const count = Math.min(film.times.length, 600);
-    for (let k = 0; k <= lines; ++k) {
-      const depth = 1 - k / lines;
-      const node = Math.round((film.nodes - 1) * (1 - depth));
-      const left = leftRoom + depth * reliefRun * box.width;
-      const level = topRoom + (0.66 - 0.4 * depth) * box.height;
-      const trace = (): void => {
-        c.beginPath();
-        for (let j = 0; j < count; ++j) {
-          const m = Math.round((j * (film.times.length - 1)) / (count - 1));
-          const [x, y] = [left + (span * m) / (film.times.length - 1), level - lift * film.u[m * film.nodes + node]];
-          if (j === 0) c.moveTo(x, y);
-          else c.lineTo(x, y);
-        }
-      };
-      // What lies behind is hidden.
-      trace();
-      c.lineTo(left + span, topRoom + box.height);
-      c.lineTo(left, topRoom + box.height);
-      c.closePath();
-      c.fillStyle = paper;
-      c.fill();
-      trace();
-      const isTip = k === lines;
-      c.strokeStyle = isTip ? palette.strain : ink;
-      c.lineWidth = isTip ? 2.5 : 1;
-      c.stroke();
-      c.lineWidth = 1;
+    const box = { width: width - leftRoom - rightRoom, height: height - topRoom - bottomRoom };
+    c.font = fontOf(12);
+    c.imageSmoothingEnabled = false;
+    c.drawImage(this.image, leftRoom, topRoom, box.width, box.height);
+    c.strokeStyle = ink;
+    c.strokeRect(leftRoom, topRoom, box.width, box.height);
+    // Contact: a bar along the tip's edge.
+    c.fillStyle = palette.contact;
+    const { pathTimes, force } = film;
+    for (let m = 0; m + 1 < pathTimes.length; ++m) {
+      if (Math.abs(force[m]) <= 1e-9) continue;
+      const from = m;
+      while (m + 2 < pathTimes.length && Math.abs(force[m + 1]) > 1e-9) ++m;
+      const place = (k: number): number => (box.width * (pathTimes[k] - film.begin)) / (film.end - film.begin);
+      c.fillRect(leftRoom + place(from), topRoom - 6, place(m + 1) - place(from) + 0.5, 6);
     }
     c.fillStyle = ink;
     c.textAlign = 'right';
     c.textBaseline = 'middle';
-    c.fillText('tip', leftRoom - 6, topRoom + 0.66 * box.height);
+    c.fillText('tip', leftRoom - 6, topRoom + 6);
+    c.fillText('clamp', leftRoom - 6, topRoom + box.height - 6);
+    this.drawScale(c, leftRoom + box.width + 10, box.height, film);
+    c.textBaseline = 'top';
+    for (let k = 0; k <= 4; ++k) {
+      const t = film.begin + ((film.end - film.begin) * k) / 4;
+      c.textAlign = k === 0 ? 'left' : k === 4 ? 'right' : 'center';
+      c.fillText(shown(inUnit('time', t), 4), leftRoom + (box.width * k) / 4, topRoom + box.height + 4);
+    }
+    c.textAlign = 'center';
+    c.fillText(`time t [${unitOf('time')}]`, leftRoom + box.width / 2, topRoom + box.height + 20);
+  }
+
+  /** Largest displacement to either side, and what colours lie between. */
+  private drawScale(c: Drawing, x: number, height: number, film: Film): void {
+    const map = diverging();
+    for (let k = 0; k < 48; ++k) {
+      c.fillStyle = asText(map(1 - k / 47));
+      c.fillRect(x, topRoom + (height * k) / 48, 12, height / 48 + 0.6);
+    }
+    c.fillStyle = tones().ink;
     c.textAlign = 'left';
-    c.textBaseline = 'bottom';
-    c.fillText('clamp', leftRoom + reliefRun * box.width, topRoom + 0.26 * box.height - 14);
+    const most = shown(inUnit('displacement', film.mostDisplacement), 3);
+    c.fillText(most, x + 16, topRoom + 6);
+    c.fillText(`0 ${unitOf('displacement')}`, x + 16, topRoom + height / 2);
+    c.fillText(`−${most}`, x + 16, topRoom + height - 6);
   }
 }

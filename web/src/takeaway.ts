@@ -1,6 +1,6 @@
 // What the reader takes along: the command and the Python line of the same motion, files, pictures.
 
-import type { Motion, Phase, Phases } from './core';
+import type { Motion, Phase, Phases, SceneMotion } from './core';
 import type { Forcing } from './view';
 
 const steps = (m: { phases: Phases }): string => m.phases.map(([contact, free, stop]) => `${stop ? 'L:' : ''}${contact} ${free}`).join(' ');
@@ -15,8 +15,17 @@ const given = (before: string, value: number | undefined): string => (value === 
 /** Types of two contacts are listed up to this order. */
 export const polygonOrder = 9;
 
+function sceneCommand(m: SceneMotion): string {
+  const drive = m.amplitude === undefined ? '' : ` --amplitude ${m.amplitude} --frequency ${m.frequency}`;
+  const weight = given(' --gravity ', m.gravity);
+  const isThrown = m.hands.some((hand) => hand !== 0);
+  return `signorini simulate --scene "${m.words.trim()}"${isThrown ? ` --velocity ${m.hands.map((hand) => Number((hand * 1e-3).toPrecision(6))).join(',')}` : ''}${weight}${drive} --time ${m.from + m.span} --format json` +
+    (isThrown ? '  # where all bars fly; one that is held starts at rest there, here it is pulled' : '');
+}
+
 /** The command that gives the same motion, as the command line writes its JSON. */
-export function commandOf(motion: Motion, nearest?: Phases): string {
+export function commandOf(motion: Motion, nearest?: Phases, phase = 0): string {
+  if (motion.show === 'scene') return sceneCommand(motion);
   const cells = motion.cells === 300 ? '' : ` --cells ${motion.cells}`;
   if (motion.show === 'schedule') {
     if (motion.pause !== undefined) {
@@ -37,15 +46,19 @@ export function commandOf(motion: Motion, nearest?: Phases): string {
   }
   const start = motion.start.kind === 'rest' ? '--rest' : '--from start.csv';
   const span = motion.steps === undefined ? `--time ${motion.crossings}`
-    : `--force ${motion.place} --amplitude ${motion.amplitude} --frequency ${(4 * motion.cells) / motion.steps} --periods ${motion.periods}`;
+    : `--force ${motion.place} --amplitude ${motion.amplitude} --frequency ${(4 * motion.cells) / motion.steps}${phase ? ` --phase ${phase}` : ''} --periods ${motion.periods}`;
   return `signorini simulate ${start}${cells} --damping ${motion.damping} ${span} --tip tip.csv --events events.csv --format json`;
 }
+
+export const sweepCommand = (f: Forcing, isDown: boolean): string =>
+  `signorini sweep --damping ${f.damping} --force ${f.place} --amplitude ${f.amplitude} --from ${f.least} --to ${f.most} --points 60 --periods 200 --cells ${f.cells} --${isDown ? 'down' : 'up'} --csv sweep.csv --format json`;
 
 export function responseCommand(f: Forcing): string {
   return `signorini response --damping ${f.damping} --force ${f.place} --amplitude ${f.amplitude} --from ${f.least} --to ${f.most} --cells ${f.cells} --stability --csv response.csv --format json`;
 }
 
 export function pythonOf(motion: Motion, nearest?: Phases): string {
+  if (motion.show === 'scene') return '# several bars are simulated by the command line';
   const cells = motion.cells === 300 ? '' : `, cells=${motion.cells}`;
   const head = 'import signorini\n';
   if (motion.show === 'schedule') {
@@ -84,10 +97,11 @@ export function filesOf(motion: Motion): FileOffer[] {
     return [json('polygons'), { label: 'Polygons (CSV)', name: 'polygons.csv', file: 'polygons.csv' },
       { label: 'Motion (CSV)', name: 'polygon.motion', file: 'motion.csv' }];
   }
+  if (motion.show === 'scene') return [];
   if (motion.show === 'mode') return [json('mode'), { label: 'Motion (CSV)', name: 'mode.motion', file: 'motion.csv' }];
   if (motion.show === 'forced') return [json('forced'), { label: 'State (CSV)', name: 'forced.state', file: 'state.csv' }];
   return [json('simulation'),
-    ...(motion.start.kind === 'pluck' ? [{ label: 'Start (CSV)', name: 'simulation.start', file: 'start.csv' }] : []),
+    ...(motion.start.kind !== 'rest' ? [{ label: 'Start (CSV)', name: 'simulation.start', file: 'start.csv' }] : []),
     { label: 'Tip (CSV)', name: 'simulation.tip', file: 'tip.csv' },
     { label: 'Contacts (CSV)', name: 'simulation.events', file: 'events.csv' }];
 }

@@ -1,6 +1,7 @@
-// Six steps from one contact to forced resonance.
+// From one contact to scenes of several bars; each step marks on the screen what it speaks of.
 
 import { byId } from './dom';
+import { showPanel } from './side';
 import type { Explorer } from './explorer';
 import { tour } from './words';
 
@@ -19,7 +20,9 @@ export class Tour {
 
   private go(step: number): void {
     this.step = step;
-    const { title, text, link } = tour[step];
+    const { title, text, link, at } = tour[step];
+    showPanel('motion');
+    this.mark(at);
     byId('tour').hidden = false;
     byId('tour-title').textContent = `${step + 1}. ${title}`;
     byId('tour-text').textContent = text;
@@ -30,7 +33,16 @@ export class Tour {
     byId('tour-next').focus({ preventScroll: true });
   }
 
+  private mark(at?: string): void {
+    document.querySelector('.pointed')?.classList.remove('pointed');
+    const found = at ? document.querySelector(at) : null;
+    found?.classList.add('pointed');
+    // Of another kind of motion it is there only once that motion is.
+    if (found) setTimeout(() => found.scrollIntoView({ block: 'nearest' }), 600);
+  }
+
   private end(): void {
+    this.mark();
     byId('tour').hidden = true;
     byId('start-tour').focus();
   }

@@ -1,6 +1,7 @@
 // What is on the screen, as a link: every choice of the reader and nothing else.
 
-import type { Chain, Motion, Phases, Place, Start } from './core';
+import type { Chain, Motion, Phases, Place, SceneMotion, Start } from './core';
+import type { System } from './units';
 
 export const maps = ['energy', 'existence', 'contacts', 'response'] as const;
 export type MapKind = (typeof maps)[number];
@@ -17,6 +18,7 @@ export interface View {
   magnified: number;  // displacements are drawn so many times larger
   pace: number;       // L/c of motion in a second of the reader's
   time: number;       // share of the period, where the cursor stands
+  units: System;
 }
 
 export const paperCase: Motion = { show: 'schedule', cells: 300, phases: [[150, 900]] };
@@ -28,6 +30,7 @@ export const usual: View = {
   magnified: 100,
   pace: 0.5,
   time: 0,
+  units: 'scaled',
 };
 
 export const phasesAsText = (phases: Phases): string =>
@@ -43,8 +46,13 @@ function wordsOf(m: Motion): Record<string, Word> {
     case 'polygon': return { chains: m.chains.map((chain) => chain.join(':')).join(','), period: m.period, split: m.split };
     case 'forced': return { phases: phasesAsText(m.phases), which: m.which };
     case 'simulation': return {
-      start: m.start.kind === 'rest' ? 'rest' : `${m.start.place}:${m.start.displacement}`,
+      start: m.start.kind === 'rest' ? 'rest' : m.start.kind === 'pluck' ? `${m.start.place}:${m.start.displacement}` : `beside:${m.start.share}`,
+      phases: m.phases && phasesAsText(m.phases), which: m.which,
       dashpot: m.damping, crossings: m.crossings, steps: m.steps, periods: m.periods, from: m.from, span: m.span,
+    };
+    case 'scene': return {
+      words: m.words, hands: m.hands.some((hand) => hand !== 0) ? m.hands.join(':') : undefined, gravity: m.gravity,
+      force: m.amplitude, ratio: m.frequency, from: m.from, span: m.span,
     };
   }
 }
@@ -55,16 +63,17 @@ export function asLink(view: View): string {
   const { cells: grid, ...f } = view.forcing;
   const isForced = view.map === 'response' || m.show === 'forced' || (m.show === 'simulation' && m.steps !== undefined);
   const all: Record<string, Word> = {
-    show: m.show, cells: m.cells, ...wordsOf(m), map: view.map,
+    show: m.show, cells: m.show === 'scene' ? undefined : m.cells, ...wordsOf(m), map: view.map,
     ...(isForced ? { damping: f.damping, place: f.place, amplitude: f.amplitude, grid, least: f.least, most: f.most } : {}),
     magnified: view.magnified, pace: view.pace, time: Number(view.time.toFixed(4)),
+    units: view.units === 'si' ? 'si' : undefined,
   };
   const words = new URLSearchParams(Object.entries(all).flatMap(([name, value]) => (value === undefined ? [] : [[name, String(value)]])));
   return words.toString().replaceAll('%3A', ':').replaceAll('%2C', ',');
 }
 
 /** Of a link all but how and when one looks. */
-export const whatOf = (link: string): string => link.replace(/&(magnified|pace|time)=[^&]*/g, '');
+export const whatOf = (link: string): string => link.replace(/&(magnified|pace|time|units)=[^&]*/g, '');
 
 const mostLetters = 60;
 
@@ -146,17 +155,32 @@ class Words {
     if (text === 'rest') return { kind: 'rest' };
     const parts = text.split(':');
     const [place, displacement] = parts.map(numberIn);
+    if (parts.length === 2 && parts[0] === 'beside' && displacement >= 0.5 && displacement <= 1) return { kind: 'beside', share: displacement };
     if (parts.length !== 2 || !(place >= 0.05 && place <= 1 && displacement >= -20 && displacement <= 1)) {
       throw new Error(`start = “${shortened(text)}”: allowed rest, or place:displacement such as 1:-3`);
     }
     return { kind: 'pluck', place, displacement };
   }
+  scene(): SceneMotion {
+    const words = this.text('words');
+    if (words.length > 2000 || !/^[a-z0-9=:.+ -]+$/i.test(words)) throw new Error(`words = “${shortened(words)}”: allowed parts of a scene, such as clamp 150 gap=1e-3 200 clamp`);
+    const hands = this.has('hands') ? this.text('hands').split(':').map(numberIn) : [];
+    if (hands.length > 100 || hands.some((hand) => !(Math.abs(hand) <= 100))) throw new Error(`hands = “${shortened(this.text('hands'))}”: allowed numbers -100 to 100, one for each bar`);
+    const motion: SceneMotion = { show: 'scene', words, hands: hands.some((hand) => hand !== 0) ? hands : [], from: this.number('from', 0, 1e4), span: this.number('span', 0.1, 200) };
+    if (this.has('gravity')) motion.gravity = this.number('gravity', -10, 10);
+    if (this.has('force')) {
+      motion.amplitude = this.number('force', 1e-9, 10);
+      motion.frequency = this.number('ratio', 0.01, 100);
+    }
+    return motion;
+  }
 }
 
-const mostCells = 1200;
+export const mostCells = 5000;
 
 function motionOf(words: Words, forcing: Forcing): Motion {
-  const show = words.oneOf('show', ['schedule', 'mode', 'polygon', 'forced', 'simulation'] as const);
+  const show = words.oneOf('show', ['schedule', 'mode', 'polygon', 'forced', 'simulation', 'scene'] as const);
+  if (show === 'scene') return words.scene();
   const cells = words.whole('cells', 2, mostCells);
   const some = <T>(name: string, read: () => T): T | undefined => (words.has(name) ? read() : undefined);
   if (show === 'schedule') {
@@ -193,7 +217,9 @@ function motionOf(words: Words, forcing: Forcing): Motion {
     simulation.periods = words.whole('periods', 1, 2000);
     simulation.place = forcing.place;
     simulation.amplitude = forcing.amplitude;
+    if (simulation.start.kind === 'beside') Object.assign(simulation, { phases: words.phases(), which: words.whole('which', 0, 1) });
   } else {
+    if (simulation.start.kind === 'beside') throw new Error(`start = “${simulation.start.kind}”: allowed only beside a forced motion, with steps and periods`);
     simulation.crossings = words.number('crossings', 0.1, 1000);
   }
   return simulation;
@@ -216,6 +242,7 @@ export function fromLink(link: string): { view: View; fault?: string } {
     read('magnified', 1, 1000);
     read('pace', 0.01, 10);
     read('time', 0, 1);
+    if (words.has('units')) view.units = words.oneOf('units', ['scaled', 'si'] as const);
     if (words.has('map')) view.map = words.oneOf('map', maps);
     const f = view.forcing;
     if (words.has('damping')) f.damping = words.number('damping', 1e-4, 1);

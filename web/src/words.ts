@@ -34,8 +34,13 @@ export interface Control { title: string; text: string; formula: string }
 export const controls: Record<string, Control> = {
   map: {
     title: 'The map',
-    text: 'Every point of a line is a motion: point at one and the bar moves like that. Drag to zoom in, turn the wheel, or double-click for the whole.',
+    text: 'Every point of a line is a motion: point at one and the bar moves like that. Drag to zoom in; the wheel zooms with Ctrl, or after a click.',
     formula: 'Families (w, ν, k): T = 2ν/w, E/E₁ ≥ (w/win)². Modes: 1/√(E/E₁) = κT − μ. ω/ω₁ = 4/T.',
+  },
+  family: {
+    title: 'Family',
+    text: 'All motions of one period and one contact pattern, named by three whole numbers (w, ν, k).',
+    formula: 'T = 2ν/w, longest contact 2k/w, E/E₁ ≥ (w/win)².',
   },
   energy: {
     title: 'Energy E/E₁',
@@ -77,6 +82,21 @@ export const controls: Record<string, Control> = {
     text: 'A harmonic force on the tip, or a base that moves to and fro. For each period and contact time at most two motions have this amplitude.',
     formula: 'p = C pᶜ + S pˢ, u(L, 0) = g is a line in the plane (C, S), |(C, S)| = amplitude meets it at most twice.',
   },
+  words: {
+    title: 'A scene of parts',
+    text: 'Bars in a row, from left to right, with all that stands at them. Drag a wall to move it, a bar to pull it (or to throw it, where nothing holds it), a part to another place; × takes it away. All bars together are 1 L long.',
+    formula: 'v = (2ΣZₖwₖ + f)/(ΣZₖ + D) at each node; followed front by front, no time step.',
+  },
+  sweep: {
+    title: 'Sweep',
+    text: 'The frequency goes up or down, and the bar goes on from where it was: what it settles on fills in while you watch. Where the way up and the way down differ, the bar remembers.',
+    formula: '60 frequencies, at most 200 periods at each. A bar from least to most impulse: it does not repeat itself every period.',
+  },
+  pace: {
+    title: 'Slow motion',
+    text: 'How much of the motion passes in a second of yours.',
+    formula: 'L/c: the time in which a wave crosses the bar.',
+  },
   pluck: {
     title: 'Pluck it',
     text: 'Drag the bar itself, or set where you hold it and how far you pull; then let go. Nothing is on a grid then: the bar is followed event by event.',
@@ -89,29 +109,32 @@ export const controls: Record<string, Control> = {
   },
   time: {
     title: 'Time',
-    text: 'The instant within the period. Slow motion is given in L/c per second.',
+    text: 'The instant within the period. Space stops the motion, arrows move it.',
     formula: 'u(x, t) = −(P(t + 1 + x) − P(t + 1 − x)), P the running sum of p.',
   },
   magnified: {
     title: 'Exaggeration',
-    text: 'Displacements are magnified by this factor. At 1 the bar is drawn to scale, and no motion is visible.',
+    text: 'Displacements are magnified by this factor, or by as much as leaves every bar short of its clamp, its neighbours and the wall: the picture says by how much. At 1 it is to scale.',
     formula: 'drawn at x + M·u(x, t), with g/L = 10⁻³.',
   },
 };
 
-export interface TourStep { title: string; text: string; link: string }
+/** `at`: what on the screen the text speaks of. */
+export interface TourStep { title: string; text: string; link: string; at: string }
 
 export const tour: TourStep[] = [
-  { title: 'One contact', link: 'show=schedule&cells=300&phases=150:900&map=energy&magnified=100&pace=0.5',
+  { title: 'One contact', at: '#bar-canvas', link: 'show=schedule&cells=300&phases=150:900&map=energy&magnified=100&pace=0.5',
     text: 'A bar, clamped on the left, swings along its axis and meets a wall once in a period. Red is compressed, blue is stretched; the wall lights up while it presses. This is the paper’s case, with the least energy it can have, 4 E₁.' },
-  { title: 'Not one motion but a continuum', link: 'show=schedule&cells=300&phases=150:900&energy=20&pause=0.25&map=energy&magnified=60&pace=0.5',
-    text: 'Give it 20 E₁. Now there are infinitely many motions of the same period and the same energy: move the slider “another motion” and watch the push of the wall split in two. The set of all of them has 148 dimensions.' },
-  { title: 'Families', link: 'show=schedule&cells=300&phases=120:880&map=energy&magnified=60&pace=0.5',
-    text: 'Every blue half-line of the map is such a family: three whole numbers say its period, contact and least energy. Point at any of them. Between an odd multiple of ω₁ and the next even one they crowd; elsewhere there are none.' },
-  { title: 'Between the grids', link: 'show=mode&cells=200&contact=4&turns=-1&period=3.141592653589793&map=energy&magnified=60&pace=0.5',
+  { title: 'Not one motion but a continuum', at: '#pause', link: 'show=schedule&cells=300&phases=150:900&energy=20&pause=0.25&map=energy&magnified=60&pace=0.5',
+    text: 'Give it 20 E₁. Now there are infinitely many motions of the same period and the same energy: move the slider that is marked, and watch the push of the wall split in two. The set of all of them has 148 dimensions.' },
+  { title: 'Families', at: '#map', link: 'show=schedule&cells=300&phases=120:880&map=energy&magnified=60&pace=0.5',
+    text: 'Every blue half-line of the map is such a family: three whole numbers say its period, contact and least energy. Point at any of them. Above ω₁ they crowd, up to 1.3 ω₁; between 2 ω₁ and 3 ω₁ there are none.' },
+  { title: 'Between the grids', at: '#period', link: 'show=mode&cells=200&contact=4&turns=-1&period=3.141592653589793&map=energy&magnified=60&pace=0.5',
     text: 'Black curves are modes: a motion for every period, here T = π. The waves are of one size and change sign at a few instants; there the continuum has shrunk to a single motion.' },
-  { title: 'Pluck it', link: 'show=simulation&cells=200&start=1:-3&dashpot=0&crossings=40&from=0&span=16&map=existence&magnified=60&pace=0.8',
+  { title: 'Pluck it', at: '#release', link: 'show=simulation&cells=200&start=1:-3&dashpot=0&crossings=40&from=0&span=16&map=existence&magnified=60&pace=0.8',
     text: 'Pull the bar away from the wall and let go. It is followed exactly, event by event: no time step, no law of restitution. Drag the bar itself for another try. The map now shows for which contact and flight times periodic motions exist at all.' },
-  { title: 'Forced resonance', link: 'show=forced&cells=60&phases=24:192&which=1&damping=0.02&place=tip&amplitude=0.0002&grid=60&least=0.8&most=1.4&map=response&magnified=30&pace=0.8',
-    text: 'Last, shake it: a harmonic force on the tip, a little damping. All motions with one contact in a period are on the curve; it bends over to higher frequencies, and where it folds two of them share a frequency. Full dots attract, open ones repel.' },
+  { title: 'Forced resonance', at: '#start-beside', link: 'show=forced&cells=60&phases=24:192&which=1&damping=0.02&place=tip&amplitude=0.0002&grid=60&least=0.8&most=1.4&map=response&magnified=30&pace=0.8',
+    text: 'Shake it: a harmonic force on the tip, a little damping. All motions with one contact in a period are dots of the map; full ones attract, open ones repel. Start beside this motion and see where the bar settles, or sweep the frequency up and down.' },
+  { title: 'Several bars', at: '#parts', link: 'show=scene&words=clamp+100+gap%3D1e-3+140%3A1.3+clamp&hands=-4:2&from=0&span=16&map=energy&magnified=60&pace=0.8',
+    text: 'Last, build your own: bars, walls, springs, dashpots. Drag a bar, a wall, or the parts that are marked; each front of a wave is followed through all of them.' },
 ];

@@ -83,11 +83,14 @@ const questions = {
   },
   shaken: () => ({ show: 'simulation', cells: whole(4, 30), start: { kind: 'rest' }, ...force(), steps: whole(40, 120), periods: whole(1, 20),
     from: 0, span: 8, frames: 8 }),
+  bars: () => ({ show: 'scene', words: oneOf(['clamp 10 gap=1e-3 14:1.3 clamp', '4:2 gap=1e-3 16', 'spring=2 20 dash=0.1 stop=1e-3', 'clamp 8 stop=5e-4 12 clamp']),
+    hands: [number(-3, 1), 0], ...(random() < 0.3 ? { gravity: number(-1e-3, 1e-3) } : {}), from: number(0, 4), span: number(0.5, 4) }),
+  swept: () => ({ show: 'sweep', cells: whole(6, 20), ...force(), damping: number(0.02, 0.1), least: 0.9, most: 1.3, points: 5, periods: 20, down: random() < 0.5, wanted: whole(1, 5) }),
   damped: () => ({ show: 'simulation', cells: whole(4, 30), start: { kind: 'pluck', place: 1, displacement: number(-5, -1) },
     damping: number(0.01, 0.2), crossings: 20, from: 0, span: 8, frames: 8 }),
   map: () => ({ show: 'map', cells: whole(1, 60), order: whole(1, 30), energy: number(2, 60) }),
 };
-const weights = { schedule: 32, mode: 17, scene: 8, polygon: 6, polygons: 1, family: 7, simulation: 12, file: 5, continuum: 1, forced: 6, shaken: 2, damped: 2, map: 1 };
+const weights = { schedule: 27, mode: 17, scene: 8, polygon: 6, polygons: 1, family: 7, simulation: 12, file: 5, continuum: 1, forced: 6, shaken: 2, damped: 2, bars: 4, swept: 1, map: 1 };
 const kinds = Object.entries(weights).flatMap(([kind, weight]) => Array(weight).fill(kind));
 
 const asked = Array.from({ length: count }, (_, k) => {

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { expect } from '@playwright/test';
-import { address, commandLine, download, open, shownCommand, slide, test, withoutStopwatch } from './page';
+import { address, commandLine, download, open, panel, shownCommand, slide, test, withoutStopwatch } from './page';
 
 const headline = '#headline';
 
@@ -22,8 +22,9 @@ test('family: a click on the map shows the nearest family at that energy', async
   await open(page);
   const plot = page.locator('#map .u-over');
   const box = (await plot.boundingBox())!;
-  // (4, 7, 1) stands at 8/7; frequencies from 0.97 to 2.12, energies from 0.95 to 60.
-  const x = box.width * ((8 / 7 - 0.97) / (2.12 - 0.97));
+  // (4, 7, 1) stands at 8/7; frequencies from 0.995 to 2.1, spread as log(ω/ω₁ − 0.93), energies from 0.95 to 60.
+  const there = (ratio: number): number => Math.log(ratio - 0.93);
+  const x = box.width * ((there(8 / 7) - there(0.995)) / (there(2.1) - there(0.995)));
   const y = box.height * (1 - Math.log(20 / 0.95) / Math.log(60 / 0.95));
   await plot.click({ position: { x, y } });
   await expect(page.locator(headline)).toContainText('T = 3.5 L/c');
@@ -39,6 +40,7 @@ test('energy and pause: the sliders walk through motions of one period, and of o
   await slide(page, 'energy', 0.3);
   await expect(page.locator(headline)).not.toContainText('E = 4 E₁');
   const energy = /E = [\d.]+ E₁/.exec(await page.locator(headline).innerText())![0];
+  await panel(page, 'facts');
   const facts = () => page.locator('#computed').innerText();
   const before = await facts();
   await slide(page, 'pause', 0.5);
@@ -149,10 +151,106 @@ test('response: the curve folds, a dot is a forced motion, and the bar settles o
   // Where it folds two motions share a frequency: more motions than frequencies that have one.
   await page.click('#map-next');
   await expect(page.locator(headline)).toContainText('impulse');
+  await page.locator('input[name="kind"][value="forced"]').check();
   await page.click('#settle');
-  await expect(page.locator(headline)).toContainText('Held at');
+  await expect(page.locator(headline)).toContainText('Started at rest');
   await expect(page.locator('#settling')).toBeVisible();
 });
+
+test('beside: a motion that attracts draws the bar back, one that repels sends it to the other dot', async ({ page }) => {
+  const link = (phases: string, which: number) => `show=forced&cells=60&phases=${phases}&which=${which}&damping=0.02&place=tip&amplitude=0.0002&grid=60&least=1.05&most=1.2&map=response&magnified=30`;
+  await open(page, link('24:192', 1));
+  await expect(page.locator('#progress')).toContainText('each tried');
+  await page.click('#start-beside');
+  await expect(page.locator('#settled-where')).toContainText('attracts: the difference dies out; it came back to the same motion, impulse 1.031');
+  // The lower dot of the same frequency.
+  await open(page, link('39:162', 0));
+  await expect(page.locator('#progress')).toContainText('each tried');
+  await page.click('#start-beside');
+  await expect(page.locator('#settled-where')).toContainText('repels: the difference grew');
+});
+
+test('sweep: it fills in, and its rows are those of the command line', async ({ page }) => {
+  await open(page, 'show=forced&cells=60&phases=24:192&which=1&damping=0.02&place=tip&amplitude=0.0002&grid=30&least=1.05&most=1.2&map=response&magnified=30');
+  await page.click('#sweep-down');
+  await expect(page.locator('#sweep-progress')).toContainText('60 of 60 frequencies');
+  const sweep = commandLine(await shownCommand(page, 2), {}, ['sweep.csv']);
+  expect(await download(page, 'sweep.csv')).toBe(sweep.files['sweep.csv']);
+});
+
+test('scene: two bars are those of the command line, contact by contact', async ({ page }) => {
+  await open(page, 'show=scene&words=40:2+gap%3D1e-3+160&hands=1:0&from=0&span=6');
+  const found = JSON.parse(commandLine(await shownCommand(page)).out) as { contacts: { count: number; impulse: number; peak_force: number }[] };
+  await panel(page, 'facts');
+  const text = await page.locator('#computed').innerText();
+  const values = [...text.matchAll(/: (?:impulse|peak force)\s+([\d.e−-]+)/g)].map((row) => Number(row[1].replace('−', '-')));
+  expect(text).toContain(`${found.contacts[0].count} time`);
+  expect(values[0]).toBeCloseTo(found.contacts[0].impulse * 1e3, 4);
+  expect(values[1]).toBeCloseTo(found.contacts[0].peak_force * 1e3, 4);
+});
+
+test('scene: parts are dragged, added, taken away; nonsense gets a sentence', async ({ page }) => {
+  await open(page);
+  await page.locator('input[name="kind"][value="scene"]').check();
+  await expect(page.locator(headline)).toContainText('clamp 100 gap=0.001 140:1.3 clamp');
+  // The left bar is pulled.
+  const box = (await page.locator('#bar-canvas').boundingBox())!;
+  await page.mouse.move(box.x + 0.15 * box.width, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.12 * box.width, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.up();
+  await expect(page.locator('#hands output').first()).not.toHaveText('−4 g');
+  for (const model of ['2', '3', '4', '5', '6']) {
+    await page.selectOption('#scene-model', model);
+    await expect(page.locator('#scene-model')).toHaveValue(model);
+    await expect(page.locator('#notice')).toBeHidden();
+    await expect(page.locator(headline)).toContainText('contacts in');
+  }
+  await page.selectOption('#scene-model', '5');
+  await page.locator('#palette button', { hasText: 'dash' }).click();
+  await expect(page.locator(headline)).toContainText('dash=0.1');
+  await page.locator('#parts button').last().click();
+  await expect(page.locator(headline)).not.toContainText('dash');
+  await page.fill('#words', 'clamp dragon');
+  await page.click('#words-form button');
+  await expect(page.locator('#notice')).toContainText('dragon');
+});
+
+test('units: one system at a time', async ({ page }) => {
+  await open(page);
+  await page.click('#units');
+  await expect(page.locator(headline)).toContainText('T = 3.5 s, ω = 0.28571 Hz, E = 2 µJ');
+  await expect(page.locator('#computed')).not.toContainText('L/c');
+  await page.click('#units');
+  await expect(page.locator(headline)).toContainText('T = 3.5 L/c');
+});
+
+test('beside: two motions in one picture, and lecture: bar and map alone', async ({ page }) => {
+  await open(page);
+  await page.click('#beside');
+  await page.locator('input[name="kind"][value="mode"]').check();
+  await expect(page.locator(headline)).toContainText('Mode');
+  await expect(page.locator('#beside')).toHaveAttribute('aria-pressed', 'true');
+  await page.click('#lecture');
+  await expect(page.locator('#side')).toBeHidden();
+  await expect(page.locator('#map')).toBeVisible();
+  await page.click('#lecture');
+  await expect(page.locator('#side')).toBeVisible();
+});
+
+for (const [width, height] of [[1440, 900], [1280, 720], [1024, 768], [390, 844]] as const) {
+  test(`${width} × ${height}: bar, map and the slider in hand are on the screen together`, async ({ page }) => {
+    await page.setViewportSize({ width, height });
+    await open(page, 'show=schedule&cells=300&phases=150:900&energy=20&pause=0.25');
+    await page.locator('#pause').scrollIntoViewIfNeeded();
+    for (const id of width > 400 ? ['bar-canvas', 'map', 'pause'] : ['bar-canvas', 'pause']) {
+      const box = (await page.locator(`#${id}`).boundingBox())!;
+      expect(box.y, id).toBeGreaterThanOrEqual(0);
+      expect(box.y + box.height, id).toBeLessThanOrEqual(height);
+    }
+    if (width > 400) expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBeLessThanOrEqual(height);
+  });
+}
 
 const links = [
   'show=schedule&cells=300&phases=120:930&energy=20&pause=0.25&map=existence&magnified=60&pace=0.5&time=0.25',
@@ -203,11 +301,11 @@ test('memory: a simulation that no page can hold is refused in words, not with t
 
 test('picture: at high energies the bar is drawn less enlarged, and it is said', async ({ page }) => {
   await open(page, 'show=schedule&cells=300&phases=150:900&energy=500&magnified=100');
-  await expect(page.locator('#magnified-value')).toContainText('× 100, drawn × ');
+  await expect(page.locator('#magnified-value')).toContainText(' of 100');
   await slide(page, 'magnified', 0.5);
   await expect(page.locator('#magnified-value')).toHaveText('× 3');
   // The ring would be above the map: something of its colour points there.
-  const marked = await page.locator('#map canvas').evaluate((canvas: HTMLCanvasElement) => {
+  const marked = await page.locator('#map canvas.sheet').evaluate((canvas: HTMLCanvasElement) => {
     const top = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, Math.round(canvas.height / 5)).data;
     const wanted = getComputedStyle(document.documentElement).getPropertyValue('--contact').trim();
     const [r, g, b] = [1, 3, 5].map((at) => parseInt(wanted.slice(at, at + 2), 16));
@@ -240,14 +338,15 @@ test('back: what was chosen before comes back, what was dragged is no stop', asy
 test('wheel: it scrolls the page over the map, zooms with Ctrl, and never below 1 E₁', async ({ page }) => {
   await open(page);
   const over = page.locator('#map .u-over');
+  await page.setViewportSize({ width: 390, height: 700 });  // where the page itself scrolls
   await over.scrollIntoViewIfNeeded();
   const box = (await over.boundingBox())!;
-  const labels = () => page.locator('#map canvas').evaluate((canvas: HTMLCanvasElement) =>
+  const labels = () => page.locator('#map canvas').first().evaluate((canvas: HTMLCanvasElement) =>
     [...canvas.toDataURL()].reduce((sum, letter) => (31 * sum + letter.charCodeAt(0)) % 1e9, 7));
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
   const before = await labels();
   const scrolled = await page.evaluate(() => scrollY);
-  await page.mouse.wheel(0, scrolled > 200 ? -200 : 200);
+  await page.mouse.wheel(0, scrolled > 60 ? -60 : 60);
   await expect.poll(() => page.evaluate(() => scrollY)).not.toBe(scrolled);
   expect(await labels()).toBe(before);
   const moved = (await over.boundingBox())!;
@@ -327,11 +426,13 @@ test('take away: what is forced and damped is that of the command line, too', as
 test('pictures: every view is saved as PNG and as SVG', async ({ page }) => {
   const buttons = page.locator('#pictures button');
   await open(page);
+  await panel(page, 'take');
   const count = await buttons.count();
   expect(count).toBe(14);
   for (let k = 0; k < count; ++k) {
     // A browser may ask before it saves many files of one page.
     if (k % 4 === 0) await open(page);
+    await panel(page, 'take');
     const button = buttons.nth(k);
     const [saved] = await Promise.all([page.waitForEvent('download'), button.click()]);
     const bytes = readFileSync(await saved.path());
@@ -347,20 +448,21 @@ test('pictures: every view is saved as PNG and as SVG', async ({ page }) => {
   }
 });
 
-test('tour: six steps, each with a motion, from one contact to forced resonance', async ({ page }) => {
+test('tour: each step has a motion, and marks what is on the screen', async ({ page }) => {
   await open(page);
   await page.click('#start-tour');
   const seen = new Set<string>();
-  for (let step = 1; step <= 6; ++step) {
+  for (let step = 1; step <= 7; ++step) {
     await expect(page.locator('#tour-title')).toContainText(`${step}. `);
     await expect(page.locator('#notice')).toBeHidden();
     await expect.poll(async () => seen.has(await page.locator(headline).innerText()), { timeout: 10_000 }).toBe(false);
     seen.add(await page.locator(headline).innerText());
     await expect(page.locator(headline)).not.toContainText('No motion');
+    await expect(page.locator('.pointed')).toBeInViewport();
     await page.click('#tour-next');
   }
   await expect(page.locator('#tour')).toBeHidden();
-  expect(seen.size).toBe(6);
+  expect(seen.size).toBe(7);
 });
 
 for (const [name, width, height, scheme] of [['wide', 1280, 900, 'light'], ['phone', 390, 844, 'light'], ['dark', 1280, 900, 'dark']] as const) {
@@ -369,7 +471,7 @@ for (const [name, width, height, scheme] of [['wide', 1280, 900, 'light'], ['pho
     await page.emulateMedia({ colorScheme: scheme, reducedMotion: 'reduce' });
     await open(page);
     await page.addScriptTag({ content: readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8') });
-    for (const kind of ['schedule', 'mode', 'polygon', 'simulation', 'forced']) {
+    for (const kind of ['schedule', 'mode', 'polygon', 'simulation', 'forced', 'scene']) {
       await page.locator(`input[name="kind"][value="${kind}"]`).check();
       await expect(page.locator(`[data-kind="${kind}"]`)).toBeVisible();
       const violations = await page.evaluate(async () => {

@@ -25,7 +25,7 @@ const phases = (): Phases => many(1, 3, () => [whole(1, 999), whole(1, 9999), ..
 
 /** Any motion that a link can have. */
 function motion(forcing: View['forcing']): View['motion'] {
-  const cells = whole(2, 1200);
+  const cells = whole(2, 5000);
   const { damping, place, amplitude } = forcing;
   return oneOf([
     () => ({ show: 'schedule' as const, cells, phases: phases(), ...(random() < 0.5 ? { energy: number(1e-9, 1e9), ...(random() < 0.5 ? { pause: number(0, 9) } : {}) } : {}),
@@ -37,23 +37,28 @@ function motion(forcing: View['forcing']): View['motion'] {
     () => ({ show: 'simulation' as const, cells, damping: number(0, 1), from: number(0, 1e6), span: number(0.1, 100), frames: 60,
       start: random() < 0.5 ? { kind: 'rest' as const } : { kind: 'pluck' as const, place: number(0.05, 1), displacement: number(-20, 1) },
       ...(random() < 0.5 ? { crossings: number(0.1, 1000) } : { steps: whole(3, 100 * cells), periods: whole(1, 2000), place, amplitude }) }),
+    () => ({ show: 'simulation' as const, cells, damping: number(0, 1), from: number(0, 1e6), span: number(0.1, 100), frames: 60, steps: whole(3, 100 * cells), periods: whole(1, 2000),
+      place, amplitude, start: { kind: 'beside' as const, share: number(0.5, 1) }, phases: phases(), which: whole(0, 1) }),
+    () => ({ show: 'scene' as const, words: oneOf(['clamp 100 gap=1e-3 140:1.3 clamp', 'stop=-2e-3 200 stop=right:2e-3', 'spring=2 200 dash=.1 stop=1e-3']), from: number(0, 1e4), span: number(0.1, 200),
+      hands: random() < 0.5 ? [] : [number(1, 100), number(-100, 100)], ...(random() < 0.5 ? { gravity: number(-10, 10) } : {}),
+      ...(random() < 0.5 ? { amplitude: number(1e-9, 10), frequency: number(0.01, 100) } : {}) }),
   ])() as View['motion'];
 }
 
 function anyView(): View {
   const least = number(0.1, 5);
-  const forcing = { damping: number(1e-4, 1), place: oneOf(['tip', 'base'] as const), amplitude: number(1e-9, 10), cells: whole(4, 1200), least, most: number(least, 10) };
+  const forcing = { damping: number(1e-4, 1), place: oneOf(['tip', 'base'] as const), amplitude: number(1e-9, 10), cells: whole(4, 5000), least, most: number(least, 10) };
   const view: View = { motion: motion(forcing), map: oneOf(maps), forcing: structuredClone(usual.forcing),
-    magnified: number(1, 1000), pace: number(0.01, 10), time: Number(random().toFixed(4)) };
+    magnified: number(1, 1000), pace: number(0.01, 10), time: Number(random().toFixed(4)), units: oneOf(['scaled', 'si'] as const) };
   if (view.map === 'response' || view.motion.show === 'forced' || (view.motion.show === 'simulation' && view.motion.steps !== undefined)) view.forcing = forcing;
   return view;
 }
 
 const odd = ['', ' ', '0', '-0', '-1', '1', '1.5', 'NaN', 'Infinity', '-Infinity', '1e999', '1e-999', '0x10', '0b1', '1_0', '1,5', '٣', '9'.repeat(400), '1e3', '+2',
-  'null', 'undefined', '__proto__', 'constructor', 'toString', '<b>', '%', '%zz', '%E0%A4%A', '\0', '\ud800', '150:900', 'L:1:1', '1:1:', '::', ':', '2:1:2', '2::1', '1:', 'rest',
+  'null', 'undefined', '__proto__', 'constructor', 'toString', '<b>', '%', '%zz', '%E0%A4%A', '\0', '\ud800', '150:900', 'L:1:1', '1:1:', '::', ':', '2:1:2', '2::1', '1:', 'rest', 'beside:0.99', 'clamp', 'si',
   'mode', 'schedule', 'tip', 'x'.repeat(100_000)];
 const names = ['show', 'cells', 'phases', 'energy', 'pause', 'gap', 'second_stop', 'contact', 'turns', 'period', 'chains', 'split', 'which', 'start', 'dashpot', 'crossings', 'steps',
-  'periods', 'from', 'span', 'map', 'damping', 'place', 'amplitude', 'grid', 'least', 'most', 'magnified', 'pace', 'time', 'dance', '__proto__', 'hasOwnProperty', ''];
+  'periods', 'from', 'span', 'words', 'hands', 'gravity', 'force', 'ratio', 'units', 'map', 'damping', 'place', 'amplitude', 'grid', 'least', 'most', 'magnified', 'pace', 'time', 'dance', '__proto__', 'hasOwnProperty', ''];
 
 /** One to three things that happen to links. */
 function damaged(link: string): string {
@@ -93,8 +98,18 @@ function requireAllowed({ motion: m, forcing: f, ...view }: View): void {
   inside(f.damping, 1e-4, 1);
   inside(f.amplitude, 1e-9, 10);
   inside(f.most, f.least, 10);
-  wholeInside(f.cells, 4, 1200);
-  wholeInside(m.cells, 2, 1200);
+  wholeInside(f.cells, 4, 5000);
+  if (m.show === 'scene') {
+    if (!/^[a-z0-9=:.+ -]{1,2000}$/i.test(m.words)) throw new Error(m.words);
+    for (const hand of m.hands) inside(hand, -100, 100);
+    inside(m.gravity, -10, 10);
+    inside(m.amplitude, 1e-9, 10);
+    inside(m.frequency, 0.01, 100);
+    inside(m.from, 0, 1e4);
+    inside(m.span, 0.1, 200);
+    return;
+  }
+  wholeInside(m.cells, 2, 5000);
   if (m.show === 'schedule' || m.show === 'forced') {
     for (const [contact, free, stop] of m.phases) {
       wholeInside(contact, 1, 1e9);
@@ -144,7 +159,7 @@ test('take away: the Python line of a member of a continuum names the member', (
 
 test('links: when and how one looks is no other view', () => {
   const view = anyView();
-  expect(whatOf(asLink({ ...view, time: 0.5, pace: 3, magnified: 7 }))).toBe(whatOf(asLink(view)));
+  expect(whatOf(asLink({ ...view, time: 0.5, pace: 3, magnified: 7, units: view.units === 'si' ? 'scaled' : 'si' }))).toBe(whatOf(asLink(view)));
   expect(whatOf(asLink({ ...view, map: view.map === 'energy' ? 'response' : 'energy' }))).not.toBe(whatOf(asLink(view)));
 });
 

@@ -45,16 +45,22 @@ export function commandLine(words: string[], files: Record<string, string> = {},
   return { out, files: Object.fromEntries(wanted.map((name) => [name, readFileSync(join(place, name), 'utf8')])) };
 }
 
-/** The text that a button of "Take it away" saves. */
+/** One of the tabs beside the picture. */
+export const panel = (page: Page, name: 'motion' | 'curves' | 'facts' | 'take'): Promise<void> => page.click(`#tab-${name}`);
+
+/** The text that a button of "Take away" saves. */
 export async function download(page: Page, file: string): Promise<string> {
+  await panel(page, 'take');
   const [saved] = await Promise.all([page.waitForEvent('download'), page.locator(`[data-file="${file}"]`).first().click()]);
   return readFileSync(await saved.path(), 'utf8');
 }
 
 /** The words of the command that the page shows, without the program's name. */
 export async function shownCommand(page: Page, line = 0): Promise<string[]> {
+  await panel(page, 'take');
   const text = await page.locator('#command').innerText();
-  return text.split('\n')[line].split(' ').slice(1);
+  const words = text.split('\n')[line].replace(/  #.*/, '');
+  return [...words.matchAll(/"([^"]*)"|(\S+)/g)].map(([, quoted, plain]) => quoted ?? plain).slice(1);
 }
 
 /** A stopwatch is no answer. */
