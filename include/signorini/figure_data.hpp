@@ -2,7 +2,7 @@
 /// \file
 /// A figure as data: panels with axes, units and ticks, series, legend and words. A builder, such
 /// as `responseFigure`, makes it of an answer, once; gnuplot (`drawFigure`), matplotlib
-/// (`signorini.plot`) and the page (`json`) draw it and know nothing of answers.
+/// (`signorini.plot`) and the page (both through `asJson`) draw it and know nothing of answers.
 ///
 /// To add a figure: a builder in src/draw, its declaration in figures.hpp, its name in
 /// src/draw/CMakeLists.txt.
@@ -80,6 +80,12 @@ struct Series {
     std::vector<double> y2 = {};
     std::vector<double> z = {};
     std::vector<std::string> words = {};
+
+    void add(double atX, double atY);
+    void add(double fromX, double fromY, double toX, double toY);
+    void add(double atX, double atY, std::string text);
+    void addStep(double from, double to, double value);  ///< constant from x to x
+    void breakOff();                                     ///< what follows is another line
 };
 
 struct Tick {
@@ -108,9 +114,10 @@ struct Axis {
 
 /// Which colours z has.
 enum class ColourMap {
-    sequence,  ///< dark to light
-    onPaper,   ///< without the lightest, for dots
-    diverging  ///< compression, nothing, tension
+    sequence,   ///< dark to light
+    onPaper,    ///< without the lightest, for dots
+    diverging,  ///< compression, nothing, tension
+    counts      ///< of 0, 1, 2, 3 and more
 };
 
 /// Edges [-], in parts of the figure from its lower left corner.
@@ -121,7 +128,7 @@ struct Place {
     double top = 0.92;
 };
 
-enum class Legend { none, topLeft, topRight, bottomRight, above, below };
+enum class Legend { none, topLeft, topRight, bottomLeft, bottomRight, above, below };
 
 struct Panel {
     std::string name = {};
@@ -130,8 +137,7 @@ struct Panel {
     Axis y = {};
     std::string title = {};
     Legend legend = Legend::none;
-    int legendRows = 0;  ///< at most so many; 0: any
-    double legendSize = 1.0;
+    int legendRows = 0;    ///< at most so many; 0: any
     bool isFramed = true;  ///< no: only words and legend
     bool hasGrid = true;
     bool isEqual = false;  ///< x and y to one scale
@@ -139,6 +145,11 @@ struct Panel {
     Axis colour = {};                     ///< of z
     std::optional<Place> colourBar = {};  ///< unset: none
     std::vector<Series> series = {};
+
+    /// Series behind all words; nothing if it has no points.
+    void add(Series one);
+    /// A line of the legend that no points go with.
+    void explain(Series style, std::string words);
 };
 
 struct FigureData {
@@ -155,6 +166,10 @@ struct FigureData {
 
 /// The colours of a map, evenly from its least value to its largest.
 [[nodiscard]] std::vector<std::string> coloursOf(ColourMap map);
+
+/// All of it as JSON, for drawers in other languages: keys are the names of the fields, enumerators
+/// have their names, series their colour beside their role, numbers that are not finite are null.
+[[nodiscard]] std::string asJson(const FigureData& figure);
 
 /// "contact", "line", ...: the names that other drawers know.
 [[nodiscard]] std::string name(Role role);

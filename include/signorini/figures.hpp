@@ -1,8 +1,9 @@
 #pragma once
 /// \file
-/// Figures, drawn by gnuplot at run time: a motion, a continuum, the frequency-energy plot (the
-/// paper's Fig. 1, with exact modes as curves and families as half-lines), families as a periodic
-/// table, and the map of where in time motions exist.
+/// Figures as data, made of answers, and gnuplot, which draws them at run time: a motion, a
+/// continuum, the frequency-energy plot (the paper's Fig. 1, with exact modes as curves and
+/// families as half-lines), families as a periodic table, the map of where in time motions exist,
+/// responses, sweeps and simulations.
 
 #include <cstdint>
 #include <optional>
@@ -33,34 +34,34 @@ enum class FigureFormat { svg, png, pdf };
 /// FileError if `path` cannot be written.
 void drawFigure(const FigureData& figure, FigureFormat format, const std::string& path);
 
-/// Draws a found motion as in the paper's Fig. 3, in SI units: strain and velocity along the bar at
-/// t = 0, the displacement u(x, t) over one period, and with the same axis of time the path of the
-/// tip beside the wall and the force of the wall. Contact is marked where that force acts. Long
-/// motions are thinned to what print can show.
-/// \throws std::invalid_argument if the result holds no motion, BackendUnavailable if gnuplot is
-/// missing or fails, FileError if `path` cannot be written.
-void drawMotion(const PeriodicResult& result, FigureFormat format, const std::string& path);
+/// A found motion as in the paper's Fig. 3, in SI units: strain and velocity along the bar at t =
+/// 0, the displacement u(x, t) over one period, and with the same axis of time the path of the tip
+/// beside the wall and the force of the wall. Contact is marked where that force acts. Long motions
+/// are thinned to what print can show. Panels "words", "strain", "velocity", "displacement", "tip"
+/// and "force". \throws std::invalid_argument if the result holds no motion.
+[[nodiscard]] FigureData motionFigure(const PeriodicResult& result);
+
+/// The same of a state.
+[[nodiscard]] FigureData motionFigure(const State& state, const Schedule& schedule,
+                                      const Scene& scene);
 
 /// The same of a forced motion: where a base moves u(0, t) does.
-void drawMotion(const ForcedMotion& motion, const Scene& scene, FigureFormat format,
-                const std::string& path);
+[[nodiscard]] FigureData motionFigure(const ForcedMotion& motion, const Scene& scene);
 
-/// Draws a curve of motions, in SI units: its members stacked upwards by lambda, as the force of
-/// the wall against time, which tells orbits apart, and as strain and velocity at t = 0 along the
-/// bar (the paper's Fig. 2); below, the displacement u(x, t) of the first, the middle and the last
-/// member, drawn in black above (its Fig. 3). Long curves are thinned to what print can show.
-/// \throws std::invalid_argument if the curve has no points, BackendUnavailable if gnuplot is
-/// missing or fails, FileError if `path` cannot be written.
-void drawContinuum(const Continuum& curve, FigureFormat format, const std::string& path);
+/// A curve of motions, in SI units, lambda upwards: the force of the wall against time, which tells
+/// orbits apart, and strain and velocity at t = 0 along the bar (the paper's Fig. 2), in colour;
+/// below, the displacement u(x, t) of the first, the middle and the last member (its Fig. 3).
+/// Panels "force", "strain", "velocity", "first", "middle" and "last". \throws
+/// std::invalid_argument if the curve has no points.
+[[nodiscard]] FigureData continuumFigure(const Continuum& curve);
 
-/// Draws families as a periodic table: order w against period T, a cell (nu, k) for each, coloured
-/// by its least energy, over the curves T = (4a - 2k/w)/|b| on which those of one mode and one k
-/// stand. Above order 16 the cells are dots, above 120 nothing is drawn. `families` are sorted as
-/// `findFamilies` does, and of order <= maxOrder.
-/// \throws BackendUnavailable if gnuplot is missing or fails, FileError if `path` cannot be
-/// written.
-void drawFamilies(std::span<const Family> families, std::int64_t maxOrder, FigureFormat format,
-                  const std::string& path);
+/// Families as a periodic table: order w against period T, a cell (nu, k) for each, coloured by its
+/// least energy, over the curves T = (4a - 2k/w)/|b| on which those of one mode and one k stand.
+/// Above order 16 the cells are dots, above 120 nothing is drawn. `families` are sorted as
+/// `findFamilies` does, and of order <= maxOrder. Panels "families", "families 2", ...: the axis of
+/// T is broken where there is no family for long, unless it is to be `whole`.
+[[nodiscard]] FigureData familiesFigure(std::span<const Family> families, std::int64_t maxOrder,
+                                        bool isWhole = false);
 
 /// What a moving picture is.
 enum class AnimationFormat { gif, mp4 };
@@ -73,15 +74,13 @@ void drawFigures(std::span<const FigureData> frames, AnimationFormat format,
                  const std::string& path);
 
 /// A motion over one period: the bar at the wall, displacements magnified and coloured by strain
-/// (compression red), and u, s, v along it. At most 120 frames, 20 a second. Gnuplot draws them;
-/// .mp4 needs ffmpeg besides.
-/// \throws BackendUnavailable if a program is missing or fails, FileError if `path` cannot be
-/// written.
-void animateMotion(const MotionSamples& samples, AnimationFormat format, const std::string& path);
+/// (compression red), and u, s, v along it. At most 120 frames. Panels "bar", "displacement" and
+/// "fields".
+[[nodiscard]] std::vector<FigureData> motionFrames(const MotionSamples& samples);
 
-/// A curve of motions over lambda: force on the wall and path of the tip over a period, strain and
-/// velocity at t = 0. \throws as above, and std::invalid_argument if the curve has no points.
-void animateContinuum(const Continuum& curve, AnimationFormat format, const std::string& path);
+/// A curve of motions over lambda: force on the stops and path of the tip over a period, strain and
+/// velocity at t = 0. \throws std::invalid_argument if the curve has no points.
+[[nodiscard]] std::vector<FigureData> continuumFrames(const Continuum& curve);
 
 /// The energies of the motions of a set on a grid.
 struct EnergyBar {
@@ -105,41 +104,42 @@ struct FrequencyEnergyPlot {
 
 /// How to draw it.
 struct FrequencyEnergyOptions {
-    std::optional<FigureFormat> format;       ///< unset: by the ending of the name
     std::optional<double> maxFrequencyRatio;  ///< [-], right end; unset: where the last item ends
     double maxEnergyRatio = 50.0;             ///< [E_1], top; > 1
+    Bar bar = {};                             ///< whose hertz the upper axis has
+    /// The one panel from here to the right end, in place of the whole and its detail.
+    std::optional<double> leastFrequencyRatio = {};
 };
 
-/// Draws omega/omega_1 = 4/T (linear) against E/E_1 (logarithmic): the whole, and once more the
-/// part where families crowd, with the names (w, nu, k) of the first ones; and the motion of the
-/// paper's Figs. 2 and 3 at (8/7, 20). Bars of one frequency that overlap are drawn as one, so the
-/// file grows with what can be seen. O(modes + families + bars log bars).
-/// \throws std::invalid_argument if no format is given and the name does not end in .svg, .png or
-/// .pdf, or a bar or an option is out of range; BackendUnavailable if gnuplot is missing or fails;
-/// FileError if `path` cannot be written.
-void writeFrequencyEnergyFigure(const std::string& path, const FrequencyEnergyPlot& plot,
-                                const FrequencyEnergyOptions& options = {});
+/// omega/omega_1 = 4/T against E/E_1 (logarithmic): the whole, and once more the part where
+/// families crowd, with the names (w, nu, k) of the first ones; of the paper's bar its motion of
+/// Figs. 2 and 3 at (8/7, 20). Bars of one frequency that overlap are drawn as one, so the file
+/// grows with what can be seen. Panels "whole" and "detail". O(modes + families + bars log bars).
+/// \throws std::invalid_argument if a bar or an option is out of range.
+[[nodiscard]] FigureData frequencyEnergyFigure(const FrequencyEnergyPlot& plot,
+                                               const FrequencyEnergyOptions& options = {});
 
-/// Draws motions with K contacts on no grid: how long the first contact may last against T, for K =
-/// 2 the polygons themselves, and all on the frequency-energy plot beside the modes of one contact.
-/// `polytopes` have one K. \throws std::invalid_argument if there are none, or an option is out of
-/// range; BackendUnavailable, FileError as above.
-void drawPolytopes(std::span<const ModePolytope> polytopes, const FrequencyEnergyOptions& options,
-                   const std::string& path);
+/// Motions with K contacts on no grid: how long the first contact may last against T, for K = 2 the
+/// polygons themselves, and all on the frequency-energy plot beside the modes of one contact.
+/// `polytopes` have one K. Panels "contact" and "energy". \throws std::invalid_argument if there
+/// are none, or an option is out of range.
+[[nodiscard]] FigureData polytopesFigure(std::span<const ModePolytope> polytopes,
+                                         const FrequencyEnergyOptions& options);
 
 /// The frequency-energy plot of what a database holds: the families of its schedules as dots, sets
 /// of several contacts as bars, linear motions once each; over the exact modes and the families of
-/// order 60 at most, whatever the grid.
-/// \throws FileError, BackendUnavailable.
-void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-                             FigureFormat format, const std::string& path);
+/// order 60 at most, whatever the grid. \throws FileError.
+[[nodiscard]] FigureData frequencyEnergyFigure(const AtlasDatabase& atlas,
+                                               std::optional<std::int64_t> cells,
+                                               const FrequencyEnergyOptions& options = {});
 
-/// The existence map: a dot at (t_c, t_f) = (n_c/N, n_f/N), in L/c, for each schedule of one phase
+/// The existence map: a dot at (t_f, t_c) = (n_f/N, n_c/N), in L/c, for each schedule of one phase
 /// that has motions, coloured by its least energy; grazing ones grey. Schedules of one family are a
 /// line, its tent; those of order 7 at most have their names. Flights beyond 4 L/c, which only
-/// repeat linear motions, are left out. An atlas without any leaves an empty map. Errors as above.
-void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-                      FigureFormat format, const std::string& path);
+/// repeat linear motions, are left out. An atlas without any leaves an empty map. Panel "map".
+/// \throws FileError.
+[[nodiscard]] FigureData existenceFigure(const AtlasDatabase& atlas,
+                                         std::optional<std::int64_t> cells);
 
 /// Impulse on the wall and reach of the tip against the frequency of the excitation: motions with
 /// contact as dots, large where they attract and small where they repel (their `stability`, if it
@@ -149,30 +149,41 @@ void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> ce
 [[nodiscard]] FigureData responseFigure(std::span<const FrequencyResponse> frequencies,
                                         const ResponseRange& range, const Bar& bar);
 
-/// Draws amplitude against frequency of the excitation: how many motions with at most one contact
-/// there are at each place, the amplitude from which the motion without contact meets the wall, and
-/// the least one of a motion with contact; between the two edges several coexist. Motions with two
-/// contacts are diamonds, the amplitude of the range is a line across. Errors as above.
-void drawResponseMap(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
-                     const Bar& bar, FigureFormat format, const std::string& path);
+/// Amplitude against frequency of the excitation: how many motions with at most one contact there
+/// are at each place, the amplitude from which the motion without contact meets a stop, and the
+/// least one of a motion with contact; between the two edges several coexist. Motions with two
+/// contacts are diamonds, the amplitude of the range is a line across. Between two stops only even
+/// n: they alone have symmetric motions. Panel "map". Errors as above.
+[[nodiscard]] FigureData responseMapFigure(std::span<const FrequencyResponse> frequencies,
+                                           const ResponseRange& range, const Bar& bar);
 
-/// Draws impulse and swing of a sweep against what was varied, upward and downward, with strokes
-/// from least to most where the bar does not repeat itself, over the motions of a response, if any
-/// (of the same bar and force). In SI units. \throws std::invalid_argument if there is no point;
-/// BackendUnavailable, FileError as above.
-void drawSweep(std::span<const SweepPoint> points, const SweepRange& range, const Bar& bar,
-               std::span<const FrequencyResponse> exact, FigureFormat format,
-               const std::string& path);
+/// Impulse and swing of a sweep against what was varied, upward and downward, with strokes from
+/// least to most where the bar does not repeat itself, over the motions of a response, if any (of
+/// the same bar and force). Panels "impulse" and "tip". \throws std::invalid_argument if there is
+/// no point.
+[[nodiscard]] FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& range,
+                                     const Bar& bar, std::span<const FrequencyResponse> exact);
 
-/// Draws the impulse of each contact against what was varied. Errors as above.
-void drawBifurcation(std::span<const SweepPoint> points, const SweepRange& range, const Bar& bar,
-                     FigureFormat format, const std::string& path);
+/// The impulse of each contact against what was varied. Panel "impulse". Errors as above.
+[[nodiscard]] FigureData bifurcationFigure(std::span<const SweepPoint> points,
+                                           const SweepRange& range, const Bar& bar);
 
-/// Draws what a simulation saw, in SI units: the tip beside the wall with its contacts, at the
-/// beginning and at the end, and the impulse of each contact. `bar`: whose scales it has. \throws
-/// std::invalid_argument if the path of the tip was not recorded; BackendUnavailable, FileError as
-/// above.
-void drawSimulation(const BarSimulation& simulation, const Excitation& excitation, const Bar& bar,
-                    FigureFormat format, const std::string& path);
+/// What a simulation saw of its tip.
+struct SeenTip {
+    double time = 0.0;  ///< [L/c], in all
+    Stops stops = {};
+    std::span<const TipPoint> path = {};
+    std::span<const ContactEvent> contacts = {};
+    double period = 0.0;  ///< [L/c], of the excitation; 0: none
+};
+
+/// The tip beside its stops with its contacts, at the beginning and at the end, or the whole path;
+/// and what the stops got in each period of the excitation, of single contacts, too, where there
+/// are few. `bar`: whose scales it has. Panels "beginning" and "end", or "tip", and "impulse".
+/// \throws std::invalid_argument if the path of the tip was not recorded.
+[[nodiscard]] FigureData simulationFigure(const SeenTip& seen, const Bar& bar,
+                                          bool isWhole = false);
+[[nodiscard]] FigureData simulationFigure(const BarSimulation& simulation,
+                                          const Excitation& excitation, const Bar& bar);
 
 }  // namespace signorini

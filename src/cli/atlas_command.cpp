@@ -235,10 +235,11 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
             "--figure, --csv: allowed for the atlas of a uniform bar, whose families they show");
     }
     outputs.put("--figure", [&](const std::string& path) {
-        drawFrequencyEnergyPlot(atlas, cells, figureFormat(figureFile), path);
+        drawFigure(frequencyEnergyFigure(atlas, cells, {.bar = bar()}), figureFormat(figureFile),
+                   path);
     });
     outputs.put("--map", [&](const std::string& path) {
-        drawExistenceMap(atlas, cells, figureFormat(mapFile), path);
+        drawFigure(existenceFigure(atlas, cells), figureFormat(mapFile), path);
     });
     outputs.put("--csv",
                 [&](const std::string& path) { writeAtlasCsv(path, atlas, cells, bar()); });

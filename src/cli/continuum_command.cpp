@@ -150,10 +150,10 @@ ExitStatus ContinuumCommand::run() const
         });
         outputs.put("--csv", [&](const std::string& path) { writeContinuumCsv(path, curve); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawContinuum(curve, figureFormat(figureFile), path);
+            drawFigure(continuumFigure(curve), figureFormat(figureFile), path);
         });
         outputs.put("--animate", [&](const std::string& path) {
-            animateContinuum(curve, animationFormat(animationFile), path);
+            drawFigures(continuumFrames(curve), animationFormat(animationFile), path);
         });
         outputs.commit();
     } else if (outputs.areWanted() && !common.quiet) {

@@ -82,7 +82,8 @@ ExitStatus FamiliesCommand::run() const
     if (list.isComplete()) {
         outputs.put("--csv", [&](const std::string& path) { writeFamiliesCsv(path, list); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawFamilies(list.families, list.maxOrder, figureFormat(figureFile), path);
+            drawFigure(familiesFigure(list.families, list.maxOrder), figureFormat(figureFile),
+                       path);
         });
         outputs.commit();
     }

@@ -111,7 +111,7 @@ void writeFiles(FindOutputs& files, const FindOptions& options, const PeriodicRe
         files.writeMotion({result.motion->state, result.scene, result.scene.bar,
                            signorini::steps(result.schedule), [&] { return fieldOf(result); },
                            [&](FigureFormat format, const std::string& path) {
-                               drawMotion(result, format, path);
+                               drawFigure(motionFigure(result), format, path);
                            }});
     } else {
         files.lackMotion();

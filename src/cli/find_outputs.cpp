@@ -76,8 +76,8 @@ void FindOutputs::writeField(const WrittenMotion& motion)
 {
     const Motion field = motion.field();
     motion_.put("--animate", [&](const std::string& path) {
-        animateMotion(MotionSamples(field, motion.scene), animationFormat(words_.animationFile),
-                      path);
+        drawFigures(motionFrames(MotionSamples(field, motion.scene)),
+                    animationFormat(words_.animationFile), path);
     });
     if (words_.motionFile.isWanted() && field.steps() < motion.steps) {
         say(fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",

@@ -75,7 +75,7 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
         };
         files.writeMotion({last.state, answer.scene, answer.bar, steps(last.schedule), field,
                            [&](FigureFormat format, const std::string& path) {
-                               drawMotion(last, answer.scene, format, path);
+                               drawFigure(motionFigure(last, answer.scene), format, path);
                            }});
     }
     if (answer.status() == Status::none) {

@@ -106,7 +106,7 @@ std::string draw(const std::string& path, FigureFormat format, const Mode& mode,
     const Schedule schedule = nearestSchedule(mode, period, usualCells);
     FindOptions options;
     options.scene = bar;
-    drawMotion(findPeriodic(schedule, options), format, path);
+    drawFigure(motionFigure(findPeriodic(schedule, options)), format, path);
     const double shown = signorini::period(schedule);
     return shown == period
                ? ""
@@ -153,7 +153,8 @@ ExitStatus ModeCommand::run() const
         notes += draw(path, figureFormat(figureFile), mode, motion.period(), cells, bar);
     });
     outputs.put("--animate", [&](const std::string& path) {
-        animateMotion(MotionSamples(motion, bar, cells), animationFormat(animationFile), path);
+        drawFigures(motionFrames(MotionSamples(motion, bar, cells)), animationFormat(animationFile),
+                    path);
     });
     motionFile.write(outputs,
                      [&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });

@@ -145,7 +145,8 @@ ExitStatus ModesCommand::run() const
             throw std::invalid_argument(
                 "--figure: allowed with a gap > 0, whose plot it is; --csv holds the curves");
         }
-        drawing.format = figureFormat(figureFile);
+        (void)figureFormat(figureFile);
+        drawing.bar = bar;
         // From the lowest energy there is to where curves are upright lines.
         drawing.maxEnergyRatio = std::clamp(all.maxEnergyRatio, 2.0, 1e6);
     }
@@ -171,9 +172,11 @@ ExitStatus ModesCommand::run() const
         });
         outputs.put("--figure", [&](const std::string& path) {
             if (phases == 1) {
-                writeFrequencyEnergyFigure(path, {.modes = listing.modes}, drawing);
+                drawFigure(frequencyEnergyFigure({.modes = listing.modes}, drawing),
+                           figureFormat(figureFile), path);
             } else {
-                drawPolytopes(polytopes.polytopes, drawing, path);
+                drawFigure(polytopesFigure(polytopes.polytopes, drawing), figureFormat(figureFile),
+                           path);
             }
         });
         outputs.commit();

@@ -204,8 +204,8 @@ ExitStatus ResponseCommand::run() const
                        figureFormat(figureFile), path);
         });
         outputs.put("--map", [&](const std::string& path) {
-            drawResponseMap(answer.frequencies, answer.range, answer.bar, figureFormat(mapFile),
-                            path);
+            drawFigure(responseMapFigure(answer.frequencies, answer.range, answer.bar),
+                       figureFormat(mapFile), path);
         });
         outputs.commit();
     }

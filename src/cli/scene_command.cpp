@@ -59,7 +59,7 @@ ExitStatus SceneCommand::run() const
     const Network network = networkOf(assembly);
     Outputs outputs({{"--figure", figureFile}});
     outputs.put("--figure", [&](const std::string& path) {
-        drawScene(assembly, figureFormat(figureFile), path);
+        drawFigure(sceneFigure(assembly), figureFormat(figureFile), path);
     });
     outputs.commit();
     if (common.wantsJson) {

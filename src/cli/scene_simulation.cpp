@@ -474,7 +474,7 @@ ExitStatus simulateScene(const SimulateCommand& command)
             writeNetworkState(path, simulation.network(), simulation.state());
         });
         outputs.put("--figure", [&](const std::string& path) {
-            drawSimulation(simulation, figureFormat(command.figureFile), path);
+            drawFigure(simulationFigure(simulation), figureFormat(command.figureFile), path);
         });
         outputs.commit();
     } else if (!command.common.quiet) {

@@ -216,8 +216,8 @@ ExitStatus SimulateCommand::run() const
                     [&](const std::string& path) { writeStatistics(path, simulation, bar); });
         outputs.put("--tip", [&](const std::string& path) { writeTip(path, simulation, bar); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawSimulation(simulation, force.place ? driving : Excitation{}, bar,
-                           figureFormat(figureFile), path);
+            drawFigure(simulationFigure(simulation, force.place ? driving : Excitation{}, bar),
+                       figureFormat(figureFile), path);
         });
         outputs.commit();
     } else if (!common.quiet) {

@@ -209,11 +209,12 @@ ExitStatus SweepCommand::run() const
     if (answer.isComplete) {
         outputs.put("--csv", [&](const std::string& path) { writeSweepCsv(path, answer); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawSweep(answer.points, answer.range, bar, exactUnder(answer.range),
-                      figureFormat(figureFile), path);
+            drawFigure(sweepFigure(answer.points, answer.range, bar, exactUnder(answer.range)),
+                       figureFormat(figureFile), path);
         });
         outputs.put("--bifurcation", [&](const std::string& path) {
-            drawBifurcation(answer.points, answer.range, bar, figureFormat(bifurcationFile), path);
+            drawFigure(bifurcationFigure(answer.points, answer.range, bar),
+                       figureFormat(bifurcationFile), path);
         });
         outputs.commit();
     } else if (!common.quiet) {

@@ -7,17 +7,18 @@
 #include <optional>
 
 #include "axes.hpp"
-#include "gnuplot.hpp"
-#include "palette.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/motion.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
 
+using namespace plot;
+
 constexpr std::size_t maxFrames = 121;
+constexpr std::size_t nodesShown = 301;
+constexpr std::int64_t instantsShown = 701;
 constexpr double gapShown = 0.1;  ///< [L], the gap in the picture of the bar
 
 /// 0 ... last, at most so many, both ends among them.
@@ -41,145 +42,161 @@ struct Range {
         low = std::min(low, value);
         high = std::max(high, value);
     }
-    [[nodiscard]] std::string text() const
+    [[nodiscard]] double largest() const { return std::max(high, -low); }
+    [[nodiscard]] Axis axis(const Unit& unit, const std::string& words) const
     {
         const double margin = 0.08 * std::max(high - low, 1e-300);
-        return fmt::format("[{}:{}]", low - margin, high + margin);
+        return axisIn(unit, words, low - margin, high + margin);
     }
 };
 
-/// Between two heights of the picture.
-void panel(Text& script, double bottom, double top)
+/// Two fields that share an axis, in the scales of the bar; the legend stands above them.
+Panel fieldsPanel(const Range& fields, const Bar& bar, Axis position)
 {
-    print(script, "set bmargin at screen {}\nset tmargin at screen {}\n", bottom, top);
+    Panel panel{.name = "fields", .place = {0.13, 0.97, 0.11, 0.34}, .x = std::move(position)};
+    panel.y = fields.axis({1.0, ""}, "");
+    panel.y.label = bar.gap == 0.0  ? "s,  v/c"
+                    : bar.gap > 0.0 ? "s L/g,  v L/(c g)"
+                                    : "s L/|g|,  v L/(c |g|)";
+    panel.legend = Legend::above;
+    return panel;
 }
 
-void begin(Text& script, const std::string& title)
+void addFields(Panel& panel, Series strain, Series velocity)
 {
-    print(script,
-          "set multiplot\nset label 1 \"{}\" at screen 0.5,0.965 center\n"
-          "set lmargin at screen 0.13\nset rmargin at screen 0.97\n",
-          title);
+    strain.role = Role::strain;
+    strain.width = 4.0;
+    strain.legend = "strain";
+    velocity.role = Role::velocity;
+    velocity.width = 2.0;
+    velocity.legend = "velocity";
+    panel.add(std::move(strain));
+    panel.add(std::move(velocity));
 }
 
-void end(Text& script)
+/// Where a stop is.
+Series stopLine(const Axis& along, double place)
 {
-    print(script, "unset multiplot\nunset label 1\nunset object\nunset key\n");
+    return {.width = 1.0,
+            .dash = Dash::dashed,
+            .x = {along.low.value_or(0.0), along.high.value_or(1.0)},
+            .y = {place, place}};
 }
 
-/// What the axes of a frame say, in the scales of the bar.
-struct AxisNames {
-    const char* displacement;
-    const char* fields;
-    const char* force;
-};
-
-AxisNames axisNames(double gap)
+/// u(L) at the stops, in the scales of the bar.
+std::vector<double> stopsIn(const Scene& scene)
 {
-    if (gap == 0.0) {
-        return {"L", "s,  v/c", "R/EA"};
+    const double unit = scales(scene.bar).displacement;
+    std::vector<double> places{scene.bar.gap / unit};
+    if (scene.secondStop) {
+        places.push_back(-*scene.secondStop / unit);
     }
-    return gap > 0.0 ? AxisNames{"g", "s L/g,  v L/(c g)", "R L/(EA g)"}
-                     : AxisNames{"|g|", "s L/|g|,  v L/(c |g|)", "R L/(EA |g|)"};
+    return places;
 }
 
-/// x/L, s L/g, v L/(c g), u/g of one instant.
 class MotionFrames {
 public:
     explicit MotionFrames(const MotionSamples& samples)
         : samples_(samples),
-          unit_(scales(samples.bar())),
-          nodes_(chosen(samples.nodes(), static_cast<std::size_t>(maxNodes))),
+          scale_(scales(samples.bar())),
+          nodes_(chosen(samples.nodes(), nodesShown)),
           instants_(chosen(samples.instants(), maxFrames)),
-          wall_(samples.bar().gap / unit_.displacement)
+          stops_(stopsIn(samples.scene()))
     {
-        tip_.see(wall_);
-        if (const auto& second = samples.scene().secondStop) {
-            second_ = -*second / unit_.displacement;
-            tip_.see(*second_);
+        for (const double stop : stops_) {
+            tip_.see(stop);
         }
         for (const std::size_t m : instants_) {
             for (const std::size_t i : nodes_) {
-                fields_.see(samples.strain(i, m) / unit_.strain);
-                fields_.see(samples.velocity(i, m) / unit_.velocity);
-                tip_.see(samples.displacement(i, m) / unit_.displacement);
+                strain_.see(samples.strain(i, m) / scale_.strain);
+                fields_.see(samples.velocity(i, m) / scale_.velocity);
+                tip_.see(samples.displacement(i, m) / scale_.displacement);
             }
         }
-        size_ = std::max({fields_.high, -fields_.low, 1e-300});
+        fields_.see(strain_.low);
+        fields_.see(strain_.high);
+        metre_ = axisUnit(samples.bar().length, 1.0, "m");
+        place_ = axisUnit(scale_.displacement, tip_.largest(), "m");
     }
 
-    [[nodiscard]] std::string script() const
+    [[nodiscard]] std::vector<FigureData> all() const
     {
-        Text script;
-        print(script,
-              "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 lc '{}'\n"
-              "set palette defined (0 '{}', 1 '{}', 2 '{}')\nset cbrange [{}:{}]\n"
-              "unset colorbox\n",
-              palette::grid, palette::diverging[0], palette::diverging[1], palette::diverging[2],
-              -size_, size_);
+        std::vector<FigureData> frames;
         // The last instant is the first one again.
         for (std::size_t k = 0; k + 1 < std::max<std::size_t>(instants_.size(), 2); ++k) {
-            printFrame(script, instants_[k]);
+            frames.push_back(frameAt(instants_[k]));
         }
-        return fmt::to_string(script);
+        return frames;
     }
 
 private:
-    void printFrame(Text& script, std::size_t instant) const
+    [[nodiscard]] FigureData frameAt(std::size_t instant) const
     {
-        const Bar& bar = samples_.bar();
-        print(script, "$frame << EOD\n");
-        double left = 0.0;  // end of the cell before
+        Axis position{.label = labelled("position  x", metre_),
+                      .low = -0.02 * metre_.factor,
+                      .high = 1.25 * metre_.factor};
+        Panel fields = fieldsPanel(fields_, samples_.bar(), position);
+        position.label.clear();
+        position.hasNumbers = false;
+        Panel bar{
+            .name = "bar", .place = {0.13, 0.97, 0.76, 0.92}, .x = position, .hasGrid = false};
+        bar.y = {.low = -1.0, .high = 1.0, .ticks = {{-2.0, ""}}};
+        bar.map = ColourMap::diverging;
+        const double size = std::max(strain_.largest(), 1e-300);
+        bar.colour = {.low = -size, .high = size};
+        Panel middle{.name = "displacement", .place = {0.13, 0.97, 0.46, 0.71}, .x = position};
+        middle.y = tip_.axis(place_, "u");
+        Series cells{.kind = Kind::boxes};
+        Series u{.width = 2.0};
+        Series strain;
+        Series velocity;
+        double left = 0.0;  // end of the cell before, magnified
+        double from = 0.0;
         for (const std::size_t i : nodes_) {
-            const double x = samples_.x(i) / bar.length;
-            const double u = samples_.displacement(i, instant) / unit_.displacement;
-            const double right = x + gapShown * u;
-            print(script, "{:.5g} {:.5g} {:.5g} {:.5g} {:.5g} {:.5g}\n", x,
-                  samples_.strain(i, instant) / unit_.strain,
-                  samples_.velocity(i, instant) / unit_.velocity, u, left, right);
+            const double x = samples_.x(i) * metre_.factor / samples_.bar().length;
+            const double moved = samples_.displacement(i, instant) / scale_.displacement;
+            const double s = samples_.strain(i, instant) / scale_.strain;
+            const double right = x + gapShown * moved * metre_.factor;
+            cells.add(left, -0.5, right, 0.5);
+            cells.z.push_back(s);
+            u.add(x, moved * place_.factor);
+            strain.addStep(from, x, s);
+            velocity.addStep(from, x, samples_.velocity(i, instant) / scale_.velocity);
             left = right;
+            from = x;
         }
-        print(script, "EOD\n");
-        begin(script, fmt::format("t = {:.4g} s  of  {:.4g} s", samples_.time(instant),
-                                  samples_.time(samples_.instants() - 1)));
-        panel(script, 0.76, 0.92);
-        print(script,
-              "set xrange [-0.02:1.25]\nset yrange [-1:1]\nunset ytics\nset ylabel ''\n"
-              "set format x ''\nset xlabel ''\n"
-              "set object 1 rectangle from first {0},graph 0 to graph 1,graph 1 fillcolor "
-              "'{1}' fillstyle solid noborder front\n"
-              "set object 2 rectangle from graph 0,graph 0 to first 0,graph 1 fillcolor '{1}' "
-              "fillstyle solid noborder front\n"
-              "plot $frame using 6:(0):5:6:(-0.5):(0.5):2 with boxxyerror fillcolor palette "
-              "fillstyle solid noborder\n"
-              "unset object 1\nunset object 2\nset ytics\n",
-              1.0 + gapShown * wall_, palette::faint);
-        panel(script, 0.46, 0.71);
-        print(
-            script,
-            "set yrange {}\nset ylabel 'displacement  u/{}'\n"
-            "plot {} with lines lw 1 dt (4,4) lc 'black', {} with lines lw 1 dt (4,4) lc 'black', "
-            "$frame using 1:4 with lines lw 2 lc 'black'\n",
-            tip_.text(), axisNames(wall_).displacement, wall_, second_.value_or(wall_));
-        panel(script, 0.12, 0.41);
-        print(script,
-              "set yrange {0}\nset ylabel '{1}'\nset format x '%g'\n"
-              "set xlabel 'position  x/L'\nset key top right horizontal Left reverse samplen 1.5\n"
-              "plot $frame using 1:2 with fsteps lw 4 lc '{2}' title 'strain', "
-              "$frame using 1:3 with fsteps lw 2 lc '{3}' title 'velocity'\n",
-              fields_.text(), axisNames(wall_).fields, palette::strain, palette::velocity);
-        end(script);
+        bar.add(std::move(cells));
+        const double wall = metre_.factor * (1.0 + gapShown * stops_.front());
+        bar.add({.kind = Kind::boxes,
+                 .role = Role::faint,
+                 .x = {wall, *position.low},
+                 .y = {-1.0, -1.0},
+                 .x2 = {*position.high, 0.0},
+                 .y2 = {1.0, 1.0}});
+        for (const double stop : stops_) {
+            middle.add(stopLine(position, stop * place_.factor));
+        }
+        middle.add(std::move(u));
+        addFields(fields, std::move(strain), std::move(velocity));
+        const Unit second = axisUnit(1.0, samples_.time(samples_.instants() - 1), "s");
+        FigureData frame{.width = 20.0, .height = 16.0};
+        frame.title = fmt::format(
+            "t = {:.4g} {}  of  {:.4g} {}", samples_.time(instant) * second.factor, second.name,
+            samples_.time(samples_.instants() - 1) * second.factor, second.name);
+        frame.panels = {std::move(bar), std::move(middle), std::move(fields)};
+        return frame;
     }
 
     const MotionSamples& samples_;
-    Scales unit_;
+    Scales scale_;
     std::vector<std::size_t> nodes_;
     std::vector<std::size_t> instants_;
+    std::vector<double> stops_;
+    Range strain_;
     Range fields_;
     Range tip_;
-    double wall_;                   ///< u(L) there
-    std::optional<double> second_;  ///< u(L) at the second stop
-    double size_ = 0.0;             ///< of the fields
+    Unit metre_;
+    Unit place_;
 };
 
 /// Force and tip over a period, strain and velocity at t = 0, one frame for each member.
@@ -187,15 +204,13 @@ class CurveFrames {
 public:
     explicit CurveFrames(const Continuum& curve)
         : curve_(curve),
+          scale_(scales(curve.scene.bar)),
           members_(chosen(curve.points.size(), maxFrames)),
-          wall_(curve.scene.bar.gap / scales(curve.scene.bar).displacement),
-          second_(wall_)
+          stops_(stopsIn(curve.scene))
     {
-        if (const auto& stop = curve.scene.secondStop) {
-            second_ = -*stop / scales(curve.scene.bar).displacement;
+        for (const double stop : stops_) {
+            tip_.see(stop);
         }
-        tip_.see(wall_);
-        tip_.see(second_);
         for (const std::size_t k : members_) {
             const State& state = curve.points[k].state;
             const Motion motion(state, curve.schedule);
@@ -213,74 +228,71 @@ public:
         }
     }
 
-    [[nodiscard]] std::string script() const
+    [[nodiscard]] std::vector<FigureData> all() const
     {
-        Text script;
-        print(script,
-              "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 lc '{}'\n",
-              palette::grid);
+        std::vector<FigureData> frames;
         for (const std::size_t k : members_) {
-            printFrame(script, curve_.points[k]);
+            frames.push_back(frameOf(curve_.points[k]));
         }
-        return fmt::to_string(script);
+        return frames;
     }
 
 private:
-    void printData(Text& script, const State& state) const
+    [[nodiscard]] FigureData frameOf(const ContinuumPoint& point) const
     {
-        const Motion motion(state, curve_.schedule);
+        const Bar& bar = curve_.scene.bar;
+        const Unit newton = axisUnit(bar.axialStiffness * scale_.strain, force_.largest(), "N");
+        const Unit metre = axisUnit(scale_.displacement, tip_.largest(), "m");
+        const Unit second = axisUnit(scale_.time, period_, "s");
+        const Unit along = axisUnit(bar.length, 1.0, "m");
+        Panel upper{.name = "force", .place = {0.13, 0.97, 0.72, 0.92}};
+        upper.x = axisIn(second, "", 0.0, period_);
+        upper.x.label.clear();
+        upper.x.hasNumbers = false;
+        upper.y = force_.axis(newton, curve_.scene.secondStop ? "forces" : "wall force");
+        Panel middle{.name = "tip", .place = {0.13, 0.97, 0.5, 0.69}};
+        middle.x = axisIn(second, "time  t", 0.0, period_);
+        middle.y = tip_.axis(metre, "u(L,t)");
+        Panel fields = fieldsPanel(fields_, bar, axisIn(along, "position  x, at t = 0,", 0.0, 1.0));
+        const Motion motion(point.state, curve_.schedule);
         const auto cells = static_cast<double>(motion.cells());
-        print(script, "$time << EOD\n");
-        for (const std::int64_t m : thinned(motion.steps() - 1, maxInstants)) {
-            print(script, "{:.5g} {:.5g} {:.5g}\n", static_cast<double>(m) / cells,
-                  motion.wallForce(m), motion.displacement(motion.cells(), m));
+        Series force{.role = Role::contact, .width = 2.0};
+        for (std::int64_t m = 0; m < motion.steps(); ++m) {
+            force.addStep(static_cast<double>(m) / cells * second.factor,
+                          static_cast<double>(m + 1) / cells * second.factor,
+                          motion.wallForce(m) * newton.factor);
         }
-        print(script, "EOD\n$bar << EOD\n");
-        for (const std::int64_t i : thinned(motion.cells(), maxInstants)) {
-            const std::int64_t cell = std::max<std::int64_t>(i, 1);
-            print(script, "{:.5g} {:.5g} {:.5g}\n", static_cast<double>(i) / cells,
-                  motion.strain(cell, 0), motion.velocity(cell, 0));
+        Series tip{.width = 2.0};
+        for (const std::int64_t m : thinned(motion.steps(), instantsShown)) {
+            tip.add(static_cast<double>(m) / cells * second.factor,
+                    motion.displacement(motion.cells(), m) * metre.factor);
         }
-        print(script, "EOD\n");
-    }
-
-    void printFrame(Text& script, const ContinuumPoint& point) const
-    {
-        printData(script, point.state);
-        begin(script, fmt::format("{}, {}:   λ = {:.4g} ({})", curve_.family,
-                                  energyLabel(curve_.scene.bar, curve_.energyRatio), point.lambda,
-                                  name(curve_.parameter)));
-        panel(script, 0.72, 0.92);
-        print(script,
-              "set xrange [0:{}]\nset yrange {}\nset ylabel '{}'\nset format x ''\n"
-              "set xlabel ''\nset key top right Left reverse samplen 1.5\n"
-              "plot $time using 1:2 with fillsteps fillcolor '{}' fillstyle solid noborder "
-              "title 'force on the {}'\n"
-              "unset key\n",
-              period_, force_.text(), axisNames(wall_).force, palette::contact,
-              curve_.scene.secondStop ? "stops, of the second below 0" : "wall");
-        panel(script, 0.48, 0.68);
-        print(script,
-              "set yrange {}\nset ylabel 'u(L,t)/{}'\nset format x '%g'\n"
-              "set xlabel 'time  t c/L' offset 0,0.6\n"
-              "plot {} with lines lw 1 dt (4,4) lc 'black', {} with lines lw 1 dt (4,4) lc "
-              "'black', $time using 1:3 with lines lw 2 lc 'black'\n",
-              tip_.text(), axisNames(wall_).displacement, wall_, second_);
-        panel(script, 0.11, 0.35);
-        print(script,
-              "set xrange [0:1]\nset yrange {0}\nset ylabel '{1}'\n"
-              "set xlabel 'position  x/L  at t = 0'\n"
-              "set key top right horizontal Left reverse samplen 1.5\n"
-              "plot $bar using 1:2 with fsteps lw 4 lc '{2}' title 'strain', "
-              "$bar using 1:3 with fsteps lw 2 lc '{3}' title 'velocity'\n",
-              fields_.text(), axisNames(wall_).fields, palette::strain, palette::velocity);
-        end(script);
+        Series strain;
+        Series velocity;
+        for (std::int64_t i = 1; i <= motion.cells(); ++i) {
+            const double from = static_cast<double>(i - 1) / cells * along.factor;
+            const double to = static_cast<double>(i) / cells * along.factor;
+            strain.addStep(from, to, motion.strain(i, 0));
+            velocity.addStep(from, to, motion.velocity(i, 0));
+        }
+        upper.add(std::move(force));
+        for (const double stop : stops_) {
+            middle.add(stopLine(middle.x, stop * metre.factor));
+        }
+        middle.add(std::move(tip));
+        addFields(fields, std::move(strain), std::move(velocity));
+        FigureData frame{.width = 20.0, .height = 16.0};
+        frame.title =
+            fmt::format("{}, {}:   λ = {:.4g} ({})", curve_.family,
+                        energyLabel(bar, curve_.energyRatio), point.lambda, name(curve_.parameter));
+        frame.panels = {std::move(upper), std::move(middle), std::move(fields)};
+        return frame;
     }
 
     const Continuum& curve_;
+    Scales scale_;
     std::vector<std::size_t> members_;
-    double wall_;          ///< u(L) there
-    double second_;        ///< at the second stop, or at the wall
+    std::vector<double> stops_;
     double period_ = 0.0;  ///< [L/c], of the folded schedule
     Range force_;
     Range tip_;
@@ -289,29 +301,17 @@ private:
 
 }  // namespace
 
-AnimationFormat animationFormat(const std::string& path)
+std::vector<FigureData> motionFrames(const MotionSamples& samples)
 {
-    if (path.ends_with(".gif")) {
-        return AnimationFormat::gif;
-    }
-    if (path.ends_with(".mp4")) {
-        return AnimationFormat::mp4;
-    }
-    throw std::invalid_argument(fmt::format(
-        "animation = {} is out of range: allowed a name ending in .gif or .mp4", onOneLine(path)));
+    return MotionFrames(samples).all();
 }
 
-void animateMotion(const MotionSamples& samples, AnimationFormat format, const std::string& path)
-{
-    runGnuplot(MotionFrames(samples).script(), format, path);
-}
-
-void animateContinuum(const Continuum& curve, AnimationFormat format, const std::string& path)
+std::vector<FigureData> continuumFrames(const Continuum& curve)
 {
     if (curve.points.empty()) {
         throw std::invalid_argument("animation: the curve holds no motion to draw");
     }
-    runGnuplot(CurveFrames(curve).script(), format, path);
+    return CurveFrames(curve).all();
 }
 
 }  // namespace signorini

@@ -7,15 +7,14 @@
 #include <tuple>
 #include <vector>
 
-#include "gnuplot.hpp"
-#include "palette.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
+
+using namespace plot;
 
 constexpr double plotWidth = 14.0;  ///< [cm]
 
@@ -31,18 +30,18 @@ constexpr std::int64_t maxShadedOrder = 60;
 
 /// What the map shows of an atlas.
 struct Map {
-    Text pressing;              ///< flight, contact, least energy
-    Text grazing;               ///< flight, contact
+    Series pressing{.kind = Kind::dots};
+    Series grazing{.kind = Kind::dots, .role = Role::faint};
     std::vector<Family> tents;  ///< those to be named, by ascending order
     double contactTime = 0.0;   ///< [L/c], longest drawn
     double flightTime = 0.0;    ///< [L/c], longest drawn
-    double energy = 1.0;        ///< [E_1], the largest of the least ones
+    double energy = 10.0;       ///< [E_1], the largest of the least ones
     double cells = 1.0;         ///< of the finest grid
 
     Map(const AtlasDatabase& atlas, std::optional<std::int64_t> of)
     {
         atlas.forEachFound(of, [this](const AtlasEntry& entry) { add(entry); });
-        if (pressing.size() == 0 && grazing.size() == 0) {
+        if (pressing.x.empty() && grazing.x.empty()) {
             contactTime = 2.0;  // the usual range
             flightTime = longestFlight;
         }
@@ -50,6 +49,9 @@ struct Map {
             return std::tie(x.order, x.blocks, x.contactBlocks) <
                    std::tie(y.order, y.blocks, y.contactBlocks);
         });
+        const double dot = std::clamp(60.0 / cells, 0.18, 1.0);
+        pressing.size = 1.25 * dot;
+        grazing.size = 0.75 * dot;
     }
 
 private:
@@ -69,10 +71,11 @@ private:
         flightTime = std::max(flightTime, flight);
         cells = std::max(cells, size);
         if (entry.row.contact != Contact::pressing) {
-            print(grazing, "{:.6g} {:.6g}\n", flight, contact);
+            grazing.add(flight, contact);
             return;
         }
-        print(pressing, "{:.6g} {:.6g} {:.4g}\n", flight, contact, entry.row.energy.least);
+        pressing.add(flight, contact);
+        pressing.z.push_back(entry.row.energy.least);
         energy = std::max(energy, entry.row.energy.least);
         const std::optional<TentPlace> place = familyOf(entry.schedule);
         if (place && place->offset == 0 && place->family.order <= maxNamedOrder) {
@@ -83,10 +86,10 @@ private:
 
 /// Names at the upper ends of tents, t_c = (2k + 2)/w: left of those that end at t_f = 2, above
 /// the others; of names that would meet the first.
-void printNames(Text& script, std::span<const Family> tents)
+void addNames(Panel& panel, std::span<const Family> tents)
 {
-    Text left;
-    Text above;
+    Series left{.kind = Kind::words, .size = 0.8, .align = Align::right};
+    Series above{.kind = Kind::words, .size = 0.8, .turn = 45.0};
     std::vector<std::array<double, 2>> taken;
     for (const Family& family : tents) {
         const auto order = static_cast<double>(family.order);
@@ -97,18 +100,20 @@ void printNames(Text& script, std::span<const Family> tents)
         });
         if (isFree) {
             taken.push_back({flight, contact});
-            print(flight < 2.01 ? left : above, "{:.6g} {:.6g} \"{{/*0.8 ({}, {}, {})}}\"\n",
-                  flight, contact, family.order, family.blocks, family.contactBlocks);
+            (flight < 2.01 ? left : above)
+                .add(flight, contact,
+                     fmt::format(" ({}, {}, {}) ", family.order, family.blocks,
+                                 family.contactBlocks));
         }
     }
-    print(script, "$left << EOD\n{0}{2}EOD\n$above << EOD\n{1}{2}EOD\n", fmt::to_string(left),
-          fmt::to_string(above), offThePlot);
+    panel.add(std::move(left));
+    panel.add(std::move(above));
 }
 
 }  // namespace
 
-void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-                             FigureFormat format, const std::string& path)
+FigureData frequencyEnergyFigure(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
+                                 const FrequencyEnergyOptions& options)
 {
     std::set<std::array<std::int64_t, 3>> seen;  // on several grids, each once
     std::vector<Family> onGrid;
@@ -132,50 +137,41 @@ void drawFrequencyEnergyPlot(const AtlasDatabase& atlas, std::optional<std::int6
         AtlasSchedules::withoutFamily);
     const std::vector<Mode> modes = findModes();
     const std::vector<Family> families = findFamilies(maxShadedOrder);
-    writeFrequencyEnergyFigure(
-        path, {.modes = modes, .families = families, .onGrid = onGrid, .bars = bars},
-        {.format = format, .maxFrequencyRatio = {}});
+    return frequencyEnergyFigure(
+        {.modes = modes, .families = families, .onGrid = onGrid, .bars = bars}, options);
 }
 
-void drawExistenceMap(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
-                      FigureFormat format, const std::string& path)
+FigureData existenceFigure(const AtlasDatabase& atlas, std::optional<std::int64_t> cells)
 {
-    const Map map(atlas, cells);
-    Text script;
-    const auto table = [&script](const char* name, const Text& rows) {
-        print(script, "${} << EOD\n{}EOD\n", name, fmt::to_string(rows));
-    };
-    table("pressing", map.pressing);
-    table("grazing", map.grazing);
-    printNames(script, map.tents);
+    Map map(atlas, cells);
     // Both times to one scale, so that lines of equal period run at 45 degrees.
     const double height = std::clamp(plotWidth * map.contactTime / map.flightTime, 2.0, plotWidth);
-    const double dot = std::clamp(60.0 / map.cells, 0.18, 1.0);
-    print(script,
-          "set size ratio -1\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
-          "set grid lw 0.4 lc '{}'\nset xrange [0:{}]\nset yrange [0:{}]\n"
-          "set xlabel 'flight time  t_f  [L/c]'\nset ylabel 'contact time  t_c  [L/c]'\n"
-          "{}set logscale cb\nset cbrange [1:{}]\nset format cb '10^{{%L}}'\n"
-          "set cblabel 'least energy  E_{{min}}/E_1' offset 1,0\n"
-          "set key above left Left reverse samplen 1\nplot NaN notitle, ",
-          palette::grid, map.flightTime * 1.01, map.contactTime * 1.01,
-          palette::sequential(palette::onPaper), std::max(map.energy, 10.0));
-    if (map.grazing.size() > 0) {
-        print(script,
-              "$grazing using 1:2 with points pt 7 ps {0} lc '{1}' notitle, "
-              "NaN with points pt 7 ps 1 lc '{1}' title 'grazing: contact without force', ",
-              0.6 * dot, palette::faint);
+    FigureData figure{.width = plotWidth + 5.0, .height = height + 3.2};
+    const double bottom = 1.7 / figure.height;
+    const double top = bottom + height / figure.height;
+    const double right = (1.8 + plotWidth) / figure.width;
+    Panel& panel = figure.add({.name = "map", .place = {1.8 / figure.width, right, bottom, top}});
+    panel.isEqual = true;
+    panel.legend = Legend::above;
+    panel.x = {.label = "flight time  t_f  [L/c]", .low = 0.0, .high = map.flightTime * 1.01};
+    panel.y = {.label = "contact time  t_c  [L/c]", .low = 0.0, .high = map.contactTime * 1.01};
+    panel.map = ColourMap::onPaper;
+    panel.colour = {.label = "least energy  E_{min}/E_1",
+                    .low = 1.0,
+                    .high = map.energy,
+                    .isLogarithmic = true};
+    panel.colourBar = Place{right + 0.03, right + 0.05, bottom, top};
+    if (!map.grazing.x.empty()) {
+        panel.explain({.kind = Kind::dots, .role = Role::faint}, "grazing: contact without force");
     }
-    if (map.pressing.size() > 0) {
-        print(script,
-              "$pressing using 1:2:3 with points pt 7 ps {} lc palette notitle, "
-              "NaN with points pt 7 ps 1 lc '{}' title 'pressing: tents of families (w, ν, k)', "
-              "$left using 1:2:3 with labels right offset -0.5,0 notitle, "
-              "$above using 1:2:3 with labels left rotate by 45 offset 0,0.4 notitle",
-              dot, palette::sequence.at(3));
+    if (!map.pressing.x.empty()) {
+        panel.explain({.kind = Kind::dots, .role = Role::shade2},
+                      "pressing: tents of families (w, ν, k)");
     }
-    print(script, "\n");
-    runGnuplot(fmt::to_string(script), format, plotWidth + 5.0, height + 2.6, path);
+    panel.add(std::move(map.grazing));
+    panel.add(std::move(map.pressing));
+    addNames(panel, map.tents);
+    return figure;
 }
 
 }  // namespace signorini

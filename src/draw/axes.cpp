@@ -96,23 +96,4 @@ plot::Axis frequencyAxis(const std::string& words, double low, double high, cons
     return axis;
 }
 
-std::string linkedAxis(const char* axis, double span, double factor, const std::string& unit)
-{
-    const double step = niceStep(span * factor / 5.0);
-    if (!(step > 0.0 && std::isfinite(step))) {
-        return "";  // SI units are beyond the range of numbers
-    }
-    return fmt::format(
-        "set {0}tics nomirror\nset {0}2tics nomirror {2:.17g}\nset format {0}2 '%g {3}'\n"
-        "set link {0}2 via {0}*{1:.17g} inverse {0}/{1:.17g}\n",
-        axis, factor, step, unit);
-}
-
-std::string hertzAxis(double span, const Bar& bar)
-{
-    const double factor = 0.25 / scales(bar).time;
-    const Unit unit = unitFor(factor, "Hz");
-    return linkedAxis("x", span, factor * unit.factor, unit.name);
-}
-
 }  // namespace signorini

@@ -43,12 +43,4 @@ struct Unit {
 [[nodiscard]] plot::Axis frequencyAxis(const std::string& words, double low, double high,
                                        const Bar& bar);
 
-/// Gnuplot's words for a second axis "x" or "y" on the other side of the first one, which reaches
-/// over `span` > 0: a number there is `factor` times as much, in `unit`.
-[[nodiscard]] std::string linkedAxis(const char* axis, double span, double factor,
-                                     const std::string& unit);
-
-/// The same for a frequency ratio ω/ω_1 of a bar, in Hz.
-[[nodiscard]] std::string hertzAxis(double span, const Bar& bar);
-
 }  // namespace signorini

@@ -1,5 +1,3 @@
-#include "signorini/figures.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,140 +7,39 @@
 #include <vector>
 
 #include "axes.hpp"
-#include "gnuplot.hpp"
-#include "palette.hpp"
+#include "field.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/motion.hpp"
-#include "text.hpp"
 #include "wall_force.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr std::size_t maxMembers = 16;
-constexpr std::int64_t nodesOfMember = 201;
-constexpr std::int64_t instantsOfMember = 401;
+using namespace plot;
 
-/// The dashes of the first, the middle and the last member, in every panel.
-constexpr std::array dashes{"dt solid", "dt (6,3)", "dt (2,2)"};
-constexpr std::array dashNames{"solid", "dashed", "dotted"};
+constexpr std::size_t mostRows = 160;
+constexpr std::size_t mostColumns = 400;
+constexpr std::array memberNames{"first", "middle", "last"};
 
-/// Points to stack, evenly, and the places among them of those drawn in full.
-struct ShownMembers {
-    std::vector<std::size_t> members;
-    std::vector<std::size_t> full;
-};
+/// A number of each cell or step, for each motion of the curve.
+using Profiles = std::vector<std::vector<double>>;
 
-ShownMembers choose(const Continuum& curve)
+/// The longest profile, without the zeros at its end.
+std::size_t lengthOf(const Profiles& profiles)
 {
-    const std::size_t last = curve.points.size() - 1;
-    const std::size_t gaps = std::min(last, maxMembers - 1);
-    ShownMembers choice;
-    for (std::size_t k = 0; k <= gaps; ++k) {
-        choice.members.push_back(gaps == 0 ? 0 : k * last / gaps);
+    std::size_t pieces = 0;
+    for (const std::vector<double>& profile : profiles) {
+        const auto last = std::find_if(profile.rbegin(), profile.rend(),
+                                       [](double value) { return value != 0.0; });
+        pieces = std::max(pieces, static_cast<std::size_t>(profile.rend() - last));
     }
-    for (const std::size_t k : {std::size_t{0}, gaps / 2, gaps}) {
-        if (choice.full.empty() || choice.full.back() != k) {
-            choice.full.push_back(k);
-        }
-    }
-    return choice;
+    return pieces > 0 ? pieces : profiles.front().size();
 }
-
-/// What is stacked in one panel: a profile of each member, constant on pieces of equal width.
-struct Stack {
-    const char* table;
-    std::string title;
-    std::string axis;
-    const char* colour;
-    double width;  ///< [unit of the axis], of a piece
-    double scale;  ///< [SI], of 1
-    const char* base;
-    std::vector<std::vector<double>> profiles;
-
-    [[nodiscard]] double largest() const
-    {
-        double size = 0.0;
-        for (const std::vector<double>& profile : profiles) {
-            for (const double value : profile) {
-                size = std::max(size, std::abs(value));
-            }
-        }
-        return size;
-    }
-    /// The longest profile, without the zeros at its end.
-    [[nodiscard]] double length() const
-    {
-        std::size_t pieces = 0;
-        for (const std::vector<double>& profile : profiles) {
-            const auto last = std::find_if(profile.rbegin(), profile.rend(),
-                                           [](double value) { return value != 0.0; });
-            pieces = std::max(pieces, static_cast<std::size_t>(profile.rend() - last));
-        }
-        return width * static_cast<double>(pieces > 0 ? pieces : profiles.front().size());
-    }
-};
 
 std::vector<double> values(const Eigen::VectorXd& vector)
 {
     return {vector.begin(), vector.end()};
-}
-
-std::vector<Stack> stacksOf(const Continuum& curve, const ShownMembers& choice)
-{
-    const Scales unit = scales(curve.scene.bar);
-    const auto cells = static_cast<double>(curve.schedule.cells);
-    const Unit metre = unitFor(curve.scene.bar.length, "m");
-    Schedule folded = curve.schedule;
-    fold(folded);
-    const Unit second = unitFor(period(folded) * unit.time, "s");
-    const std::string position = fmt::format("position  x  [{}]", metre.name);
-    const double dx = curve.scene.bar.length * metre.factor / cells;
-    std::vector<Stack> stacks{
-        {"force",
-         curve.scene.secondStop ? "force of the stops" : "force of the wall",
-         fmt::format("time  t  [{}]", second.name),
-         palette::contact,
-         unit.time * second.factor / cells,
-         curve.scene.bar.axialStiffness * unit.strain,
-         "N",
-         {}},
-        {"strain", "strain  s(x, 0)", position, palette::strain, dx, unit.strain, "", {}},
-        {"velocity",
-         "velocity  v(x, 0)",
-         position,
-         palette::velocity,
-         dx,
-         unit.velocity,
-         "m/s",
-         {}}};
-    for (const std::size_t k : choice.members) {
-        const State& state = curve.points[k].state;
-        stacks[0].profiles.push_back(wallForces(Motion(state, curve.schedule)));
-        stacks[1].profiles.push_back(values(strain(state)));
-        stacks[2].profiles.push_back(values(velocity(state)));
-    }
-    return stacks;
-}
-
-/// One profile, raised to its lambda: only where it changes, and both sides of the change.
-void printProfile(Text& script, const Stack& stack, std::size_t k, double base, double raise)
-{
-    const std::vector<double>& profile = stack.profiles[k];
-    const auto row = [&](std::size_t place, double value) {
-        print(script, "{:.7g} {:.7g} {}\n", static_cast<double>(place) * stack.width,
-              base + raise * value, base);
-    };
-    print(script, "${}{} << EOD\n", stack.table, k);
-    row(0, profile.front());
-    for (std::size_t i = 1; i < profile.size(); ++i) {
-        if (profile[i] != profile[i - 1]) {
-            row(i, profile[i - 1]);
-            row(i, profile[i]);
-        }
-    }
-    row(profile.size(), profile.back());
-    print(script, "EOD\n");
 }
 
 const char* unitOf(const Continuum& curve)
@@ -158,148 +55,180 @@ const char* unitOf(const Continuum& curve)
     return "λ";
 }
 
-/// The members stacked upwards by lambda, those drawn in full in black.
-void plotStack(Text& script, const Stack& stack, const ShownMembers& choice)
-{
-    print(script, "plot ");
-    for (std::size_t k = choice.members.size(); k-- > 0;) {
-        // From the top down: each member covers what stands behind it.
-        print(script,
-              "${0}{1} using 1:2:3 with filledcurves fillcolor '{2}' fillstyle transparent solid "
-              "0.25 noborder, ${0}{1} using 1:2 with lines lw 0.8 lc '{2}', ",
-              stack.table, k, stack.colour);
-    }
-    for (std::size_t k = 0; k < choice.full.size(); ++k) {
-        print(script, "{}${}{} using 1:2 with lines lw 1.8 lc '{}' {}", k == 0 ? "" : ", ",
-              stack.table, choice.full[k], palette::ink, dashes.at(k));
-    }
-    print(script, "\n");
-}
-
-/// The paper's Fig. 2, and the force that tells orbits apart: it is the same at every start.
-void printStacks(Text& script, const Continuum& curve, const ShownMembers& choice)
-{
-    const std::vector<Stack> stacks = stacksOf(curve, choice);
-    const double low = curve.points.front().lambda;
-    const double high = curve.points.back().lambda;
-    const double range = high > low ? high - low : 1.0;
-    const double step = range / static_cast<double>(choice.members.size());
-    print(script,
-          "set border lw 0.8\nset tics out nomirror scale 0.6\nunset key\n"
-          "set yrange [{}:{}]\nset tmargin at screen 0.90\nset bmargin at screen 0.54\n"
-          "set ylabel '{}'\n",
-          low - 1.5 * step, high + 2.6 * step, unitOf(curve));
-    double left = 0.105;
-    for (const Stack& stack : stacks) {
-        const double size = stack.largest();
-        const double raise = size > 0.0 ? 2.2 * step / size : 0.0;
-        for (std::size_t k = 0; k < choice.members.size(); ++k) {
-            printProfile(script, stack, k, curve.points[choice.members[k]].lambda, raise);
+class ContinuumPanels {
+public:
+    explicit ContinuumPanels(const Continuum& curve)
+        : curve_(curve),
+          scale_(scales(curve.scene.bar)),
+          low_(curve.points.front().lambda),
+          high_(curve.points.back().lambda)
+    {
+        if (!(high_ > low_)) {
+            high_ = low_ + 1.0;
         }
-        print(script,
-              "set lmargin at screen {}\nset rmargin at screen {}\nset xrange [0:{:.6g}]\n"
-              "set xlabel '{}' offset 0,0.4\nset xtics {:.3g}\n"
-              "set label 3 '{}' at graph 0.5,1.05 center\n"
-              "set arrow 1 from graph 1.03,first {} to graph 1.03,first {} heads size graph "
-              "0.01,90 lw 1.2\n"
-              "set label 4 '{}' at graph 1.07,first {} left rotate\n",
-              left, left + 0.235, stack.length(), stack.axis, niceStep(stack.length() / 3.0),
-              stack.title, low, low + raise * size, withUnit(size * stack.scale, stack.base), low);
-        plotStack(script, stack, choice);
-        print(script,
-              "unset label 1\nunset label 3\nunset label 4\nunset arrow 1\n"
-              "set ylabel ''\nset format y ''\n");
-        left += 0.3;
-    }
-}
-
-/// u(x, t) on an even grid and the path of the tip; the lowest and highest u, in [g].
-std::pair<double, double> printField(Text& script, const Motion& motion, std::size_t number,
-                                     double length, double time, double gap)
-{
-    const auto cells = static_cast<double>(motion.cells());
-    std::pair<double, double> range{0.0, 0.0};
-    print(script, "$field{} << EOD\n", number);
-    for (const std::int64_t m : evenly(motion.steps(), instantsOfMember)) {
-        for (const std::int64_t i : evenly(motion.cells(), nodesOfMember)) {
-            const double u = motion.displacement(i, m);
-            range = {std::min(range.first, u), std::max(range.second, u)};
-            print(script, "{:.7g} {:.7g} {:.5g}\n", static_cast<double>(i) / cells * length,
-                  static_cast<double>(m) / cells * time, u * gap);
+        const std::size_t last = curve.points.size() - 1;
+        for (const std::size_t k : {std::size_t{0}, last / 2, last}) {
+            if (full_.empty() || full_.back() != k) {
+                full_.push_back(k);
+            }
+        }
+        for (std::size_t row = 0; row < mostRows; ++row) {
+            rows_.push_back(low_ + (high_ - low_) * (static_cast<double>(row) + 0.5) / mostRows);
+            const auto at = std::min_element(
+                curve.points.begin(), curve.points.end(), [this](const auto& x, const auto& y) {
+                    return std::abs(x.lambda - rows_.back()) < std::abs(y.lambda - rows_.back());
+                });
+            members_.push_back(static_cast<std::size_t>(at - curve.points.begin()));
         }
     }
-    print(script, "EOD\n");
-    return range;
-}
 
-/// The paper's Fig. 3, for the members drawn in full above.
-void printMotions(Text& script, const Continuum& curve, const ShownMembers& choice)
-{
-    const Scales scale = scales(curve.scene.bar);
-    const Unit metre = unitFor(curve.scene.bar.length, "m");
-    const ContinuumPoint& first = curve.points.front();
-    const double reach =
-        curve.scene.bar.gap != 0.0 ? 1.0 : -extremesOf(first.state, curve.schedule).lowestTip;
-    const Unit deflection = unitFor(scale.displacement * reach, "m");
-    const Unit second = unitFor(period(curve.schedule) * scale.time, "s");
-    const double time = scale.time * second.factor;
-    double lowest = 0.0;
-    double highest = 0.0;
-    double end = 0.0;
-    for (std::size_t k = 0; k < choice.full.size(); ++k) {
-        const ContinuumPoint& point = curve.points[choice.members[choice.full[k]]];
-        const Motion motion(point.state, curve.schedule);
-        const auto [low, high] =
-            printField(script, motion, k, curve.scene.bar.length * metre.factor, time,
-                       scale.displacement * deflection.factor);
-        lowest = std::min(lowest, low);
-        highest = std::max(highest, high);
-        end = static_cast<double>(motion.steps()) / static_cast<double>(motion.cells()) * time;
+    FigureData figure() const
+    {
+        const Bar& bar = curve_.scene.bar;
+        FigureData figure{.width = 18.0, .height = 18.0};
+        figure.title =
+            fmt::format("{}   ω/ω_1 = {:.5g}   {}   {}, {} motions", describe(curve_.schedule),
+                        frequencyRatio(curve_.schedule), energyLabel(bar, curve_.energyRatio),
+                        curve_.family, curve_.points.size());
+        Schedule folded = curve_.schedule;
+        fold(folded);
+        const auto cells = static_cast<double>(curve_.schedule.cells);
+        const Unit second = unitFor(period(folded) * scale_.time, "s");
+        const Unit metre = unitFor(bar.length, "m");
+        const double dx = bar.length * metre.factor / cells;
+        std::array<Profiles, 3> profiles;
+        for (const std::size_t k : members_) {
+            const State& state = curve_.points[k].state;
+            profiles[0].push_back(wallForces(Motion(state, curve_.schedule)));
+            profiles[1].push_back(values(strain(state)));
+            profiles[2].push_back(values(velocity(state)));
+        }
+        const std::string time = labelled("time  t", second);
+        const std::string position = labelled("position  x", metre);
+        add(figure, "force", 0.09, profiles[0], scale_.time * second.factor / cells, time,
+            curve_.scene.secondStop ? "force of the stops" : "force of the wall",
+            bar.axialStiffness * scale_.strain, "N");
+        add(figure, "strain", 0.41, profiles[1], dx, position, "strain  s(x, 0)", scale_.strain,
+            "");
+        add(figure, "velocity", 0.73, profiles[2], dx, position, "velocity  v(x, 0)",
+            scale_.velocity, "m/s");
+        figure.panels.front().y.label = unitOf(curve_);
+        addMotions(figure);
+        return figure;
     }
-    print(
-        script,
-        "{}set cbrange [{:.5g}:{:.5g}]\nset xrange [0:{}]\nset yrange [0:{}]\n"
-        "set tmargin at screen 0.42\nset bmargin at screen 0.08\n"
-        "set xlabel 'position  x  [{}]'\nset xtics {}\nset cblabel 'displacement  u(x, t)  [{}]'\n"
-        "set ylabel 'time  t  [{}]'\nset format y '%g'\nunset colorbox\n",
-        palette::sequential(), lowest * scale.displacement * deflection.factor,
-        highest * scale.displacement * deflection.factor, curve.scene.bar.length * metre.factor,
-        end, metre.name, niceStep(curve.scene.bar.length * metre.factor / 3.0), deflection.name,
-        second.name);
-    double left = 0.105;
-    for (std::size_t k = 0; k < choice.full.size(); ++k, left += 0.265) {
-        const ContinuumPoint& point = curve.points[choice.members[choice.full[k]]];
-        print(script,
-              "set lmargin at screen {}\nset rmargin at screen {}\n{}"
-              "set label 3 'λ = {:.4g}, {}' at graph 0.5,1.05 center\n"
-              "plot $field{} using 1:2:3 with image\nset ylabel ''\nset format y ''\n",
-              left, left + 0.24,
-              k + 1 == choice.full.size()
-                  ? fmt::format("set colorbox user origin screen {},0.08 size screen 0.015,0.34\n",
-                                left + 0.26)
-                  : std::string(),
-              point.lambda, dashNames.at(k), k);
+
+private:
+    /// λ upwards, a row for each motion, coloured by what is put together in `profiles`.
+    void add(FigureData& figure, const char* name, double left, const Profiles& profiles,
+             double width, const std::string& axis, const std::string& words, double scale,
+             const char* base) const
+    {
+        const std::size_t pieces = lengthOf(profiles);
+        const std::size_t columns = std::min(pieces, mostColumns);
+        const double length = width * static_cast<double>(pieces);
+        Series image{.kind = Kind::image, .y = rows_};
+        double largest = 0.0;
+        for (std::size_t i = 0; i < columns; ++i) {
+            image.x.push_back(length * (static_cast<double>(i) + 0.5) /
+                              static_cast<double>(columns));
+        }
+        for (const std::vector<double>& profile : profiles) {
+            for (std::size_t i = 0; i < columns;
+                 ++i) {  // the largest of what is too fine for print
+                double shown = 0.0;
+                for (std::size_t k = i * pieces / columns; k < (i + 1) * pieces / columns; ++k) {
+                    shown = std::abs(profile[k]) > std::abs(shown) ? profile[k] : shown;
+                }
+                image.z.push_back(shown);
+                largest = std::max(largest, std::abs(shown));
+            }
+        }
+        const Unit unit = axisUnit(scale, largest, base);
+        for (double& value : image.z) {
+            value *= unit.factor;
+        }
+        Panel& panel = figure.add({.name = name, .place = {left, left + 0.19, 0.54, 0.89}});
+        panel.title = labelled(words, unit);
+        panel.hasGrid = false;
+        panel.x = {.label = axis, .low = 0.0, .high = length, .step = niceStep(length / 3.0)};
+        panel.y = {.low = low_, .high = high_, .hasNumbers = figure.panels.size() == 1};
+        panel.map = ColourMap::diverging;
+        panel.colour = {.low = -largest * unit.factor, .high = largest * unit.factor};
+        if (!(largest > 0.0)) {
+            panel.colour = {.low = -1.0, .high = 1.0};
+        }
+        panel.colourBar = Place{left + 0.2, left + 0.212, 0.54, 0.89};
+        panel.add(std::move(image));
+        for (const std::size_t k : full_) {
+            const double level = curve_.points[k].lambda;
+            panel.add(
+                {.width = 1.0, .dash = Dash::dashed, .x = {0.0, length}, .y = {level, level}});
+        }
     }
-}
+
+    /// The paper's Fig. 3, for the members marked above.
+    void addMotions(FigureData& figure) const
+    {
+        const Bar& bar = curve_.scene.bar;
+        const double reach =
+            bar.gap != 0.0 ? 1.0
+                           : -extremesOf(curve_.points.front().state, curve_.schedule).lowestTip;
+        const Unit metre = unitFor(bar.length, "m");
+        const Unit deflection = axisUnit(scale_.displacement, reach, "m");
+        const Unit second = axisUnit(scale_.time, period(curve_.schedule), "s");
+        const std::size_t first = figure.panels.size();
+        std::pair<double, double> range{0.0, 0.0};
+        for (std::size_t k = 0; k < full_.size(); ++k) {
+            const ContinuumPoint& point = curve_.points[full_[k]];
+            const Motion motion(point.state, curve_.schedule);
+            const double left = 0.09 + 0.265 * static_cast<double>(k);
+            Panel& panel =
+                figure.add({.name = memberNames[k], .place = {left, left + 0.24, 0.08, 0.42}});
+            panel.title = fmt::format("λ = {:.4g}", point.lambda);
+            panel.hasGrid = false;
+            const double length = bar.length * metre.factor;
+            panel.x = {.label = labelled("position  x", metre),
+                       .low = 0.0,
+                       .high = length,
+                       .step = niceStep(length / 3.0)};
+            panel.y =
+                axisIn(second, k == 0 ? "time  t" : "", 0.0,
+                       static_cast<double>(motion.steps()) / static_cast<double>(motion.cells()));
+            if (k > 0) {
+                panel.y.label.clear();
+                panel.y.hasNumbers = false;
+            }
+            panel.add(fieldOf(motion, length, second.factor, deflection.factor, 201, 401));
+            const auto [least, most] =
+                std::minmax_element(panel.series.front().z.begin(), panel.series.front().z.end());
+            range = {std::min(range.first, *least), std::max(range.second, *most)};
+        }
+        for (std::size_t k = first; k < figure.panels.size(); ++k) {
+            figure.panels[k].colour = {.label = labelled("displacement  u(x, t)", deflection),
+                                       .low = range.first,
+                                       .high = range.second};
+        }
+        const double left = figure.panels.back().place.right;
+        figure.panels.back().colourBar = Place{left + 0.02, left + 0.035, 0.08, 0.42};
+    }
+
+    const Continuum& curve_;
+    Scales scale_;
+    double low_;
+    double high_;
+    std::vector<std::size_t> full_;     ///< drawn in full
+    std::vector<double> rows_;          ///< λ
+    std::vector<std::size_t> members_;  ///< nearest to them
+};
 
 }  // namespace
 
-void drawContinuum(const Continuum& curve, FigureFormat format, const std::string& path)
+FigureData continuumFigure(const Continuum& curve)
 {
     if (curve.points.empty()) {
         throw std::invalid_argument("figure: the curve holds no motion to draw");
     }
-    const ShownMembers choice = choose(curve);
-    Text script;
-    print(script,
-          "set multiplot\nset label 1 \"{}   ω/ω_1 = {:.5g}   {}   {}, {} motions\" at "
-          "screen 0.5,0.97 center\n",
-          describe(curve.schedule), frequencyRatio(curve.schedule),
-          energyLabel(curve.scene.bar, curve.energyRatio), curve.family, curve.points.size());
-    printStacks(script, curve, choice);
-    printMotions(script, curve, choice);
-    print(script, "unset multiplot\n");
-    runGnuplot(fmt::to_string(script), format, 18.0, 19.0, path);
+    return ContinuumPanels(curve).figure();
 }
 
 }  // namespace signorini

@@ -7,15 +7,14 @@
 #include <vector>
 
 #include "axes.hpp"
-#include "gnuplot.hpp"
-#include "palette.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
+
+using namespace plot;
 
 /// Orders up to which cells have room for a label, and beyond which dots merge.
 constexpr std::int64_t maxLabelledOrder = 16;
@@ -79,7 +78,7 @@ struct Frame {
     double centimetres = 1.0;  ///< of T = 1 L/c
     double energy = 10.0;      ///< [E_1], top of the scale
 
-    Frame(std::span<const Cell> cells, std::int64_t lastOrder)
+    Frame(std::span<const Cell> cells, std::int64_t lastOrder, bool isWhole)
     {
         std::vector<double> periods{4.0};
         for (const Cell& cell : cells) {
@@ -94,7 +93,8 @@ struct Frame {
         double total = 0.0;
         for (auto first = periods.begin(); first != periods.end();) {
             const auto last = std::adjacent_find(
-                first, periods.end(), [](double x, double y) { return x - y > longestGap; });
+                first, periods.end(),
+                [isWhole](double x, double y) { return !isWhole && x - y > longestGap; });
             const double low = last == periods.end() ? periods.back() : *last;
             bands.push_back({low - bandMargin, *first + bandMargin});
             total += bands.back().high - bands.back().low;
@@ -134,121 +134,123 @@ std::vector<Rung> ladderOf(std::span<const Family> families, const Frame& frame)
     return named;
 }
 
-/// T = (4a - 2k/w)/|b| for each k of a mode, in w from its lowest T to the edge of the figure.
-void printRungs(Text& script, std::span<const Rung> ladder, double edge)
+/// T = (4a - 2k/w)/|b| for each k of a mode, in w from its lowest T to the edge of the figure; and
+/// the periods at which contact vanishes.
+void addRungs(Panel& panel, std::span<const Rung> ladder, const Frame& frame)
 {
-    print(script, "$rungs << EOD\n");
+    Series rungs{.role = Role::faint, .width = 0.8};
+    Series ends{.kind = Kind::strokes, .role = Role::faint, .width = 1.0, .dash = Dash::dotted};
     for (const auto& [mode, contacts] : ladder) {
         const auto turns = static_cast<double>(-mode.b);
         const double top = 4.0 * static_cast<double>(mode.a);
         for (const std::int64_t k : contacts) {
             const double blocks = 2.0 * static_cast<double>(k);
             const double first = std::max(blocks / (top - turns * mode.lowest.value()), 1.0);
-            for (int i = 0; first < edge && i <= pointsPerRung; ++i) {
-                const double w = first + (edge - first) * i / pointsPerRung;
-                print(script, "{:.6g} {:.6g}\n", w, (top - blocks / w) / turns);
+            for (int i = 0; first < frame.right && i <= pointsPerRung; ++i) {
+                const double w = first + (frame.right - first) * i / pointsPerRung;
+                rungs.add(w, (top - blocks / w) / turns);
             }
-            print(script, "\n");
+            rungs.breakOff();
         }
+        const double period = mode.highest.value();
+        ends.add(frame.left, period, frame.right, period);
     }
-    print(script, "EOD\n");
+    panel.add(std::move(ends));
+    panel.add(std::move(rungs));
 }
 
-/// The periods at which contact vanishes, with the modes' names.
-void printEnds(Text& script, std::span<const Rung> ladder, const Frame& frame)
+/// The names of the modes, beyond the axis of frequencies.
+Series namesOf(std::span<const Rung> ladder, const Band& band)
 {
-    print(script, "$ends << EOD\n");
+    Series names{.kind = Kind::words, .role = Role::faint, .isInPanel = true};
     for (const auto& [mode, contacts] : ladder) {
-        const double period = mode.highest.value();
-        const std::string turns = mode.b == -1 ? "" : fmt::format("{}", -mode.b);
-        print(script, "{0} {1} \"\"\n{2} {1} \"{3}−{4}T\"\n\n", frame.left, period, frame.right,
-              4 * mode.a, turns);
+        const double place = (mode.highest.value() - band.low) / (band.high - band.low);
+        if (place > 0.0 && place < 1.0) {
+            names.add(
+                1.1, place,
+                fmt::format("{}−{}T", 4 * mode.a, mode.b == -1 ? "" : fmt::format("{}", -mode.b)));
+        }
     }
-    print(script, "EOD\n");
+    return names;
 }
 
 /// The cells, and their labels: white on dark cells, black on light ones.
-void printCells(Text& script, std::span<const Cell> cells, const Frame& frame)
+void addCells(Panel& panel, std::span<const Cell> cells, const Frame& frame)
 {
     const double half = 0.5 * cellHeight / frame.centimetres;
-    Text dark;
-    Text light;
-    print(script, "$cells << EOD\n");
+    Series boxes{.kind = Kind::boxes};
+    Series dark{.kind = Kind::words, .role = Role::paper, .align = Align::centre};
+    Series light{.kind = Kind::words, .align = Align::centre};
+    Series smallDark = dark;
+    Series smallLight = light;
+    smallDark.size = smallLight.size = 0.75;
     for (const Cell& cell : cells) {
         const double centre = 0.5 * (cell.left + cell.right);
-        print(script, "{} {:.8g} {} {} {:.8g} {:.8g} {:.6g}\n", centre, cell.period, cell.left,
-              cell.right, cell.period - half, cell.period + half, cell.energy);
+        if (cell.period < *panel.y.low || cell.period > *panel.y.high) {
+            continue;
+        }
+        boxes.add(cell.left, cell.period - half, cell.right, cell.period + half);
+        boxes.z.push_back(cell.energy);
         const bool isDark = std::log(cell.energy) < 0.6 * std::log(frame.energy);
-        Text& labels = isDark ? dark : light;
         if (cell.count == 1) {
-            print(labels, "{} {:.8g} \"{},{}\"\n", centre, cell.period, cell.family.blocks,
-                  cell.family.contactBlocks);
+            (isDark ? dark : light)
+                .add(centre, cell.period,
+                     fmt::format("{},{}", cell.family.blocks, cell.family.contactBlocks));
             continue;
         }
         // They have one nu: above, in the middle, and k below.
-        print(labels, "{} {:.8g} \"{{/*0.75 {}}}\"\n", centre, cell.period - 0.5 * half,
-              cell.family.contactBlocks);
+        Series& labels = isDark ? smallDark : smallLight;
+        labels.add(centre, cell.period - 0.5 * half, fmt::format("{}", cell.family.contactBlocks));
         if (cell.place == cell.count / 2) {
-            print(labels, "{} {:.8g} \"{{/*0.75 {}}}\"\n", cell.family.order,
-                  cell.period + 0.5 * half, cell.family.blocks);
+            labels.add(static_cast<double>(cell.family.order), cell.period + 0.5 * half,
+                       fmt::format("{}", cell.family.blocks));
         }
     }
-    print(script, "EOD\n$dark << EOD\n{0}{2}EOD\n$light << EOD\n{1}{2}EOD\n", fmt::to_string(dark),
-          fmt::to_string(light), offThePlot);
+    for (Series* series : {&boxes, &dark, &light, &smallDark, &smallLight}) {
+        panel.add(std::move(*series));
+    }
 }
 
-/// Axes that all panels share, the words above and the scale of energies.
-void printAxes(Text& script, const Frame& frame, std::int64_t lastOrder, std::size_t count)
+Series dotsOf(std::span<const Cell> cells, std::int64_t lastOrder)
 {
-    const double bottom = (bandsTop - bandsHeight) / figureHeight;
-    const bool isLabelled = lastOrder <= maxLabelledOrder;
-    print(script,
-          "set multiplot\nset border 10 lw 0.8\nset tics out nomirror scale 0.6\n"
-          "set lmargin at screen 0.08\nset rmargin at screen 0.73\nset xrange [{}:{}]\n"
-          "set link y2 via 4.0/y inverse 4.0/y\nset y2tics (1, 1.05, 1.1, 1.15, 1.2, 1.25, 1.3, "
-          "1.4, 1.5, 1.6, 1.7, 1.8, 2, 2.5, 3, 4, 5, 7, 10)\nset ytics {:.3g}\n"
-          "set label 1 'T [L/c]' at screen 0.005,0.945 left\n"
-          "set label 2 'ω/ω_1' at screen 0.74,0.945 left\n"
-          "set label 3 'mode t_c' at screen 0.80,0.945 left textcolor '{}'\n"
-          "set label 4 '{} families of w ≤ {}{}:  T = 2ν/w,  t_c ≤ 2k/w' at screen 0.10,0.945 "
-          "left\n"
-          "{}set logscale cb\nset cbrange [1:{}]\n"
-          "set colorbox user origin screen 0.90,{} size screen 0.018,{}\n"
-          "set cblabel 'least energy of the family  E_{{min}}/E_1'\nunset key\nset format x ''\n",
-          frame.left, frame.right, niceStep(0.6 / frame.centimetres), palette::faint, count,
-          lastOrder, isLabelled ? ", ν,k (or k below ν)" : "",
-          palette::sequential(isLabelled ? palette::sequence.size() : palette::onPaper),
-          frame.energy, bottom, bandsHeight / figureHeight);
-    if (lastOrder <= 2 * maxLabelledOrder) {
-        print(script, "set xtics 1\n");
+    Series dots{.kind = Kind::dots, .size = std::min(1.0, 37.0 / static_cast<double>(lastOrder))};
+    for (const Cell& cell : cells) {
+        dots.add(0.5 * (cell.left + cell.right), cell.period);
+        dots.z.push_back(cell.energy);
     }
-    if (frame.energy < 1000.0) {
-        print(script, "set cbtics add (2, 5, 20, 50, 200, 500)\n");
-    } else {
-        print(script, "set format cb '10^{{%L}}'\n");
-    }
+    return dots;
 }
 
-void plotBand(Text& script, bool isEmpty, std::int64_t lastOrder)
+/// What all panels share, and what stands above the first.
+Panel bandOf(const Frame& frame, const Band& band, std::int64_t lastOrder, bool isFirst,
+             bool isLast)
 {
-    print(script,
-          "plot $ends using 1:2 with lines lw 1 dt (2,4) lc '{0}', "
-          "$rungs using 1:2 with lines lw 0.8 lc '{0}', "
-          "$ends using 1:2:3 with labels left offset 6,0 textcolor '{0}'",
-          palette::faint);
-    if (!isEmpty && lastOrder <= maxLabelledOrder) {
-        print(script,
-              ", $cells using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid noborder lc palette, "
-              "$dark using 1:2:3 with labels textcolor 'white', "
-              "$light using 1:2:3 with labels textcolor 'black'");
-    } else if (!isEmpty) {
-        print(script, ", $cells using 1:2:7 with points pt 7 ps {:.3g} lc palette",
-              std::min(0.8, 30.0 / static_cast<double>(lastOrder)));
+    Panel panel{.place = {0.08, 0.73, 0.0, 0.0}, .hasGrid = false};
+    panel.x = {.low = frame.left, .high = frame.right, .hasNumbers = isLast};
+    panel.x.step = lastOrder <= 2 * maxLabelledOrder ? 1.0 : 0.0;
+    if (isLast) {
+        panel.x.label = "order  w: equal blocks of time in 2L/c";
     }
-    print(script, "\n");
+    panel.y = {.low = band.low, .high = band.high, .step = niceStep(0.6 / frame.centimetres)};
+    panel.y.other = OtherSide{.factor = 4.0,
+                              .isInverse = true,
+                              .ticks = {1, 1.05, 1.1, 1.15, 1.2, 1.25, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8,
+                                        2, 2.5, 3, 4, 5, 7, 10}};
+    panel.map = lastOrder <= maxLabelledOrder ? ColourMap::sequence : ColourMap::onPaper;
+    panel.colour = {.label = "least energy of the family  E_{min}/E_1",
+                    .low = 1.0,
+                    .high = frame.energy,
+                    .isLogarithmic = true};
+    if (isFirst) {
+        const double bottom = (bandsTop - bandsHeight) / figureHeight;
+        panel.colourBar = Place{0.90, 0.918, bottom, bandsTop / figureHeight};
+    }
+    return panel;
 }
 
-std::string scriptFor(std::span<const Family> families, std::int64_t maxOrder)
+}  // namespace
+
+FigureData familiesFigure(std::span<const Family> families, std::int64_t maxOrder, bool isWhole)
 {
     const std::int64_t lastOrder = std::min(maxOrder, maxDrawnOrder);
     const auto beyond =
@@ -256,39 +258,44 @@ std::string scriptFor(std::span<const Family> families, std::int64_t maxOrder)
                      [lastOrder](const Family& family) { return family.order > lastOrder; });
     families = families.first(static_cast<std::size_t>(beyond - families.begin()));
     const std::vector<Cell> cells = cellsOf(families);
-    const Frame frame(cells, lastOrder);
+    const Frame frame(cells, lastOrder, isWhole);
     const std::vector<Rung> ladder = ladderOf(families, frame);
-    Text script;
-    printCells(script, cells, frame);
-    printRungs(script, ladder, frame.right);
-    printEnds(script, ladder, frame);
-    printAxes(script, frame, lastOrder, families.size());
+    const bool isLabelled = lastOrder <= maxLabelledOrder;
+    FigureData figure{.width = 18.0, .height = figureHeight};
+    figure.title = fmt::format("{} families of w ≤ {}{}:  T = 2ν/w,  t_c ≤ 2k/w", families.size(),
+                               lastOrder, isLabelled ? ", ν,k (or k below ν)" : "");
     double top = bandsTop;
     for (std::size_t k = 0; k < frame.bands.size(); ++k) {
         const Band& band = frame.bands[k];
         const double bottom = top - (band.high - band.low) * frame.centimetres;
-        if (k + 1 == frame.bands.size()) {
-            print(script,
-                  "set border 11\nset format x '%g'\n"
-                  "set xlabel 'order  w: equal blocks of time in 2L/c'\n");
+        Panel& panel =
+            figure.add(bandOf(frame, band, lastOrder, k == 0, k + 1 == frame.bands.size()));
+        panel.name = k == 0 ? "families" : fmt::format("families {}", k + 1);
+        panel.place.bottom = bottom / figureHeight;
+        panel.place.top = top / figureHeight;
+        addRungs(panel, ladder, frame);
+        if (isLabelled) {
+            addCells(panel, cells, frame);
+        } else {
+            panel.add(dotsOf(cells, lastOrder));
         }
-        print(script,
-              "set tmargin at screen {:.6g}\nset bmargin at screen {:.6g}\nset yrange [{}:{}]\n",
-              top / figureHeight, bottom / figureHeight, band.low, band.high);
-        plotBand(script, cells.empty(), lastOrder);
-        print(script, "unset label\nunset colorbox\n");
+        if (k == 0) {
+            const double above = 1.0 + 0.4 / (top - bottom);
+            Series words{.kind = Kind::words, .isInPanel = true};
+            words.add(-0.1, above, "T [L/c]");
+            words.add(1.01, above, "ω/ω_1");
+            panel.add(std::move(words));
+            panel.add({.kind = Kind::words,
+                       .role = Role::faint,
+                       .isInPanel = true,
+                       .x = {1.1},
+                       .y = {above},
+                       .words = {"mode t_c"}});
+        }
+        panel.add(namesOf(ladder, band));
         top = bottom - bandGap;
     }
-    print(script, "unset multiplot\n");
-    return fmt::to_string(script);
-}
-
-}  // namespace
-
-void drawFamilies(std::span<const Family> families, std::int64_t maxOrder, FigureFormat format,
-                  const std::string& path)
-{
-    runGnuplot(scriptFor(families, maxOrder), format, 18.0, figureHeight, path);
+    return figure;
 }
 
 }  // namespace signorini

@@ -1,6 +1,7 @@
 #include "signorini/figure_data.hpp"
 
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "names.hpp"
@@ -9,6 +10,8 @@
 namespace signorini::plot {
 
 namespace {
+
+constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
 
 struct RoleRow {
     Role value;
@@ -60,11 +63,60 @@ constexpr auto aligns = std::to_array<Named<Align>>(
 constexpr auto legends = std::to_array<Named<Legend>>({{Legend::none, "none"},
                                                        {Legend::topLeft, "top left"},
                                                        {Legend::topRight, "top right"},
+                                                       {Legend::bottomLeft, "bottom left"},
                                                        {Legend::bottomRight, "bottom right"},
                                                        {Legend::above, "above"},
                                                        {Legend::below, "below"}});
 
 }  // namespace
+
+void Series::add(double atX, double atY)
+{
+    x.push_back(atX);
+    y.push_back(atY);
+}
+
+void Series::add(double fromX, double fromY, double toX, double toY)
+{
+    add(fromX, fromY);
+    x2.push_back(toX);
+    y2.push_back(toY);
+}
+
+void Series::add(double atX, double atY, std::string text)
+{
+    add(atX, atY);
+    words.push_back(std::move(text));
+}
+
+void Series::addStep(double from, double to, double value)
+{
+    if (x.empty() || y.back() != value || x.back() != from) {
+        add(from, value);
+    } else if (x.size() > 1 && y[y.size() - 2] == value) {
+        x.pop_back();
+        y.pop_back();
+    }
+    add(to, value);
+}
+
+void Series::breakOff()
+{
+    add(noNumber, noNumber);
+}
+
+void Panel::add(Series one)
+{
+    if (!one.x.empty()) {
+        series.push_back(std::move(one));
+    }
+}
+
+void Panel::explain(Series style, std::string words)
+{
+    style.legend = std::move(words);
+    series.push_back(std::move(style));
+}
 
 Panel& FigureData::add(Panel panel)
 {
@@ -85,6 +137,9 @@ std::vector<std::string> coloursOf(ColourMap map)
             return {palette::sequence.begin(), palette::sequence.begin() + palette::onPaper};
         case ColourMap::diverging:
             return {palette::diverging.begin(), palette::diverging.end()};
+        case ColourMap::counts:
+            return {colourOf(Role::paper), colourOf(Role::shade6), colourOf(Role::shade4),
+                    colourOf(Role::shade3), colourOf(Role::shade2)};
     }
     return {};
 }

@@ -14,8 +14,6 @@
 #include <system_error>
 #include <vector>
 
-#include "palette.hpp"
-#include "signorini/motion.hpp"
 #include "signorini/output.hpp"
 #include "solver.hpp"
 
@@ -212,27 +210,5 @@ void runGnuplot(const std::string& script, AnimationFormat format, const std::st
         "for a .gif");
     writeWhole(path, mp4, mp4.find("ftyp") != std::string::npos);
 }
-
-std::vector<std::int64_t> evenly(std::int64_t last, std::int64_t most)
-{
-    std::vector<std::int64_t> values = thinned(last, most);
-    if (values.size() > 2 && values.back() - values[values.size() - 2] != values[1]) {
-        values.pop_back();
-    }
-    return values;
-}
-
-namespace palette {
-
-std::string sequential(std::size_t stops)
-{
-    std::string text = "set palette defined (";
-    for (std::size_t k = 0; k < std::min(stops, sequence.size()); ++k) {
-        text += fmt::format("{}{} '{}'", k == 0 ? "" : ", ", k, sequence.at(k));
-    }
-    return text + ")\n";
-}
-
-}  // namespace palette
 
 }  // namespace signorini

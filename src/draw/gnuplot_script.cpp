@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "axes.hpp"
+#include "faults.hpp"
 #include "gnuplot.hpp"
 #include "signorini/figures.hpp"
 #include "text.hpp"
@@ -46,8 +47,8 @@ std::string limit(const std::optional<double>& value)
 /// Writes one panel; numbers of data blocks go on from panel to panel.
 class PanelScript {
 public:
-    PanelScript(Text& script, const Panel& panel, int& blocks)
-        : script_(script), panel_(panel), blocks_(blocks)
+    PanelScript(Text& script, const Panel& panel, double height, int& blocks)
+        : script_(script), panel_(panel), height_(height), blocks_(blocks)
     {
     }
 
@@ -70,7 +71,8 @@ public:
                 labels(series);
             }
         }
-        print(script_, "plot {}NaN notitle\nunset label\n", plots);
+        print(script_, "plot {}NaN with lines lc '{}' notitle\nunset label\n", plots,
+              colourOf(Role::ink));
     }
 
 private:
@@ -80,9 +82,9 @@ private:
         print(script_,
               "set lmargin at screen {:.5g}\nset rmargin at screen {:.5g}\n"
               "set bmargin at screen {:.5g}\nset tmargin at screen {:.5g}\n"
-              "set size {}\nset {} border{}\n{}\nset title {} offset 0,{}\n",
+              "set size {}\n{} border{}\n{}\nset title {} offset 0,{}\n",
               place.left, place.right, place.bottom, place.top,
-              panel_.isEqual ? "ratio -1" : "noratio", panel_.isFramed ? "" : "no",
+              panel_.isEqual ? "ratio -1" : "noratio", panel_.isFramed ? "set" : "unset",
               panel_.isFramed ? " 31 lw 0.8 front" : "",
               panel_.hasGrid && panel_.isFramed
                   ? fmt::format("set grid lw 0.4 lc '{}'", colourOf(Role::grid))
@@ -92,15 +94,17 @@ private:
 
     void axis(const char* side, const Axis& axis)
     {
-        print(script_,
-              "unset link {0}2\nset {0}range [{1}:{2}] noextend\n{3} logscale {0}\nset {0}label "
-              "{4}{5}\n"
-              "set format {0} {6}\n",
-              side, limit(axis.low), limit(axis.high), axis.isLogarithmic ? "set" : "unset",
-              quoted(axis.label), *side == 'x' ? " offset 0,0.3" : "",
-              !axis.hasNumbers ? "''"
-              : isWide(axis)   ? "'10^{%L}'"
-                               : "'%g'");
+        print(
+            script_,
+            "unset logscale {0}\nunset link {0}2\nset {0}range [{1}:{2}] noextend\n{3}set {0}label "
+            "{4}{5}\n"
+            "set format {0} {6}\n",
+            side, limit(axis.low), limit(axis.high),
+            axis.isLogarithmic ? fmt::format("set logscale {}\n", side) : "", quoted(axis.label),
+            *side == 'x' ? " offset 0,0.3" : "",
+            !axis.hasNumbers ? "''"
+            : isWide(axis)   ? "'10^{%L}'"
+                             : "'%g'");
         if (!panel_.isFramed) {
             print(script_, "unset {0}tics\nunset {0}2tics\nunset {0}2label\n", side);
             return;
@@ -155,7 +159,8 @@ private:
             map += fmt::format("{}{} '{}'", stop == 0 ? "" : ", ", stop, colour);
             ++stop;
         }
-        print(script_, "set palette defined ({})\nset cbrange [{}:{}]\n{} logscale cb\n", map,
+        print(script_, "set palette {}defined ({})\nset cbrange [{}:{}]\n{} logscale cb\n",
+              panel_.map == ColourMap::counts ? fmt::format("maxcolors {} ", stop) : "", map,
               limit(axis.low), limit(axis.high), axis.isLogarithmic ? "set" : "unset");
         if (!panel_.colourBar) {
             print(script_, "unset colorbox\n");
@@ -171,21 +176,31 @@ private:
 
     void legend()
     {
-        constexpr std::array places{"",
-                                    "inside top left reverse Left",
-                                    "inside top right reverse Left",
-                                    "inside bottom right reverse Left",
-                                    "outside top left horizontal reverse Left",
-                                    "outside bottom center horizontal reverse Left"};
-        if (panel_.legend == Legend::none) {
-            print(script_, "unset key\n");
-            return;
+        constexpr std::array corners{"", "top left", "top right", "bottom left", "bottom right"};
+        const Place& place = panel_.place;
+        std::string where;
+        switch (panel_.legend) {
+            case Legend::none:
+                print(script_, "unset key\n");
+                return;
+            case Legend::above:
+                where = fmt::format("at screen {:.5g},{:.5g} left bottom horizontal maxrows 1",
+                                    place.left, place.top + 0.1 / height_);
+                break;
+            case Legend::below:
+                where =
+                    fmt::format("at screen {:.5g},{:.5g} left top vertical maxrows {}", place.left,
+                                place.bottom - 1.6 / height_, std::max(panel_.legendRows, 1));
+                break;
+            default:
+                where =
+                    fmt::format("inside {} vertical maxrows {}",
+                                corners.at(static_cast<std::size_t>(panel_.legend)),
+                                panel_.legendRows > 0 ? std::to_string(panel_.legendRows) : "auto");
         }
-        print(script_, "set key {} samplen 2 spacing {:.3g} width 1 maxrows {}{}\n",
-              places.at(static_cast<std::size_t>(panel_.legend)), 1.15,
-              panel_.legendRows > 0 ? std::to_string(panel_.legendRows) : "auto",
-              panel_.legendSize == 1.0 ? " font ''"
-                                       : fmt::format(" font ',{:.3g}'", 9.0 * panel_.legendSize));
+        // Markup has no width: what gnuplot allows for it is taken back where columns stand close.
+        print(script_, "set key {} reverse Left samplen 2 spacing 1.15 width {}\n", where,
+              panel_.legendRows > 0 ? -4 : 1);
     }
 
     void labels(const Series& series)
@@ -319,6 +334,7 @@ private:
 
     Text& script_;
     const Panel& panel_;
+    double height_;  ///< [cm], of the figure
     int& blocks_;
 };
 
@@ -331,12 +347,41 @@ void printFigure(Text& script, const FigureData& figure)
               1.0 - 0.45 / figure.height);
     }
     for (const Panel& panel : figure.panels) {
-        PanelScript(script, panel, blocks).write();
+        PanelScript(script, panel, figure.height, blocks).write();
     }
     print(script, "unset multiplot\n");
 }
 
 }  // namespace
+
+FigureFormat figureFormat(const std::string& path)
+{
+    const auto endsWith = [&path](std::string_view ending) { return path.ends_with(ending); };
+    if (endsWith(".svg")) {
+        return FigureFormat::svg;
+    }
+    if (endsWith(".png")) {
+        return FigureFormat::png;
+    }
+    if (endsWith(".pdf")) {
+        return FigureFormat::pdf;
+    }
+    throw std::invalid_argument(
+        fmt::format("figure = {} is out of range: allowed a name ending in .svg, .png or .pdf",
+                    shortened(path)));
+}
+
+AnimationFormat animationFormat(const std::string& path)
+{
+    if (path.ends_with(".gif")) {
+        return AnimationFormat::gif;
+    }
+    if (path.ends_with(".mp4")) {
+        return AnimationFormat::mp4;
+    }
+    throw std::invalid_argument(fmt::format(
+        "animation = {} is out of range: allowed a name ending in .gif or .mp4", onOneLine(path)));
+}
 
 void drawFigure(const FigureData& figure, FigureFormat format, const std::string& path)
 {

@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "axes.hpp"
-#include "gnuplot.hpp"
 #include "network_simulation.hpp"
-#include "palette.hpp"
 #include "scene_figures.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
+
+using namespace plot;
 
 constexpr std::size_t mostPanels = 6;
 constexpr std::size_t mostPoints = 4000;
@@ -28,45 +26,36 @@ public:
           network_(simulation.network()),
           end_(simulation.time()),
           begin_(std::max(0.0, end_ - shownCrossings * static_cast<double>(network_.cells()))),
-          second_(unitFor(end_ * network_.scales.time, "s")),
-          metre_(unitFor(extent(), "m"))
+          second_(axisUnit(network_.scales.time, end_, "s")),
+          metre_(axisUnit(network_.scales.displacement, extent(), "m"))
     {
     }
 
-    std::string script()
+    FigureData figure()
     {
-        Text script;
         const std::size_t panels = std::min(network_.contacts.size(), mostPanels);
+        FigureData figure{.height = 4.0 + 4.0 * static_cast<double>(panels)};
+        const double room = 1.0 / figure.height;  // a centimetre
         for (std::size_t j = 0; j < panels; ++j) {
-            const NetworkContact& contact = network_.contacts[j];
-            printPath(script, fmt::format("face{}", j), contact.node, 0.0);
-            if (contact.kind == ContactKind::gap) {
-                printPath(script, fmt::format("other{}", j), contact.node + 1, contact.gap);
+            const double top = 1.0 - room * (1.4 + 4.2 * static_cast<double>(j));
+            Panel& panel = figure.add({.name = fmt::format("contact {}", j + 1),
+                                       .place = {0.13, 0.96, top - 3.6 * room, top}});
+            panel.x = axisIn(second_, "time", begin_, end_);
+            panel.y.label = fmt::format("contact {}  [{}]", j + 1, metre_.name);
+            if (j + 1 < panels) {
+                panel.x.label.clear();
+                panel.x.hasNumbers = false;
             }
-            printPresses(script, j);
+            fill(panel, j);
         }
-        print(script,
-              "set multiplot layout {},1\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
-              "set grid lw 0.4 lc '{}'\nset xrange [{:.9g}:{:.9g}]\nset lmargin 12\n",
-              panels, palette::grid, inSeconds(begin_), inSeconds(end_));
-        for (std::size_t j = 0; j < panels; ++j) {
-            plot(script, j, j + 1 == panels);
+        if (panels > 0) {
+            figure.panels.front().legend = Legend::above;
         }
-        print(script, "unset multiplot\n");
-        return fmt::to_string(script);
+        return figure;
     }
 
 private:
-    [[nodiscard]] double inSeconds(double time) const
-    {
-        return time * network_.scales.time * second_.factor;
-    }
-    [[nodiscard]] double inMetres(double displacement) const
-    {
-        return displacement * network_.scales.displacement * metre_.factor;
-    }
-
-    /// [m], of all that is drawn.
+    /// Of all that is drawn.
     [[nodiscard]] double extent() const
     {
         double most = 0.0;
@@ -78,66 +67,61 @@ private:
         for (const NetworkContact& contact : network_.contacts) {
             most = std::max(most, std::abs(contact.gap));
         }
-        return most * network_.scales.displacement;
+        return most;
     }
 
-    void printPath(Text& script, const std::string& block, std::size_t node, double offset) const
+    [[nodiscard]] Series pathOf(std::size_t node, double offset, Role role, std::string words) const
     {
         const std::vector<NodePoint>& path = simulation_.paths()[node];
         const auto first =
             std::lower_bound(path.begin(), path.end(), begin_,
                              [](const NodePoint& point, double time) { return point.time < time; });
-        const std::size_t count = static_cast<std::size_t>(path.end() - first);
-        const std::size_t stride = 1 + count / mostPoints;
-        print(script, "${} << EOD\n", block);
-        for (std::size_t k = 0; k < count; k += stride) {
+        const auto count = static_cast<std::size_t>(path.end() - first);
+        Series line{.role = role, .width = 1.2, .legend = std::move(words)};
+        for (std::size_t k = 0; k < count; k += 1 + count / mostPoints) {
             const NodePoint& point = first[static_cast<std::ptrdiff_t>(k)];
-            print(script, "{:.9g} {:.7g}\n", inSeconds(point.time),
-                  inMetres(point.displacement + offset));
+            line.add(point.time * second_.factor, (point.displacement + offset) * metre_.factor);
         }
-        print(script, "{:.9g} {:.7g}\nEOD\n", inSeconds(end_),
-              inMetres(simulation_.displacement(node) + offset));
+        line.add(end_ * second_.factor, (simulation_.displacement(node) + offset) * metre_.factor);
+        return line;
     }
 
     /// From start to end, where the face is just then.
-    void printPresses(Text& script, std::size_t contact) const
+    [[nodiscard]] Series pressesOf(std::size_t contact) const
     {
-        print(script, "$presses{} << EOD\nNaN NaN NaN\n", contact);
-        std::size_t printed = 0;
-        const NetworkContact& place = network_.contacts[contact];
-        const std::vector<NodePoint>& path = simulation_.paths()[place.node];
+        Series presses{.role = Role::contact, .width = 4.0, .legend = "they press"};
+        std::size_t events = 0;
         for (const NetworkContactEvent& event : simulation_.contacts()) {
-            if (event.contact != contact || event.end < begin_ || ++printed > mostPoints) {
+            if (event.contact != contact || event.end < begin_ || ++events > mostPoints) {
                 continue;
             }
-            for (const NodePoint& point : path) {
+            for (const NodePoint& point : simulation_.paths()[network_.contacts[contact].node]) {
                 if (point.time >= event.start && point.time <= event.end) {
-                    print(script, "{:.9g} {:.7g} 0\n", inSeconds(point.time),
-                          inMetres(point.displacement));
+                    presses.add(point.time * second_.factor, point.displacement * metre_.factor);
                 }
             }
-            print(script, "\n");
+            presses.breakOff();
         }
-        print(script, "EOD\n");
+        return presses;
     }
 
-    void plot(Text& script, std::size_t j, bool isLast) const
+    void fill(Panel& panel, std::size_t j) const
     {
         const NetworkContact& contact = network_.contacts[j];
-        print(script, "set ylabel 'contact {}  [{}]'\n{}\n", j + 1, metre_.name,
-              isLast ? fmt::format("set xlabel 'time  [{}]'", second_.name)
-                     : std::string("unset xlabel"));
-        const std::string other =
-            contact.kind == ContactKind::gap
-                ? fmt::format("$other{} using 1:2 with lines lw 1.2 lc '{}'", j, palette::strain)
-                : fmt::format(
-                      "{:.9g} with lines lw 2 lc '{}'",
-                      inMetres(contact.kind == ContactKind::stopRight ? contact.gap : -contact.gap),
-                      palette::faint);
-        print(script,
-              "plot {} notitle, $face{} using 1:2 with lines lw 1.2 lc '{}' notitle, "
-              "$presses{} using 1:2 with lines lw 4 lc '{}' notitle\n",
-              other, j, palette::ink, j, palette::contact);
+        if (contact.kind == ContactKind::gap) {
+            panel.add(pathOf(contact.node + 1, contact.gap, Role::strain, "the other face"));
+        } else {
+            const double stop =
+                metre_.factor *
+                (contact.kind == ContactKind::stopRight ? contact.gap : -contact.gap);
+            panel.add({.role = Role::faint,
+                       .width = 3.0,
+                       .legend = "its stop",
+                       .x = {*panel.x.low, *panel.x.high},
+                       .y = {stop, stop}});
+        }
+        panel.add(pathOf(contact.node, 0.0, Role::ink, "the face"));
+        panel.add(pressesOf(j));
     }
 
     const NetworkSimulation& simulation_;
@@ -150,16 +134,13 @@ private:
 
 }  // namespace
 
-void drawSimulation(const NetworkSimulation& simulation, FigureFormat format,
-                    const std::string& path)
+FigureData simulationFigure(const NetworkSimulation& simulation)
 {
     const auto& paths = simulation.paths();
     if (std::all_of(paths.begin(), paths.end(), [](const auto& one) { return one.empty(); })) {
         throw std::invalid_argument("figure: the simulation holds no paths to draw");
     }
-    const auto panels =
-        static_cast<double>(std::min(simulation.network().contacts.size(), mostPanels));
-    runGnuplot(ContactPanels(simulation).script(), format, 16.0, 4.0 + 4.0 * panels, path);
+    return ContactPanels(simulation).figure();
 }
 
 }  // namespace signorini

@@ -5,7 +5,7 @@
 /// and nothing is told by colour alone.
 
 #include <array>
-#include <string>
+#include <cstddef>
 
 namespace signorini::palette {
 
@@ -31,8 +31,5 @@ inline constexpr std::array diverging{"#b2182b", grid, "#2166ac"};
 /// From bold to faint: what matters less and less.
 inline constexpr std::array fading{"#440154", "#3b528b", "#21918c",
                                    "#86bdb9", "#b3d5d3", "#dbebea"};
-
-/// Sets the sequential map to the first `stops` of its colours.
-[[nodiscard]] std::string sequential(std::size_t stops = sequence.size());
 
 }  // namespace signorini::palette

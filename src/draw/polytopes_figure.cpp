@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
-#include "faults.hpp"
-#include "gnuplot.hpp"
-#include "palette.hpp"
+#include "axes.hpp"
 #include "signorini/figures.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
+
+using namespace plot;
 
 constexpr int periods = 60;
 
@@ -45,11 +45,16 @@ std::int64_t contactSum(const ModePolytope& polytope)
     return sum;
 }
 
-/// A block for each sort: T, omega/omega_1, E/E_1, first contact from, to.
-void printCurves(Text& script, const char* name, std::span<const ModePolytope> polytopes,
-                 bool areIsolated)
+/// Those of one sort: the first contact over T, from and to, and E/E_1 over ω/ω_1.
+struct Curves {
+    Series least;
+    Series most;
+    Series energy;
+};
+
+Curves curvesOf(std::span<const ModePolytope> polytopes, bool areIsolated, const Series& style)
 {
-    print(script, "${} << EOD\n{}", name, "NaN NaN NaN NaN NaN\n\n");
+    Curves curves{style, style, style};
     for (const ModePolytope& polytope : polytopes) {
         if ((polytope.dimension == 0) != areIsolated) {
             continue;
@@ -57,54 +62,62 @@ void printCurves(Text& script, const char* name, std::span<const ModePolytope> p
         for (int k = 0; k <= periods; ++k) {
             const double period = periodAt(polytope, k);
             const auto [least, most] = firstContact(polytope, period);
-            print(script, "{:.7g} {:.7g} {:.6g} {:.6g} {:.6g}\n", period, 4.0 / period,
-                  energyRatio(polytope, period), least, most);
+            curves.least.add(period, least);
+            curves.most.add(period, most);
+            curves.energy.add(4.0 / period, energyRatio(polytope, period));
         }
-        print(script, "\n");
+        for (Series* series : {&curves.least, &curves.most, &curves.energy}) {
+            series->breakOff();
+        }
     }
-    print(script, "EOD\n");
+    return curves;
 }
 
-/// One-contact modes for comparison: omega/omega_1, E/E_1, and where run K times.
-void printModes(Text& script, double phases, double maxEnergyRatio)
+/// One-contact modes for comparison, and where they run K times.
+void addModes(Panel& panel, double phases, double maxEnergyRatio)
 {
     ModeBounds bounds;
     bounds.maxEnergyRatio = maxEnergyRatio;
-    print(script, "$modes << EOD\nNaN NaN NaN\n\n");
+    Series once{.role = Role::faint, .width = 1.0, .legend = "one contact"};
+    Series often{.width = 1.0,
+                 .dash = Dash::dotted,
+                 .legend = fmt::format("one contact, {:.0f} times", phases)};
     for (const Mode& mode : findModes(bounds)) {
         for (int k = 0; k <= periods; ++k) {
             const double part = std::clamp(static_cast<double>(k) / periods, 1e-6, 1.0 - 1e-6);
             const double period = std::lerp(mode.lowest.value(), mode.highest.value(), part);
-            print(script, "{:.7g} {:.6g} {:.7g}\n", 4.0 / period, energyRatio(mode, period),
-                  4.0 / (phases * period));
+            once.add(4.0 / period, energyRatio(mode, period));
+            often.add(4.0 / (phases * period), energyRatio(mode, period));
         }
-        print(script, "\n");
+        once.breakOff();
+        often.breakOff();
     }
-    print(script, "EOD\n");
+    panel.add(std::move(once));
+    panel.add(std::move(often));
 }
 
 /// The contact of the widest types, where it begins; of several that begin there the first.
-void printLabels(Text& script, std::span<const ModePolytope> polytopes, double width)
+Series labelsOf(std::span<const ModePolytope> polytopes, double width)
 {
     constexpr double least = 0.02;
+    Series labels{.kind = Kind::words, .size = 0.8, .align = Align::right};
     std::set<std::pair<double, double>> places;
     for (const ModePolytope& polytope : polytopes) {
         const double low = polytope.lowest.value();
         const double contact = firstContact(polytope, periodAt(polytope, 0)).second;
         const bool isNew = places.emplace(low, std::round(1e3 * contact)).second;
         if (isNew && polytope.highest.value() - low > least * width) {
-            print(script,
-                  "set label \"{} − {}T\" at {:.6g},{:.6g} right offset -0.4,0 front "
-                  "font ',9'\n",
-                  contactSum(polytope), polytope.order, low, contact);
+            labels.add(low, contact,
+                       fmt::format("{} − {}T ", contactSum(polytope), polytope.order));
         }
     }
+    return labels;
 }
 
 }  // namespace
 
-void drawPolytopes(std::span<const ModePolytope> polytopes, const FrequencyEnergyOptions& options,
-                   const std::string& path)
+FigureData polytopesFigure(std::span<const ModePolytope> polytopes,
+                           const FrequencyEnergyOptions& options)
 {
     if (polytopes.empty()) {
         throw std::invalid_argument("figure: the list holds no motion to draw");
@@ -123,45 +136,43 @@ void drawPolytopes(std::span<const ModePolytope> polytopes, const FrequencyEnerg
         longest = std::max(longest, firstContact(polytope, periodAt(polytope, 0)).second);
     }
     const double margin = 0.06 * (high - low) + 0.05;
-    Text script;
-    printCurves(script, "continua", polytopes, false);
-    printCurves(script, "isolated", polytopes, true);
-    printModes(script, phases, options.maxEnergyRatio);
-    const char* free = palette::sequence[3];
-    print(script,
-          "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
-          "set grid lw 0.4 lc '{}'\nset lmargin at screen 0.13\nset rmargin at screen 0.97\n"
-          "set style fill transparent solid 0.35 noborder\n",
-          palette::grid);
-    printLabels(script, polytopes, high - low);
-    print(script,
-          "set tmargin at screen 0.96\nset bmargin at screen 0.60\nset xrange [{:.6g}:{:.6g}]\n"
-          "set yrange [0:{:.6g}]\nset xlabel 'period  T  [L/c]' offset 0,0.4\n"
-          "set ylabel 'first contact  [L/c]'\n"
-          "set key top right reverse Left samplen 2 spacing 1.1\n"
-          "plot $continua using 1:4:5 with filledcurves lc '{}' title "
-          "'contact shared freely', $continua using 1:4 with lines lw 1 lc '{}' notitle, "
-          "$continua using 1:5 with lines lw 1 lc '{}' notitle, "
-          "$isolated using 1:4 with lines lw 2 dt (8,3) lc '{}' title 'isolated at each T'\n",
-          low - margin, high + margin, 1.3 * longest, free, free, free, palette::contact);
+    FigureData figure{.width = 16.0, .height = 19.0};
+    Panel above{.name = "contact", .place = {0.12, 0.96, 0.69, 0.97}, .legend = Legend::topRight};
+    above.x = {.label = "period  T  [L/c]", .low = low - margin, .high = high + margin};
+    above.y = {.label = "first contact  [L/c]", .low = 0.0, .high = 1.3 * longest};
     // Beyond 2 omega_1 the same comes again, higher.
-    const double right = options.maxFrequencyRatio.value_or(std::min(2.0, 4.0 / low));
-    print(
-        script,
-        "unset label\nset key top left font ',9'\nset tmargin at screen 0.50\nset bmargin at "
-        "screen "
-        "0.09\n"
-        "set xrange [0:{:.6g}]\nset yrange [1:{:.6g}]\nset logscale y\n"
-        "set xlabel 'frequency  ω/ω_1 = 4L/(cT)' offset 0,0.4\nset ylabel 'energy  E/E_1'\n"
-        "plot $modes using 1:2 with lines lw 1 lc '{}' title 'one contact', "
-        "$modes using 3:2 with lines lw 1.2 dt (1.5,3) lc '{}' title 'one contact, {:.0f} times', "
-        "$continua using 2:3 with lines lw 3 lc '{}' title '{:.0f} contacts: shared freely', "
-        "$isolated using 2:3 with lines lw 2 dt (8,3) lc '{}' title "
-        "'{:.0f} contacts: isolated'\nunset multiplot\n",
-        1.04 * right, options.maxEnergyRatio, palette::faint, palette::ink, phases, free, phases,
-        palette::contact, phases);
-    runGnuplot(fmt::to_string(script), options.format ? *options.format : figureFormat(path), 16.0,
-               17.0, path);
+    const double right = 1.04 * options.maxFrequencyRatio.value_or(std::min(2.0, 4.0 / low));
+    Panel below{.name = "energy",
+                .place = {0.12, 0.96, 0.19, 0.54},
+                .legend = Legend::below,
+                .legendRows = 2};
+    below.x = frequencyAxis("frequency", std::min(0.93 * 4.0 / high, 0.96), right, options.bar);
+    below.y = {.label = "energy  E/E_1",
+               .low = 1.0,
+               .high = options.maxEnergyRatio,
+               .isLogarithmic = true};
+    Curves free = curvesOf(polytopes, false, {.role = Role::strain, .width = 1.0});
+    Curves alone = curvesOf(polytopes, true, {.role = Role::contact, .width = 0.8});
+    if (!free.least.x.empty()) {
+        Series band = free.least;
+        band.kind = Kind::band;
+        band.opacity = 0.35;
+        band.y2 = free.most.y;
+        band.legend = "contact shared freely";
+        above.add(std::move(band));
+    }
+    free.energy.legend = fmt::format("{:.0f} contacts: shared freely", phases);
+    alone.energy.legend = fmt::format("{:.0f} contacts: isolated", phases);
+    alone.least.legend = "isolated at each T";
+    above.add(std::move(free.least));
+    above.add(std::move(free.most));
+    above.add(std::move(alone.least));
+    above.add(labelsOf(polytopes, high - low));
+    addModes(below, phases, options.maxEnergyRatio);
+    below.add(std::move(free.energy));
+    below.add(std::move(alone.energy));
+    figure.panels = {std::move(above), std::move(below)};
+    return figure;
 }
 
 }  // namespace signorini

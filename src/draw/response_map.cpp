@@ -3,38 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "axes.hpp"
 #include "excited_amplitude.hpp"
-#include "gnuplot.hpp"
-#include "palette.hpp"
 #include "signorini/figures.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
 
+using namespace plot;
+
 constexpr std::size_t mostTold = 4;  // motions at a place that are told apart
+constexpr std::array countWords{"none (white)", "one", "two", "three", "more"};
+constexpr std::array countShades{Role::paper, Role::shade6, Role::shade4, Role::shade3,
+                                 Role::shade2};
 
-/// How many motions: none, one, ... ; the last stands for more as well.
-struct Count {
-    const char* title;
-    const char* colour;
-};
-
-constexpr std::array<Count, mostTold + 1> counts{{{"none", "#ffffff"},
-                                                  {"one", palette::fading[5]},
-                                                  {"two", palette::fading[3]},
-                                                  {"three", palette::fading[2]},
-                                                  {"more", palette::fading[1]}}};
-
-/// Between two amplitudes the same number of motions.
-struct CountedBand {
-    double from;
-    double to;
-    std::size_t count;
-};
+constexpr std::size_t mapColumns = 400;  ///< what print shows
+constexpr std::size_t mapRows = 240;
 
 /// The amplitude from which the motion without contact meets the wall.
 double edgeOfContact(const FrequencyResponse& response, const ResponseRange& range)
@@ -54,114 +41,126 @@ double edgeOfMotions(const FrequencyResponse& response)
     return least;
 }
 
-std::vector<CountedBand> bandsOf(const FrequencyResponse& response, const ResponseRange& range,
-                                 double top)
+std::size_t motionsAt(const FrequencyResponse& response, double edge, double amplitude)
 {
-    // Where a motion begins or ends, by amplitude.
-    std::vector<std::pair<double, int>> events{{0.0, 1}, {edgeOfContact(response, range), -1}};
+    std::size_t count = amplitude < edge ? 1 : 0;
     for (const AmplitudeBranch& branch : response.branches) {
-        events.emplace_back(branch.least, 1);
-        events.emplace_back(branch.most, -1);
+        count += branch.least <= amplitude && amplitude <= branch.most ? 1U : 0U;
     }
-    std::sort(events.begin(), events.end());
-    std::vector<CountedBand> bands;
-    int present = 0;
-    double from = 0.0;
-    for (const auto& [amplitude, change] : events) {
-        const double to = std::min(amplitude, top);
-        const std::size_t count =
-            std::min(static_cast<std::size_t>(std::max(present, 0)), mostTold);
-        if (!bands.empty() && bands.back().count == count) {
-            bands.back().to = to;
-        } else if (to > from) {
-            bands.push_back({from, to, count});
+    return std::min(count, mostTold);
+}
+
+/// Those to be shown, by ascending frequency: between two stops that are alike a motion that
+/// touches both is symmetric and has an even number of steps; an odd one has only others.
+std::vector<const FrequencyResponse*> shown(std::span<const FrequencyResponse> frequencies,
+                                            const ResponseRange& range)
+{
+    std::vector<const FrequencyResponse*> all;
+    for (const FrequencyResponse& response : frequencies) {
+        if (!range.stops.left || response.steps % 2 == 0) {
+            all.push_back(&response);
         }
-        from = std::max(from, to);
-        present += change;
     }
-    return bands;
+    std::sort(all.begin(), all.end(),
+              [](const auto* x, const auto* y) { return x->frequencyRatio < y->frequencyRatio; });
+    return all;
+}
+
+/// How many motions, on an even grid: of columns finer than print none beats with its dots.
+Series countsOf(const std::vector<const FrequencyResponse*>& frequencies,
+                const ResponseRange& range, double low, double high, double top, double factor)
+{
+    Series counts{.kind = Kind::image};
+    const auto middle = [](std::size_t k, std::size_t count, double from, double to) {
+        return from + (to - from) * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
+    };
+    std::vector<const FrequencyResponse*> nearest;
+    for (std::size_t i = 0; i < mapColumns; ++i) {
+        counts.x.push_back(middle(i, mapColumns, low, high));
+        nearest.push_back(*std::min_element(
+            frequencies.begin(), frequencies.end(), [&counts](const auto* one, const auto* other) {
+                return std::abs(one->frequencyRatio - counts.x.back()) <
+                       std::abs(other->frequencyRatio - counts.x.back());
+            }));
+    }
+    for (std::size_t j = 0; j < mapRows; ++j) {
+        const double amplitude = middle(j, mapRows, 0.0, top);
+        counts.y.push_back(amplitude * factor);
+        for (const FrequencyResponse* response : nearest) {
+            counts.z.push_back(static_cast<double>(
+                motionsAt(*response, edgeOfContact(*response, range), amplitude)));
+        }
+    }
+    return counts;
 }
 
 }  // namespace
 
-void drawResponseMap(std::span<const FrequencyResponse> frequencies, const ResponseRange& range,
-                     const Bar& bar, FigureFormat format, const std::string& path)
+FigureData responseMapFigure(std::span<const FrequencyResponse> frequencies,
+                             const ResponseRange& range, const Bar& bar)
 {
     if (frequencies.empty()) {
         throw std::invalid_argument("figure: the response holds no frequency to draw");
     }
     const double top = 3.0 * range.amplitude;
-    Text script;
-    std::array<Text, mostTold + 1> boxes;
-    std::array<bool, mostTold + 1> isUsed{};
-    print(script, "$edges << EOD\n");
-    for (std::size_t k = 0; k < frequencies.size(); ++k) {
-        const FrequencyResponse& response = frequencies[k];
-        const double x = response.frequencyRatio;
-        // Half way to the neighbours.
-        const double left = k > 0 ? 0.5 * (x + frequencies[k - 1].frequencyRatio) : x;
-        const double right =
-            k + 1 < frequencies.size() ? 0.5 * (x + frequencies[k + 1].frequencyRatio) : x;
-        for (const CountedBand& band : bandsOf(response, range, top)) {
-            print(boxes[band.count], "{:.8g} 0 {:.8g} {:.8g} {:.6g} {:.6g}\n", x,
-                  std::min(left, right), std::max(left, right), band.from, band.to);
-            isUsed[band.count] = true;
-        }
-        const double least = edgeOfMotions(response);
-        print(script, "{:.8g} {:.6g} {}\n", x, edgeOfContact(response, range),
-              std::isfinite(least) ? fmt::format("{:.6g}", least) : "NaN");
-    }
-    print(script, "EOD\n");
-    print(script, "$pairs << EOD\n");
-    bool hasPairs = false;
-    for (const FrequencyResponse& response : frequencies) {
-        for (const TwoContactBranch& branch : response.twoContacts) {
+    const std::vector<const FrequencyResponse*> all = shown(frequencies, range);
+    const double margin = all.size() > 1 ? 0.0 : 0.05;
+    const double low = (all.empty() ? 1.0 : all.front()->frequencyRatio) - margin;
+    const double high = (all.empty() ? 1.0 : all.back()->frequencyRatio) + margin;
+    const bool isForce = range.place == Excited::tip;
+    const Unit unit = axisUnit(amplitudeUnit(range.place, bar), top, isForce ? "N" : "m");
+    FigureData figure{.width = 16.0, .height = 12.0};
+    figure.title =
+        fmt::format("motions with at most one contact in {},  ζ = {:.4g},  N = {}",
+                    range.cycles > 1 ? fmt::format("{} cycles", range.cycles) : "a cycle",
+                    range.damping.ratio, range.cells);
+    Panel& panel = figure.add({.name = "map", .place = {0.12, 0.88, 0.30, 0.83}});
+    panel.legend = Legend::below;
+    panel.legendRows = 4;
+    panel.map = ColourMap::counts;
+    panel.colour = {.low = 0.0, .high = static_cast<double>(mostTold)};
+    panel.x = frequencyAxis("frequency of the excitation", low, high, bar);
+    panel.y =
+        axisIn(unit, isForce ? "amplitude of the force" : "amplitude of the base", 0.0, top,
+               std::string(isForce ? "EA" : "") + (range.stops.right == 0 ? (isForce ? "" : "L")
+                                                   : isForce              ? " g/L"
+                                                                          : "g"));
+    Series meets{.width = 2.5, .legend = "without contact meets a stop"};
+    Series least{.role = Role::contact,
+                 .width = 2.5,
+                 .dash = Dash::dashed,
+                 .legend = "with contact, the least"};
+    Series pairs{.kind = Kind::dots,
+                 .role = Role::strain,
+                 .marker = Marker::diamond,
+                 .size = 0.5,
+                 .legend = "two contacts"};
+    for (const FrequencyResponse* response : all) {
+        const double x = response->frequencyRatio;
+        const double edge = edgeOfMotions(*response);
+        meets.add(x, edgeOfContact(*response, range) * unit.factor);
+        std::isfinite(edge) ? least.add(x, edge * unit.factor) : least.breakOff();
+        for (const TwoContactBranch& branch : response->twoContacts) {
             if (branch.least <= top) {
-                print(script, "{:.8g} {:.6g}\n", response.frequencyRatio, branch.least);
-                hasPairs = true;
+                pairs.add(x, branch.least * unit.factor);
             }
         }
     }
-    print(script, "EOD\n");
-    std::string plots;
-    for (std::size_t count = 0; count < boxes.size(); ++count) {
-        if (isUsed[count]) {
-            print(script, "$count{} << EOD\n{}EOD\n", count, fmt::to_string(boxes[count]));
-            plots += fmt::format(
-                "$count{0} using 1:2:3:4:5:6 with boxxyerror fillcolor '{1}' fillstyle solid "
-                "noborder notitle, NaN with boxes fillcolor '{1}' fillstyle solid border lc '{2}' "
-                "title '{3}', ",
-                count, counts[count].colour, palette::faint, counts[count].title);
-        }
+    if (!all.empty()) {
+        panel.add(countsOf(all, range, low, high, top, unit.factor));
     }
-    const auto [low, high] =
-        std::minmax(frequencies.front().frequencyRatio, frequencies.back().frequencyRatio);
-    const double margin = high > low ? 0.0 : 0.05;
-    const double amplitudeInSi = amplitudeUnit(range.place, bar);
-    const Unit unit = unitFor(top * amplitudeInSi, amplitudeUnitName(range.place));
-    print(script, "{}{}", hertzAxis(high - low + 2.0 * margin, bar),
-          linkedAxis("y", top, amplitudeInSi * unit.factor, unit.name));
-    print(script,
-          "set border lw 0.8 front\nset tics out scale 0.6\nset xrange [{}:{}]\n"
-          "set yrange [0:{}]\nset xlabel 'frequency of the excitation  ω/ω_1'\n"
-          "set ylabel 'amplitude of the {}'\n"
-          "set title \"motions with at most one contact in {},  ζ = {:.4g},  N = {}\"\n"
-          "set key outside bottom center horizontal Left reverse samplen 1.6 width 1\n"
-          "plot {}$edges using 1:2 with lines lw 2 lc '{}' title 'without contact meets the wall', "
-          "$edges using 1:3 with lines lw 2 dt (6,3) lc '{}' title 'with contact, the least', "
-          "{} with lines lw 1 dt (2,3) lc '{}' title 'amplitude of the response'{}\n",
-          low - margin, high + margin, top,
-          range.place == Excited::tip ? (range.stops.right != 0 ? "force  [EA g/L]" : "force  [EA]")
-          : range.stops.right != 0    ? "base  [g]"
-                                      : "base  [L]",
-          range.cycles > 1 ? fmt::format("{} cycles", range.cycles) : "a cycle",
-          range.damping.ratio, range.cells, plots, palette::ink, palette::contact, range.amplitude,
-          palette::ink,
-          hasPairs ? fmt::format(", $pairs using 1:2 with points pt 13 ps 0.4 lc '{}' title "
-                                 "'two contacts'",
-                                 palette::strain)
-                   : std::string());
-    runGnuplot(fmt::to_string(script), format, 16.0, 11.0, path);
+    for (std::size_t count = 0; count < countWords.size(); ++count) {
+        panel.explain({.kind = Kind::boxes, .role = countShades.at(count)}, countWords.at(count));
+    }
+    panel.add(std::move(meets));
+    panel.add(std::move(least));
+    panel.add({.width = 1.0,
+               .dash = Dash::dotted,
+               .legend = "amplitude of the response",
+               .x = {low, high},
+               .y = {range.amplitude * unit.factor, range.amplitude * unit.factor}});
+    panel.add(std::move(pairs));
+    return figure;
 }
 
 }  // namespace signorini

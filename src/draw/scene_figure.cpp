@@ -4,36 +4,33 @@
 #include <cmath>
 #include <vector>
 
-#include "gnuplot.hpp"
 #include "network.hpp"
-#include "palette.hpp"
 #include "scene_figures.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
 
+using namespace plot;
+
 constexpr double symbol = 0.045;  ///< width of gaps and symbols, in lengths of all bars
 constexpr double tallest = 0.24;  ///< half the height of the bar of most impedance
 constexpr double ground = -0.85;  ///< where springs and dashpots stand
 constexpr double wall = 0.5;      ///< half the height of walls
-constexpr const char* hatched = "fillstyle pattern 4 border";
 
 class SceneSketch {
 public:
     explicit SceneSketch(const Network& network) : network_(network) { place(); }
 
-    std::string script()
+    FigureData figure()
     {
-        print(text_,
-              "set termoption font ',11'\nunset border\nunset tics\nunset key\nset xrange "
-              "[{:.6g}:{:.6g}]\nset "
-              "yrange [-1.05:1]\nset lmargin 1\nset rmargin 1\nset tmargin 0.5\nset bmargin 0.5\n",
-              -2.5 * symbol, places_.back() + 2.5 * symbol);
+        figure_ = {.width = 16.0, .height = 5.0};
+        Panel& panel =
+            figure_.add({.name = "scene", .place = {0.01, 0.99, 0.02, 0.98}, .isFramed = false});
+        panel.x = {.low = -2.5 * symbol, .high = places_.back() + 2.5 * symbol};
+        panel.y = {.low = -1.05, .high = 1.0};
         for (const CellRow& row : network_.rows) {
-            box(places_[row.left], -heightOf(row), places_[row.right], heightOf(row),
-                "fillstyle solid 1.0 border lc 'black'", palette::grid);
+            box(places_[row.left], -heightOf(row), places_[row.right], heightOf(row), Role::grid);
         }
         for (std::size_t node = 0; node < network_.nodes.size(); ++node) {
             drawNode(node);
@@ -44,8 +41,7 @@ public:
         for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
             drawContact(j);
         }
-        print(text_, "plot NaN notitle\n");
-        return fmt::to_string(text_);
+        return std::move(figure_);
     }
 
 private:
@@ -96,22 +92,38 @@ private:
         return network_.bars[network_.nodes[node].bar].lastNode == node;
     }
 
-    void box(double left, double low, double right, double high, const char* style,
-             const char* colour)
+    void draw(Series series) { figure_.panels.front().add(std::move(series)); }
+
+    void box(double left, double low, double right, double high, Role role, bool isHatched = false)
     {
-        print(text_,
-              "set object {} rectangle from {:.6g},{:.6g} to {:.6g},{:.6g} fillcolor '{}' {}\n",
-              ++objects_, left, low, right, high, colour, style);
+        draw({.kind = Kind::boxes,
+              .role = role,
+              .isHatched = isHatched,
+              .x = {left},
+              .y = {low},
+              .x2 = {right},
+              .y2 = {high}});
+        draw({.role = role == Role::grid ? Role::ink : role,
+              .width = 1.0,
+              .x = {left, right, right, left, left},
+              .y = {low, low, high, high, low}});
     }
-    void line(double x, double y, double toX, double toY, const char* style = "nohead lw 1.2")
+    void line(double x, double y, double toX, double toY, double width = 1.2)
     {
-        print(text_, "set arrow from {:.6g},{:.6g} to {:.6g},{:.6g} {} lc '{}' front\n", x, y, toX,
-              toY, style, palette::ink);
+        draw({.width = width, .x = {x, toX}, .y = {y, toY}});
     }
-    void label(double x, double y, const std::string& words, const char* colour)
+    void arrow(double x, double y, double toX, double toY, double width = 1.5)
     {
-        print(text_, "set label \"{}\" at {:.6g},{:.6g} center textcolor '{}' front\n", words, x, y,
-              colour);
+        draw({.kind = Kind::arrows, .width = width, .x = {x}, .y = {y}, .x2 = {toX}, .y2 = {toY}});
+    }
+    void label(double x, double y, const std::string& words, Role role = Role::ink)
+    {
+        draw({.kind = Kind::words,
+              .role = role,
+              .align = Align::centre,
+              .x = {x},
+              .y = {y},
+              .words = {words}});
     }
 
     void drawNode(std::size_t node)
@@ -119,27 +131,28 @@ private:
         const NetworkNode& here = network_.nodes[node];
         const double x = places_[node];
         if (isLeftEnd(node) && isRightEnd(node)) {  // a face without cells
-            box(x, -0.3, x + 0.2 * symbol, 0.3, "fillstyle solid 1.0 border", palette::ink);
+            box(x, -0.3, x + 0.2 * symbol, 0.3, Role::ink);
         }
         if (here.isClamped) {
             const double side = isLeftEnd(node) ? -1.0 : isRightEnd(node) ? 1.0 : 0.0;
             box(x + (side == 0.0 ? -0.25 : std::min(side, 0.0)) * 0.6 * symbol, -wall,
-                x + (side == 0.0 ? 0.25 : std::max(side, 0.0)) * 0.6 * symbol, wall, hatched,
-                palette::ink);
+                x + (side == 0.0 ? 0.25 : std::max(side, 0.0)) * 0.6 * symbol, wall, Role::ink,
+                true);
             line(x, -wall, x, wall);
         }
         if (here.isShaken) {
-            line(x - symbol, 0.66, x + symbol, 0.66, "heads size screen 0.008,25 filled lw 1.5");
-            label(x, 0.8, "base", palette::ink);
+            arrow(x, 0.66, x + symbol, 0.66);
+            arrow(x, 0.66, x - symbol, 0.66);
+            label(x, 0.8, "base", Role::ink);
         }
         if (here.isDriven) {
-            line(x - symbol, -0.42, x + symbol, -0.42, "heads size screen 0.008,25 filled lw 1.5");
-            label(x, -0.54, "F cos ωt", palette::ink);
+            arrow(x, -0.42, x + symbol, -0.42);
+            arrow(x, -0.42, x - symbol, -0.42);
+            label(x, -0.54, "F cos ωt", Role::ink);
         }
         if (here.force != 0.0) {
             const double way = here.force > 0.0 ? 1.2 * symbol : -1.2 * symbol;
-            line(x, heightAt(node) + 0.08, x + way, heightAt(node) + 0.08,
-                 "head size screen 0.01,25 filled lw 2");
+            arrow(x, heightAt(node) + 0.08, x + way, heightAt(node) + 0.08, 2.0);
         }
         if (here.dashpot > 0.0) {
             drawDashpot(x - (hasSpring(node) ? 0.3 * symbol : 0.0), -heightAt(node));
@@ -155,7 +168,7 @@ private:
 
     void drawGround(double x)
     {
-        box(x - 0.35 * symbol, ground - 0.09, x + 0.35 * symbol, ground, hatched, palette::ink);
+        box(x - 0.35 * symbol, ground - 0.09, x + 0.35 * symbol, ground, Role::ink, true);
         line(x - 0.35 * symbol, ground, x + 0.35 * symbol, ground);
     }
 
@@ -164,7 +177,7 @@ private:
         const double middle = 0.5 * (from + ground);
         const double half = 0.2 * symbol;
         line(x, from, x, middle);
-        line(x - 0.8 * half, middle, x + 0.8 * half, middle, "nohead lw 2.5");
+        line(x - 0.8 * half, middle, x + 0.8 * half, middle, 2.5);
         line(x - half, middle + 0.08, x - half, middle - 0.1);
         line(x + half, middle + 0.08, x + half, middle - 0.1);
         line(x - half, middle - 0.1, x + half, middle - 0.1);
@@ -195,9 +208,8 @@ private:
     {
         const double x = places_[node];
         const double height = heightAt(node) + 0.08;
-        box(x - 0.25 * symbol, -height, x + 0.25 * symbol, height, "fillstyle solid 1.0 border",
-            palette::ink);
-        label(x, height + 0.1, "M", palette::ink);
+        box(x - 0.25 * symbol, -height, x + 0.25 * symbol, height, Role::ink);
+        label(x, height + 0.1, "M", Role::ink);
     }
 
     void drawContact(std::size_t number)
@@ -206,7 +218,7 @@ private:
         const double x = places_[contact.node];
         const std::string words = std::to_string(number + 1);
         if (contact.kind == ContactKind::gap) {
-            label(0.5 * (x + places_[contact.node + 1]), 0.62, words, palette::contact);
+            label(0.5 * (x + places_[contact.node + 1]), 0.62, words, Role::contact);
             return;
         }
         const double side = contact.kind == ContactKind::stopRight ? 1.0 : -1.0;
@@ -214,31 +226,30 @@ private:
         const double back = face + side * 0.4 * symbol;
         const bool isOuter = side > 0.0 ? isRightEnd(contact.node) : isLeftEnd(contact.node);
         if (isOuter) {
-            box(std::min(face, back), -wall, std::max(face, back), wall, hatched, palette::contact);
+            box(std::min(face, back), -wall, std::max(face, back), wall, Role::contact, true);
         } else {  // posts beside a collar
             const double height = heightAt(contact.node);
-            line(x, -height - 0.1, x, height + 0.1, "nohead lw 4");
-            box(std::min(face, back), height + 0.03, std::max(face, back), wall, hatched,
-                palette::contact);
-            box(std::min(face, back), -wall, std::max(face, back), -height - 0.03, hatched,
-                palette::contact);
+            line(x, -height - 0.1, x, height + 0.1, 4);
+            box(std::min(face, back), height + 0.03, std::max(face, back), wall, Role::contact,
+                true);
+            box(std::min(face, back), -wall, std::max(face, back), -height - 0.03, Role::contact,
+                true);
         }
-        label(0.5 * (face + back), 0.62, words, palette::contact);
+        label(0.5 * (face + back), 0.62, words, Role::contact);
     }
 
     const Network& network_;
-    Text text_;
+    FigureData figure_;
     std::vector<double> places_;
     double most_ = 1.0;
-    int objects_ = 0;
 };
 
 }  // namespace
 
-void drawScene(const Assembly& assembly, FigureFormat format, const std::string& path)
+FigureData sceneFigure(const Assembly& assembly)
 {
     const Network network = networkOf(assembly);
-    runGnuplot(SceneSketch(network).script(), format, 16.0, 5.0, path);
+    return SceneSketch(network).figure();
 }
 
 }  // namespace signorini

@@ -11,15 +11,14 @@ namespace signorini {
 
 class NetworkSimulation;
 
-/// Draws a scene: bars as long as they are and as high as their impedance says, gaps not to scale,
-/// contacts with their numbers. \throws std::invalid_argument on an assembly that is no scene;
-/// BackendUnavailable, FileError as the other figures.
-void drawScene(const Assembly& assembly, FigureFormat format, const std::string& path);
+/// A scene: bars as long as they are and as high as their impedance says, gaps not to scale,
+/// contacts with their numbers. \throws std::invalid_argument on an assembly that is no
+/// scene.
+[[nodiscard]] FigureData sceneFigure(const Assembly& assembly);
 
-/// Draws what a simulation saw at each contact, up to six: the two faces, or the face and its stop,
+/// What a simulation saw at each contact, up to six: the two faces, or the face and its stop,
 /// over the last stretch of time; where it pressed is marked. \throws std::invalid_argument if the
-/// paths were not recorded; BackendUnavailable, FileError.
-void drawSimulation(const NetworkSimulation& simulation, FigureFormat format,
-                    const std::string& path);
+/// paths were not recorded.
+[[nodiscard]] FigureData simulationFigure(const NetworkSimulation& simulation);
 
 }  // namespace signorini

@@ -1,53 +1,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "axes.hpp"
-#include "gnuplot.hpp"
-#include "palette.hpp"
 #include "signorini/figures.hpp"
 #include "stops.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
 
+using namespace plot;
+
 constexpr double shownPeriods = 4.0;
 constexpr double shownTime = 16.0;  // [L/c], of a bar that nothing excites
 constexpr std::size_t maxPoints = 4000;
-constexpr std::size_t maxContacts = 20'000;
 
-/// What numbers of the simulation are multiplied with for the axes, and the names of their units.
-struct SimulationAxes {
-    Unit time;
-    Unit place;
-    Unit impulse;
-
-    SimulationAxes(const BarSimulation& simulation, const Bar& bar, double farthest)
-    {
-        const Scales si = scales(bar);
-        double largest = 0.0;
-        for (const ContactEvent& contact : simulation.contacts()) {
-            largest = std::max(largest, contact.impulse);
-        }
-        const double impulseUnit = bar.axialStiffness * si.strain * si.time;
-        time = scaled(simulation.time(), si.time, "s");
-        place = scaled(farthest, si.displacement, "m");
-        impulse = scaled(largest, impulseUnit, "N s");
-    }
-
-private:
-    static Unit scaled(double largest, double unit, const char* base)
-    {
-        Unit made = unitFor(largest * unit, base);
-        made.factor *= unit;
-        return made;
-    }
-};
+/// More contacts in a period are one clatter: dots of each would look like so many branches.
+constexpr double fewContacts = 4.0;
 
 /// A stretch of time [L/c].
 struct Window {
@@ -55,136 +28,203 @@ struct Window {
     double end;
 };
 
-/// The path of the tip in a window, thinned to what print can show.
-void printTip(Text& script, const char* block, const std::vector<TipPoint>& path, Window window,
-              const SimulationAxes& axes)
-{
-    const auto isBefore = [](const TipPoint& point, double time) { return point.time < time; };
-    auto first = std::lower_bound(path.begin(), path.end(), window.begin, isBefore);
-    const auto last = std::lower_bound(first, path.end(), window.end, isBefore);
-    first -= first == path.begin() ? 0 : 1;
-    const auto count = static_cast<std::size_t>(last - first);
-    const std::size_t stride = 1 + count / maxPoints;
-    print(script, "${} << EOD\n", block);
-    for (std::size_t k = 0; k <= count; k += stride) {
-        const auto at = first + static_cast<std::ptrdiff_t>(k);
-        if (at != path.end()) {
-            print(script, "{:.9g} {:.7g}\n", axes.time.factor * at->time,
-                  axes.place.factor * at->displacement);
+class SimulationPanels {
+public:
+    SimulationPanels(const SeenTip& seen, const Bar& bar)
+        : seen_(seen), period_(seen.period > 0.0 ? seen.period : shownTime / shownPeriods)
+    {
+        const Stops& stops = seen.stops;
+        wall_ = stops.right;
+        lowest_ = std::min(0.0, stops.left ? placeOf(stops, Stop::left).value() : wall_ - 0.1);
+        for (const TipPoint& point : seen.path) {
+            lowest_ = std::min(lowest_, point.displacement);
         }
-    }
-    print(script, "EOD\n");
-}
-
-/// The contacts of a window as strokes at the stop that is touched.
-void printStrokes(Text& script, const char* block, const BarSimulation& simulation, Window window,
-                  const SimulationAxes& axes)
-{
-    print(script, "${} << EOD\nNaN NaN NaN\n", block);
-    for (const ContactEvent& contact : simulation.contacts()) {
-        if (contact.end > window.begin && contact.start < window.end) {
-            const double start = std::max(contact.start, window.begin);
-            print(script, "{:.9g} {:.6g} {:.6g}\n", axes.time.factor * start,
-                  axes.time.factor * (std::min(contact.end, window.end) - start),
-                  axes.place.factor * placeOf(simulation.stops(), contact.stop).value());
+        const Scales si = scales(bar);
+        time_ = axisUnit(si.time, seen.time, "s");
+        place_ = axisUnit(si.displacement, std::max(std::abs(lowest_), std::abs(wall_)), "m");
+        sumByPeriod();
+        double largest = 0.0;
+        for (const double sum : sums_) {
+            largest = std::max(largest, sum);
         }
+        impulse_ = axisUnit(bar.axialStiffness * si.strain * si.time, largest, "N s");
     }
-    print(script, "EOD\n");
-}
 
-void printImpulses(Text& script, const std::vector<ContactEvent>& contacts,
-                   const SimulationAxes& axes)
-{
-    const std::size_t stride = 1 + contacts.size() / maxContacts;
-    print(script, "$impulses << EOD\nNaN NaN\n");
-    for (std::size_t k = 0; k < contacts.size(); k += stride) {
-        print(script, "{:.9g} {:.7g}\n", axes.time.factor * contacts[k].start,
-              axes.impulse.factor * contacts[k].impulse);
+    FigureData figure()
+    {
+        const double end = seen_.time;
+        const double shown = std::min(end, shownPeriods * period_);
+        FigureData figure;
+        Panel first = tipPanel("beginning", {0.12, 0.53, 0.58, 0.9}, {0.0, shown});
+        first.title = "the beginning";
+        Panel last = tipPanel("end", {0.57, 0.97, 0.58, 0.9}, {end - shown, end});
+        last.title = "the end";
+        last.y.label.clear();
+        last.y.hasNumbers = false;
+        figure.panels = {std::move(first), std::move(last), impulsePanel()};
+        return figure;
     }
-    print(script, "EOD\n");
-}
 
-void plotTip(Text& script, const char* name, Window window, const Stops& stops,
-             const SimulationAxes& axes, bool isNamed)
-{
-    window = {axes.time.factor * window.begin, axes.time.factor * window.end};
-    if (stops.left) {
-        print(script,
-              "set object 2 rectangle from graph 0,graph 0 to graph 1,first {:.9g} fillcolor '{}' "
-              "fillstyle solid noborder behind\n",
-              axes.place.factor * placeOf(stops, Stop::left).value(), palette::faint);
+    /// The whole path in one panel.
+    FigureData whole()
+    {
+        FigureData figure;
+        figure.panels = {tipPanel("tip", {0.12, 0.95, 0.55, 0.95}, {0.0, seen_.time}),
+                         impulsePanel()};
+        return figure;
     }
-    print(script,
-          "set xrange [{1:.9g}:{2:.9g}]\nset xtics {3:.9g}\nset object 1 rectangle from graph "
-          "0,first {7} to graph "
-          "1,graph 1 fillcolor '{4}' fillstyle solid noborder behind\n"
-          "plot $tip{0} using 1:2 with lines lw 1.2 lc '{5}' {8}, "
-          "$contact{0} using 1:3:2:(0) with vectors nohead lw 5 lc '{6}' {9}\n",
-          name, window.begin, window.end, niceStep((window.end - window.begin) / 5.0),
-          palette::faint, palette::ink, palette::contact, axes.place.factor * stops.right,
-          isNamed ? "title 'tip'" : "notitle", isNamed ? "title 'contact'" : "notitle");
-}
+
+private:
+    /// What the stops got in each whole period, and how many contacts there were at most. Periods
+    /// are counted from where contacts are rarest, opposite to their mean phase: none is cut in
+    /// two.
+    void sumByPeriod()
+    {
+        double sine = 0.0;
+        double cosine = 0.0;
+        for (const ContactEvent& contact : seen_.contacts) {
+            const double angle = 2.0 * std::numbers::pi * contact.start / period_;
+            sine += contact.impulse * std::sin(angle);
+            cosine += contact.impulse * std::cos(angle);
+        }
+        begin_ = (std::atan2(sine, cosine) / (2.0 * std::numbers::pi) - 0.5) * period_;
+        sums_.assign(static_cast<std::size_t>(std::max((seen_.time - begin_) / period_, 1.0)), 0.0);
+        std::vector<double> counts(sums_.size(), 0.0);
+        for (const ContactEvent& contact : seen_.contacts) {
+            const auto k = static_cast<std::size_t>((contact.start - begin_) / period_);
+            if (k < sums_.size()) {
+                sums_[k] += contact.impulse;
+                counts[k] += 1.0;
+            }
+        }
+        mostContacts_ = *std::max_element(counts.begin(), counts.end());
+    }
+
+    void addStop(Panel& panel, Window window, double from, double to) const
+    {
+        panel.add({.kind = Kind::boxes,
+                   .role = Role::faint,
+                   .x = {window.begin * time_.factor},
+                   .y = {from * place_.factor},
+                   .x2 = {window.end * time_.factor},
+                   .y2 = {to * place_.factor}});
+    }
+
+    [[nodiscard]] Panel tipPanel(const char* name, Place place, Window window) const
+    {
+        const double room = 0.08 * (wall_ - lowest_);
+        Panel panel{.name = name, .place = place};
+        panel.x = axisIn(time_, "time", window.begin, window.end);
+        panel.x.step = niceStep((window.end - window.begin) * time_.factor / 5.0);
+        panel.y = axisIn(place_, "tip  u(L,t)", lowest_ - room, wall_ + room);
+        addStop(panel, window, wall_, wall_ + room);
+        if (seen_.stops.left) {
+            addStop(panel, window, lowest_ - room, placeOf(seen_.stops, Stop::left).value());
+        }
+        const std::span<const TipPoint> path = seen_.path;
+        const auto isBefore = [](const TipPoint& point, double at) { return point.time < at; };
+        auto first = std::lower_bound(path.begin(), path.end(), window.begin, isBefore);
+        const auto last = std::lower_bound(first, path.end(), window.end, isBefore);
+        first -= first == path.begin() ? 0 : 1;
+        const auto count = static_cast<std::size_t>(last - first);
+        Series tip{.width = 1.2};
+        for (std::size_t k = 0; k <= count; k += 1 + count / maxPoints) {
+            const auto at = first + static_cast<std::ptrdiff_t>(k);
+            if (at != path.end()) {
+                tip.add(at->time * time_.factor, at->displacement * place_.factor);
+            }
+        }
+        panel.add(std::move(tip));
+        Series pressed{.kind = Kind::strokes, .role = Role::contact, .width = 5.0};
+        for (const ContactEvent& contact : seen_.contacts) {
+            if (contact.end > window.begin && contact.start < window.end) {
+                const double stop = placeOf(seen_.stops, contact.stop).value() * place_.factor;
+                pressed.add(std::max(contact.start, window.begin) * time_.factor, stop,
+                            std::min(contact.end, window.end) * time_.factor, stop);
+            }
+        }
+        panel.add(std::move(pressed));
+        return panel;
+    }
+
+    /// Steps of the sums, and dots of single contacts where they are few.
+    [[nodiscard]] Panel impulsePanel() const
+    {
+        Panel panel{.name = "impulse", .place = {0.12, 0.97, 0.12, 0.40}};
+        panel.x = axisIn(time_, "time", 0.0, seen_.time);
+        panel.y = {.label = labelled("impulse", impulse_), .low = 0.0};
+        panel.legend = Legend::above;
+        if (seen_.contacts.empty()) {
+            panel.y.high = 1.0;
+            panel.series.push_back({.kind = Kind::words,
+                                    .isInPanel = true,
+                                    .align = Align::centre,
+                                    .x = {0.5},
+                                    .y = {0.5},
+                                    .words = {"no contact"}});
+            return panel;
+        }
+        Series steps{.width = 1.2,
+                     .legend = seen_.period > 0.0 ? "of all contacts in a period of the excitation"
+                                                  : "of all contacts in 4 L/c"};
+        double largest = 0.0;
+        for (std::size_t k = 0; k < sums_.size(); ++k) {
+            const double from = std::max(begin_ + static_cast<double>(k) * period_, 0.0);
+            const double to = begin_ + static_cast<double>(k + 1) * period_;
+            const double sum = sums_[k] * impulse_.factor;
+            largest = std::max(largest, sum);
+            steps.add(from * time_.factor, sum);
+            steps.add(to * time_.factor, sum);
+        }
+        panel.y.high = 1.12 * largest;
+        Series dots{
+            .kind = Kind::dots, .role = Role::contact, .size = 0.8, .legend = "of a contact"};
+        for (const ContactEvent& contact : seen_.contacts) {
+            if (mostContacts_ <= fewContacts) {
+                dots.add(contact.start * time_.factor, contact.impulse * impulse_.factor);
+            }
+        }
+        if (mostContacts_ > fewContacts) {
+            steps.legend += fmt::format(", {} in all, up to {:.0f} in one", seen_.contacts.size(),
+                                        mostContacts_);
+        }
+        panel.add(std::move(steps));
+        panel.add(std::move(dots));
+        return panel;
+    }
+
+    const SeenTip& seen_;
+    double period_;
+    double wall_ = 0.0;
+    double lowest_ = 0.0;
+    double begin_ = 0.0;  ///< of the first period, <= 0
+    double mostContacts_ = 0.0;
+    std::vector<double> sums_;
+    Unit time_;
+    Unit place_;
+    Unit impulse_;
+};
 
 }  // namespace
 
-void drawSimulation(const BarSimulation& simulation, const Excitation& excitation, const Bar& bar,
-                    FigureFormat format, const std::string& path)
+FigureData simulationFigure(const SeenTip& seen, const Bar& bar, bool isWhole)
 {
-    const std::vector<TipPoint>& tip = simulation.tipPath();
-    if (tip.size() < 2) {
+    if (seen.path.size() < 2) {
         throw std::invalid_argument("figure: the simulation holds no path of the tip to draw");
     }
-    const double end = simulation.time();
+    SimulationPanels panels(seen, bar);
+    return isWhole ? panels.whole() : panels.figure();
+}
+
+FigureData simulationFigure(const BarSimulation& simulation, const Excitation& excitation,
+                            const Bar& bar)
+{
     const double period = excitation.steps() > 0 ? static_cast<double>(excitation.steps()) /
                                                        excitation.stepsPerCrossing
-                                                 : shownTime / shownPeriods;
-    const double shown = std::min(end, shownPeriods * period);
-    const std::array<Window, 2> windows{{{0.0, shown}, {end - shown, end}}};
-    const std::array names{"first", "last"};
-    Text script;
-    const Stops& stops = simulation.stops();
-    const double wall = stops.right;
-    double lowest = std::min(0.0, stops.left ? placeOf(stops, Stop::left).value() : wall - 0.1);
-    for (const TipPoint& point : tip) {
-        lowest = std::min(lowest, point.displacement);
-    }
-    const SimulationAxes axes(simulation, bar, std::max(std::abs(lowest), std::abs(wall)));
-    for (std::size_t k = 0; k < 2; ++k) {
-        printTip(script, fmt::format("tip{}", names[k]).c_str(), tip, windows[k], axes);
-        printStrokes(script, fmt::format("contact{}", names[k]).c_str(), simulation, windows[k],
-                     axes);
-    }
-    printImpulses(script, simulation.contacts(), axes);
-    print(script,
-          "set multiplot\nset border lw 0.8\nset tics out nomirror scale 0.6\n"
-          "set grid lw 0.4 lc '{}'\nset tmargin at screen 0.90\nset bmargin at screen 0.58\n"
-          "set yrange [{:.5g}:{:.5g}]\nset xlabel 'time  [{}]' offset 0,0.4\n"
-          "set lmargin at screen 0.12\nset rmargin at screen 0.53\n"
-          "set key horizontal at screen 0.97,0.985 right top samplen 1.6\n"
-          "set ylabel 'tip  u(L,t)  [{}]'\nset label 1 'the beginning' at graph 0.5,1.06 center\n",
-          palette::grid, axes.place.factor * (wall - 1.08 * (wall - lowest)),
-          axes.place.factor * (wall + 0.08 * (wall - lowest)), axes.time.name, axes.place.name);
-    plotTip(script, "first", windows[0], stops, axes, true);
-    print(script,
-          "set lmargin at screen 0.57\nset rmargin at screen 0.97\nset ylabel ''\n"
-          "set format y ''\nset label 1 'the end' at graph 0.5,1.06 center\n");
-    plotTip(script, "last", windows[1], stops, axes, false);
-    print(script,
-          "unset label 1\nunset object 1\nunset object 2\nset format y '%g'\nset lmargin at screen "
-          "0.12\n"
-          "set tmargin at screen 0.44\nset bmargin at screen 0.12\nset xtics auto\nset xrange "
-          "[0:{:.9g}]\n"
-          "set yrange [0:*]\nset offsets 0,0,graph 0.06,0\nset xlabel 'time  [{}]' offset 0,0\n"
-          "set ylabel 'impulse of a contact  [{}]'\n",
-          axes.time.factor * end, axes.time.name, axes.impulse.name);
-    if (simulation.contacts().empty()) {
-        print(script, "set yrange [0:1]\nset label 2 'no contact' at graph 0.5,0.5 center\n");
-    }
-    print(script,
-          "plot $impulses using 1:2 with points pt 7 ps 0.4 lc '{}' notitle\n"
-          "unset multiplot\n",
-          palette::contact);
-    runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
+                                                 : 0.0;
+    return simulationFigure({simulation.time(), simulation.stops(), simulation.tipPath(),
+                             simulation.contacts(), period},
+                            bar);
 }
 
 }  // namespace signorini

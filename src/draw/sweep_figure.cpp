@@ -5,109 +5,53 @@
 
 #include "axes.hpp"
 #include "excited_amplitude.hpp"
-#include "gnuplot.hpp"
-#include "palette.hpp"
 #include "signorini/figures.hpp"
-#include "text.hpp"
 
 namespace signorini {
 
 namespace {
 
-/// The axis of what is varied: what 1 in the range is there, and its words.
-struct SweepAxis {
-    double unit = 1.0;
-    std::string words;
-};
+using namespace plot;
 
-SweepAxis axisOf(const SweepRange& range, const Bar& bar)
+/// The axis of what is varied: what 1 in the range is there, and its words.
+Unit unitOfSwept(const SweepRange& range, const Bar& bar)
 {
     const Scales unit = scales(bar);
-    const auto scaled = [&](double one, const char* words, const char* base) {
-        const Unit shown = unitFor(range.most * one, base);
-        return SweepAxis{one * shown.factor, fmt::format("{}  [{}]", words, shown.name)};
-    };
     switch (range.over) {
         case Swept::frequency:
-            return {0.25 / unit.time, "frequency of the excitation  [Hz]"};
+            return {0.25 / unit.time, "Hz"};
         case Swept::amplitude:
-            return range.place == Excited::tip
-                       ? scaled(bar.axialStiffness * unit.strain, "amplitude of the force", "N")
-                       : scaled(unit.displacement, "amplitude of the base", "m");
+            return axisUnit(
+                range.place == Excited::tip ? bar.axialStiffness * unit.strain : unit.displacement,
+                range.most, range.place == Excited::tip ? "N" : "m");
         case Swept::gap:
-            return scaled(unit.displacement, "gap", "m");
+            return axisUnit(unit.displacement, range.most, "m");
         case Swept::damping:
-            return {1.0, "damping ratio ζ"};
+            return {1.0, "–"};
     }
-    return {};
+    return {1.0, "–"};
 }
 
-/// Impulse [N s] and displacement [m] on the axes of a figure.
-struct Measured {
-    Unit impulse;
-    Unit swing;
-    double impulseOfOne;  ///< what 1 of a point is on the axis
-    double swingOfOne;
-};
-
-Measured measuresOf(std::span<const SweepPoint> points, const Bar& bar)
-{
-    const Scales unit = scales(bar);
-    const double one = bar.axialStiffness * unit.strain * unit.time;
-    double pushed = 0.0;
-    double swing = 0.0;
-    for (const SweepPoint& point : points) {
-        pushed = std::max(pushed, point.impulse[1] * one);
-        swing = std::max(swing, std::abs(point.tip[0]) * unit.displacement);
-    }
-    Measured measured{unitFor(pushed, "N s"), unitFor(swing, "m"), 0.0, 0.0};
-    measured.impulseOfOne = one * measured.impulse.factor;
-    measured.swingOfOne = unit.displacement * measured.swing.factor;
-    return measured;
-}
-
-/// Grid, borders, what is varied below, and ω/ω₁ above where that is a frequency.
-void printAxes(Text& script, const SweepRange& range, const SweepAxis& axis)
+Axis axisOfSwept(const SweepRange& range, const Bar& bar)
 {
     const double margin = range.most > range.least ? 0.01 * (range.most - range.least) : 0.05;
-    print(script,
-          "set border lw 0.8\nset tics out nomirror scale 0.6\nset grid lw 0.4 lc '{}'\n"
-          "set xrange [{}:{}]\nset lmargin at screen 0.12\nset rmargin at screen 0.97\n",
-          palette::grid, (range.least - margin) * axis.unit, (range.most + margin) * axis.unit);
-    if (range.over == Swept::frequency) {
-        print(script, "set x2range [{}:{}]\nset x2tics\nset x2label 'ω/ω_1' offset 0,-0.8\n",
-              range.least - margin, range.most + margin);
+    const char* words = "damping ratio ζ";
+    switch (range.over) {
+        case Swept::frequency:
+            words = "frequency of the excitation";
+            break;
+        case Swept::amplitude:
+            words =
+                range.place == Excited::tip ? "amplitude of the force" : "amplitude of the base";
+            break;
+        case Swept::gap:
+            words = "gap";
+            break;
+        case Swept::damping:
+            break;
     }
-}
-
-void printPoints(Text& script, std::span<const SweepPoint> points, SweepDirection direction,
-                 const SweepAxis& axis, const Measured& unit)
-{
-    print(script, "${} << EOD\nNaN NaN NaN NaN NaN NaN\n", name(direction));
-    for (const SweepPoint& point : points) {
-        if (point.direction == direction) {
-            print(script, "{:.8g} {:.6g} {:.6g} {:.6g} {:.6g} {}\n", point.value * axis.unit,
-                  point.impulse[0] * unit.impulseOfOne, point.impulse[1] * unit.impulseOfOne,
-                  point.meanImpulse * unit.impulseOfOne, -point.tip[0] * unit.swingOfOne,
-                  point.settling.settled ? 1 : 0);
-        }
-    }
-    print(script, "EOD\n");
-}
-
-/// Impulse and swing of the motions that theory has here.
-void printExact(Text& script, std::span<const FrequencyResponse> exact, const SweepAxis& axis,
-                const Measured& unit)
-{
-    print(script, "$exact << EOD\nNaN NaN NaN\n");
-    for (const FrequencyResponse& response : exact) {
-        for (const ForcedMotion& motion : response.motions) {
-            print(script, "{:.8g} {:.6g} {:.6g}\n", response.frequencyRatio * axis.unit,
-                  motion.extremes.impulse * unit.impulseOfOne,
-                  -motion.extremes.lowestTip * unit.swingOfOne);
-        }
-    }
-    print(script, "EOD\n");
+    return axisIn(unitOfSwept(range, bar), words, range.least - margin, range.most + margin,
+                  range.over == Swept::frequency ? "ω/ω_1" : "");
 }
 
 std::string titleOf(const SweepRange& range, const Bar& bar)
@@ -126,88 +70,137 @@ std::string titleOf(const SweepRange& range, const Bar& bar)
     return text + fmt::format(",  N = {}", range.cells);
 }
 
-/// Both directions of one quantity: a line for the mean, a stroke where it does not repeat itself.
-std::string curves(int mean, const char* least, const char* most, bool hasTitles)
+Unit impulseUnitOf(std::span<const SweepPoint> points, const Bar& bar)
 {
-    std::string text;
-    for (const auto& [name, colour, words, dot] :
-         {std::tuple("up", palette::contact, "upward", 7),
-          std::tuple("down", palette::ink, "downward", 6)}) {
-        text += fmt::format(
-            ", ${0} using 1:(${6}) with linespoints lw 1 pt {7} ps 0.5 lc '{1}' {2}, ${0} using "
-            "1:($6 == 0 ? {3} : NaN):({4}):({5}) with yerrorbars pt 0 lw 0.8 lc '{1}' notitle",
-            name, colour, hasTitles ? fmt::format("title '{}'", words) : "notitle", least, least,
-            most, mean, dot);
+    double pushed = 0.0;
+    for (const SweepPoint& point : points) {
+        pushed = std::max(pushed, point.impulse[1]);
     }
-    return text;
+    const Scales unit = scales(bar);
+    return axisUnit(bar.axialStiffness * unit.strain * unit.time, pushed, "N s");
+}
+
+Series styleOf(SweepDirection direction)
+{
+    const bool isUp = direction == SweepDirection::up;
+    return {.role = isUp ? Role::contact : Role::ink,
+            .width = 1.0,
+            .marker = isUp ? Marker::disc : Marker::ring,
+            .size = 0.9,
+            .legend = isUp ? "upward" : "downward"};
+}
+
+/// One quantity of a point: its mean, and from where to where it goes.
+using Seen = std::array<double, 3> (*)(const SweepPoint& point);
+
+/// A line with dots for the mean, strokes where the bar does not repeat itself.
+void addSeen(Panel& panel, std::span<const SweepPoint> points, SweepDirection direction,
+             double place, double factor, Seen seen)
+{
+    Series line = styleOf(direction);
+    Series dots = line;
+    dots.kind = Kind::dots;
+    line.legend.clear();
+    Series strokes = line;
+    strokes.kind = Kind::strokes;
+    for (const SweepPoint& point : points) {
+        if (point.direction == direction) {
+            const auto [mean, least, most] = seen(point);
+            const double x = point.value * place;
+            line.add(x, mean * factor);
+            dots.add(x, mean * factor);
+            if (!point.settling.settled) {
+                strokes.add(x, least * factor, x, most * factor);
+            }
+        }
+    }
+    panel.add(std::move(strokes));
+    panel.add(std::move(line));
+    panel.add(std::move(dots));
+}
+
+void requirePoints(std::span<const SweepPoint> points)
+{
+    if (points.empty()) {
+        throw std::invalid_argument("figure: the sweep holds no value to draw");
+    }
 }
 
 }  // namespace
 
-void drawSweep(std::span<const SweepPoint> points, const SweepRange& range, const Bar& bar,
-               std::span<const FrequencyResponse> exact, FigureFormat format,
-               const std::string& path)
+FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& range, const Bar& bar,
+                       std::span<const FrequencyResponse> exact)
 {
-    if (points.empty()) {
-        throw std::invalid_argument("figure: the sweep holds no value to draw");
+    requirePoints(points);
+    const Unit impulse = impulseUnitOf(points, bar);
+    double reach = 0.0;
+    for (const SweepPoint& point : points) {
+        reach = std::max(reach, std::abs(point.tip[0]));
     }
-    const SweepAxis axis = axisOf(range, bar);
-    const Measured unit = measuresOf(points, bar);
-    Text script;
-    printPoints(script, points, SweepDirection::up, axis, unit);
-    printPoints(script, points, SweepDirection::down, axis, unit);
-    printExact(script, exact, axis, unit);
-    print(script, "set multiplot\n");
-    printAxes(script, range, axis);
-    const std::string under =
-        fmt::format("$exact using 1:2 with points pt 7 ps 0.35 lc '{}' title '{}'", palette::faint,
-                    exact.empty() ? "" : "exact motions with one contact");
-    print(script,
-          "set label 1 \"{}\" at screen 0.54,0.975 center\nset tmargin at screen 0.86\n"
-          "set bmargin at screen 0.52\nset format x ''\nset ylabel 'impulse per period  [{}]'\n"
-          "set yrange [0:*]\nset key top left reverse Left samplen 2 spacing 1.1\nplot {}{}\n",
-          titleOf(range, bar), unit.impulse.name, under, curves(4, "$2", "$3", true));
-    print(script,
-          "unset label 1\nunset key\nset format x '%g'\nunset x2tics\nunset x2label\n"
-          "set tmargin at screen 0.47\nset bmargin at screen 0.12\nset xlabel '{}'\n"
-          "set ylabel 'swing  −min u(L)  [{}]'\nset yrange [0:*]\n"
-          "plot $exact using 1:3 with points pt 7 ps 0.35 lc '{}'{}\nunset multiplot\n",
-          axis.words, unit.swing.name, palette::faint, curves(5, "$5", "$5", false));
-    runGnuplot(fmt::to_string(script), format, 16.0, 12.0, path);
+    const Unit swing = axisUnit(scales(bar).displacement, reach, "m");
+    const double place = unitOfSwept(range, bar).factor;
+    FigureData figure{.title = titleOf(range, bar)};
+    Panel upper{.name = "impulse", .place = {0.12, 0.97, 0.52, 0.83}, .x = axisOfSwept(range, bar)};
+    upper.x.label.clear();
+    upper.x.hasNumbers = false;
+    upper.y = {.label = labelled("impulse a period", impulse), .low = 0.0};
+    upper.legend = Legend::topLeft;
+    Panel lower{.name = "tip", .place = {0.12, 0.97, 0.12, 0.47}, .x = axisOfSwept(range, bar)};
+    lower.x.other.reset();
+    lower.y = {.label = labelled("swing  −min u(L)", swing), .low = 0.0};
+    Series under{.kind = Kind::dots,
+                 .role = Role::faint,
+                 .size = 0.5,
+                 .legend = "exact motions with one contact"};
+    Series underSwing = under;
+    underSwing.legend.clear();
+    for (const FrequencyResponse& response : exact) {
+        for (const ForcedMotion& motion : response.motions) {
+            const double x = response.frequencyRatio * place;
+            under.add(x, motion.extremes.impulse * impulse.factor);
+            underSwing.add(x, -motion.extremes.lowestTip * swing.factor);
+        }
+    }
+    upper.add(std::move(under));
+    lower.add(std::move(underSwing));
+    for (const SweepDirection direction : {SweepDirection::up, SweepDirection::down}) {
+        addSeen(upper, points, direction, place, impulse.factor, [](const SweepPoint& point) {
+            return std::array{point.meanImpulse, point.impulse[0], point.impulse[1]};
+        });
+        addSeen(lower, points, direction, place, swing.factor, [](const SweepPoint& point) {
+            return std::array{-point.tip[0], -point.tip[0], -point.tip[0]};
+        });
+    }
+    figure.panels = {std::move(upper), std::move(lower)};
+    return figure;
 }
 
-void drawBifurcation(std::span<const SweepPoint> points, const SweepRange& range, const Bar& bar,
-                     FigureFormat format, const std::string& path)
+FigureData bifurcationFigure(std::span<const SweepPoint> points, const SweepRange& range,
+                             const Bar& bar)
 {
-    if (points.empty()) {
-        throw std::invalid_argument("figure: the sweep holds no value to draw");
-    }
+    requirePoints(points);
     constexpr std::size_t most = 400;  // dots at one value
-    const SweepAxis axis = axisOf(range, bar);
-    const Measured unit = measuresOf(points, bar);
-    Text script;
+    const Unit impulse = impulseUnitOf(points, bar);
+    const double place = unitOfSwept(range, bar).factor;
+    FigureData figure{.height = 9.0, .title = titleOf(range, bar)};
+    Panel& panel = figure.add({.name = "impulse", .place = {0.12, 0.97, 0.15, 0.78}});
+    panel.x = axisOfSwept(range, bar);
+    panel.y = {.label = labelled("impulse of a contact", impulse), .low = 0.0};
+    panel.legend = Legend::topLeft;
     for (const SweepDirection direction : {SweepDirection::up, SweepDirection::down}) {
-        print(script, "${} << EOD\nNaN NaN\n", name(direction));
+        Series dots = styleOf(direction);
+        dots.kind = Kind::dots;
+        dots.size = 0.7;
         for (const SweepPoint& point : points) {
             const std::size_t stride = 1 + point.impulses.size() / most;
             for (std::size_t k = 0; point.direction == direction && k < point.impulses.size();
                  k += stride) {
-                print(script, "{:.8g} {:.6g}\n", point.value * axis.unit,
-                      point.impulses[k] * unit.impulseOfOne);
+                dots.add(point.value * place, point.impulses[k] * impulse.factor);
             }
         }
-        print(script, "EOD\n");
+        panel.add(std::move(dots));
     }
-    printAxes(script, range, axis);
-    print(script,
-          "set label 1 \"{}\" at screen 0.54,0.97 center\nset tmargin at screen {}\n"
-          "set bmargin at screen 0.14\nset xlabel '{}'\nset ylabel 'impulse of a contact  [{}]'\n"
-          "set yrange [0:*]\nset key top left reverse Left samplen 1\n"
-          "plot $up with points pt 7 ps 0.35 lc '{}' title 'upward', "
-          "$down with points pt 6 ps 0.35 lc '{}' title 'downward'\n",
-          titleOf(range, bar), range.over == Swept::frequency ? 0.82 : 0.92, axis.words,
-          unit.impulse.name, palette::contact, palette::ink);
-    runGnuplot(fmt::to_string(script), format, 16.0, 9.0, path);
+    return figure;
 }
 
 }  // namespace signorini

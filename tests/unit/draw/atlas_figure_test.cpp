@@ -15,11 +15,11 @@ TEST_CASE("atlas figures: both are drawn, of an empty atlas, too")
 {
     const Folder folder;
     AtlasDatabase database = AtlasDatabase::create(folder.file("a.sqlite"));
-    drawExistenceMap(database, {}, FigureFormat::svg, folder.file("none.svg"));
+    drawFigure(existenceFigure(database, {}), FigureFormat::svg, folder.file("none.svg"));
     CHECK(fs::file_size(folder.file("none.svg")) > 1000);
     (void)buildAtlas(database, usualRange(12));
-    drawExistenceMap(database, 12, FigureFormat::svg, folder.file("map.svg"));
-    drawFrequencyEnergyPlot(database, 12, FigureFormat::svg, folder.file("plot.svg"));
+    drawFigure(existenceFigure(database, 12), FigureFormat::svg, folder.file("map.svg"));
+    drawFigure(frequencyEnergyFigure(database, 12), FigureFormat::svg, folder.file("plot.svg"));
     std::ifstream map(folder.file("map.svg"));
     const std::string text{std::istreambuf_iterator<char>(map), {}};
     CHECK_THAT(text, containsText("contact time"));

@@ -22,7 +22,7 @@ std::string draw(std::int64_t phases, std::int64_t order, double maxEnergyRatio)
     bounds.maxPeriod = 40.0;
     FrequencyEnergyOptions options;
     options.maxEnergyRatio = maxEnergyRatio;
-    drawPolytopes(findPolytopes(phases, bounds), options, path);
+    drawFigure(polytopesFigure(findPolytopes(phases, bounds), options), FigureFormat::svg, path);
     std::ifstream file(path, std::ios::binary);
     std::string content{std::istreambuf_iterator<char>(file), {}};
     fs::remove(path);
