@@ -42,9 +42,9 @@ struct Disc {
         if (!(apart > 0.0)) {
             return {0.0, infinity};
         }
-        const std::complex<double> middle = x.middle / y.middle;
-        return widened(middle, (x.radius + (std::abs(middle) + slack) * y.radius) / apart,
-                       std::abs(middle));
+        const std::complex<double> quotient = x.middle / y.middle;
+        return widened(quotient, (x.radius + (std::abs(quotient) + slack) * y.radius) / apart,
+                       std::abs(quotient));
     }
 
     /// Re z, and |z|.
