@@ -85,8 +85,21 @@ struct Series {
     void add(double fromX, double fromY, double toX, double toY);
     void add(double atX, double atY, std::string text);
     void addStep(double from, double to, double value);  ///< constant from x to x
-    void breakOff();                                     ///< what follows is another line
+    void breakOff();  ///< what follows is another line
+
+    /// The same with words in the legend, or drawn another way.
+    [[nodiscard]] Series named(std::string said) const;
+    [[nodiscard]] Series as(Kind other) const;
 };
+
+/// The usual ones, for a start.
+[[nodiscard]] Series line(Role role, double width, Dash dash = Dash::solid);
+[[nodiscard]] Series dots(Role role, double size = 1.0, Marker marker = Marker::disc);
+[[nodiscard]] Series strokes(Role role, double width, Dash dash = Dash::solid);
+[[nodiscard]] Series labels(double size = 1.0, Align align = Align::left, Role role = Role::ink);
+[[nodiscard]] Series notes(Align align = Align::left, Role role = Role::ink);  ///< in the panel
+[[nodiscard]] Series box(Role role, double left, double low, double right, double high);
+[[nodiscard]] Series across(double low, double high, double level, double width, Dash dash);
 
 struct Tick {
     double at;
@@ -170,14 +183,6 @@ struct FigureData {
 /// All of it as JSON, for drawers in other languages: keys are the names of the fields, enumerators
 /// have their names, series their colour beside their role, numbers that are not finite are null.
 [[nodiscard]] std::string asJson(const FigureData& figure);
-
-/// "contact", "line", ...: the names that other drawers know.
-[[nodiscard]] std::string name(Role role);
-[[nodiscard]] std::string name(Kind kind);
-[[nodiscard]] std::string name(Dash dash);
-[[nodiscard]] std::string name(Marker marker);
-[[nodiscard]] std::string name(Align align);
-[[nodiscard]] std::string name(Legend legend);
 
 }  // namespace signorini::plot
 

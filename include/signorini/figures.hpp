@@ -74,9 +74,10 @@ void drawFigures(std::span<const FigureData> frames, AnimationFormat format,
                  const std::string& path);
 
 /// A motion over one period: the bar at the wall, displacements magnified and coloured by strain
-/// (compression red), and u, s, v along it. At most 120 frames. Panels "bar", "displacement" and
-/// "fields".
-[[nodiscard]] std::vector<FigureData> motionFrames(const MotionSamples& samples);
+/// (compression red), and u, s, v along it. At most so many frames. Panels "bar", "displacement"
+/// and "fields".
+[[nodiscard]] std::vector<FigureData> motionFrames(const MotionSamples& samples,
+                                                   std::size_t most = 120);
 
 /// A curve of motions over lambda: force on the stops and path of the tip over a period, strain and
 /// velocity at t = 0. \throws std::invalid_argument if the curve has no points.
@@ -109,6 +110,7 @@ struct FrequencyEnergyOptions {
     Bar bar = {};                             ///< whose hertz the upper axis has
     /// The one panel from here to the right end, in place of the whole and its detail.
     std::optional<double> leastFrequencyRatio = {};
+    std::int64_t maxOrder = 60;  ///< [-], of the families behind those of an atlas
 };
 
 /// omega/omega_1 = 4/T against E/E_1 (logarithmic): the whole, and once more the part where

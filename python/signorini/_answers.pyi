@@ -172,6 +172,7 @@ class ContinuumPoint(_Record):
     motion: Motion
 
 class Continuum(_Record):
+    def _figure(self) -> str: ...
     status: str
     cells: int
     schedule: Schedule
@@ -374,6 +375,10 @@ class AtlasFile:
     def runs(self) -> list[AtlasRun]: ...
     def families(self, cells: Optional[int]) -> list[AtlasFamily]: ...
     def schedules(self, cells: Optional[int]) -> list[AtlasSchedule]: ...
+    def frequency_energy_figure(self, cells: Optional[int], left: float,
+                                right: float, top: float, max_order: int, /
+                                ) -> str: ...
+    def existence_figure(self, cells: Optional[int]) -> str: ...
     def families_near(self, frequency_ratio: float, energy_ratio: float,
                       within: float, cells: Optional[int]
                       ) -> list[AtlasFamily]: ...
@@ -543,6 +548,7 @@ class SweepPoint(_Record):
     peak_stress: Known[float]
 
 class Sweep(_Record):
+    def _figure(self) -> str: ...
     status: str
     bar: Bar
     stops: list[dict[str, Any]]
@@ -569,6 +575,7 @@ class Waves:
     def stretching(self, cells: int) -> Array: ...
 
 class Simulation(_Record):
+    def _figure(self) -> str: ...
     status: str
     cells: int
     bar: Bar

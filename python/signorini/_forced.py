@@ -20,6 +20,8 @@ class Response(Table[ForcedFrequency]):
     A sequence of ForcedFrequency. `motions` are all of them in one list.
     """
 
+    _answer: Any  # of which the figure is made
+
     if TYPE_CHECKING:
         status: str
         found: bool
@@ -118,7 +120,9 @@ def response(*, damping: float, force: str, amplitude: float | None = None,
                           whole, listener(progress))
     head = {name: value for name, value, _ in keys_of(data)
             if name != "frequencies"}
-    return Response("frequencies", data.frequencies, **head)
+    table = Response("frequencies", data.frequencies, **head)
+    table._answer = data
+    return table
 
 
 @named

@@ -11,6 +11,7 @@
 #include "scene.hpp"
 #include "share_work.hpp"
 #include "signorini/atlas_database.hpp"
+#include "signorini/figures.hpp"
 
 namespace signorini::python {
 
@@ -92,6 +93,24 @@ void addAtlasFile(py::module_& module)
                      return allRows<EntryOf, AtlasEntry>(wires, a.bar, [&](const auto& keep) {
                          a.database.forEachFound(cells, keep);
                      });
+                 });
+             })
+        .def("frequency_energy_figure",
+             [](const Shared& atlas, Cells cells, double left, double right, double top,
+                std::int64_t order) {
+                 return asked(atlas, [=](const Atlas& a) {
+                     return asJson(frequencyEnergyFigure(a.database, cells,
+                                                         {.maxFrequencyRatio = right,
+                                                          .maxEnergyRatio = top,
+                                                          .bar = a.bar,
+                                                          .leastFrequencyRatio = left,
+                                                          .maxOrder = order}));
+                 });
+             })
+        .def("existence_figure",
+             [](const Shared& atlas, Cells cells) {
+                 return asked(atlas, [cells](const Atlas& a) {
+                     return asJson(existenceFigure(a.database, cells));
                  });
              })
         .def("families_near",

@@ -11,6 +11,7 @@
 #include "patience.hpp"
 #include "scene.hpp"
 #include "signorini/continuum.hpp"
+#include "signorini/figures.hpp"
 
 namespace signorini::python {
 
@@ -91,6 +92,7 @@ void addCurve(py::module_& module)
             py::arg("lambda_"),
             "The motion at a lambda: exact for the split pulse, else the nearest point. ValueError "
             "out of range.")
+        .def("_figure", [](const ContinuumAnswer& c) { return asJson(continuumFigure(*c.curve)); })
         .def("__len__", [](const ContinuumAnswer& c) { return c.curve->points.size(); })
         .def("__iter__", [](const ContinuumAnswer& c) { return py::iter(pointsOf(c)); })
         .def("__getitem__", [](const ContinuumAnswer& c,

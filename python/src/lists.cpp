@@ -9,6 +9,7 @@
 #include "faults.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 
 namespace signorini::python {
@@ -172,6 +173,24 @@ ModeOf mode(std::int64_t a4, std::int64_t b, const Bar& bar)
     return {*found, bar};
 }
 
+std::string familiesAsFigure(const std::vector<FamilyOf>& rows)
+{
+    std::vector<Family> families;
+    for (const FamilyOf& row : rows) {
+        families.push_back(row.value);
+    }
+    return asJson(familiesFigure(families, families.back().order, true));
+}
+
+std::string planeAsFigure(std::int64_t maxOrder, double left, double right, double top)
+{
+    const std::vector<Mode> modes = findModes({.maxEnergyRatio = top});
+    const std::vector<Family> families = findFamilies(maxOrder);
+    return asJson(frequencyEnergyFigure(
+        {.modes = modes, .families = families},
+        {.maxFrequencyRatio = right, .maxEnergyRatio = top, .leastFrequencyRatio = left}));
+}
+
 }  // namespace
 
 void addLists(py::module_& module)
@@ -179,6 +198,8 @@ void addLists(py::module_& module)
     addFamily(module);
     addMode(module);
     module.def("families", &families);
+    module.def("families_figure", &familiesAsFigure);
+    module.def("frequency_energy_figure", &planeAsFigure);
     module.def("modes", &modes);
     module.def("mode", &mode);
 }

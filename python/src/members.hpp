@@ -15,6 +15,11 @@ template <typename T>
 struct Members {
 };
 
+template <typename A, typename B>
+struct Members<std::pair<A, B>> {
+    static constexpr auto list = std::tuple{&std::pair<A, B>::first, &std::pair<A, B>::second};
+};
+
 template <typename T>
 concept HasMembers = requires
 {

@@ -177,6 +177,20 @@ ValueError
                 return GridMotion{Travel<std::shared_ptr<const State>>::get(tuple[0]),
                                   Travel<Schedule>::get(tuple[1]), Travel<Scene>::get(tuple[2])};
             }))
+        .def("_frames",
+             [](const GridMotion& m, std::int64_t most) {
+                 const Motion& field = *m.field();
+                 std::vector<std::string> frames;
+                 for (const FigureData& frame :
+                      motionFrames(MotionSamples(field, m.scene, field.steps() + 1),
+                                   static_cast<std::size_t>(std::max<std::int64_t>(most, 1)))) {
+                     frames.push_back(asJson(frame));
+                 }
+                 return frames;
+             })
+        .def(
+            "_figure",
+            [](const GridMotion& m) { return asJson(motionFigure(*m.state, m.schedule, m.scene)); })
         .def_property_readonly(
             "bar", [](const GridMotion& m) { return m.bar; }, "Its units.")
         .def_property_readonly(

@@ -7,6 +7,7 @@
 #include "patience.hpp"
 #include "response_answer.hpp"
 #include "share_work.hpp"
+#include "signorini/figures.hpp"
 #include "stops.hpp"
 
 namespace signorini::python {
@@ -92,7 +93,9 @@ void addResponse(py::module_& module)
 {
     classOf<PermanentOf>(module);
     classOf<FrequencyOf>(module);
-    classOf<ResponseAnswer>(module);
+    classOf<ResponseAnswer>(module)->more().def("_figure", [](const ResponseAnswer& answer) {
+        return asJson(responseFigure(answer.frequencies, answer.range, answer.bar));
+    });
     module.def("response", &response);
 }
 

@@ -178,6 +178,12 @@ void addSimulated(py::module_& module)
         .def_property_readonly("tip_time_ratio", ratios(path, &TipPoint::time), "[L/c]; no copy.")
         .def_property_readonly("tip_displacement_ratio", ratios(path, &TipPoint::displacement),
                                "[g]; no copy.")
+        .def("_figure",
+             [](const Simulated& s) {
+                 const double period = s.drive ? s.drive->period / scales(s.scene.bar).time : 0.0;
+                 return asJson(simulationFigure(
+                     {s.time, stopsOf(s.scene), s.path, s.contacts, period}, s.scene.bar, true));
+             })
         .def_property_readonly(
             "waves",
             [](const Simulated& s) {

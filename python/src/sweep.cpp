@@ -6,6 +6,7 @@
 #include "force.hpp"
 #include "patience.hpp"
 #include "share_work.hpp"
+#include "signorini/figures.hpp"
 #include "sweep_answer.hpp"
 
 namespace signorini::python {
@@ -87,7 +88,9 @@ SweepAnswer sweep(const std::string& over, double least, double most, const std:
 void addSweep(py::module_& module)
 {
     classOf<SweepPointOf>(module);
-    classOf<SweepAnswer>(module);
+    classOf<SweepAnswer>(module)->more().def("_figure", [](const SweepAnswer& answer) {
+        return asJson(sweepFigure(answer.points, answer.range, answer.bar, {}));
+    });
     module.def("sweep", &sweep);
 }
 

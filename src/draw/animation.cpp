@@ -77,10 +77,7 @@ void addFields(Panel& panel, Series strain, Series velocity)
 /// Where a stop is.
 Series stopLine(const Axis& along, double place)
 {
-    return {.width = 1.0,
-            .dash = Dash::dashed,
-            .x = {along.low.value_or(0.0), along.high.value_or(1.0)},
-            .y = {place, place}};
+    return across(*along.low, *along.high, place, 1.0, Dash::dashed);
 }
 
 /// u(L) at the stops, in the scales of the bar.
@@ -96,11 +93,11 @@ std::vector<double> stopsIn(const Scene& scene)
 
 class MotionFrames {
 public:
-    explicit MotionFrames(const MotionSamples& samples)
+    MotionFrames(const MotionSamples& samples, std::size_t most)
         : samples_(samples),
           scale_(scales(samples.bar())),
           nodes_(chosen(samples.nodes(), nodesShown)),
-          instants_(chosen(samples.instants(), maxFrames)),
+          instants_(chosen(samples.instants(), most + 1)),
           stops_(stopsIn(samples.scene()))
     {
         for (const double stop : stops_) {
@@ -147,7 +144,7 @@ private:
         Panel middle{.name = "displacement", .place = {0.13, 0.97, 0.46, 0.71}, .x = position};
         middle.y = tip_.axis(place_, "u");
         Series cells{.kind = Kind::boxes};
-        Series u{.width = 2.0};
+        Series u = plot::line(Role::ink, 2.0);
         Series strain;
         Series velocity;
         double left = 0.0;  // end of the cell before, magnified
@@ -256,13 +253,13 @@ private:
         Panel fields = fieldsPanel(fields_, bar, axisIn(along, "position  x, at t = 0,", 0.0, 1.0));
         const Motion motion(point.state, curve_.schedule);
         const auto cells = static_cast<double>(motion.cells());
-        Series force{.role = Role::contact, .width = 2.0};
+        Series force = plot::line(Role::contact, 2.0);
         for (std::int64_t m = 0; m < motion.steps(); ++m) {
             force.addStep(static_cast<double>(m) / cells * second.factor,
                           static_cast<double>(m + 1) / cells * second.factor,
                           motion.wallForce(m) * newton.factor);
         }
-        Series tip{.width = 2.0};
+        Series tip = plot::line(Role::ink, 2.0);
         for (const std::int64_t m : thinned(motion.steps(), instantsShown)) {
             tip.add(static_cast<double>(m) / cells * second.factor,
                     motion.displacement(motion.cells(), m) * metre.factor);
@@ -301,9 +298,9 @@ private:
 
 }  // namespace
 
-std::vector<FigureData> motionFrames(const MotionSamples& samples)
+std::vector<FigureData> motionFrames(const MotionSamples& samples, std::size_t most)
 {
-    return MotionFrames(samples).all();
+    return MotionFrames(samples, most).all();
 }
 
 std::vector<FigureData> continuumFrames(const Continuum& curve)

@@ -25,13 +25,10 @@ constexpr double longestFlight = 4.0;
 constexpr std::int64_t maxNamedOrder = 7;
 constexpr double nameDistance = 0.11;  ///< [L/c]
 
-/// Families of any grid that the frequency-energy plot shows.
-constexpr std::int64_t maxShadedOrder = 60;
-
 /// What the map shows of an atlas.
 struct Map {
-    Series pressing{.kind = Kind::dots};
-    Series grazing{.kind = Kind::dots, .role = Role::faint};
+    Series pressing = plot::dots(Role::ink);
+    Series grazing = plot::dots(Role::faint);
     std::vector<Family> tents;  ///< those to be named, by ascending order
     double contactTime = 0.0;   ///< [L/c], longest drawn
     double flightTime = 0.0;    ///< [L/c], longest drawn
@@ -88,7 +85,7 @@ private:
 /// the others; of names that would meet the first.
 void addNames(Panel& panel, std::span<const Family> tents)
 {
-    Series left{.kind = Kind::words, .size = 0.8, .align = Align::right};
+    Series left = plot::labels(0.8, Align::right);
     Series above{.kind = Kind::words, .size = 0.8, .turn = 45.0};
     std::vector<std::array<double, 2>> taken;
     for (const Family& family : tents) {
@@ -136,7 +133,7 @@ FigureData frequencyEnergyFigure(const AtlasDatabase& atlas, std::optional<std::
         cells, [&](const AtlasEntry& entry) { addBar(entry, entry.row.energy, entry.row.contact); },
         AtlasSchedules::withoutFamily);
     const std::vector<Mode> modes = findModes();
-    const std::vector<Family> families = findFamilies(maxShadedOrder);
+    const std::vector<Family> families = findFamilies(options.maxOrder);
     return frequencyEnergyFigure(
         {.modes = modes, .families = families, .onGrid = onGrid, .bars = bars}, options);
 }
@@ -162,11 +159,10 @@ FigureData existenceFigure(const AtlasDatabase& atlas, std::optional<std::int64_
                     .isLogarithmic = true};
     panel.colourBar = Place{right + 0.03, right + 0.05, bottom, top};
     if (!map.grazing.x.empty()) {
-        panel.explain({.kind = Kind::dots, .role = Role::faint}, "grazing: contact without force");
+        panel.explain(dots(Role::faint), "grazing: contact without force");
     }
     if (!map.pressing.x.empty()) {
-        panel.explain({.kind = Kind::dots, .role = Role::shade2},
-                      "pressing: tents of families (w, ν, k)");
+        panel.explain(dots(Role::shade2), "pressing: tents of families (w, ν, k)");
     }
     panel.add(std::move(map.grazing));
     panel.add(std::move(map.pressing));

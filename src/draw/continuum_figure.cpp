@@ -161,8 +161,7 @@ private:
         panel.add(std::move(image));
         for (const std::size_t k : full_) {
             const double level = curve_.points[k].lambda;
-            panel.add(
-                {.width = 1.0, .dash = Dash::dashed, .x = {0.0, length}, .y = {level, level}});
+            panel.add(across(0.0, length, level, 1.0, Dash::dashed));
         }
     }
 

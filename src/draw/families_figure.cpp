@@ -138,8 +138,8 @@ std::vector<Rung> ladderOf(std::span<const Family> families, const Frame& frame)
 /// the periods at which contact vanishes.
 void addRungs(Panel& panel, std::span<const Rung> ladder, const Frame& frame)
 {
-    Series rungs{.role = Role::faint, .width = 0.8};
-    Series ends{.kind = Kind::strokes, .role = Role::faint, .width = 1.0, .dash = Dash::dotted};
+    Series rungs = plot::line(Role::faint, 0.8);
+    Series ends = plot::strokes(Role::faint, 1.0, Dash::dotted);
     for (const auto& [mode, contacts] : ladder) {
         const auto turns = static_cast<double>(-mode.b);
         const double top = 4.0 * static_cast<double>(mode.a);
@@ -179,8 +179,8 @@ void addCells(Panel& panel, std::span<const Cell> cells, const Frame& frame)
 {
     const double half = 0.5 * cellHeight / frame.centimetres;
     Series boxes{.kind = Kind::boxes};
-    Series dark{.kind = Kind::words, .role = Role::paper, .align = Align::centre};
-    Series light{.kind = Kind::words, .align = Align::centre};
+    Series dark = plot::labels(1.0, Align::centre, Role::paper);
+    Series light = plot::labels(1.0, Align::centre);
     Series smallDark = dark;
     Series smallLight = light;
     smallDark.size = smallLight.size = 0.75;
@@ -213,7 +213,7 @@ void addCells(Panel& panel, std::span<const Cell> cells, const Frame& frame)
 
 Series dotsOf(std::span<const Cell> cells, std::int64_t lastOrder)
 {
-    Series dots{.kind = Kind::dots, .size = std::min(1.0, 37.0 / static_cast<double>(lastOrder))};
+    Series dots = plot::dots(Role::ink, std::min(1.0, 37.0 / static_cast<double>(lastOrder)));
     for (const Cell& cell : cells) {
         dots.add(0.5 * (cell.left + cell.right), cell.period);
         dots.z.push_back(cell.energy);

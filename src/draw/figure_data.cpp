@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "names.hpp"
 #include "palette.hpp"
 
 namespace signorini::plot {
@@ -13,60 +12,12 @@ namespace {
 
 constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
 
-struct RoleRow {
-    Role value;
-    std::string_view name;
-    const char* colour;
-};
-
-constexpr auto roles = std::to_array<RoleRow>({
-    {Role::ink, "ink", palette::ink},
-    {Role::strain, "strain", palette::strain},
-    {Role::velocity, "velocity", palette::velocity},
-    {Role::contact, "contact", palette::contact},
-    {Role::faint, "faint", palette::faint},
-    {Role::grid, "grid", palette::grid},
-    {Role::paper, "paper", "#ffffff"},
-    {Role::shade1, "shade1", palette::fading[0]},
-    {Role::shade2, "shade2", palette::fading[1]},
-    {Role::shade3, "shade3", palette::fading[2]},
-    {Role::shade4, "shade4", palette::fading[3]},
-    {Role::shade5, "shade5", palette::fading[4]},
-    {Role::shade6, "shade6", palette::fading[5]},
-});
-
-constexpr auto kinds = std::to_array<Named<Kind>>({{Kind::line, "line"},
-                                                   {Kind::dots, "dots"},
-                                                   {Kind::strokes, "strokes"},
-                                                   {Kind::arrows, "arrows"},
-                                                   {Kind::band, "band"},
-                                                   {Kind::boxes, "boxes"},
-                                                   {Kind::image, "image"},
-                                                   {Kind::words, "words"}});
-
-constexpr auto dashes = std::to_array<Named<Dash>>({{Dash::solid, "solid"},
-                                                    {Dash::dashed, "dashed"},
-                                                    {Dash::dotted, "dotted"},
-                                                    {Dash::longDashed, "long dashed"}});
-
-constexpr auto markers = std::to_array<Named<Marker>>({{Marker::disc, "disc"},
-                                                       {Marker::ring, "ring"},
-                                                       {Marker::cross, "cross"},
-                                                       {Marker::square, "square"},
-                                                       {Marker::diamond, "diamond"},
-                                                       {Marker::openDiamond, "open diamond"},
-                                                       {Marker::triangle, "triangle"}});
-
-constexpr auto aligns = std::to_array<Named<Align>>(
-    {{Align::left, "left"}, {Align::centre, "centre"}, {Align::right, "right"}});
-
-constexpr auto legends = std::to_array<Named<Legend>>({{Legend::none, "none"},
-                                                       {Legend::topLeft, "top left"},
-                                                       {Legend::topRight, "top right"},
-                                                       {Legend::bottomLeft, "bottom left"},
-                                                       {Legend::bottomRight, "bottom right"},
-                                                       {Legend::above, "above"},
-                                                       {Legend::below, "below"}});
+/// In the order of `Role`.
+constexpr std::array roleColours{palette::ink,       palette::strain,    palette::velocity,
+                                 palette::contact,   palette::faint,     palette::grid,
+                                 "#ffffff",          palette::fading[0], palette::fading[1],
+                                 palette::fading[2], palette::fading[3], palette::fading[4],
+                                 palette::fading[5]};
 
 }  // namespace
 
@@ -105,6 +56,61 @@ void Series::breakOff()
     add(noNumber, noNumber);
 }
 
+Series Series::named(std::string said) const
+{
+    Series made = *this;
+    made.legend = std::move(said);
+    return made;
+}
+
+Series Series::as(Kind other) const
+{
+    Series made = *this;
+    made.kind = other;
+    return made;
+}
+
+Series line(Role role, double width, Dash dash)
+{
+    return {.role = role, .width = width, .dash = dash};
+}
+
+Series dots(Role role, double size, Marker marker)
+{
+    return {.kind = Kind::dots, .role = role, .marker = marker, .size = size};
+}
+
+Series strokes(Role role, double width, Dash dash)
+{
+    return line(role, width, dash).as(Kind::strokes);
+}
+
+Series labels(double size, Align align, Role role)
+{
+    return {.kind = Kind::words, .role = role, .size = size, .align = align};
+}
+
+Series notes(Align align, Role role)
+{
+    Series made = labels(1.0, align, role);
+    made.isInPanel = true;
+    return made;
+}
+
+Series box(Role role, double left, double low, double right, double high)
+{
+    Series made{.kind = Kind::boxes, .role = role};
+    made.add(left, low, right, high);
+    return made;
+}
+
+Series across(double low, double high, double level, double width, Dash dash)
+{
+    Series made = line(Role::ink, width, dash);
+    made.addStep(low, high, level);
+    return made;
+}
+
 void Panel::add(Series one)
 {
     if (!one.x.empty()) {
@@ -125,7 +131,7 @@ Panel& FigureData::add(Panel panel)
 
 std::string colourOf(Role role)
 {
-    return roles.at(static_cast<std::size_t>(role)).colour;
+    return roleColours.at(static_cast<std::size_t>(role));
 }
 
 std::vector<std::string> coloursOf(ColourMap map)
@@ -142,31 +148,6 @@ std::vector<std::string> coloursOf(ColourMap map)
                     colourOf(Role::shade3), colourOf(Role::shade2)};
     }
     return {};
-}
-
-std::string name(Role role)
-{
-    return std::string(nameIn(roles, role));
-}
-std::string name(Kind kind)
-{
-    return std::string(nameIn(kinds, kind));
-}
-std::string name(Dash dash)
-{
-    return std::string(nameIn(dashes, dash));
-}
-std::string name(Marker marker)
-{
-    return std::string(nameIn(markers, marker));
-}
-std::string name(Align align)
-{
-    return std::string(nameIn(aligns, align));
-}
-std::string name(Legend legend)
-{
-    return std::string(nameIn(legends, legend));
 }
 
 }  // namespace signorini::plot

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,6 +19,19 @@ std::string quoted(const std::string& words)
     }
     return text + "\"";
 }
+
+// In the order of the enumerators.
+constexpr std::array roleNames{"ink",    "strain", "velocity", "contact", "faint",
+                               "grid",   "paper",  "shade1",   "shade2",  "shade3",
+                               "shade4", "shade5", "shade6"};
+constexpr std::array kindNames{"line", "dots",  "strokes", "arrows",
+                               "band", "boxes", "image",   "words"};
+constexpr std::array dashNames{"solid", "dashed", "dotted", "long dashed"};
+constexpr std::array markerNames{"disc",    "ring",         "cross",   "square",
+                                 "diamond", "open diamond", "triangle"};
+constexpr std::array alignNames{"left", "centre", "right"};
+constexpr std::array legendNames{"none",         "top left", "top right", "bottom left",
+                                 "bottom right", "above",    "below"};
 
 /// Members of an object, in the order in which they are put.
 class Object {
@@ -38,6 +52,11 @@ public:
         put(key, value.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
     void say(const char* key, const std::string& words) { put(key, quoted(words)); }
+    template <typename Names, typename Enum>
+    void say(const char* key, const Names& names, Enum value)
+    {
+        say(key, names.at(static_cast<std::size_t>(value)));
+    }
 
     [[nodiscard]] std::string text() const { return text_ + "}"; }
 
@@ -65,17 +84,17 @@ std::string numbers(const std::vector<double>& values)
 std::string objectOf(const Series& series)
 {
     Object object;
-    object.say("kind", name(series.kind));
-    object.say("role", name(series.role));
+    object.say("kind", kindNames, series.kind);
+    object.say("role", roleNames, series.role);
     object.say("colour", colourOf(series.role));
     object.put("width", series.width);
-    object.say("dash", name(series.dash));
-    object.say("marker", name(series.marker));
+    object.say("dash", dashNames, series.dash);
+    object.say("marker", markerNames, series.marker);
     object.put("size", series.size);
     object.put("opacity", series.opacity);
     object.put("isHatched", series.isHatched);
     object.put("isInPanel", series.isInPanel);
-    object.say("align", name(series.align));
+    object.say("align", alignNames, series.align);
     object.put("turn", series.turn);
     object.say("legend", series.legend);
     object.put("x", numbers(series.x));
@@ -123,7 +142,7 @@ std::string objectOf(const Panel& panel)
     object.put("x", objectOf(panel.x));
     object.put("y", objectOf(panel.y));
     object.say("title", panel.title);
-    object.say("legend", name(panel.legend));
+    object.say("legend", legendNames, panel.legend);
     object.put("legendRows", static_cast<double>(panel.legendRows));
     object.put("isFramed", panel.isFramed);
     object.put("hasGrid", panel.hasGrid);

@@ -304,7 +304,7 @@ private:
         for (std::size_t k = shades.size(); k-- > 0;) {
             const auto [last, role, width] = shades.at(k);
             std::int64_t most = 0;
-            Series lines{.kind = Kind::strokes, .role = role, .width = width};
+            Series lines = plot::strokes(role, width);
             for (const Family& family : plot_.families) {
                 if (family.order > last || (k > 0 && family.order <= shades.at(k - 1).last)) {
                     continue;
@@ -317,10 +317,7 @@ private:
             lines.legend = fmt::format("families of order w ≤ {}", most);
             add(std::move(lines));
         }
-        Series dots{.kind = Kind::dots,
-                    .role = Role::contact,
-                    .size = 0.7,
-                    .legend = "families on the grid"};
+        Series dots = plot::dots(Role::contact, 0.7).named("families on the grid");
         for (const Family& family : plot_.onGrid) {
             if (const auto foot = footOf(family)) {
                 dots.add(foot->first, foot->second);
@@ -353,10 +350,9 @@ private:
             }
             add(std::move(line));
         }
-        Series starts{.kind = Kind::dots,
-                      .marker = Marker::ring,
-                      .size = plot_.modes.size() <= maxMarked ? 1.0 : 0.35,
-                      .legend = "contact begins, at ω_{|b|}/a"};
+        Series starts =
+            plot::dots(Role::ink, plot_.modes.size() <= maxMarked ? 1.0 : 0.35, Marker::ring)
+                .named("contact begins, at ω_{|b|}/a");
         for (const Mode& mode : plot_.modes) {
             if (startsBelow(mode)) {
                 starts.add(frequencyAt(mode.highest), static_cast<double>(mode.b * mode.b));
@@ -369,7 +365,7 @@ private:
     /// each where no other stands.
     [[nodiscard]] Series namesIn(const Panel& panel, bool isDetail) const
     {
-        Series names{.kind = Kind::words, .size = 0.85};
+        Series names = plot::labels(0.85);
         std::vector<std::pair<double, double>> taken;
         const auto put = [&](double frequency, double energy, const std::string& name) {
             const double x = (frequency - *panel.x.low) / (*panel.x.high - *panel.x.low);

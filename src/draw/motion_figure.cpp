@@ -140,7 +140,7 @@ private:
             said.add(0.02, 0.95 - 0.12 * static_cast<double>(k), lines[k]);
         }
         panel.explain({}, "path of the tip");
-        panel.explain({.role = Role::contact, .width = 5.0},
+        panel.explain(line(Role::contact, 5.0),
                       second_ ? "contact: a stop presses" : "contact: the wall presses");
         panel.add(std::move(said));
         return panel;
@@ -170,7 +170,7 @@ private:
         panel.x.hasNumbers = false;
         panel.y = axisIn(unit, words, low - 0.14 * span, high + 0.14 * span);
         panel.y.step = niceStep(span * unit.factor / 3.5);
-        Series line{.role = role, .width = 2.0};
+        Series line = plot::line(role, 2.0);
         line.dash = role == Role::velocity ? Dash::dashed : Dash::solid;
         for (std::int64_t i = 1; i <= motion_.cells(); ++i) {
             const double left = static_cast<double>(i - 1) / cells_ * metre_.factor;
@@ -244,7 +244,7 @@ private:
             path.add(motion_.displacement(motion_.cells(), m) * place_.factor, at(m));
         }
         panel.add(std::move(path));
-        Series presses{.kind = Kind::strokes, .role = Role::contact, .width = 5.0};
+        Series presses = plot::strokes(Role::contact, 5.0);
         for (const Pressed& one : pressed(drawing_.force)) {
             const bool isWall = drawing_.force[static_cast<std::size_t>(one.from)] > 0.0;
             const double place = (isWall ? wall_ : second_.value()) * place_.factor;
@@ -275,7 +275,7 @@ private:
             panel.x.step /= 2.0;
         }
         panel.y = beside();
-        Series line{.role = Role::contact};
+        Series line = plot::line(Role::contact, 1.5);
         line.add(0.0, 0.0);
         for (std::size_t m = 0; m < drawing_.force.size(); ++m) {
             const double value = drawing_.force[m] * unit.factor;

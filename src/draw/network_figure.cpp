@@ -77,7 +77,7 @@ private:
             std::lower_bound(path.begin(), path.end(), begin_,
                              [](const NodePoint& point, double time) { return point.time < time; });
         const auto count = static_cast<std::size_t>(path.end() - first);
-        Series line{.role = role, .width = 1.2, .legend = std::move(words)};
+        Series line = plot::line(role, 1.2).named(std::move(words));
         for (std::size_t k = 0; k < count; k += 1 + count / mostPoints) {
             const NodePoint& point = first[static_cast<std::ptrdiff_t>(k)];
             line.add(point.time * second_.factor, (point.displacement + offset) * metre_.factor);
@@ -89,7 +89,7 @@ private:
     /// From start to end, where the face is just then.
     [[nodiscard]] Series pressesOf(std::size_t contact) const
     {
-        Series presses{.role = Role::contact, .width = 4.0, .legend = "they press"};
+        Series presses = plot::line(Role::contact, 4.0).named("they press");
         std::size_t events = 0;
         for (const NetworkContactEvent& event : simulation_.contacts()) {
             if (event.contact != contact || event.end < begin_ || ++events > mostPoints) {

@@ -78,10 +78,9 @@ void addModes(Panel& panel, double phases, double maxEnergyRatio)
 {
     ModeBounds bounds;
     bounds.maxEnergyRatio = maxEnergyRatio;
-    Series once{.role = Role::faint, .width = 1.0, .legend = "one contact"};
-    Series often{.width = 1.0,
-                 .dash = Dash::dotted,
-                 .legend = fmt::format("one contact, {:.0f} times", phases)};
+    Series once = plot::line(Role::faint, 1.0).named("one contact");
+    Series often =
+        line(Role::ink, 1.0, Dash::dotted).named(fmt::format("one contact, {:.0f} times", phases));
     for (const Mode& mode : findModes(bounds)) {
         for (int k = 0; k <= periods; ++k) {
             const double part = std::clamp(static_cast<double>(k) / periods, 1e-6, 1.0 - 1e-6);
@@ -100,7 +99,7 @@ void addModes(Panel& panel, double phases, double maxEnergyRatio)
 Series labelsOf(std::span<const ModePolytope> polytopes, double width)
 {
     constexpr double least = 0.02;
-    Series labels{.kind = Kind::words, .size = 0.8, .align = Align::right};
+    Series labels = plot::labels(0.8, Align::right);
     std::set<std::pair<double, double>> places;
     for (const ModePolytope& polytope : polytopes) {
         const double low = polytope.lowest.value();

@@ -149,7 +149,7 @@ private:
         if (!isUniform(range_.segments) || !(last_ > 0.0)) {
             return;
         }
-        Series modes{.role = Role::shade6, .width = 5.0};
+        Series modes = plot::line(Role::shade6, 5.0);
         Series below = modes;
         modes.legend = "modes: free, undamped";
         for (const Backbone& backbone : backbonesOf(first_, last_, range_.cycles, range_.stops)) {
@@ -169,8 +169,8 @@ private:
     /// The bar without a wall: where it stays clear, and where the wall is in its way.
     void addLinear()
     {
-        Series clear{.width = 2.0, .legend = "no contact"};
-        Series blocked{.role = Role::faint, .dash = Dash::dashed, .legend = "no stop in its way"};
+        Series clear = plot::line(Role::ink, 2.0).named("no contact");
+        Series blocked = plot::line(Role::faint, 1.5, Dash::dashed).named("no stop in its way");
         for (std::size_t k = 0; k < frequencies_.size(); ++k) {
             const FrequencyResponse& response = frequencies_[k];
             const bool isNear = k > 0 && frequencies_[k - 1].touches != response.touches;
@@ -195,11 +195,9 @@ private:
     {
         for (const Sort& sort : sorts) {
             for (const Touched& touched : touches) {
-                Series marks{
-                    .kind = Kind::dots,
-                    .role = sort.stability == Stability::unclear ? Role::faint : touched.role,
-                    .marker = sort.marker,
-                    .size = sort.size};
+                Series marks =
+                    dots(sort.stability == Stability::unclear ? Role::faint : touched.role,
+                         sort.size, sort.marker);
                 Series below = marks;
                 marks.legend = std::string(touched.words) + sort.words;
                 for (const FrequencyResponse& response : frequencies_) {
@@ -224,8 +222,7 @@ private:
     {
         if (const auto& second = range_.stops.left) {
             const double stop = second->value() * swingUnit_.factor;
-            lower_.series.push_back(
-                {.width = 1.0, .dash = Dash::dotted, .x = {low_, high_}, .y = {stop, stop}});
+            lower_.add(across(low_, high_, stop, 1.0, Dash::dotted));
             lower_.series.push_back({.kind = Kind::words,
                                      .x = {low_},
                                      .y = {stop + 0.05 * swing_ * swingUnit_.factor},

@@ -125,16 +125,9 @@ FigureData responseMapFigure(std::span<const FrequencyResponse> frequencies,
                std::string(isForce ? "EA" : "") + (range.stops.right == 0 ? (isForce ? "" : "L")
                                                    : isForce              ? " g/L"
                                                                           : "g"));
-    Series meets{.width = 2.5, .legend = "without contact meets a stop"};
-    Series least{.role = Role::contact,
-                 .width = 2.5,
-                 .dash = Dash::dashed,
-                 .legend = "with contact, the least"};
-    Series pairs{.kind = Kind::dots,
-                 .role = Role::strain,
-                 .marker = Marker::diamond,
-                 .size = 0.5,
-                 .legend = "two contacts"};
+    Series meets = plot::line(Role::ink, 2.5).named("without contact meets a stop");
+    Series least = plot::line(Role::contact, 2.5, Dash::dashed).named("with contact, the least");
+    Series pairs = plot::dots(Role::strain, 0.5, Marker::diamond).named("two contacts");
     for (const FrequencyResponse* response : all) {
         const double x = response->frequencyRatio;
         const double edge = edgeOfMotions(*response);
@@ -154,11 +147,8 @@ FigureData responseMapFigure(std::span<const FrequencyResponse> frequencies,
     }
     panel.add(std::move(meets));
     panel.add(std::move(least));
-    panel.add({.width = 1.0,
-               .dash = Dash::dotted,
-               .legend = "amplitude of the response",
-               .x = {low, high},
-               .y = {range.amplitude * unit.factor, range.amplitude * unit.factor}});
+    panel.add(across(low, high, range.amplitude * unit.factor, 1.0, Dash::dotted)
+                  .named("amplitude of the response"));
     panel.add(std::move(pairs));
     return figure;
 }

@@ -102,12 +102,8 @@ private:
 
     void addStop(Panel& panel, Window window, double from, double to) const
     {
-        panel.add({.kind = Kind::boxes,
-                   .role = Role::faint,
-                   .x = {window.begin * time_.factor},
-                   .y = {from * place_.factor},
-                   .x2 = {window.end * time_.factor},
-                   .y2 = {to * place_.factor}});
+        panel.add(box(Role::faint, window.begin * time_.factor, from * place_.factor,
+                      window.end * time_.factor, to * place_.factor));
     }
 
     [[nodiscard]] Panel tipPanel(const char* name, Place place, Window window) const
@@ -127,7 +123,7 @@ private:
         const auto last = std::lower_bound(first, path.end(), window.end, isBefore);
         first -= first == path.begin() ? 0 : 1;
         const auto count = static_cast<std::size_t>(last - first);
-        Series tip{.width = 1.2};
+        Series tip = plot::line(Role::ink, 1.2);
         for (std::size_t k = 0; k <= count; k += 1 + count / maxPoints) {
             const auto at = first + static_cast<std::ptrdiff_t>(k);
             if (at != path.end()) {
@@ -135,7 +131,7 @@ private:
             }
         }
         panel.add(std::move(tip));
-        Series pressed{.kind = Kind::strokes, .role = Role::contact, .width = 5.0};
+        Series pressed = plot::strokes(Role::contact, 5.0);
         for (const ContactEvent& contact : seen_.contacts) {
             if (contact.end > window.begin && contact.start < window.end) {
                 const double stop = placeOf(seen_.stops, contact.stop).value() * place_.factor;
@@ -164,9 +160,10 @@ private:
                                     .words = {"no contact"}});
             return panel;
         }
-        Series steps{.width = 1.2,
-                     .legend = seen_.period > 0.0 ? "of all contacts in a period of the excitation"
-                                                  : "of all contacts in 4 L/c"};
+        Series steps =
+            line(Role::ink, 1.2)
+                .named(seen_.period > 0.0 ? "of all contacts in a period of the excitation"
+                                          : "of all contacts in 4 L/c");
         double largest = 0.0;
         for (std::size_t k = 0; k < sums_.size(); ++k) {
             const double from = std::max(begin_ + static_cast<double>(k) * period_, 0.0);
@@ -177,8 +174,7 @@ private:
             steps.add(to * time_.factor, sum);
         }
         panel.y.high = 1.12 * largest;
-        Series dots{
-            .kind = Kind::dots, .role = Role::contact, .size = 0.8, .legend = "of a contact"};
+        Series dots = plot::dots(Role::contact, 0.8).named("of a contact");
         for (const ContactEvent& contact : seen_.contacts) {
             if (mostContacts_ <= fewContacts) {
                 dots.add(contact.start * time_.factor, contact.impulse * impulse_.factor);

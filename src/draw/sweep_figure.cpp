@@ -148,10 +148,7 @@ FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& ran
     Panel lower{.name = "tip", .place = {0.12, 0.97, 0.12, 0.47}, .x = axisOfSwept(range, bar)};
     lower.x.other.reset();
     lower.y = {.label = labelled("swing  −min u(L)", swing), .low = 0.0};
-    Series under{.kind = Kind::dots,
-                 .role = Role::faint,
-                 .size = 0.5,
-                 .legend = "exact motions with one contact"};
+    Series under = plot::dots(Role::faint, 0.5).named("exact motions with one contact");
     Series underSwing = under;
     underSwing.legend.clear();
     for (const FrequencyResponse& response : exact) {

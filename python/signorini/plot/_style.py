@@ -18,7 +18,7 @@ colours: dict[str, Any] = _core.palette()
 def new(*arguments: Any, **options: Any) -> Any:
     """Return a figure that lays itself out."""
     from matplotlib import pyplot
-    return pyplot.figure(*arguments, layout="constrained", **options)
+    return pyplot.figure(*arguments, **{"layout": "constrained", **options})
 
 
 def _require_one(axes: Any, figure: Any) -> None:
@@ -52,15 +52,6 @@ def axes_named(names: Sequence[str], axes: Any, figure: Any,
     return {name: axes[name] for name in names}
 
 
-def pair(names: Sequence[str], axes: Any, figure: Any, **options: Any
-         ) -> tuple[Any, Any]:
-    """Return two axes, one above the other where they are made here."""
-    upper, lower = axes_named(
-        names, axes, figure, lambda made: made.subplots(2, 1, sharex=True),
-        **options).values()
-    return upper, lower
-
-
 def colour_map(name: str = "sequence", stops: int | None = None) -> Any:
     """Return one of the library's maps for matplotlib."""
     from matplotlib.colors import LinearSegmentedColormap
@@ -80,14 +71,3 @@ def unit_for(size: float, unit: str) -> tuple[float, str]:
         power = math.floor(math.log10(size) / 3 + 1e-9)
         power = min(max(power, min(prefixes)), max(prefixes))
     return 10.0 ** (-3 * power), prefixes[power] + unit
-
-
-def quiet(axes: Any) -> None:
-    """Give axes a grid that stays behind."""
-    axes.grid(color=colours["grid"], linewidth=0.5)
-    axes.set_axisbelow(True)
-
-
-def words(number: float, digits: int = 5) -> str:
-    """Return a number as text, without needless noughts."""
-    return f"{number:.{digits}g}"
