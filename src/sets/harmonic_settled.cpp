@@ -22,10 +22,12 @@ using Contacts = std::span<const HarmonicContact>;
 Contacts begunIn(const std::vector<HarmonicContact>& all, double from, double to)
 {
     const auto at = [&](double time) {
-        return std::lower_bound(all.begin(), all.end(), time,
-                                [](const HarmonicContact& one, double t) { return one.begin < t; });
+        return static_cast<std::size_t>(
+            std::lower_bound(all.begin(), all.end(), time,
+                             [](const HarmonicContact& one, double t) { return one.begin < t; }) -
+            all.begin());
     };
-    return {at(from), at(to)};
+    return Contacts(all).subspan(at(from), at(to) - at(from));
 }
 
 bool areSame(Contacts x, Contacts y, double later, double tolerance)
