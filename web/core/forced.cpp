@@ -235,7 +235,8 @@ Simulated simulated(const Request& request, bool recordsTip)
                                     .recordsTip = recordsTip,
                                     .stops = {},
                                     .segments = {},
-                                    .resolution = 1.0 / static_cast<double>(course.cells)})};
+                                    .resolution = 1.0 / static_cast<double>(course.cells)}),
+                     {}};
     if (isForced) {
         result.answer.drive = answers::Drive{.place = course.excitation.place,
                                              .amplitude = amplitudeOf(request),
@@ -243,17 +244,14 @@ Simulated simulated(const Request& request, bool recordsTip)
                                              .phase = course.phase};
         result.answer.drive->follow(course.excitation, bar);
     }
-    SettlingWatch watch(static_cast<std::int64_t>(course.total));
-    double done = 0.0;
-    for (; done + 1.0 <= course.total; done += 1.0) {
-        result.simulation.advance(course.stretch);
-        watch.see(result.simulation);
-    }
+    double before = 0.0;
+    const Followed followed =
+        follow(result.simulation, course.stretch, course.total, {}, [&](double, double) {
+            result.impulses.push_back(result.simulation.impulse() - before);
+            before = result.simulation.impulse();
+        });
     if (isForced) {
-        result.answer.settling = watch.settling(result.simulation, course.stretch);
-    }
-    if (course.total > done) {
-        result.simulation.advance((course.total - done) * course.stretch);
+        result.answer.settling = followed.settling;
     }
     return result;
 }
@@ -271,15 +269,7 @@ Reply showSimulation(const Request& request)
     const double span = std::min(request.number("span", 0.1, 100.0), end - from);
     BarSimulation simulation(course.start, course.damping, course.excitation);
     if (course.excitation.steps() > 0) {
-        // Impulse on the wall and highest tip of each period, until the end.
-        std::vector<double> impulses;
-        BarSimulation watched = simulation;
-        for (double done = 0.0; done < course.total; done += 1.0) {
-            const double before = watched.impulse();
-            watched.advance(course.stretch);
-            impulses.push_back(watched.impulse() - before);
-        }
-        reply.add("impulses", impulses);
+        reply.add("impulses", whole.impulses);
     }
     simulation.advance(from * perCrossing);
     const auto frames = static_cast<std::int64_t>(std::clamp(

@@ -56,6 +56,7 @@ namespace signorini::web {
 struct Simulated {
     cli::SimulationAnswer answer;
     BarSimulation simulation;
+    std::vector<double> impulses;  ///< on the wall, of each stretch [EA g/c]
 };
 /// Simulated as the command line does; its tip file needs the path of the tip.
 [[nodiscard]] Simulated simulated(const Request& request, bool recordsTip = false);

@@ -221,7 +221,7 @@ export class BarView {
       c.font = fontOf(12);
       c.textAlign = 'left';
       c.textBaseline = 'top';
-      c.fillText(`kept: ${kept.name}`, 60, bottom / 2 + 2);
+      c.fillText(`kept: ${kept.name}`, 40, bottom / 2 + 2, width - 110);
     }
     c.fillStyle = ink;
     c.font = fontOf(12);

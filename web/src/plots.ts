@@ -20,7 +20,7 @@ export interface Axes {
 type Draw = (plot: uPlot) => void;
 
 /** How much larger letters are in the lecture view. */
-export const letters = (): number => (document.body.classList.contains('lecture') ? 1.6 : 1);
+export const letters = (): number => (document.body.classList.contains('lecture') ? (innerWidth > 700 ? 1.6 : 1.15) : 1);
 export const fontOf = (size = 13): string => `${Math.round(size * letters())}px system-ui, sans-serif`;
 
 /** Where a value stands on the canvas, in its own dots. */
