@@ -439,6 +439,17 @@ class ForcedResult(_Record):
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...
 
+class HarmonicContact(_Record):
+    begin: float
+    end: float
+    begin_ratio: float
+    end_ratio: float
+    stop: str
+    release: str
+    impulse: float
+    peak_force: float
+    speed: float
+
 class HarmonicMotion(_Record):
     contact_time_ratio: float
     release: str
