@@ -76,11 +76,11 @@ public:
             steps_ += span.steps;
             areGood_ = areGood_ && span.steps > 0;
         }
-        areGood_ = areGood_ && multipliers.periodicity.size() == network.waves() &&
-                   std::all_of(multipliers.periodicity.begin(), multipliers.periodicity.end(),
-                               [](double value) { return std::isfinite(value); }) &&
-                   std::all_of(network.nodes.begin(), network.nodes.end(),
-                               [](const NetworkNode& node) { return node.force == 0.0; });
+        areGood_ =
+            areGood_ &&
+            multipliers.periodicity.size() == network.waves() + driftingBars(network).size() &&
+            std::all_of(multipliers.periodicity.begin(), multipliers.periodicity.end(),
+                        [](double value) { return std::isfinite(value); });
         for (const ContactMultiplier& m : multipliers.places) {
             takePlace(m);
         }
@@ -89,12 +89,21 @@ public:
             areGood_ = areGood_ && isGood;
             pushes_[m.step].push_back(m);
         }
-        areGood_ = areGood_ && std::all_of(drift_.begin(), drift_.end(),
+        // What is left of the displacements of bars that drift has to be nothing at all.
+        std::map<std::size_t, Rational> drifts;
+        for (const auto& [step, list] : places_) {
+            for (const ContactMultiplier& m : list) {
+                for (const auto& [bar, sign] : driftsOf(network, m.contact)) {
+                    drifts[bar] += sign * Rational(m.value);
+                }
+            }
+        }
+        areGood_ = areGood_ && std::all_of(drifts.begin(), drifts.end(),
                                            [](const auto& sum) { return sum.second == 0; });
     }
 
     [[nodiscard]] bool areGood() const { return areGood_; }
-    /// delta.
+    /// delta, but for what constant forces make.
     [[nodiscard]] Interval right() const { return right_; }
     [[nodiscard]] const auto& places() const { return places_; }
     [[nodiscard]] const auto& pushes() const { return pushes_; }
@@ -131,15 +140,6 @@ private:
         // The gap is the simplest fraction that rounds to it.
         right_ = right_ - Interval(m.value) * Interval(contact.gap).widened();
         places_[m.step].push_back(m);
-        const auto drifts = [&](std::size_t node, int sign) {
-            if (displacementOf(network_, node).hasDrift) {
-                drift_[network_.nodes[node].bar] += sign * Rational(m.value);
-            }
-        };
-        drifts(contact.node, contact.kind == ContactKind::stopLeft ? 1 : -1);
-        if (contact.kind == ContactKind::gap) {
-            drifts(contact.node + 1, 1);
-        }
     }
 
     const Network& network_;
@@ -149,7 +149,6 @@ private:
     Interval right_;
     std::map<std::int64_t, std::vector<ContactMultiplier>> places_;
     std::map<std::int64_t, std::vector<ContactMultiplier>> pushes_;
-    std::map<std::size_t, Rational> drift_;  ///< by bar: factor of its displacement
 };
 
 /// `Number`: double, or long double where sums of many steps are to be known well.
@@ -163,7 +162,11 @@ public:
           conditions_(conditions),
           shapes_(shapes),
           norm_(network),
-          end_(multipliers.periodicity),
+          bars_(driftingBars(network)),
+          end_(multipliers.periodicity.begin(),
+               multipliers.periodicity.end() - static_cast<std::ptrdiff_t>(bars_.size())),
+          drifts_(multipliers.periodicity.end() - static_cast<std::ptrdiff_t>(bars_.size()),
+                  multipliers.periodicity.end()),
           waves_(network, std::vector<Number>(end_.begin(), end_.end())),
           size_(norm_.of(end_)),
           driven_(shapes.size())
@@ -195,14 +198,20 @@ public:
         return (norm_.of(eta) + rounding + error_) * upwards;
     }
 
+    /// delta.
+    [[nodiscard]] Interval right() const
+    {
+        return conditions_.right() - constant_ - Interval(-constantError_, constantError_);
+    }
+
     /// What is left of the excitation.
-    [[nodiscard]] ExcitationCut cut(double right) const
+    [[nodiscard]] ExcitationCut cut() const
     {
         const auto part = [this](std::size_t k) {
             return k < driven_.size() ? driven_[k] + Interval(-drivenError_, drivenError_)
                                       : Interval();
         };
-        return {part(0), part(1), norm(), right};
+        return {part(0), part(1), norm(), right().low};
     }
 
 private:
@@ -218,12 +227,16 @@ private:
         }
         for (const NetworkNode& node : network_.nodes) {
             impedances_ += node.dashpot;
+            forces_ += std::abs(node.force);
         }
     }
 
-    /// Adds derivatives by force, velocity and place of the base in this step; `error`: of each.
-    void drive(double byForce, double byVelocity, double byPlace, double error)
+    /// Adds what constant forces make, and derivatives by force, velocity and place of the base in
+    /// this step; `error`: of each, and of the first for forces of 1.
+    void drive(double constant, double byForce, double byVelocity, double byPlace, double error)
     {
+        constant_ = constant_ + Interval(constant).widened();
+        constantError_ = (constantError_ + error * forces_) * upwards;
         const auto at = static_cast<std::size_t>(step_);
         for (std::size_t k = 0; k < shapes_.size(); ++k) {
             const StepDrive& shape = shapes_[k];
@@ -243,16 +256,22 @@ private:
         const double before =
             error_ + (static_cast<double>(network_.channels()) + 8.0) * unitRoundoff * size_;
         const auto driven = waves_.stepBack(law);
-        drive(static_cast<double>(driven.force), static_cast<double>(driven.base), 0.0,
-              before * reach);
+        drive(static_cast<double>(driven.constant), static_cast<double>(driven.force),
+              static_cast<double>(driven.base), 0.0, before * reach);
         // For a node of impedance sum Z, w(sum g) - g is rounded by less than (2 channels + 8) u
         // (|w| sum |g| + |g|), and the norm of the first term is at most 2 |g|: sum |g| is at most
         // |g| sqrt(sum Z), that of w = 2 Z_k/(sum Z + D) at most 2/sqrt(sum Z).
         const auto channels = static_cast<double>(network_.channels());
         error_ += 3.0 * (2.0 * channels + 8.0) * unitRoundoff * size_;
+        for (std::size_t k = 0; k < bars_.size(); ++k) {
+            const auto factor = static_cast<Number>(drifts_[k]);
+            if (factor != 0.0) {
+                add(law.velocity(network_.bars[bars_[k]].firstNode), factor);
+            }
+        }
         if (const auto now = conditions_.pushes().find(step_); now != conditions_.pushes().end()) {
             for (const ContactMultiplier& m : now->second) {
-                push(law, m);
+                add(law.push(m.contact), static_cast<Number>(m.value));
             }
         }
         if (const auto now = conditions_.places().find(step_); now != conditions_.places().end()) {
@@ -262,31 +281,38 @@ private:
         }
     }
 
-    void push(const NetworkLaw<Number>& law, const ContactMultiplier& m)
+    /// A push, or the velocity of a node, times a factor.
+    void add(const LinearForm<Number>& form, Number factor)
     {
         double square = 0.0;
-        for (const auto& term : law.push(m.contact).terms) {
-            const Number change = m.value * term.coefficient;
+        for (const auto& term : form.terms) {
+            const Number change = factor * term.coefficient;
             waves_.add(term.channel, change);
             const auto value = static_cast<double>(change);
             square += value * value / network_.impedanceOf(term.channel);
         }
-        const auto terms = static_cast<double>(law.push(m.contact).terms.size());
+        const auto terms = static_cast<double>(form.terms.size());
         const double size = std::sqrt(square) * upwards;
-        // Coefficients are sums and differences of impedances, each at most 4 of their sum.
+        const double by = std::abs(static_cast<double>(factor));
+        // Coefficients are sums and differences of impedances, each at most 4 of their sum, or
+        // quotients of them, at most 2.
         error_ += (terms + 4.0) * unitRoundoff *
-                  (size_ + size + 16.0 * m.value * impedances_ * terms / std::sqrt(least_));
+                  (size_ + size + 16.0 * by * (1.0 + impedances_) * terms / std::sqrt(least_));
         size_ += size;
-        drive(m.value * static_cast<double>(law.push(m.contact).perForce),
-              m.value * static_cast<double>(law.push(m.contact).perBase), 0.0,
-              16.0 * unitRoundoff * m.value * (1.0 + impedances_) * (1.0 + impedances_ / least_));
+        drive(static_cast<double>(factor * form.constant),
+              static_cast<double>(factor * form.perForce),
+              static_cast<double>(factor * form.perBase), 0.0,
+              16.0 * unitRoundoff * by * (1.0 + impedances_) * (1.0 + impedances_ / least_));
     }
 
     void place(const ContactMultiplier& m)
     {
         std::vector<Number> waves = waves_.waves();
         std::vector<double> row(waves.size(), 0.0);
-        drive(0.0, 0.0, addDistance(row, network_, m.contact, m.value), 0.0);
+        drive(0.0, 0.0, 0.0, addDistance(row, network_, m.contact, m.value), 0.0);
+        for (const auto& [bar, sign] : driftsOf(network_, m.contact)) {
+            drifts_[bar] += sign * Rational(m.value);
+        }
         for (std::size_t k = 0; k < waves.size(); ++k) {
             waves[k] += row[k];
         }
@@ -303,13 +329,18 @@ private:
     const Conditions& conditions_;
     std::span<const StepDrive> shapes_;
     DualNorm norm_;
-    const std::vector<double>& end_;
+    std::vector<std::size_t> bars_;  ///< that drift
+    std::vector<double> end_;
+    std::vector<Rational> drifts_;  ///< lambda of their displacements
     NetworkWaves<Number> waves_;
     std::int64_t step_ = 0;
     double size_;         ///< at least |lambda|
     double error_ = 0.0;  ///< at least |rounding in lambda|
     double impedances_ = 0.0;
     double least_ = infinity;
+    double forces_ = 0.0;  ///< constant ones
+    Interval constant_;    ///< what they make
+    double constantError_ = 0.0;
     std::vector<Interval> driven_;  ///< by shape
     double drivenError_ = 0.0;
 };
@@ -333,14 +364,16 @@ double provedEnergy(const EnergyFloor& multipliers, const Network& network,
                     std::span<const ContactSpan> schedule)
 {
     const Conditions conditions(multipliers, network, schedule);
-    if (!conditions.areGood() || !(conditions.right().low > 0.0)) {
+    if (!conditions.areGood()) {
         return 0.0;
     }
-    const double norm = BackwardMarch<double>(multipliers, network, schedule, conditions).norm();
-    if (!std::isfinite(norm)) {
+    const BackwardMarch<double> march(multipliers, network, schedule, conditions);
+    const double norm = march.norm();
+    const double right = march.right().low;
+    if (!std::isfinite(norm) || !(right > 0.0)) {
         return 0.0;
     }
-    const double ratio = conditions.right().low / norm / upwards;
+    const double ratio = right / norm / upwards;
     return ratio * ratio / upwards;
 }
 
@@ -354,8 +387,8 @@ std::vector<ExcitationCut> cutsOf(std::span<const EnergyFloor> multipliers, cons
         if (!conditions.areGood()) {
             return {};
         }
-        cuts.push_back(BackwardMarch<long double>(one, network, schedule, conditions, shapes)
-                           .cut(conditions.right().low));
+        cuts.push_back(
+            BackwardMarch<long double>(one, network, schedule, conditions, shapes).cut());
         if (!std::isfinite(cuts.back().norm)) {
             return {};
         }

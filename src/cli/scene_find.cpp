@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "files.hpp"
 #include "find_command.hpp"
 #include "interrupt.hpp"
@@ -45,10 +48,41 @@ struct Answer {
     Assembly assembly;
     Network network;
     std::vector<ContactSpan> schedule;
-    double unit = 1.0;  ///< E_1 [Z_1 delta^2/h]
+    std::optional<double> unit = {};  ///< E_1 [Z_1 delta^2/h]
     NetworkMotions motions;
 
     [[nodiscard]] double joules(double energy) const { return energy * network.scales.energy(); }
+    [[nodiscard]] Json ratio(double energy) const { return unit ? Json(energy / *unit) : Json(); }
+    [[nodiscard]] std::string inWords(double energy) const
+    {
+        return unit ? fmt::format("{:.6g} E₁", energy / *unit)
+                    : fmt::format("{:.6g} J", joules(energy));
+    }
+    /// A motion of more energy than this times `hugeEnergyRatio` is not looked for: E_1, or else
+    /// what a bar has that moves by the gaps in a step, or under the forces in a period.
+    [[nodiscard]] double usualEnergy() const
+    {
+        double force = 0.0;
+        for (const NetworkNode& node : network.nodes) {
+            force += std::abs(node.force);
+        }
+        const auto cells = static_cast<double>(network.cells());
+        const double steps = period() / network.scales.time;
+        return unit.value_or(std::max(cells, force * steps * force * steps / cells));
+    }
+    /// Pushes on a bar that drifts balance what else acts on it, on average.
+    [[nodiscard]] std::string whyGrazing() const
+    {
+        return pushesBalance(network, schedule)
+                   ? ", nor does it in any other motion of this schedule: the pushes on a bar that "
+                     "nothing else holds balance"
+                   : "";
+    }
+    [[nodiscard]] bool presses() const
+    {
+        const auto& impulses = motions.residuals.impulses;
+        return std::any_of(impulses.begin(), impulses.end(), [](double one) { return one > 1e-9; });
+    }
     /// In a period.
     [[nodiscard]] double closedSteps(std::size_t contact) const
     {
@@ -106,11 +140,12 @@ Json listed(const std::vector<ContactMultiplier>& list)
 
 Json certificateAsJson(const Answer& answer)
 {
-    if (answer.motions.status == Status::undecided) {
+    if (answer.motions.status == Status::undecided || answer.motions.provedEnergy == 0.0) {
         return nullptr;
     }
     Json json{{"kind", "energy-floor"}, {"verified", true}, {"rows", "network"}};
-    json["energy_ratio"] = answer.motions.provedEnergy / answer.unit;
+    json["energy_ratio"] = answer.ratio(answer.motions.provedEnergy);
+    json["energy"] = answer.joules(answer.motions.provedEnergy);
     json["periodicity"] = answer.motions.multipliers.periodicity;
     json["places"] = listed(answer.motions.multipliers.places);
     json["pushes"] = listed(answer.motions.multipliers.pushes);
@@ -131,6 +166,7 @@ Json asJson(const Answer& answer)
                      {"period", answer.period()},
                      {"kernel_dimension", motions.kernelDimension},
                      {"contacts", contactsAsJson(answer.network, answer.assembly.length)},
+                     {"contact", nullptr},
                      {"energy", nullptr},
                      {"energy_ratio", nullptr},
                      {"energy_ratio_proved", nullptr},
@@ -141,8 +177,9 @@ Json asJson(const Answer& answer)
         return json;
     }
     json["energy"] = answer.joules(motions.energy);
-    json["energy_ratio"] = motions.energy / answer.unit;
-    json["energy_ratio_proved"] = motions.provedEnergy / answer.unit;
+    json["contact"] = answer.presses() ? "pressing" : "grazing";
+    json["energy_ratio"] = answer.ratio(motions.energy);
+    json["energy_ratio_proved"] = answer.ratio(motions.provedEnergy);
     json["residuals"] = {{"periodicity", motions.residuals.periodicity},
                          {"tie", motions.residuals.tie},
                          {"gap", motions.residuals.gap},
@@ -168,15 +205,18 @@ std::string asText(const Answer& answer)
     text.back() = '\n';
     text += fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.period());
     if (motions.status == Status::none) {
-        text += fmt::format("proof       none below {:.3g} E₁; checked by a march backwards\n",
-                            motions.provedEnergy / answer.unit);
+        text += fmt::format("proof       none below {}; checked by a march backwards\n",
+                            answer.inWords(motions.provedEnergy));
     } else if (motions.status == Status::undecided) {
         text += fmt::format("why         {}\n", motions.detail);
     } else {
-        text += fmt::format(
-            "energy      {:.6g} J, {:.6g} E₁, the least; proved: none has less than {:.6g} E₁\n",
-            answer.joules(motions.energy), motions.energy / answer.unit,
-            motions.provedEnergy / answer.unit);
+        text += fmt::format("energy      {:.6g} J{}, the least; proved: none has less than {}\n",
+                            answer.joules(motions.energy),
+                            answer.unit ? ", " + answer.inWords(motions.energy) : "",
+                            answer.inWords(motions.provedEnergy));
+        if (!answer.presses()) {
+            text += fmt::format("contact     grazing: nothing presses{}\n", answer.whyGrazing());
+        }
         const NetworkScales& scales = answer.network.scales;
         for (std::size_t j = 0; j < answer.network.contacts.size(); ++j) {
             text +=
@@ -234,8 +274,8 @@ ExitStatus findInScene(const FindCommand& command)
     Outputs states({ofState}, {ofProof});
     Outputs proofs({ofProof}, {ofState});
     const Interrupt interrupt;
-    answer.motions = leastMotion(answer.network, answer.schedule, hugeEnergyRatio * answer.unit,
-                                 interrupt.cancel());
+    answer.motions = leastMotion(answer.network, answer.schedule,
+                                 hugeEnergyRatio * answer.usualEnergy(), interrupt.cancel());
     if (answer.motions.motion) {
         states.put("--state", [&](const std::string& path) {
             writeNetworkState(path, answer.network,

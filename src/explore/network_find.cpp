@@ -15,56 +15,10 @@ namespace {
 
 constexpr double broken = 1e-10;  // a row, relative to waves of the motion's size
 
-void requireKnown(const Network& network, const std::vector<ContactSpan>& schedule)
+/// Is there something that rest has to give way to, or may lean on anywhere?
+bool isMoved(const Network& network)
 {
-    validate(network);
-    if (std::any_of(network.nodes.begin(), network.nodes.end(),
-                    [](const NetworkNode& node) { return node.force != 0.0; })) {
-        throw std::invalid_argument(
-            "constant force: allowed without: no method is known for least energies about a shape "
-            "that stands on a contact");
-    }
-    if (std::any_of(network.bars.begin(), network.bars.end(),
-                    [](const NetworkBar& bar) { return bar.drifts(); })) {
-        throw std::invalid_argument(
-            "a bar that drifts: allowed bars with a clamp or a spring: no method is known for "
-            "proofs about the others");
-    }
-    Faults faults;
-    if (network.waves() > mostForcedWaves) {
-        faults.add("waves", network.waves(), fmt::format("at most {}", mostForcedWaves));
-    }
-    std::int64_t steps = 0;
-    for (const ContactSpan& span : schedule) {
-        faults.requireWhole("steps", span.steps, std::int64_t{1'000'000});
-        if (network.contacts.size() < maxContacts && span.closed >> network.contacts.size() != 0) {
-            faults.add("closed contacts", fmt::format("{:#x}", span.closed),
-                       fmt::format("sets of contacts 1..{}", network.contacts.size()));
-        }
-        steps += span.steps;
-    }
-    faults.requireWhole("steps of a period", steps, std::int64_t{1'000'000});
-    faults.throwIfAny();
-    if ((schedule.front().closed & ~schedule.back().closed) == 0) {
-        faults.add("first set", fmt::format("{:#x}", schedule.front().closed),
-                   "sets with a contact that the last one leaves open");
-    }
-    // Distances are 0 where contacts close; without gaps the bars at rest meet every row.
-    ContactSet touched = 0;
-    bool isAtRest = true;
-    for (const ContactSpan& span : schedule) {
-        touched |= span.closed;
-    }
-    for (std::size_t j = 0; j < network.contacts.size(); ++j) {
-        const double gap = network.contacts[j].gap;
-        isAtRest = isAtRest && (contains(touched, j) ? gap == 0.0 : gap >= 0.0);
-    }
-    if (isAtRest) {
-        faults.add(
-            "gaps", 0,
-            "one that is not 0 at a contact that closes: else the bars at rest are a motion");
-    }
-    faults.throwIfAny();
+    return !driftingBars(network).empty() || !(withoutForces(network) == network);
 }
 
 RowSystem systemOf(const NetworkForced& waves)
@@ -102,27 +56,47 @@ std::vector<double> inOrder(const NetworkForced& waves, const Eigen::VectorXd& m
     return all;
 }
 
-/// Displacements of all nodes.
-std::vector<double> placesOf(const Network& network, const std::vector<double>& waves)
-{
-    std::vector<double> places;
-    for (std::size_t node = 0; node < network.nodes.size(); ++node) {
-        const DisplacementForm form = displacementOf(network, node);
-        double sum =
-            form.spring ? -waves[network.firstWave(network.rows.size()) + *form.spring] : 0.0;
-        for (const auto& stretch : form.rows) {
-            const auto cells = static_cast<std::size_t>(network.rows[stretch.row].cells);
-            const std::size_t first = network.firstWave(stretch.row);
-            for (std::size_t k = first; k < first + cells; ++k) {
-                sum += stretch.sign * (waves[k + cells] - waves[k]);
-            }
-        }
-        places.push_back(sum);
-    }
-    return places;
-}
-
 }  // namespace
+
+void requireKnown(const Network& network, const std::vector<ContactSpan>& schedule)
+{
+    validate(network);
+    Faults faults;
+    if (network.waves() > mostForcedWaves) {
+        faults.add("waves", network.waves(), fmt::format("at most {}", mostForcedWaves));
+    }
+    std::int64_t steps = 0;
+    for (const ContactSpan& span : schedule) {
+        faults.requireWhole("steps", span.steps, std::int64_t{1'000'000});
+        if (network.contacts.size() < maxContacts && span.closed >> network.contacts.size() != 0) {
+            faults.add("closed contacts", fmt::format("{:#x}", span.closed),
+                       fmt::format("sets of contacts 1..{}", network.contacts.size()));
+        }
+        steps += span.steps;
+    }
+    faults.requireWhole("steps of a period", steps, std::int64_t{1'000'000});
+    faults.throwIfAny();
+    if ((schedule.front().closed & ~schedule.back().closed) == 0) {
+        faults.add("first set", fmt::format("{:#x}", schedule.front().closed),
+                   "sets with a contact that the last one leaves open");
+    }
+    // Distances are 0 where contacts close; without gaps the bars at rest meet every row.
+    ContactSet touched = 0;
+    bool isAtRest = !isMoved(network);
+    for (const ContactSpan& span : schedule) {
+        touched |= span.closed;
+    }
+    for (std::size_t j = 0; j < network.contacts.size(); ++j) {
+        const double gap = network.contacts[j].gap;
+        isAtRest = isAtRest && (contains(touched, j) ? gap == 0.0 : gap >= 0.0);
+    }
+    if (isAtRest) {
+        faults.add(
+            "gaps", 0,
+            "one that is not 0 at a contact that closes: else the bars at rest are a motion");
+    }
+    faults.throwIfAny();
+}
 
 NetworkMotions leastMotion(const Network& network, const std::vector<ContactSpan>& schedule,
                            double largest, const Cancel& cancel)
@@ -139,19 +113,7 @@ NetworkMotions leastMotion(const Network& network, const std::vector<ContactSpan
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         numbers[k] = k;
     }
-    LeastNorm least;
-    if (answer.kernelDimension == 0) {
-        // Without waves distances are gaps, and one that closes is not 0.
-        least.end = LeastNormEnd::empty;
-        least.multipliers = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(numbers.size()));
-        Eigen::Index equal = 0;
-        for (const ForcedRow& row : waves.rows()) {
-            least.multipliers[equal] += row.isEquality ? row.limit : 0.0;
-            equal += row.isEquality ? 1 : 0;
-        }
-    } else {
-        least = leastNorm(systemOf(waves), broken, std::sqrt(largest), cancel);
-    }
+    const LeastNorm least = leastNorm(systemOf(waves), broken, std::sqrt(largest), cancel);
     if (least.end == LeastNormEnd::stopped) {
         answer.detail = isRequested(cancel)
                             ? "cancelled"
@@ -159,7 +121,7 @@ NetworkMotions leastMotion(const Network& network, const std::vector<ContactSpan
         return answer;
     }
     std::vector<double> multipliers = inOrder(waves, least.multipliers);
-    answer.multipliers = waves.floor(numbers, multipliers);
+    answer.multipliers = waves.floor(numbers, multipliers, least.end == LeastNormEnd::found);
     answer.provedEnergy = provedEnergy(answer.multipliers, network, schedule);
     if (least.end == LeastNormEnd::empty) {
         answer.status = answer.provedEnergy >= largest ? Status::none : Status::undecided;
@@ -169,8 +131,7 @@ NetworkMotions leastMotion(const Network& network, const std::vector<ContactSpan
         return answer;
     }
     const std::vector<double> z(least.z.begin(), least.z.end());
-    NetworkClaim claim{.waves = waves.waves({}, z)};
-    claim.displacements = placesOf(network, claim.waves);
+    NetworkClaim claim{.waves = waves.waves({}, z), .displacements = waves.displacements({}, z)};
     for (const ContactSpan& span : schedule) {
         claim.schedule.push_back({span.closed, span.steps});
     }
@@ -181,9 +142,54 @@ NetworkMotions leastMotion(const Network& network, const std::vector<ContactSpan
         return answer;
     }
     answer.status = Status::found;
-    answer.energy = least.z.squaredNorm();
+    answer.energy = least.z.squaredNorm() + waves.steadyEnergy();
     answer.motion = std::move(claim);
     return answer;
+}
+
+bool pushesBalance(const Network& network, const std::vector<ContactSpan>& schedule)
+{
+    ContactSet touched = 0;
+    for (const ContactSpan& span : schedule) {
+        touched |= span.closed;
+    }
+    // Contacts that cannot press, as theirs would be the only push on a bar without forces.
+    std::vector<bool> isIdle(network.contacts.size(), false);
+    for (bool goesOn = true; goesOn;) {
+        goesOn = false;
+        for (const std::size_t bar : driftingBars(network)) {
+            double force = 0.0;
+            for (const NetworkNode& node : network.nodes) {
+                force += node.bar == bar ? std::abs(node.force) : 0.0;
+            }
+            std::vector<std::size_t> one;
+            std::vector<std::size_t> other;
+            for (std::size_t j = 0; j < network.contacts.size(); ++j) {
+                const NetworkContact& contact = network.contacts[j];
+                const bool isGap = contact.kind == ContactKind::gap;
+                if (!contains(touched, j) || isIdle[j]) {
+                    continue;
+                }
+                if (network.nodes[contact.node].bar == bar) {
+                    (contact.kind == ContactKind::stopLeft ? other : one).push_back(j);
+                }
+                if (isGap && network.nodes[contact.node + 1].bar == bar) {
+                    other.push_back(j);
+                }
+            }
+            if (force == 0.0 && one.empty() != other.empty()) {
+                for (const std::size_t j : one.empty() ? other : one) {
+                    isIdle[j] = goesOn = true;
+                }
+            }
+        }
+    }
+    for (std::size_t j = 0; j < isIdle.size(); ++j) {
+        if (contains(touched, j) && !isIdle[j]) {
+            return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace signorini

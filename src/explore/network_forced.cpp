@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "network_simulation.hpp"
 #include "periodic_multipliers.hpp"
 
 namespace signorini {
@@ -13,16 +14,6 @@ namespace {
 
 constexpr double leastPivot = 1e-10;  // of 1 - W; below it the waves are anyone's guess
 constexpr double noPivot = 1e-12;     // that is 0 but for rounding
-constexpr double negligible = 1e-11;  // of rows, relative to the largest of their kind
-
-double sizeOf(const ForcedRow& row)
-{
-    double largest = std::max(std::abs(row.plane.c), std::abs(row.plane.s));
-    for (const auto& [wave, factor] : row.free) {
-        largest = std::max(largest, std::abs(factor));
-    }
-    return largest;
-}
 
 bool isInTime(NetworkCondition::Kind kind)
 {
@@ -51,23 +42,29 @@ NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> schedule,
     for (const Stub& stub : network_.stubs) {
         scale_[next++] = std::sqrt(stub.impedance);
     }
+    const Network still = withoutForces(network_);
     for (const ContactSpan& span : schedule_) {
-        laws_.emplace_back(network_, span.closed);
+        laws_.emplace_back(still, span.closed);
+        if (!(still == network_)) {
+            forcedLaws_.emplace_back(network_, span.closed);
+        }
     }
+    list();
+    choosePivots();
     solve();
     if (isClear_) {
-        list();
         read();
     }
 }
 
-Eigen::VectorXd NetworkForced::carried(const Eigen::VectorXd& x, const StepDrive* shape) const
+Eigen::VectorXd NetworkForced::carried(const Eigen::VectorXd& x, const Laws& laws,
+                                       const StepDrive* shape) const
 {
     NetworkWaves<double> waves = started(network_, x);
     std::size_t m = 0;
     for (std::size_t k = 0; k < schedule_.size(); ++k) {
         for (const auto end = m + static_cast<std::size_t>(schedule_[k].steps); m < end; ++m) {
-            waves.step(laws_[k], shape != nullptr ? shape->forces[m] : 0.0,
+            waves.step(laws[k], shape != nullptr ? shape->forces[m] : 0.0,
                        shape != nullptr ? shape->velocities[m] : 0.0);
         }
     }
@@ -82,11 +79,16 @@ void NetworkForced::solve()
     Eigen::MatrixXd change = Eigen::MatrixXd::Identity(size, size);
     for (Eigen::Index k = 0; k < size; ++k) {
         const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size, k) / scale_[k];
-        change.col(k) -= carried(unit, nullptr).cwiseProduct(scale_);
+        change.col(k) -= carried(unit, laws_, nullptr).cwiseProduct(scale_);
     }
     std::vector<Eigen::VectorXd> made;
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(size);
     for (const StepDrive& shape : shapes_) {
-        made.emplace_back(carried(Eigen::VectorXd::Zero(size), &shape).cwiseProduct(scale_));
+        made.emplace_back(carried(none, laws_, &shape).cwiseProduct(scale_));
+    }
+    steady_ = none;
+    if (!forcedLaws_.empty()) {
+        steady_ = carried(none, forcedLaws_, nullptr).cwiseProduct(scale_);
     }
     kernel_.resize(size, 0);
     // Of free waves only the kernel matters.
@@ -96,6 +98,7 @@ void NetworkForced::solve()
         for (const Eigen::VectorXd& wave : made) {
             driven_.emplace_back(factors.solve(wave).cwiseQuotient(scale_));
         }
+        steady_ = factors.solve(steady_).cwiseQuotient(scale_);
         return;
     }
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> ranked;
@@ -120,9 +123,12 @@ void NetworkForced::solve()
         };
         work_.push_back({on(0), on(1)});
     }
-    if (made.empty()) {
-        work_.clear();
+    const Eigen::VectorXd work = kernel.transpose() * steady_;
+    steadyWork_.assign(work.begin(), work.end());
+    for (const NetworkNode& node : network_.nodes) {
+        steadyMade_ += std::abs(node.force);
     }
+    steady_ = ranked.solve(steady_).cwiseQuotient(scale_);
     kernel_ = scale_.cwiseInverse().asDiagonal() * kernel;
 }
 
@@ -150,19 +156,21 @@ void NetworkForced::list()
             }
         }
     }
-    std::iter_swap(conditions_.begin(),
-                   std::find_if(conditions_.begin(), conditions_.end(),
-                                [](const NetworkCondition& one) { return one.isEquality; }));
     ties_ = tiesOf(network_);
     for (std::size_t k = 0; k < ties_.size(); ++k) {
         conditions_.push_back({Kind::tie, 0, static_cast<std::int64_t>(k), true});
     }
-    for (std::size_t k = 0; k < work_.size(); ++k) {
-        conditions_.push_back({Kind::work, 0, static_cast<std::int64_t>(k), true});
+    bars_ = driftingBars(network_);
+    for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
+        driftsAt_.push_back(driftsOf(network_, j));
+    }
+    for (std::size_t k = 0; k < bars_.size(); ++k) {
+        conditions_.push_back({Kind::drift, 0, static_cast<std::int64_t>(k), true});
     }
 }
 
-std::vector<double> NetworkForced::watch(const Eigen::VectorXd& x, const StepDrive* shape) const
+std::vector<double> NetworkForced::watch(const Eigen::VectorXd& x, const Laws& laws,
+                                         const StepDrive* shape) const
 {
     std::vector<double> distances;
     for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
@@ -177,10 +185,11 @@ std::vector<double> NetworkForced::watch(const Eigen::VectorXd& x, const StepDri
     NetworkWaves<double> waves = started(network_, x);
     std::vector<double> values;
     values.reserve(conditions_.size());
+    std::vector<double> ways(bars_.size(), 0.0);
     auto next = conditions_.begin();
     std::int64_t step = 0;
     for (std::size_t k = 0; k < schedule_.size(); ++k) {
-        const NetworkLaw<double>& law = laws_[k];
+        const NetworkLaw<double>& law = laws[k];
         for (std::int64_t m = 0; m < schedule_[k].steps; ++m, ++step) {
             const auto at = static_cast<std::size_t>(step);
             const double force = shape != nullptr ? shape->forces[at] : 0.0;
@@ -191,11 +200,14 @@ std::vector<double> NetworkForced::watch(const Eigen::VectorXd& x, const StepDri
                                      ? distances[next->contact]
                                      : law.push(next->contact).at(waves.arriving(), force, base));
             }
+            const auto speed = [&](std::size_t node) {
+                return law.velocity(node).at(waves.arriving(), force, base);
+            };
+            for (std::size_t j = 0; j < bars_.size(); ++j) {
+                ways[j] += speed(network_.bars[bars_[j]].firstNode);
+            }
             for (std::size_t j = 0; j < distances.size(); ++j) {
                 const NetworkContact& contact = network_.contacts[j];
-                const auto speed = [&](std::size_t node) {
-                    return law.velocity(node).at(waves.arriving(), force, base);
-                };
                 const double v = speed(contact.node);
                 distances[j] += contact.kind == ContactKind::stopLeft ? v : -v;
                 distances[j] += contact.kind == ContactKind::gap ? speed(contact.node + 1) : 0.0;
@@ -206,63 +218,13 @@ std::vector<double> NetworkForced::watch(const Eigen::VectorXd& x, const StepDri
     for (const std::vector<double>& tie : ties_) {
         values.push_back(Eigen::Map<const Eigen::VectorXd>(tie.data(), x.size()).dot(x));
     }
+    values.insert(values.end(), ways.begin(), ways.end());
     return values;
-}
-
-void NetworkForced::read()
-{
-    std::vector<std::vector<double>> seen;
-    for (std::size_t k = 0; k < shapes_.size(); ++k) {
-        seen.push_back(watch(driven_[k], &shapes_[k]));
-    }
-    std::vector<std::vector<double>> free;
-    for (Eigen::Index k = 0; k < kernel_.cols(); ++k) {
-        free.push_back(watch(kernel_.col(k), nullptr));
-    }
-    double largest = 0.0;
-    for (std::size_t i = 0; i < conditions_.size(); ++i) {
-        const NetworkCondition& condition = conditions_[i];
-        ForcedRow row{
-            {ForcedRule::gap, static_cast<std::int64_t>(i)}, condition.isEquality, {}, {}, 0.0};
-        if (condition.kind == NetworkCondition::Kind::work) {
-            row.plane = work_[static_cast<std::size_t>(condition.step)];
-        } else {
-            row.plane = {seen.empty() ? 0.0 : seen[0][i], seen.size() > 1 ? seen[1][i] : 0.0};
-            for (std::size_t k = 0; k < free.size(); ++k) {
-                row.free.emplace_back(k, free[k][i]);
-            }
-        }
-        if (condition.kind == NetworkCondition::Kind::place) {
-            row.limit = -network_.contacts[condition.contact].gap;
-        }
-        if (i > 0) {
-            row.condition.rule =
-                condition.kind == NetworkCondition::Kind::push   ? ForcedRule::pressure
-                : condition.kind == NetworkCondition::Kind::work ? ForcedRule::work
-                : condition.isEquality                           ? ForcedRule::closure
-                : network_.contacts[condition.contact].kind == ContactKind::stopLeft
-                    ? ForcedRule::secondStop
-                    : ForcedRule::penetration;
-        }
-        largest = std::max(largest, sizeOf(row));
-        rows_.push_back(std::move(row));
-    }
-    for (ForcedRow& row : rows_) {  // what is 0 but for rounding is 0
-        const auto clear = [&](double& value) {
-            value = std::abs(value) <= negligible * largest ? 0.0 : value;
-        };
-        clear(row.plane.c);
-        clear(row.plane.s);
-        for (auto& [wave, factor] : row.free) {
-            clear(factor);
-        }
-        std::erase_if(row.free, [](const auto& entry) { return entry.second == 0.0; });
-    }
 }
 
 std::vector<double> NetworkForced::waves(Plane place, std::span<const double> free) const
 {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(scale_.size());
+    Eigen::VectorXd x = steady_;
     for (std::size_t k = 0; k < driven_.size(); ++k) {
         x += (k == 0 ? place.c : place.s) * driven_[k];
     }
@@ -270,6 +232,20 @@ std::vector<double> NetworkForced::waves(Plane place, std::span<const double> fr
         x += free[k] * kernel_.col(static_cast<Eigen::Index>(k));
     }
     return {x.begin(), x.end()};
+}
+
+std::vector<double> NetworkForced::displacements(Plane place, std::span<const double> free) const
+{
+    Eigen::VectorXd drifts = drifts_[shapes_.size()];
+    for (std::size_t k = 0; k < shapes_.size(); ++k) {
+        drifts += (k == 0 ? place.c : place.s) * drifts_[k];
+    }
+    for (std::size_t k = 0; k < free.size(); ++k) {
+        drifts += free[k] * drifts_[shapes_.size() + 1 + k];
+    }
+    const std::vector<double> all = waves(place, free);
+    return displacementsOf(network_, all,
+                           std::span(drifts.data(), static_cast<std::size_t>(drifts.size())));
 }
 
 std::vector<double> NetworkForced::contradiction(std::span<const std::size_t> rows,
@@ -304,25 +280,42 @@ std::vector<double> NetworkForced::contradiction(std::span<const std::size_t> ro
 }
 
 EnergyFloor NetworkForced::floor(std::span<const std::size_t> rows,
-                                 std::span<const double> multipliers) const
+                                 std::span<const double> multipliers, bool isLeast) const
 {
     EnergyFloor floor;
     Eigen::VectorXd works = Eigen::VectorXd::Zero(scale_.size());
+    std::vector<double> ways(bars_.size(), 0.0);
+    Eigen::VectorXd left = Eigen::VectorXd::Zero(driftBy_.rows());  // of displacements that drift
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const NetworkCondition& condition = conditions_[rows[k]];
         if (multipliers[k] == 0.0 || condition.kind == NetworkCondition::Kind::tie) {
             continue;
         }
-        if (condition.kind == NetworkCondition::Kind::work) {
+        if (condition.kind == NetworkCondition::Kind::drift) {
+            ways[static_cast<std::size_t>(condition.step)] += multipliers[k];
+        } else if (condition.kind == NetworkCondition::Kind::work) {
             works += multipliers[k] * kernel_.col(static_cast<Eigen::Index>(condition.step));
         } else {
             (condition.kind == NetworkCondition::Kind::place ? floor.places : floor.pushes)
                 .push_back({condition.contact, condition.step, multipliers[k]});
         }
+        if (condition.kind == NetworkCondition::Kind::place) {
+            for (const auto& [bar, sign] : driftsAt_[condition.contact]) {
+                left[static_cast<Eigen::Index>(bar)] += sign * multipliers[k];
+            }
+        }
+    }
+    const Eigen::VectorXd tied = driftBy_.transpose() * left;
+    for (std::size_t k = 0; k < tied_.size(); ++k) {
+        floor.places.push_back(
+            {tied_[k].contact, tied_[k].step, tied[static_cast<Eigen::Index>(k)]});
     }
     works = works.cwiseProduct(scale_).cwiseProduct(scale_);
     floor.periodicity.assign(works.begin(), works.end());
-    completeFloor(floor, network_, schedule_);
+    floor.periodicity.insert(floor.periodicity.end(), ways.begin(), ways.end());
+    completeFloor(floor, network_, schedule_, {},
+                  isLeast ? std::span(steady_.data(), static_cast<std::size_t>(steady_.size()))
+                          : std::span<const double>());
     return floor;
 }
 

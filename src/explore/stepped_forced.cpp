@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "energy_floor.hpp"
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "forced_cut.hpp"
 #include "infinity.hpp"
+#include "network_find.hpp"
 #include "signorini/find_periodic.hpp"
 #include "stepped_blocks.hpp"
 #include "stepped_walk.hpp"
@@ -54,6 +56,32 @@ Network networkOf(const ForcedSet& set)
     return networkOf(scene, set.schedule.cells, set.damping);
 }
 
+/// Of a period. \throws as the constructor says.
+std::int64_t checkedSteps(const Network& network, const std::vector<ContactSpan>& spans,
+                          const Forcing& forcing)
+{
+    requireKnown(network, spans);
+    Faults faults;
+    std::int64_t steps = 0;
+    for (const ContactSpan& span : spans) {
+        steps += span.steps;
+    }
+    if (const std::int64_t most = (steps - 1) / 2; forcing.cycles < 1 || forcing.cycles > most) {
+        faults.add("cycles", forcing.cycles,
+                   fmt::format("whole numbers 1..{}, below half of the steps", most));
+    }
+    const bool isForce = forcing.place == Excited::tip;
+    if (std::none_of(network.nodes.begin(), network.nodes.end(),
+                     [isForce](const NetworkNode& node) {
+                         return isForce ? node.isDriven : node.isShaken;
+                     })) {
+        faults.add("force", isForce ? "tip" : "base",
+                   isForce ? "a scene with the word driven" : "a scene with the word shaken");
+    }
+    faults.throwIfAny();
+    return steps;
+}
+
 std::vector<StepDrive> drivesOf(std::span<const Excitation> shapes)
 {
     std::vector<StepDrive> drives;
@@ -69,9 +97,19 @@ SteppedForced::SteppedForced(const ForcedSet& set)
     : schedule_(set.schedule),
       damping_(set.damping),
       bar_(checkedBar(set)),
-      shapes_(shapesOf(set.forcing, bar_.cells, steps(schedule_))),
+      shapes_(shapesOf(set.forcing, bar_->cells, steps(schedule_))),
       waves_(networkOf(set), spansOf(schedule_), drivesOf(shapes_)),
-      canRest_(canRest(set))
+      canRest_(canRest(set)),
+      mostEnergy_(hugeEnergyRatio * 0.5 * static_cast<double>(bar_->cells))
+{
+}
+
+SteppedForced::SteppedForced(Network network, std::vector<ContactSpan> spans,
+                             const Forcing& forcing, double usualEnergy)
+    : shapes_(shapesOf(forcing, 1, checkedSteps(network, spans, forcing))),
+      waves_(std::move(network), std::move(spans), drivesOf(shapes_)),
+      canRest_(false),
+      mostEnergy_(hugeEnergyRatio * usualEnergy)
 {
 }
 
@@ -79,10 +117,25 @@ MotionAt SteppedForced::motionAt() const
 {
     return [this](Plane place, std::span<const double> free) {
         const std::vector<double> all = waves_.waves(place, free);
-        State state{Eigen::VectorXd(bar_.cells), Eigen::VectorXd(bar_.cells)};
+        if (!bar_) {
+            const std::vector<double> places = waves_.displacements(place, free);
+            ForcedMotion motion{.excitation = combined(shapes_, place),
+                                .amplitude = size(place),
+                                .phase = std::atan2(place.s, place.c)};
+            motion.state.a = Eigen::Map<const Eigen::VectorXd>(
+                all.data(), static_cast<Eigen::Index>(all.size()));
+            motion.state.b = Eigen::Map<const Eigen::VectorXd>(
+                places.data(), static_cast<Eigen::Index>(places.size()));
+            const NetworkResiduals residuals = walk(waves_.network(), claimOf(motion));
+            motion.residual = residuals.worst();
+            motion.extremes.impulse =
+                std::accumulate(residuals.impulses.begin(), residuals.impulses.end(), 0.0);
+            return motion;
+        }
+        State state{Eigen::VectorXd(bar_->cells), Eigen::VectorXd(bar_->cells)};
         Eigen::Index first = 0;
         const double* next = all.data();
-        for (const Segment& segment : bar_.segments) {
+        for (const Segment& segment : bar_->segments) {
             state.a.segment(first, segment.cells) =
                 Eigen::Map<const Eigen::VectorXd>(next, segment.cells);
             state.b.segment(first, segment.cells) =
@@ -90,8 +143,22 @@ MotionAt SteppedForced::motionAt() const
             first += segment.cells;
             next += 2 * segment.cells;
         }
-        return steppedMotion({bar_, schedule_, damping_, shapes_}, place, std::move(state));
+        return steppedMotion({*bar_, schedule_, damping_, shapes_}, place, std::move(state));
     };
+}
+
+NetworkClaim SteppedForced::claimOf(const ForcedMotion& motion) const
+{
+    NetworkClaim claim;
+    claim.waves.assign(motion.state.a.begin(), motion.state.a.end());
+    claim.displacements.assign(motion.state.b.begin(), motion.state.b.end());
+    for (const ContactSpan& span : waves_.schedule()) {
+        claim.schedule.push_back({span.closed, span.steps});
+    }
+    StepDrive drive = driveOf(motion.excitation);
+    claim.forces = std::move(drive.forces);
+    claim.velocities = std::move(drive.velocities);
+    return claim;
 }
 
 ForcedCondition SteppedForced::named(std::size_t row) const
@@ -99,7 +166,7 @@ ForcedCondition SteppedForced::named(std::size_t row) const
     const NetworkCondition& of = waves_.conditions()[row];
     const ForcedRule rule = waves_.rows()[row].condition.rule;
     const bool isAfter = of.kind == NetworkCondition::Kind::place && rule != ForcedRule::gap;
-    const std::int64_t n = steps(schedule_);
+    const std::int64_t n = shapes_.front().steps();
     return {rule, isAfter ? (of.step + n - 1) % n : of.step};
 }
 
@@ -144,16 +211,11 @@ ForcedLine SteppedForced::line() const
     return cut.result();
 }
 
-double SteppedForced::mostEnergy() const
-{
-    return hugeEnergyRatio * 0.5 * static_cast<double>(bar_.cells);
-}
-
 bool SteppedForced::isCertain(std::span<const EnergyFloor> cuts) const
 {
     const auto known = cutsOf(cuts, waves_.network(), waves_.schedule(), waves_.shapes());
     if (!canRest_) {
-        return forbidUpTo(known, mostCutAmplitude, mostEnergy());
+        return forbidUpTo(known, mostCutAmplitude, mostEnergy_);
     }
     // What is touched alone scales with the excitation.
     const bool scales = std::all_of(cuts.begin(), cuts.end(), [this](const EnergyFloor& cut) {
@@ -161,7 +223,7 @@ bool SteppedForced::isCertain(std::span<const EnergyFloor> cuts) const
             return waves_.network().contacts[place.contact].gap == 0.0;
         });
     });
-    return scales && forbidJust(known, 1.0, mostEnergy());
+    return scales && forbidJust(known, 1.0, mostEnergy_);
 }
 
 /// One for each row, and one more for each equality, negated.
@@ -318,7 +380,7 @@ AmplitudeExclusion SteppedForced::exclusion(const ForcedSet& set, double amplitu
     exclusion.conflict = named(rows);
     exclusion.isCertain =
         forbidJust(cutsOf(exclusion.cuts, waves_.network(), waves_.schedule(), waves_.shapes()),
-                   amplitude, mostEnergy());
+                   amplitude, mostEnergy_);
     return exclusion;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 /// \file
-/// The forced motions of a schedule of a bar of several segments, as those of a network
+/// The forced motions of a schedule of any network, among them a bar of several segments
 /// (network_forced.hpp). docs/theory.md, section 19.
 
 #include "forced_set.hpp"
 #include "network_forced.hpp"
+#include "network_walk.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini {
@@ -18,12 +19,20 @@ public:
     /// \throws std::invalid_argument on segments that are none or have other cells, a limit, a
     /// shape, more than maxForcedCells cells or maxSteppedSteps steps.
     explicit SteppedForced(const ForcedSet& set);
+    /// Of any network, with its forces on driven nodes or its shaken clamps; `usualEnergy`: motions
+    /// of `hugeEnergyRatio` times as much are not looked for. \throws std::invalid_argument as
+    /// `leastMotion` does, and if nothing is driven.
+    SteppedForced(Network network, std::vector<ContactSpan> spans, const Forcing& forcing,
+                  double usualEnergy);
 
     /// What motions there are. O(n) and a proof, or, where nothing damps some waves, a few dozen
     /// linear programs.
     void decide(ForcedSet& set) const;
-    /// The motion at (C, S), walked and marched. O(n N).
+    /// The motion at (C, S), walked and marched. O(n N). Of a network that is no bar all waves are
+    /// in `a` of the state, displacements of nodes in `b`, and the impulse is that of all contacts.
     [[nodiscard]] MotionAt motionAt() const;
+    /// A motion of it as what is walked. \pre no bar of segments.
+    [[nodiscard]] NetworkClaim claimOf(const ForcedMotion& motion) const;
     /// Why none has an amplitude.
     [[nodiscard]] AmplitudeExclusion exclusion(const ForcedSet& set, double amplitude) const;
     /// Do the multipliers leave no excitation?
@@ -39,14 +48,14 @@ private:
                     std::vector<EnergyFloor> cuts) const;
     void decidePolytope(ForcedSet& set) const;
     [[nodiscard]] std::vector<EnergyFloor> floorsOf(std::span<const std::size_t> rows) const;
-    [[nodiscard]] double mostEnergy() const;
 
     Schedule schedule_;
     Damping damping_;
-    SteppedBar bar_;
+    std::optional<SteppedBar> bar_;
     std::vector<Excitation> shapes_;
     NetworkForced waves_;
     bool canRest_;
+    double mostEnergy_;
 };
 
 }  // namespace signorini

@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <vector>
 
 namespace signorini {
@@ -13,12 +15,16 @@ namespace {
 
 constexpr double noLength = 1e-14;          // of a vector of length 1
 constexpr std::int64_t mostKept = 1 << 24;  // numbers, of vectors that are kept orthogonal
+constexpr int partBits = 46;                // of the largest multiplier
 
-/// W - 1 and its transpose, in the norm of the energy.
+/// W - 1 and its transpose, in the norm of the energy. Its values are the changes of all waves in a
+/// period, and how far bars that drift have moved.
 class PeriodOperator {
 public:
     PeriodOperator(const Network& network, std::span<const ContactSpan> schedule)
-        : network_(network), scale_(static_cast<Eigen::Index>(network.waves()))
+        : network_(withoutForces(network)),
+          bars_(driftingBars(network)),
+          scale_(static_cast<Eigen::Index>(network.waves()))
     {
         Eigen::Index next = 0;
         for (const CellRow& row : network.rows) {
@@ -29,7 +35,7 @@ public:
             scale_[next++] = std::sqrt(stub.impedance);
         }
         for (const ContactSpan& span : schedule) {
-            laws_.try_emplace(span.closed, network, span.closed);
+            laws_.try_emplace(span.closed, network_, span.closed);
         }
         for (const ContactSpan& span : schedule) {
             spans_.push_back({&laws_.at(span.closed), span.steps});
@@ -37,35 +43,46 @@ public:
         }
     }
 
-    [[nodiscard]] const Eigen::VectorXd& scale() const { return scale_; }
+    /// As the multipliers are scaled.
+    [[nodiscard]] Eigen::VectorXd scale() const
+    {
+        Eigen::VectorXd all = Eigen::VectorXd::Ones(values());
+        all.head(scale_.size()) = scale_;
+        return all;
+    }
+    [[nodiscard]] double scale(Eigen::Index wave) const { return scale_[wave]; }
+    [[nodiscard]] Eigen::Index values() const
+    {
+        return scale_.size() + static_cast<Eigen::Index>(bars_.size());
+    }
 
     [[nodiscard]] Eigen::VectorXd forwards(const Eigen::VectorXd& x) const
     {
         const Eigen::VectorXd start = x.cwiseQuotient(scale_);
         NetworkWaves<double> waves = wavesOf(start);
+        Eigen::VectorXd change = Eigen::VectorXd::Zero(values());
         for (const auto& [law, steps] : spans_) {
             for (std::int64_t m = 0; m < steps; ++m) {
+                for (std::size_t k = 0; k < bars_.size(); ++k) {
+                    for (const auto& term : velocityOf(*law, k)) {
+                        change[scale_.size() + static_cast<Eigen::Index>(k)] +=
+                            term.coefficient * waves.arriving()[term.channel];
+                    }
+                }
                 waves.step(*law);
             }
         }
-        return (vectorOf(waves) - start).cwiseProduct(scale_);
+        change.head(scale_.size()) = (vectorOf(waves) - start).cwiseProduct(scale_);
+        return change;
     }
 
     [[nodiscard]] Eigen::VectorXd backwards(const Eigen::VectorXd& y) const
     {
-        const Eigen::VectorXd end = y.cwiseProduct(scale_);
-        NetworkWaves<double> waves = wavesOf(end);
-        for (std::size_t i = spans_.size(); i-- > 0;) {
-            const auto& [law, steps] = spans_[i];
-            for (std::int64_t m = 0; m < steps; ++m) {
-                waves.stepBack(*law);
-            }
-        }
-        return (vectorOf(waves) - end).cwiseQuotient(scale_);
+        return marched(y, {});
     }
 
-    /// What the conditions add up to.
-    [[nodiscard]] Eigen::VectorXd conditions(const EnergyFloor& floor) const
+    /// What they add up to, with conditions.
+    [[nodiscard]] Eigen::VectorXd marched(const Eigen::VectorXd& y, const EnergyFloor& floor) const
     {
         std::map<std::int64_t, std::vector<ContactMultiplier>> places;
         std::map<std::int64_t, std::vector<ContactMultiplier>> pushes;
@@ -75,24 +92,30 @@ public:
         for (const ContactMultiplier& m : floor.pushes) {
             pushes[m.step].push_back(m);
         }
-        NetworkWaves<double> waves = wavesOf(Eigen::VectorXd::Zero(scale_.size()));
+        const Eigen::VectorXd end = y.head(scale_.size()).cwiseProduct(scale_);
+        std::vector<double> drifts(y.begin() + scale_.size(), y.end());
+        NetworkWaves<double> waves = wavesOf(end);
         std::int64_t step = steps_;
         for (std::size_t i = spans_.size(); i-- > 0;) {
             const auto& [law, steps] = spans_[i];
             for (std::int64_t m = 0; m < steps; ++m) {
                 waves.stepBack(*law);
                 --step;
+                for (std::size_t k = 0; k < bars_.size(); ++k) {
+                    add(waves, velocityOf(*law, k), drifts[k]);
+                }
                 for (const ContactMultiplier& push : pushes[step]) {
-                    for (const auto& term : law->push(push.contact).terms) {
-                        waves.add(term.channel, push.value * term.coefficient);
-                    }
+                    add(waves, law->push(push.contact).terms, push.value);
                 }
                 for (const ContactMultiplier& place : places[step]) {
                     addPlace(waves, place);
+                    for (const auto& [bar, sign] : driftsOf(network_, place.contact)) {
+                        drifts[bar] += sign * place.value;
+                    }
                 }
             }
         }
-        return vectorOf(waves).cwiseQuotient(scale_);
+        return (vectorOf(waves) - end).cwiseQuotient(scale_);
     }
 
 private:
@@ -101,6 +124,19 @@ private:
         std::int64_t steps;
     };
 
+    using Terms = std::vector<LinearForm<double>::Term>;
+
+    /// Of what a bar that drifts is counted from.
+    [[nodiscard]] const Terms& velocityOf(const NetworkLaw<double>& law, std::size_t drifting) const
+    {
+        return law.velocity(network_.bars[bars_[drifting]].firstNode).terms;
+    }
+    static void add(NetworkWaves<double>& waves, const Terms& terms, double factor)
+    {
+        for (const auto& term : terms) {
+            waves.add(term.channel, factor * term.coefficient);
+        }
+    }
     [[nodiscard]] NetworkWaves<double> wavesOf(const Eigen::VectorXd& x) const
     {
         return {network_, std::span(x.data(), static_cast<std::size_t>(x.size()))};
@@ -118,8 +154,9 @@ private:
         waves = NetworkWaves<double>(network_, all);
     }
 
-    const Network& network_;
-    Eigen::VectorXd scale_;
+    Network network_;
+    std::vector<std::size_t> bars_;  ///< that drift
+    Eigen::VectorXd scale_;          ///< of the waves
     std::map<ContactSet, NetworkLaw<double>> laws_;
     std::vector<Span> spans_;
     std::int64_t steps_ = 0;
@@ -153,7 +190,7 @@ private:
 /// x that makes |A x - b| least, A the backwards operator.
 Eigen::VectorXd leastSquares(const PeriodOperator& period, Eigen::VectorXd u, const Cancel& cancel)
 {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(u.size());
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(period.values());
     Basis left;
     Basis right;
     const double size = left.enter(u);
@@ -187,17 +224,105 @@ Eigen::VectorXd leastSquares(const PeriodOperator& period, Eigen::VectorXd u, co
     return x;
 }
 
+/// A multiplier and the bars that drift, or the ground, between which its distance is.
+struct Edge {
+    ContactMultiplier* multiplier;
+    std::array<std::size_t, 2> bars;
+    std::array<int, 2> signs;
+};
+
+/// Of the largest multipliers as many as tie the bars together without a circle.
+std::vector<Edge> forestOf(const std::vector<Edge>& edges, std::size_t bars)
+{
+    std::vector<std::size_t> tree(bars + 1);
+    std::iota(tree.begin(), tree.end(), std::size_t{0});
+    std::vector<Edge> forest;
+    for (const Edge& edge : edges) {
+        const std::size_t one = tree[edge.bars[0]];
+        const std::size_t other = tree[edge.bars[1]];
+        if (one != other) {
+            forest.push_back(edge);
+            std::replace(tree.begin(), tree.end(), other, one);
+        }
+    }
+    return forest;
+}
+
+/// From the ends of the forest inwards, the ground last.
+void balance(std::vector<Edge> forest, std::vector<std::int64_t>& sums, double part)
+{
+    const std::size_t ground = sums.size() - 1;
+    for (std::size_t turn = 0; turn < ground; ++turn) {
+        for (std::size_t bar = 0; bar < ground; ++bar) {
+            const auto touches = [bar](const Edge& edge) {
+                return edge.bars[0] == bar || edge.bars[1] == bar;
+            };
+            if (std::count_if(forest.begin(), forest.end(), touches) != 1) {
+                continue;
+            }
+            const auto edge = std::find_if(forest.begin(), forest.end(), touches);
+            const int sign = edge->signs[edge->bars[0] == bar ? 0 : 1];
+            const std::int64_t change = -sign * sums[bar];
+            edge->multiplier->value += part * static_cast<double>(change);
+            for (const std::size_t k : {0U, 1U}) {
+                sums[edge->bars[k]] += edge->signs[k] * change;
+            }
+            forest.erase(edge);
+        }
+    }
+}
+
+/// Rounds multipliers to whole parts of the largest, and changes those of equalities, one for each
+/// bar that drifts, so that its displacement is left out to the last bit.
+void balance(std::vector<ContactMultiplier>& places, const Network& network)
+{
+    const std::size_t bars = driftingBars(network).size();
+    double most = 0.0;
+    for (const ContactMultiplier& m : places) {
+        most = std::max(most, std::abs(m.value));
+    }
+    if (bars == 0 || most == 0.0) {
+        return;
+    }
+    const double part = std::ldexp(1.0, std::ilogb(most) - partBits);
+    std::vector<std::int64_t> sums(bars + 1, 0);  // the last: of the ground
+    std::vector<Edge> edges;
+    for (ContactMultiplier& m : places) {
+        m.value = part * std::round(m.value / part);
+        edges.push_back({&m, {bars, bars}, {0, 0}});
+        std::size_t k = 0;
+        for (const auto& [bar, sign] : driftsOf(network, m.contact)) {
+            sums[bar] += sign * std::llround(m.value / part);
+            edges.back().bars[k] = bar;
+            edges.back().signs[k++] = sign;
+        }
+    }
+    std::stable_sort(edges.begin(), edges.end(), [](const Edge& one, const Edge& other) {
+        return std::abs(one.multiplier->value) > std::abs(other.multiplier->value);
+    });
+    balance(forestOf(edges, bars), sums, part);
+}
+
 }  // namespace
 
 void completeFloor(EnergyFloor& floor, const Network& network,
-                   std::span<const ContactSpan> schedule, const Cancel& cancel)
+                   std::span<const ContactSpan> schedule, const Cancel& cancel,
+                   std::span<const double> wanted)
 {
     const PeriodOperator period(network, schedule);
-    const Eigen::VectorXd y = leastSquares(period, -period.conditions(floor), cancel);
-    Eigen::VectorXd multipliers = y.cwiseProduct(period.scale());
-    if (floor.periodicity.size() == network.waves()) {
-        multipliers += Eigen::Map<const Eigen::VectorXd>(floor.periodicity.data(), y.size());
+    balance(floor.places, network);
+    Eigen::VectorXd given = Eigen::VectorXd::Zero(period.values());
+    if (static_cast<Eigen::Index>(floor.periodicity.size()) == given.size()) {
+        given = Eigen::Map<const Eigen::VectorXd>(floor.periodicity.data(), given.size());
+        given = given.cwiseQuotient(period.scale());
     }
+    Eigen::VectorXd missing = -period.marched(given, floor);
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        const auto at = static_cast<Eigen::Index>(k);
+        missing[at] += wanted[k] * period.scale(at);
+    }
+    const Eigen::VectorXd y = given + leastSquares(period, std::move(missing), cancel);
+    const Eigen::VectorXd multipliers = y.cwiseProduct(period.scale());
     floor.periodicity.assign(multipliers.begin(), multipliers.end());
 }
 

@@ -15,9 +15,11 @@
 
 namespace signorini {
 
-/// Enters `periodicity`, or adds to what is there and is 0 in a march backwards, where places and
-/// pushes are given. O(steps (n channels + steps waves)). \pre their contacts and steps exist.
+/// Enters `periodicity`, or adds to what is there, where places and pushes are given. Displacements
+/// of bars that drift are left out to the last bit: places change by rounding. O(steps (n channels + steps waves)). \pre their contacts and steps exist.
+/// `wanted`: waves x, so that eta is near Z x; none: near 0.
 void completeFloor(EnergyFloor& floor, const Network& network,
-                   std::span<const ContactSpan> schedule, const Cancel& cancel = {});
+                   std::span<const ContactSpan> schedule, const Cancel& cancel = {},
+                   std::span<const double> wanted = {});
 
 }  // namespace signorini

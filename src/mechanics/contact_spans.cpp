@@ -1,5 +1,7 @@
 #include "contact_spans.hpp"
 
+#include <algorithm>
+
 namespace signorini {
 
 namespace {
@@ -45,6 +47,43 @@ double addDistance(std::span<double> derivatives, const Network& network, std::s
         byBase += addDisplacement(derivatives, network, at.node + 1, factor);
     }
     return byBase;
+}
+
+Network withoutForces(Network network)
+{
+    for (NetworkNode& node : network.nodes) {
+        node.force = 0.0;
+    }
+    return network;
+}
+
+std::vector<std::size_t> driftingBars(const Network& network)
+{
+    std::vector<std::size_t> bars;
+    for (std::size_t bar = 0; bar < network.bars.size(); ++bar) {
+        if (network.bars[bar].drifts()) {
+            bars.push_back(bar);
+        }
+    }
+    return bars;
+}
+
+std::vector<std::pair<std::size_t, int>> driftsOf(const Network& network, std::size_t contact)
+{
+    const std::vector<std::size_t> bars = driftingBars(network);
+    std::vector<std::pair<std::size_t, int>> drifts;
+    const auto add = [&](std::size_t node, int sign) {
+        const auto found = std::find(bars.begin(), bars.end(), network.nodes[node].bar);
+        if (found != bars.end()) {
+            drifts.emplace_back(found - bars.begin(), sign);
+        }
+    };
+    const NetworkContact& at = network.contacts[contact];
+    add(at.node, at.kind == ContactKind::stopLeft ? 1 : -1);
+    if (at.kind == ContactKind::gap) {
+        add(at.node + 1, 1);
+    }
+    return drifts;
 }
 
 std::vector<std::vector<double>> tiesOf(const Network& network)

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "network.hpp"
@@ -45,6 +46,16 @@ struct StepDrive {
 /// Returns that by the place of the shaken clamps. O(cells of its bars).
 double addDistance(std::span<double> derivatives, const Network& network, std::size_t contact,
                    double factor);
+
+/// The same without constant forces.
+[[nodiscard]] Network withoutForces(Network network);
+
+/// The bars that drift, from the left: the displacement of their first node is an unknown.
+[[nodiscard]] std::vector<std::size_t> driftingBars(const Network& network);
+
+/// Bars among these with whose displacement a distance grows (1) or shrinks (-1).
+[[nodiscard]] std::vector<std::pair<std::size_t, int>> driftsOf(const Network& network,
+                                                                std::size_t contact);
 
 /// What holds for the waves of bars that are held more than once, at all times: each list times the
 /// waves is 0, at further clamps (u = 0, the base at rest) and springs (w = -u). O(waves) each.

@@ -232,7 +232,8 @@ struct Cluster {
 template <typename Number>
 struct DrivenDerivatives {
     Number force = Number(0);
-    Number base = Number(0);  ///< its velocity
+    Number base = Number(0);      ///< its velocity
+    Number constant = Number(0);  ///< what constant forces add
 };
 
 /// (N), while certain contacts are closed. `Number`: double, Rational, Interval.

@@ -167,6 +167,7 @@ DrivenDerivatives<Number> NetworkLaw<Number>::scatterBack(std::span<const Number
         }
         driven.force = driven.force + cluster.velocity.perForce * sum;
         driven.base = driven.base + cluster.velocity.perBase * sum;
+        driven.constant = driven.constant + cluster.velocity.constant * sum;
     }
     return driven;
 }

@@ -37,6 +37,25 @@ def scene_of(rng):
     return " ".join(words), contacts
 
 
+def loose_scene_of(rng):
+    """Words of bars on springs, with masses and forces, under their weight, or that nothing holds."""
+    kind = rng.randrange(4)
+    cells = rng.randint(2, 6)
+    if kind == 0:  # bounces
+        return f"{cells} stop={rng.choice([0, 1e-3])}", [str(2 * cells), str(6 * cells + rng.choice([0, 0, 1]))], 10
+    if kind == 1:  # flies
+        f = rng.randint(1, 12)
+        return f"stop=-1e-3 {cells} stop=1e-3", [f"2:{2 * cells}", f"-:{f}", f"1:{2 * cells}", f"-:{f}"], 0
+    if kind == 2:
+        words = f"spring={rng.choice([2, 30])} {cells} {rng.choice(['', 'mass=0.1 '])}{cells} stop=1e-3"
+    else:
+        words = f"clamp {cells} force={rng.choice([1e-4, -2e-4])} {rng.choice(['', 'spring=3 '])}{cells} gap=5e-4 " \
+            f"{rng.choice(['2', '3:2'])} gap=1e-3 2 clamp"
+        spans = [f"1:{rng.randint(1, 4)}", f"-:{rng.randint(2, 12)}"]
+        return words, [*spans, *(span.replace("1:", "2:") if span[0] == "1" else span for span in spans)], 0
+    return words, [str(rng.randint(1, 9)), str(rng.randint(2, 25))], rng.choice([0, 1e-4])
+
+
 def schedule_of(rng, contacts):
     """SET:STEPS ..., the last one open."""
     spans = []
@@ -57,14 +76,18 @@ def altered(answer, rng):
     """The same with one thing that is not so."""
     forged = copy.deepcopy(answer)
     certificate = forged["certificate"]
-    kinds = ["claim", "push", "period", "gap", "status", "spring", "cells", "key"]
+    kinds = ["claim", "push", "period", "status", "spring", "cells", "key"]
+    is_loaded = answer["scene"]["gravity"] or any(part["kind"] == "force" for part in answer["scene"]["parts"])
+    if answer["contacts"][0]["gap"]:
+        kinds.append("gap")
     if answer["kernel_dimension"] < 2 * answer["cells"]:
         kinds.append("waves")  # else all waves come back, and what multiplies their change is nothing
-    if all(contact["gap"] > 0 for contact in answer["contacts"]):
-        kinds.append("open")  # what is pressed at rest has to keep away then, and perhaps cannot
+    if all(contact["gap"] > 0 for contact in answer["contacts"]) and not is_loaded:
+        kinds.append("open")  # what is pressed at rest, or by forces, has to keep away then, and perhaps cannot
     kind = rng.choice(kinds)
     if kind == "claim":  # whole multipliers prove any energy but for the checker's own rounding
-        certificate["energy_ratio"] = 1e300 if answer["status"] == "none" else 1.01 * certificate["energy_ratio"]
+        key = "energy_ratio" if answer["reference"]["energy"] else "energy"
+        certificate[key] = 1e300 if answer["status"] == "none" else 1.01 * certificate[key] + 1e-300
     elif kind == "waves":
         size = 1 + sum(map(abs, certificate["periodicity"]))
         certificate["periodicity"] = [value + size * rng.uniform(-1, 1) for value in certificate["periodicity"]]
@@ -100,12 +123,17 @@ def main():
         return done.returncode == 0, done.stdout
 
     for _ in range(count):
-        if rng.random() < 0.2:
+        gravity = 0
+        draw = rng.random()
+        if draw < 0.2:
             scene, spans = with_motions(rng)
+        elif draw < 0.6:
+            scene, spans, gravity = loose_scene_of(rng)
         else:
             scene, contacts = scene_of(rng)
             spans = schedule_of(rng, contacts)
         words = [program, "find", "--scene", scene, *spans, "--format", "json", "--quiet"]
+        words += ["--gravity", str(gravity)] if gravity else []
         done = subprocess.run(words, capture_output=True, text=True, check=False)
         if done.returncode == 2:  # held twice, or the bars at rest are a motion
             said["no question"] += 1
@@ -113,7 +141,8 @@ def main():
         answer = json.loads(done.stdout)
         said[answer["status"]] += 1
         proved, why = is_proved(answer)
-        assert proved == (answer["status"] != "undecided"), (words, why)
+        assert proved == (answer["certificate"] is not None), (words, why)
+        assert proved == (answer["status"] != "undecided" and answer["energy"] != 0), (words, why)
         if proved:
             kind, forged = altered(answer, rng)
             proved, why = is_proved(forged)

@@ -1,7 +1,7 @@
 """What an answer of `find` proves."""
 from .energies import check_energies
 from .floor import check_floor, check_least
-from .network import check_scene
+from .network_claim import check_scene
 from .paper import check_farkas
 from .reading import NoProof, require_keys, shown
 from .scene import ASKED, BESIDES, DERIVED, Scene, unsaid

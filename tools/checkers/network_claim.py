@@ -1,0 +1,192 @@
+"""What an answer about bars in a row claims, and what the multipliers of its certificate prove (network.py)."""
+import collections
+import math
+from fractions import Fraction
+
+from .floor import HUGE, MOST_WORK, whole
+from .march import NEAR
+from .network import Backwards, Bars, Law
+from .reading import NoProof, close, integer, number, require_keys, shown, told
+from .scene import listed
+
+SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "kernel_dimension",
+        "contacts", "contact", "energy", "energy_ratio", "energy_ratio_proved", "residuals", "certificate", "detail")
+NINE = Fraction(1, 10 ** 9)
+
+
+class Claim:
+    """A schedule, the multipliers of a certificate, and what they prove."""
+
+    def __init__(self, answer):
+        self.bars = Bars(answer["scene"])
+        self.closed = []
+        for span in listed(answer["schedule"], "schedule"):
+            require_keys(span, "schedule", ("closed", "steps"))
+            names = [integer(name, "schedule") for name in listed(span["closed"], "schedule: closed")]
+            steps = integer(span["steps"], "schedule")
+            if not all(1 <= name <= len(self.bars.contacts) for name in names) or steps < 1 or \
+                    (len(self.closed) + steps) * 2 * len(self.bars.rows) > MOST_WORK:
+                raise NoProof(f"schedule: allowed contacts of the scene, 1 step or more, {MOST_WORK} of them times "
+                              "waves that arrive")
+            self.closed += [frozenset(name - 1 for name in names)] * steps
+        certificate = require_keys(answer["certificate"], "certificate",
+                                   ("kind", "verified", "rows", "energy_ratio", "energy", "periodicity", "places",
+                                    "pushes"))
+        if (certificate["kind"], certificate["rows"]) != ("energy-floor", "network") or not self.closed:
+            raise NoProof("certificate: allowed energy-floor over rows of a network, and some steps")
+        self.y = [whole(value, "periodicity") for value in listed(certificate["periodicity"], "periodicity")]
+        waves = 2 * self.bars.cells + len(self.bars.stubs)
+        if len(self.y) != waves + len(self.bars.drifting):
+            raise NoProof(f"periodicity: no list of {waves + len(self.bars.drifting)} numbers")
+        self.ways = self.y[waves:]
+        self.y = self.y[:waves]
+        self.places = self.read(certificate, "places")
+        self.pushes = self.read(certificate, "pushes")
+
+    def read(self, certificate, name):
+        """{step: [(contact, multiplier)]} of [contact, step, multiplier]."""
+        found, seen = collections.defaultdict(list), set()
+        for entry in listed(certificate[name], name):
+            if not isinstance(entry, list) or len(entry) != 3:
+                raise NoProof(f"{name}: {shown(entry)} is not [contact, step, multiplier]")
+            contact, step, value = integer(entry[0], name) - 1, integer(entry[1], name), whole(entry[2], name)
+            if not 0 <= contact < len(self.bars.contacts) or not 0 <= step < len(self.closed) or \
+                    (contact, step) in seen:
+                raise NoProof(f"{name}: {shown(entry)} is there twice, or names no contact or step")
+            seen.add((contact, step))
+            # A distance is 0 beside a closed step and else >= 0; a push is >= 0, and there while closed.
+            is_zero = contact in self.closed[step] or contact in self.closed[step - 1]
+            if name == "pushes" and contact not in self.closed[step]:
+                raise NoProof(f"pushes: in step {step} that contact is open")
+            if value < 0 and (name == "pushes" or not is_zero):
+                raise NoProof(f"{name}: a multiplier below 0 in step {step}")
+            found[step].append((contact, value))
+        if name == "places" and len(seen) * self.bars.cells > MOST_WORK:
+            raise NoProof(f"places: this checker takes up to {MOST_WORK} cells times places")
+        return found
+
+    def least(self):
+        """Every motion has this energy or more, in Z_1 delta^2/h."""
+        bars = self.bars
+        laws = {closed: Law(bars, closed) for closed in set(self.closed)}
+        distances = [bars.distance(contact) for contact in bars.contacts]
+        march, rounded, slack = Backwards(bars, self.y), 0, Fraction(0)
+        drifts = dict(zip(bars.drifting, self.ways))
+        least_impedance = min([row.impedance for row in bars.rows] + [z for _, _, z in bars.stubs])
+        pull = sum(map(abs, bars.forces)) / least_impedance
+        for step in range(len(self.closed) - 1, -1, -1):
+            law = laws[self.closed[step]]
+            slack += rounded * pull  # waves that rounding spoilt so far, times what forces add to them
+            march.step(law)
+            rounded += len(march.lines)
+            for bar, value in drifts.items():
+                form = law.velocities[bars.nodes_of(bar)[0]]
+                march.add(form, value)
+                rounded += len(form)
+            for contact, value in self.pushes.get(step, ()):
+                march.add(law.pushes[contact], value)
+                rounded += len(law.pushes[contact])
+            for contact, value in self.places.get(step, ()):
+                march.place(distances[contact], value)
+                for node, sign in bars.faces(bars.contacts[contact]):
+                    if bars.bar_of[node] in drifts:
+                        drifts[bars.bar_of[node]] += sign * value
+        if list(drifts.values()) != self.ways:
+            raise NoProof("places: the displacement of a bar that nothing holds does not drop out")
+        delta = -march.constant - slack - sum(value * bars.gaps[contact] for found in self.places.values()
+                                              for contact, value in found)
+        if not delta > 0:
+            raise NoProof("the right sides do not ask for a motion other than rest")
+        eta = [x - y for x, y in zip(march.waves(), self.y)]
+        square = self.norm_square(eta)
+        # A wave rounded by less than a unit has a norm below 1/sqrt(Z), and no step makes it larger.
+        norm = math.isqrt(math.ceil(square)) + 1 + rounded * (math.isqrt(math.ceil(1 / least_impedance)) + 1)
+        return (delta / norm) ** 2
+
+    def norm_square(self, eta):
+        """sum eta^2/Z, less what ties take: they are 0 for every motion, so multiples of them may be added."""
+        bars, sums, at, square = self.bars, [], 0, Fraction(0)
+        for row in bars.rows:
+            right, left = eta[at:at + row.cells], eta[at + row.cells:at + 2 * row.cells]
+            square += sum(x * x for x in right + left) / row.impedance
+            sums.append((Fraction(sum(left) - sum(right)) / row.impedance, 2 * row.cells / row.impedance))
+            at += 2 * row.cells
+        for value, (_, _, impedance) in zip(eta[at:], bars.stubs):
+            square += value * value / impedance
+            sums.append((value / impedance, 1 / impedance))
+        left = []  # ties at right angles to those before
+        for tie in bars.ties():
+            along = sum((factor * sums[k][0] for k, factor in tie.items()), Fraction(0))
+            for other, other_along, other_square in left:
+                part = sum((factor * other.get(k, 0) * sums[k][1] for k, factor in tie.items()), Fraction(0))
+                tie = {k: tie.get(k, 0) - part / other_square * other.get(k, 0) for k in {*tie, *other}}
+                along -= part / other_square * other_along
+            size = sum((factor ** 2 * sums[k][1] for k, factor in tie.items()), Fraction(0))
+            if size:
+                left.append((tie, along, size))
+                square -= along ** 2 / size
+        return square
+
+    def require_derived(self, answer, unit):
+        """What is said of scene and schedule has to follow from them."""
+        bars = self.bars
+        truth = [("cells", answer["cells"], Fraction(bars.cells)),
+                 ("period", answer["period"], len(self.closed) * bars.step)]
+        reference = require_keys(answer["reference"], "reference", ("frequency", "damping", "energy", "compliance"))
+        for name, value in (("energy", unit[0] and unit[0] * bars.joules()), ("compliance", unit[1])):
+            if value:
+                truth.append((f"reference: {name}", reference[name], value))
+            elif reference[name] is not None:
+                raise NoProof(f"reference: {name}: {shown(reference[name])}, but there is none")
+        found = listed(answer["contacts"], "contacts")
+        if len(found) != len(bars.contacts):
+            raise NoProof("contacts: not those of the scene")
+        for k, (one, contact) in enumerate(zip(found, bars.contacts), 1):
+            require_keys(one, "contacts", ("number", "kind", "place", "gap"), ("peak_force", "impulse", "contact_time"))
+            if one["kind"] != contact.kind:
+                raise NoProof(f"contacts: {shown(one['kind'])} is not the kind of contact {k}")
+            truth += [("contacts: number", one["number"], Fraction(k)),
+                      ("contacts: place", one["place"], bars.places[contact.node]),
+                      ("contacts: gap", one["gap"], bars.gaps[k - 1] * bars.delta)]
+            if "contact_time" in one:
+                truth.append(("contacts: contact_time", one["contact_time"],
+                              sum(k - 1 in closed for closed in self.closed) * bars.step))
+        for name, value, exact in truth:
+            if not close(value if exact >= 0 else -number(value, name), abs(exact), NINE):
+                raise NoProof(f"{name}: {shown(value)} does not follow from scene and schedule")
+
+
+def check_scene(answer):
+    """What an answer of `find --scene` proves, in a sentence. NoProof if it proves nothing."""
+    require_keys(answer, "answer", SAID)
+    claim = Claim(answer)
+    unit = claim.bars.unit()
+    claim.require_derived(answer, unit)
+    key, size = ("energy_ratio", unit[0]) if unit[0] else ("energy", 1 / claim.bars.joules())
+    least = claim.least() / size
+    claimed = Fraction(number(answer["certificate"][key], key))
+    is_found = answer["status"] == "found"
+    if not (is_found or answer["status"] == "none"):
+        raise NoProof(f"status: {shown(answer['status'])}: allowed found or none")
+    lowest = 0 if is_found else HUGE if unit[0] else HUGE * claim.bars.natural(len(claim.closed)) / size
+    if not lowest * (1 - NINE) <= claimed <= least:
+        raise NoProof(f"{key}: {shown(answer['certificate'][key])}: allowed {told(lowest)} to what is proved, "
+                      f"{told(least)}")
+    unproved = ("energy", "energy_ratio", "energy_ratio_proved", "residuals")
+    for key in () if is_found else unproved:
+        if answer[key] is not None:
+            raise NoProof(f"{key}: {shown(answer[key])} is not proved here")
+    if is_found:
+        for name in (key, *(("energy_ratio_proved",) if unit[0] else ())):
+            if not close(answer[name], least, NEAR):
+                raise NoProof(f"{name}: {shown(answer[name])} is not near {told(least)}, which is proved")
+        joules = unit[0] and Fraction(number(answer["energy_ratio"], "energy_ratio")) * unit[0] * claim.bars.joules()
+        if unit[0] and not close(answer["energy"], joules, NINE):
+            raise NoProof(f"energy: {shown(answer['energy'])} is not energy_ratio in joules")
+    count = sum(map(len, claim.places.values())) + sum(map(len, claim.pushes.values()))
+    words = f"{count} conditions and {len(claim.y)} waves, marched backwards"
+    spans = " ".join(f"{'+'.join(map(str, span['closed'])) or '-'}:{span['steps']}" for span in answer["schedule"])
+    besides = " (that a motion has this energy is not shown by this file)" if is_found else ""
+    return (f"no periodic motion of schedule {spans} of these bars below {float(claimed)!r} "
+            f"{'E_1' if unit[0] else 'J'}: {words}{besides}; nothing is said of contact, detail, kernel_dimension, and "
+            "of the frequency and damping of reference")
