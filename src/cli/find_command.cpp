@@ -195,7 +195,7 @@ const char* FindCommand::otherDemand(bool isScene) const
     const FindOptions usual;
     const std::array<std::pair<const char*, bool>, 15> others{{
         {"--period, --frequency, --hertz", isScene && question.isAsked()},
-        {"--force, --damping, --amplitude", isScene && forced.isAsked()},
+        {"--damping", isScene && forced.force.ratio},
         {"--strain-limit", isScene && std::isfinite(options.strainLimit)},
         {"--energy", energy.has_value()},
         {"--energy-ratio", options.energyRatio.has_value()},
@@ -225,8 +225,8 @@ ExitStatus FindCommand::run() const
         if (!barOf(common.assembly())) {
             throw std::invalid_argument(fmt::format(
                 "{} clashes with --scene '{}': allowed of one bar, clamped on the left, "
-                "with stops at its tip; of other scenes only the motion of least "
-                "energy is known, its --state and its --certificate",
+                "with stops at its tip; of other scenes only motions of least energy and forced "
+                "ones are known, their --state and --certificate",
                 other, shortened(common.sceneText)));
         }
     }

@@ -10,6 +10,7 @@
 #include "interrupt.hpp"
 #include "network_find.hpp"
 #include "network_state_file.hpp"
+#include "scene_forced_find.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "signorini/find_periodic.hpp"
@@ -58,18 +59,6 @@ struct Answer {
         return unit ? fmt::format("{:.6g} E₁", energy / *unit)
                     : fmt::format("{:.6g} J", joules(energy));
     }
-    /// A motion of more energy than this times `hugeEnergyRatio` is not looked for: E_1, or else
-    /// what a bar has that moves by the gaps in a step, or under the forces in a period.
-    [[nodiscard]] double usualEnergy() const
-    {
-        double force = 0.0;
-        for (const NetworkNode& node : network.nodes) {
-            force += std::abs(node.force);
-        }
-        const auto cells = static_cast<double>(network.cells());
-        const double steps = period() / network.scales.time;
-        return unit.value_or(std::max(cells, force * steps * force * steps / cells));
-    }
     /// Pushes on a bar that drifts balance what else acts on it, on average.
     [[nodiscard]] std::string whyGrazing() const
     {
@@ -83,60 +72,8 @@ struct Answer {
         const auto& impulses = motions.residuals.impulses;
         return std::any_of(impulses.begin(), impulses.end(), [](double one) { return one > 1e-9; });
     }
-    /// In a period.
-    [[nodiscard]] double closedSteps(std::size_t contact) const
-    {
-        double steps = 0.0;
-        for (const ContactSpan& span : schedule) {
-            steps += contains(span.closed, contact) ? static_cast<double>(span.steps) : 0.0;
-        }
-        return steps;
-    }
-    [[nodiscard]] double period() const
-    {
-        double steps = 0.0;
-        for (const ContactSpan& span : schedule) {
-            steps += static_cast<double>(span.steps);
-        }
-        return steps * network.scales.time;
-    }
+    [[nodiscard]] double period() const { return periodOf(network, schedule); }
 };
-
-std::string asText(ContactSet closed)
-{
-    std::string text;
-    for (std::size_t j = 0; j < maxContacts; ++j) {
-        if (contains(closed, j)) {
-            text += fmt::format("{}{}", text.empty() ? "" : "+", j + 1);
-        }
-    }
-    return text.empty() ? "-" : text;
-}
-
-Json scheduleAsJson(const std::vector<ContactSpan>& schedule)
-{
-    Json list = Json::array();
-    for (const ContactSpan& span : schedule) {
-        Json closed = Json::array();
-        for (std::size_t j = 0; j < maxContacts; ++j) {
-            if (contains(span.closed, j)) {
-                closed.push_back(j + 1);
-            }
-        }
-        list.push_back({{"closed", closed}, {"steps", span.steps}});
-    }
-    return list;
-}
-
-/// [contact, step, multiplier]; contacts count from 1.
-Json listed(const std::vector<ContactMultiplier>& list)
-{
-    Json json = Json::array();
-    for (const ContactMultiplier& m : list) {
-        json.push_back({m.contact + 1, m.step, m.value});
-    }
-    return json;
-}
 
 Json certificateAsJson(const Answer& answer)
 {
@@ -146,16 +83,13 @@ Json certificateAsJson(const Answer& answer)
     Json json{{"kind", "energy-floor"}, {"verified", true}, {"rows", "network"}};
     json["energy_ratio"] = answer.ratio(answer.motions.provedEnergy);
     json["energy"] = answer.joules(answer.motions.provedEnergy);
-    json["periodicity"] = answer.motions.multipliers.periodicity;
-    json["places"] = listed(answer.motions.multipliers.places);
-    json["pushes"] = listed(answer.motions.multipliers.pushes);
+    json.update(multipliersAsJson(answer.motions.multipliers));
     return json;
 }
 
 Json asJson(const Answer& answer)
 {
     const NetworkMotions& motions = answer.motions;
-    const NetworkScales& scales = answer.network.scales;
     const bool isFound = motions.status == Status::found;
     Json json = newAnswer();
     json.update(Json{{"status", name(motions.status)},
@@ -185,12 +119,7 @@ Json asJson(const Answer& answer)
                          {"gap", motions.residuals.gap},
                          {"pressure", motions.residuals.pressure},
                          {"penetration", motions.residuals.penetration}};
-    for (std::size_t j = 0; j < answer.network.contacts.size(); ++j) {
-        json["contacts"][j]["peak_force"] = motions.residuals.peakForces[j] * scales.force();
-        json["contacts"][j]["impulse"] =
-            motions.residuals.impulses[j] * scales.force() * scales.time;
-        json["contacts"][j]["contact_time"] = scales.time * answer.closedSteps(j);
-    }
+    addForces(json["contacts"], answer.network, answer.schedule, motions.residuals);
     return json;
 }
 
@@ -199,10 +128,7 @@ std::string asText(const Answer& answer)
     const NetworkMotions& motions = answer.motions;
     std::string text = headline(answer.assembly, answer.network);
     text += fmt::format("{:<12}", name(motions.status));
-    for (const ContactSpan& span : answer.schedule) {
-        text += fmt::format("{}:{} ", asText(span.closed), span.steps);
-    }
-    text.back() = '\n';
+    text += textOf(answer.schedule) + "\n";
     text += fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.period());
     if (motions.status == Status::none) {
         text += fmt::format("proof       none below {}; checked by a march backwards\n",
@@ -217,13 +143,7 @@ std::string asText(const Answer& answer)
         if (!answer.presses()) {
             text += fmt::format("contact     grazing: nothing presses{}\n", answer.whyGrazing());
         }
-        const NetworkScales& scales = answer.network.scales;
-        for (std::size_t j = 0; j < answer.network.contacts.size(); ++j) {
-            text +=
-                fmt::format("contact {:<4}force at most {:.6g} N, impulse {:.6g} N s per period\n",
-                            j + 1, motions.residuals.peakForces[j] * scales.force(),
-                            motions.residuals.impulses[j] * scales.force() * scales.time);
-        }
+        text += forcesAsText(answer.network, motions.residuals);
         text += fmt::format("residual    {:.2g}\n", motions.residuals.worst());
     }
     return text;
@@ -261,21 +181,22 @@ std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words, std::
 
 ExitStatus findInScene(const FindCommand& command)
 {
+    if (command.forced.isAsked()) {
+        return findForcedInScene(command);
+    }
     Answer answer;
     answer.assembly = command.common.assembly();
     answer.network = networkOf(answer.assembly);
     answer.schedule = parseSpans(command.steps, answer.network.contacts.size());
-    const SceneReference reference = referenceOf(answer.network);
-    if (reference.energy && *reference.energy > 0.0) {
-        answer.unit = *reference.energy / answer.network.scales.energy();
-    }
+    answer.unit = firstEnergy(answer.network);
     const OutputOption ofState{"--state", command.stateFile};
     const OutputOption ofProof{"--certificate", command.certificateFile};
     Outputs states({ofState}, {ofProof});
     Outputs proofs({ofProof}, {ofState});
     const Interrupt interrupt;
     answer.motions = leastMotion(answer.network, answer.schedule,
-                                 hugeEnergyRatio * answer.usualEnergy(), interrupt.cancel());
+                                 hugeEnergyRatio * usualEnergy(answer.network, answer.schedule),
+                                 interrupt.cancel());
     if (answer.motions.motion) {
         states.put("--state", [&](const std::string& path) {
             writeNetworkState(path, answer.network,

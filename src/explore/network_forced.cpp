@@ -42,6 +42,9 @@ NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> schedule,
     for (const Stub& stub : network_.stubs) {
         scale_[next++] = std::sqrt(stub.impedance);
     }
+    for (const NetworkNode& node : network_.nodes) {
+        forces_ += std::abs(node.force);
+    }
     const Network still = withoutForces(network_);
     for (const ContactSpan& span : schedule_) {
         laws_.emplace_back(still, span.closed);
@@ -125,9 +128,6 @@ void NetworkForced::solve()
     }
     const Eigen::VectorXd work = kernel.transpose() * steady_;
     steadyWork_.assign(work.begin(), work.end());
-    for (const NetworkNode& node : network_.nodes) {
-        steadyMade_ += std::abs(node.force);
-    }
     steady_ = ranked.solve(steady_).cwiseQuotient(scale_);
     kernel_ = scale_.cwiseInverse().asDiagonal() * kernel;
 }
@@ -244,8 +244,17 @@ std::vector<double> NetworkForced::displacements(Plane place, std::span<const do
         drifts += free[k] * drifts_[shapes_.size() + 1 + k];
     }
     const std::vector<double> all = waves(place, free);
-    return displacementsOf(network_, all,
-                           std::span(drifts.data(), static_cast<std::size_t>(drifts.size())));
+    std::vector<double> places = displacementsOf(
+        network_, all, std::span(drifts.data(), static_cast<std::size_t>(drifts.size())));
+    double base = 0.0;
+    for (std::size_t k = 0; k < shapes_.size(); ++k) {
+        base += (k == 0 ? place.c : place.s) * shapes_[k].places.front();
+    }
+    for (std::size_t node = 0; node < places.size(); ++node) {
+        const auto clamp = displacementOf(network_, node).clamp;
+        places[node] += clamp && network_.nodes[*clamp].isShaken ? base : 0.0;
+    }
+    return places;
 }
 
 std::vector<double> NetworkForced::contradiction(std::span<const std::size_t> rows,

@@ -107,7 +107,7 @@ private:
     Eigen::MatrixXd kernel_;               ///< columns, orthonormal in sum Z x^2
     std::vector<Plane> work_;              ///< on each of them
     std::vector<double> steadyWork_;       ///< of constant forces on each of them
-    double steadyMade_ = 0.0;              ///< size of these forces
+    double forces_ = 0.0;                  ///< size of constant ones
     std::vector<std::vector<double>> ties_;
     std::vector<std::vector<std::pair<std::size_t, int>>> driftsAt_;  ///< by contact
     std::vector<std::size_t> bars_;                                   ///< that drift

@@ -130,7 +130,7 @@ std::vector<std::vector<double>> NetworkForced::columns() const
 void NetworkForced::addWork()
 {
     for (std::size_t k = 0; k < steadyWork_.size(); ++k) {
-        const bool isWork = std::abs(steadyWork_[k]) > negligible * steadyMade_;
+        const bool isWork = std::abs(steadyWork_[k]) > negligible * forces_;
         if (!shapes_.empty() || isWork) {
             rows_.push_back({{ForcedRule::work, static_cast<std::int64_t>(rows_.size())},
                              true,
@@ -148,9 +148,9 @@ void NetworkForced::read()
     using Kind = NetworkCondition::Kind;
     std::vector<std::vector<double>> all = columns();
     const std::size_t shapes = shapes_.size();
-    std::array<double, 2> most{};  // of what is constant: places, others
+    std::array<double, 2> most{0.0, forces_};  // of what is constant: displacements, pushes
     for (std::size_t i = 0; i < conditions_.size(); ++i) {
-        double& size = most[conditions_[i].kind == Kind::place ? 0 : 1];
+        double& size = most[conditions_[i].kind == Kind::push ? 1 : 0];
         size = std::max(size, std::abs(all[shapes][i]));
     }
     for (std::vector<double>& values : all) {
@@ -167,7 +167,7 @@ void NetworkForced::read()
         for (std::size_t k = shapes + 1; k < all.size(); ++k) {
             row.free.emplace_back(k - shapes - 1, all[k][i]);
         }
-        if (std::abs(row.limit) <= negligible * most[condition.kind == Kind::place ? 0 : 1]) {
+        if (std::abs(row.limit) <= negligible * most[condition.kind == Kind::push ? 1 : 0]) {
             row.limit = 0.0;
         }
         rows_.push_back(std::move(row));

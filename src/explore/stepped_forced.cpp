@@ -119,9 +119,10 @@ MotionAt SteppedForced::motionAt() const
         const std::vector<double> all = waves_.waves(place, free);
         if (!bar_) {
             const std::vector<double> places = waves_.displacements(place, free);
-            ForcedMotion motion{.excitation = combined(shapes_, place),
-                                .amplitude = size(place),
-                                .phase = std::atan2(place.s, place.c)};
+            ForcedMotion motion;
+            motion.excitation = combined(shapes_, place);
+            motion.amplitude = std::hypot(place.c, place.s);
+            motion.phase = std::atan2(place.s, place.c);
             motion.state.a = Eigen::Map<const Eigen::VectorXd>(
                 all.data(), static_cast<Eigen::Index>(all.size()));
             motion.state.b = Eigen::Map<const Eigen::VectorXd>(

@@ -17,8 +17,7 @@ constexpr double noLength = 1e-14;          // of a vector of length 1
 constexpr std::int64_t mostKept = 1 << 24;  // numbers, of vectors that are kept orthogonal
 constexpr int partBits = 46;                // of the largest multiplier
 
-/// W - 1 and its transpose, in the norm of the energy. Its values are the changes of all waves in a
-/// period, and how far bars that drift have moved.
+/// W - 1 and its transpose, in the norm of the energy.
 class PeriodOperator {
 public:
     PeriodOperator(const Network& network, std::span<const ContactSpan> schedule)
@@ -43,46 +42,28 @@ public:
         }
     }
 
-    /// As the multipliers are scaled.
-    [[nodiscard]] Eigen::VectorXd scale() const
-    {
-        Eigen::VectorXd all = Eigen::VectorXd::Ones(values());
-        all.head(scale_.size()) = scale_;
-        return all;
-    }
-    [[nodiscard]] double scale(Eigen::Index wave) const { return scale_[wave]; }
-    [[nodiscard]] Eigen::Index values() const
-    {
-        return scale_.size() + static_cast<Eigen::Index>(bars_.size());
-    }
+    [[nodiscard]] const Eigen::VectorXd& scale() const { return scale_; }
 
     [[nodiscard]] Eigen::VectorXd forwards(const Eigen::VectorXd& x) const
     {
         const Eigen::VectorXd start = x.cwiseQuotient(scale_);
         NetworkWaves<double> waves = wavesOf(start);
-        Eigen::VectorXd change = Eigen::VectorXd::Zero(values());
         for (const auto& [law, steps] : spans_) {
             for (std::int64_t m = 0; m < steps; ++m) {
-                for (std::size_t k = 0; k < bars_.size(); ++k) {
-                    for (const auto& term : velocityOf(*law, k)) {
-                        change[scale_.size() + static_cast<Eigen::Index>(k)] +=
-                            term.coefficient * waves.arriving()[term.channel];
-                    }
-                }
                 waves.step(*law);
             }
         }
-        change.head(scale_.size()) = (vectorOf(waves) - start).cwiseProduct(scale_);
-        return change;
+        return (vectorOf(waves) - start).cwiseProduct(scale_);
     }
 
     [[nodiscard]] Eigen::VectorXd backwards(const Eigen::VectorXd& y) const
     {
-        return marched(y, {});
+        return marched(y, std::vector<double>(bars_.size(), 0.0), {});
     }
 
-    /// What they add up to, with conditions.
-    [[nodiscard]] Eigen::VectorXd marched(const Eigen::VectorXd& y, const EnergyFloor& floor) const
+    /// What it adds up to with conditions, and with the ways of bars that drift.
+    [[nodiscard]] Eigen::VectorXd marched(const Eigen::VectorXd& y, std::vector<double> drifts,
+                                          const EnergyFloor& floor) const
     {
         std::map<std::int64_t, std::vector<ContactMultiplier>> places;
         std::map<std::int64_t, std::vector<ContactMultiplier>> pushes;
@@ -92,8 +73,7 @@ public:
         for (const ContactMultiplier& m : floor.pushes) {
             pushes[m.step].push_back(m);
         }
-        const Eigen::VectorXd end = y.head(scale_.size()).cwiseProduct(scale_);
-        std::vector<double> drifts(y.begin() + scale_.size(), y.end());
+        const Eigen::VectorXd end = y.cwiseProduct(scale_);
         NetworkWaves<double> waves = wavesOf(end);
         std::int64_t step = steps_;
         for (std::size_t i = spans_.size(); i-- > 0;) {
@@ -156,7 +136,7 @@ private:
 
     Network network_;
     std::vector<std::size_t> bars_;  ///< that drift
-    Eigen::VectorXd scale_;          ///< of the waves
+    Eigen::VectorXd scale_;
     std::map<ContactSet, NetworkLaw<double>> laws_;
     std::vector<Span> spans_;
     std::int64_t steps_ = 0;
@@ -190,7 +170,7 @@ private:
 /// x that makes |A x - b| least, A the backwards operator.
 Eigen::VectorXd leastSquares(const PeriodOperator& period, Eigen::VectorXd u, const Cancel& cancel)
 {
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(period.values());
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(u.size());
     Basis left;
     Basis right;
     const double size = left.enter(u);
@@ -311,19 +291,19 @@ void completeFloor(EnergyFloor& floor, const Network& network,
 {
     const PeriodOperator period(network, schedule);
     balance(floor.places, network);
-    Eigen::VectorXd given = Eigen::VectorXd::Zero(period.values());
-    if (static_cast<Eigen::Index>(floor.periodicity.size()) == given.size()) {
-        given = Eigen::Map<const Eigen::VectorXd>(floor.periodicity.data(), given.size());
-        given = given.cwiseQuotient(period.scale());
+    const Eigen::VectorXd& scale = period.scale();
+    const auto waves = static_cast<std::ptrdiff_t>(scale.size());
+    floor.periodicity.resize(network.waves() + driftingBars(network).size(), 0.0);
+    const std::vector<double> ways(floor.periodicity.begin() + waves, floor.periodicity.end());
+    Eigen::VectorXd y =
+        Eigen::Map<const Eigen::VectorXd>(floor.periodicity.data(), waves).cwiseQuotient(scale);
+    Eigen::VectorXd missing = -period.marched(y, ways, floor);
+    if (!wanted.empty()) {
+        missing += Eigen::Map<const Eigen::VectorXd>(wanted.data(), waves).cwiseProduct(scale);
     }
-    Eigen::VectorXd missing = -period.marched(given, floor);
-    for (std::size_t k = 0; k < wanted.size(); ++k) {
-        const auto at = static_cast<Eigen::Index>(k);
-        missing[at] += wanted[k] * period.scale(at);
-    }
-    const Eigen::VectorXd y = given + leastSquares(period, std::move(missing), cancel);
-    const Eigen::VectorXd multipliers = y.cwiseProduct(period.scale());
-    floor.periodicity.assign(multipliers.begin(), multipliers.end());
+    y += leastSquares(period, std::move(missing), cancel);
+    y = y.cwiseProduct(scale).eval();
+    std::copy(y.begin(), y.end(), floor.periodicity.begin());
 }
 
 }  // namespace signorini

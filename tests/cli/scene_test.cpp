@@ -256,8 +256,29 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
     refuses("--scene 'clamp 4 stop=0' 3 9", "at rest are a motion");
     refuses("--scene '4 gap=1e-3 4' 3 9", "bar = 1");
     refuses(bars + "3 9 --energy-ratio 3", "--energy-ratio");
-    refuses(bars + "3 9 --force tip --damping 0.1", "--force");
+    refuses(bars + "1:3 -:9 --force tip --damping 0.1", "--damping clashes with --scene");
+    refuses(bars + "1:3 -:9 --force tip", "a scene with the word driven");
     refuses("--gravity 10 3 9", "--gravity: allowed with --scene");
+}
+
+TEST_CASE("cli scenes: forced motions of bars that meet, the least amplitude and those of one")
+{
+    const CommandLine program;
+    const std::string bars =
+        "--scene 'clamp 3 dash=0.1 driven gap=1e-3 4:1.3 dash=0.05 2 clamp' 4 13 --force tip ";
+    const json least = program.find(bars + "--state s.csv", 0);
+    const double amplitude = least["amplitude_range"][0].get<double>();
+    CHECK(least["motions"][0]["amplitude"].get<double>() == Approx(amplitude));
+    CHECK(lines(contentOf(program.file("s.csv"))) > 9);
+    const json two = program.find(bars + fmt::format("--amplitude {}", 1.01 * amplitude), 0);
+    for (const json& motion : two["motions"]) {
+        CHECK(motion["amplitude"].get<double>() == Approx(1.01 * amplitude));
+        CHECK(motion["contacts"][0]["impulse"].get<double>() > 0.0);
+    }
+    const json none =
+        program.find(bars + fmt::format("--amplitude {} --certificate c.json", 0.5 * amplitude), 1);
+    CHECK(none["certificate"]["kind"] == "amplitude-range");
+    CHECK(json::parse(contentOf(program.file("c.json"))) == none);
 }
 
 TEST_CASE("cli scenes: bars that nothing holds rest, fly and bounce; energies are in joules")

@@ -125,6 +125,8 @@ CALLS = [
     ("scene", "scene stop=-1e-3 300 stop=1e-3 --gravity -9.81"),
     ("simulate-scene", "simulate --scene '50:3 gap=0 200' --velocity 1,0 --time 0.5"),
     ("find-scene", "find --scene 'clamp 3 stop=1e-3 3 clamp' 1 10"),
+    ("find-scene-forced", "find --scene 'clamp 3 dash=0.1 driven gap=1e-3 4:1.3 dash=0.05 2 clamp' 4 13 --force tip"),
+    ("find-scene-forced", "find --scene 'clamp 3 dash=0.1 driven gap=1e-3 4:1.3 dash=0.05 2 clamp' 3 17 --force tip"),
     ("find-scene", "find --scene '4 stop=0' --gravity 10 8 24"),
     ("find-scene", "find --scene 'clamp 3 stop=1e-3 3 gap=1e-3 4 clamp' 1:2 -:9 1+2:3 -:8"),
     ("simulate-scene", "simulate --scene 'clamp 20 driven stop=1e-3 dash=0.05' --amplitude 4e-4"

@@ -1,0 +1,223 @@
+#include "scene_forced_find.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "files.hpp"
+#include "find_command.hpp"
+#include "network_state_file.hpp"
+#include "scene_find.hpp"
+#include "scene_forced.hpp"
+#include "scene_options.hpp"
+#include "scene_report.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+/// A motion and what is seen of it.
+struct Seen {
+    ForcedMotion motion;
+    NetworkClaim claim;
+    NetworkResiduals residuals;
+};
+
+struct Answer {
+    Assembly assembly;
+    Network network;
+    std::vector<ContactSpan> schedule;
+    ForcedSet set;
+    std::optional<double> amplitude = {};  ///< as asked, a displacement of the base [N or m]
+    std::optional<AmplitudeExclusion> exclusion = {};
+    std::vector<Seen> motions = {};
+
+    /// [N] or [m] of an amplitude of 1.
+    [[nodiscard]] double unit() const
+    {
+        return set.forcing.place == Excited::tip ? network.scales.force()
+                                                 : network.scales.displacement;
+    }
+    [[nodiscard]] const char* unitName() const
+    {
+        return set.forcing.place == Excited::tip ? "N" : "m";
+    }
+    [[nodiscard]] double hertz() const
+    {
+        return static_cast<double>(set.forcing.cycles) / periodOf(network, schedule);
+    }
+    [[nodiscard]] Status status() const
+    {
+        if (set.status != Status::found || !motions.empty()) {
+            return set.status;
+        }
+        return exclusion && exclusion->isCertain ? Status::none : Status::undecided;
+    }
+    [[nodiscard]] std::string detail() const
+    {
+        return set.status == Status::found && status() == Status::undecided
+                   ? "conditions exclude this amplitude by no more than rounding can do"
+                   : set.detail;
+    }
+};
+
+Json certificateAsJson(const Answer& answer)
+{
+    if (answer.status() != Status::none) {
+        return nullptr;
+    }
+    Json cuts = Json::array();
+    for (const EnergyFloor& cut : answer.exclusion ? answer.exclusion->cuts : answer.set.cuts) {
+        cuts.push_back(multipliersAsJson(cut));
+    }
+    return {{"kind", answer.exclusion ? "amplitude-range" : "forced"},
+            {"verified", true},
+            {"rows", "network"},
+            {"cuts", std::move(cuts)}};
+}
+
+Json asJson(const Answer& answer)
+{
+    const bool isFound = answer.set.status == Status::found;
+    Json motions = Json::array();
+    for (const Seen& one : answer.motions) {
+        Json contacts = contactsAsJson(answer.network, answer.assembly.length);
+        addForces(contacts, answer.network, answer.schedule, one.residuals);
+        motions.push_back({{"amplitude", one.motion.amplitude * answer.unit()},
+                           {"phase", one.motion.phase},
+                           {"contacts", std::move(contacts)},
+                           {"residual", one.residuals.worst()}});
+    }
+    const double most = answer.set.mostAmplitude * answer.unit();
+    Json json = newAnswer();
+    json.update(Json{{"status", name(answer.status())},
+                     {"scene", cli::asJson(answer.assembly)},
+                     {"reference", referenceAsJson(answer.network)},
+                     {"cells", answer.network.cells()},
+                     {"schedule", scheduleAsJson(answer.schedule)},
+                     {"period", periodOf(answer.network, answer.schedule)},
+                     {"force", answer.set.forcing.place == Excited::tip ? "tip" : "base"},
+                     {"cycles", answer.set.forcing.cycles},
+                     {"frequency", answer.hertz()},
+                     {"amplitude", answer.amplitude ? Json(*answer.amplitude) : Json()},
+                     {"kind", name(answer.set.kind)},
+                     {"free_waves", answer.set.freeWaves},
+                     {"amplitude_range", isFound ? Json{answer.set.leastAmplitude * answer.unit(),
+                                                        std::isfinite(most) ? Json(most) : Json()}
+                                                 : Json()},
+                     {"contacts", contactsAsJson(answer.network, answer.assembly.length)},
+                     {"motions", std::move(motions)},
+                     {"certificate", certificateAsJson(answer)},
+                     {"detail", answer.detail()}});
+    return json;
+}
+
+std::string asText(const Answer& answer)
+{
+    std::string text = headline(answer.assembly, answer.network);
+    text += fmt::format("{:<12}{}\n", name(answer.status()), textOf(answer.schedule));
+    text += fmt::format("excitation  {}, {:.6g} Hz\n",
+                        answer.set.forcing.place == Excited::tip ? "force on what is driven"
+                                                                 : "displacement of the base",
+                        answer.hertz());
+    if (answer.set.status == Status::found) {
+        const double most = answer.set.mostAmplitude * answer.unit();
+        text += fmt::format(
+            "amplitudes  {:.6g} {} to {}\n", answer.set.leastAmplitude * answer.unit(),
+            answer.unitName(),
+            std::isfinite(most) ? fmt::format("{:.6g} {}", most, answer.unitName()) : "any");
+    }
+    for (const Seen& one : answer.motions) {
+        text +=
+            fmt::format("motion      amplitude {:.6g} {}, phase {:.6g}\n",
+                        one.motion.amplitude * answer.unit(), answer.unitName(), one.motion.phase);
+        text += forcesAsText(answer.network, one.residuals);
+        text += fmt::format("residual    {:.2g}\n", one.residuals.worst());
+    }
+    if (answer.status() == Status::none) {
+        text += "proof       no amplitude of it has a motion; checked by a march backwards\n";
+    } else if (answer.status() == Status::undecided) {
+        text += fmt::format("why         {}\n", answer.detail());
+    }
+    return text;
+}
+
+/// The least amplitude, or those of the one that is asked for.
+void choose(Answer& answer)
+{
+    if (answer.set.status != Status::found) {
+        return;
+    }
+    std::vector<ForcedMotion> motions;
+    if (answer.amplitude) {
+        const double amplitude = *answer.amplitude / answer.unit();
+        motions = motionsOfAmplitude(answer.set, amplitude);
+        if (motions.empty()) {
+            answer.exclusion = exclusionOf(answer.set, amplitude);
+        }
+    } else {
+        motions.push_back(leastAmplitudeMotion(answer.set));
+    }
+    for (ForcedMotion& motion : motions) {
+        NetworkClaim claim = claimOf(answer.set, motion);
+        NetworkResiduals residuals = walk(answer.network, claim);
+        answer.motions.push_back({std::move(motion), std::move(claim), std::move(residuals)});
+    }
+}
+
+}  // namespace
+
+ExitStatus findForcedInScene(const FindCommand& command)
+{
+    const ForceOptions& force = command.forced.force;
+    if (force.ratio) {
+        throw std::invalid_argument(
+            "--damping clashes with --scene: allowed dash=D among its words");
+    }
+    if (!force.place) {
+        refuse("--force", "missing", "tip|base");
+    }
+    Answer answer;
+    answer.assembly = command.common.assembly();
+    answer.network = networkOf(answer.assembly);
+    answer.schedule = parseSpans(command.steps, answer.network.contacts.size());
+    const Forcing forcing{*force.place, command.forced.cycles, {}};
+    const SceneReference reference = referenceOf(answer.network);
+    const double first = reference.frequency / (2.0 * std::numbers::pi);
+    const double hertz =
+        static_cast<double>(forcing.cycles) / periodOf(answer.network, answer.schedule);
+    if (force.amplitude) {
+        answer.amplitude = first > 0.0 ? force.at(hertz / first, first).amplitude : force.amplitude;
+    }
+    const OutputOption ofState{"--state", command.stateFile};
+    const OutputOption ofProof{"--certificate", command.certificateFile};
+    Outputs states({ofState}, {ofProof});
+    Outputs proofs({ofProof}, {ofState});
+    answer.set = forcedScene(answer.network, answer.schedule, forcing,
+                             usualEnergy(answer.network, answer.schedule));
+    choose(answer);
+    if (!answer.motions.empty()) {
+        const NetworkClaim& last = answer.motions.back().claim;
+        states.put("--state", [&](const std::string& path) {
+            writeNetworkState(path, answer.network, {last.waves, last.displacements});
+        });
+        states.commit();
+    } else if (states.areWanted() && !command.common.quiet) {
+        tell("signorini find: no motion to write, so no file was written\n");
+    }
+    const std::string json = asLine(asJson(answer));
+    if (answer.status() == Status::none) {
+        proofs.put("--certificate", [&](const std::string& path) {
+            TextFile file(path);
+            file.write(json);
+            file.close();
+        });
+        proofs.commit();
+    }
+    writeOut(command.common.wantsJson ? json : asText(answer));
+    command.common.useOneThread("find");
+    return exitStatusOf(answer.status());
+}
+
+}  // namespace signorini::cli
