@@ -235,8 +235,8 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
             "--figure, --csv: allowed for the atlas of a uniform bar, whose families they show");
     }
     outputs.put("--figure", [&](const std::string& path) {
-        drawFigure(frequencyEnergyFigure(atlas, cells, {.bar = bar()}), figureFormat(figureFile),
-                   path);
+        drawFigure(frequencyEnergyFigure(atlas, cells, {.maxFrequencyRatio = {}, .bar = bar()}),
+                   figureFormat(figureFile), path);
     });
     outputs.put("--map", [&](const std::string& path) {
         drawFigure(existenceFigure(atlas, cells), figureFormat(mapFile), path);

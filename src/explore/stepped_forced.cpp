@@ -78,6 +78,15 @@ std::int64_t checkedSteps(const Network& network, const std::vector<ContactSpan>
         faults.add("force", isForce ? "tip" : "base",
                    isForce ? "a scene with the word driven" : "a scene with the word shaken");
     }
+    for (const NetworkBar& bar : network.bars) {
+        bool isShaken = false;
+        for (std::size_t node = bar.firstNode; node <= bar.lastNode; ++node) {
+            isShaken = isShaken || network.nodes[node].isShaken;
+        }
+        if (!isForce && isShaken && bar.clamps + bar.springs > 1) {
+            faults.add("force", "base", "a shaken bar that is held nowhere else");
+        }
+    }
     faults.throwIfAny();
     return steps;
 }

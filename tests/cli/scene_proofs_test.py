@@ -56,6 +56,53 @@ def loose_scene_of(rng):
     return words, [str(rng.randint(1, 9)), str(rng.randint(2, 25))], rng.choice([0, 1e-4])
 
 
+def forced_scene_of(rng):
+    """Words of bars that something drives, a schedule, weight, and what drives."""
+    cells, kind = rng.randint(2, 5), rng.randrange(4)
+    spans, gravity = [str(rng.randint(1, 6)), str(rng.randint(3, 20))], 0
+    if kind == 0:
+        other = f"{rng.randint(2, 4)}:{rng.choice([1, 1.3])}"
+        words = f"clamp shaken {cells} dash=0.1 driven gap=1e-3 {other} dash=0.05 2 clamp"
+    elif kind == 1:
+        words = f"driven stop=-1e-3 {cells} dash=0.1 stop=1e-3"
+        spans = [f"1:{spans[0]}", f"-:{spans[1]}", f"2:{spans[0]}", f"-:{spans[1]}"]
+    elif kind == 2:
+        words = f"spring=4 {cells} dash={rng.choice([0.1, 1])} driven stop=1e-3"
+    else:
+        words, gravity = f"driven {cells} dash=0.1 stop={rng.choice([0, 1e-3])}", rng.choice([1e-4, -1e-4])
+    force = "base" if kind == 0 and rng.random() < 0.5 else "tip"
+    amplitude = ["--amplitude", repr(10 ** rng.uniform(-5, -1))] if rng.random() < 0.7 else []
+    return words, spans, gravity, ["--force", force, *amplitude]
+
+
+def forged_forced(answer, rng):
+    """The same with one thing that is not so."""
+    forged = copy.deepcopy(answer)
+    kind = rng.choice(["status", "cycles", "frequency", "force", "limits", "no cuts", "push", "waves", "gap"])
+    cuts = forged["certificate"]["cuts"]
+    if kind == "status":
+        forged["status"] = "found"
+    elif kind == "cycles":
+        forged["cycles"] += 1
+    elif kind == "frequency":
+        forged["frequency"] *= 1.01
+    elif kind == "force":
+        forged["force"] = "both"
+    elif kind == "limits":
+        cuts[0]["limits"] = 1
+    elif kind == "no cuts":
+        forged["certificate"]["cuts"] = []
+    elif kind == "push":
+        cuts[0]["pushes"].append([1, 0, -1.0])
+    elif kind == "waves":
+        for cut in cuts:
+            size = 1 + sum(map(abs, cut["periodicity"]))
+            cut["periodicity"] = [value + size * rng.uniform(-1, 1) for value in cut["periodicity"]]
+    else:
+        forged["contacts"][0]["gap"] += 1e-3
+    return kind, forged
+
+
 def schedule_of(rng, contacts):
     """SET:STEPS ..., the last one open."""
     spans = []
@@ -123,17 +170,19 @@ def main():
         return done.returncode == 0, done.stdout
 
     for _ in range(count):
-        gravity = 0
+        gravity, drive = 0, []
         draw = rng.random()
-        if draw < 0.2:
+        if draw < 0.25:
+            scene, spans, gravity, drive = forced_scene_of(rng)
+        elif draw < 0.4:
             scene, spans = with_motions(rng)
-        elif draw < 0.6:
+        elif draw < 0.7:
             scene, spans, gravity = loose_scene_of(rng)
         else:
             scene, contacts = scene_of(rng)
             spans = schedule_of(rng, contacts)
         words = [program, "find", "--scene", scene, *spans, "--format", "json", "--quiet"]
-        words += ["--gravity", str(gravity)] if gravity else []
+        words += ["--gravity", str(gravity)] * bool(gravity) + drive
         done = subprocess.run(words, capture_output=True, text=True, check=False)
         if done.returncode == 2:  # held twice, or the bars at rest are a motion
             said["no question"] += 1
@@ -142,9 +191,10 @@ def main():
         said[answer["status"]] += 1
         proved, why = is_proved(answer)
         assert proved == (answer["certificate"] is not None), (words, why)
-        assert proved == (answer["status"] != "undecided" and answer["energy"] != 0), (words, why)
+        wanted = answer["status"] == "none" if drive else answer["status"] != "undecided" and answer["energy"] != 0
+        assert proved == wanted, (words, why)
         if proved:
-            kind, forged = altered(answer, rng)
+            kind, forged = (forged_forced if drive else altered)(answer, rng)
             proved, why = is_proved(forged)
             assert not proved, (words, kind, why)
             refused += 1

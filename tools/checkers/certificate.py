@@ -2,6 +2,7 @@
 from .energies import check_energies
 from .floor import check_floor, check_least
 from .network_claim import check_scene
+from .network_cuts import check_scene_forced
 from .paper import check_farkas
 from .reading import NoProof, require_keys, shown
 from .scene import ASKED, BESIDES, DERIVED, Scene, unsaid
@@ -49,7 +50,7 @@ def claim_of(answer, proof):
 def check(answer):
     """What an answer proves, in a sentence. NoProof if it proves nothing."""
     if isinstance(answer, dict) and "scene" in answer:
-        return check_scene(answer)
+        return check_scene_forced(answer) if "cycles" in answer else check_scene(answer)
     require_keys(answer, "answer", ASKED, (*ENERGIES, *BESIDES, *DERIVED, *EMPTY))
     certificate = answer["certificate"]
     if not isinstance(certificate, dict):

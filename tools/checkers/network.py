@@ -28,7 +28,7 @@ class Bars:
         self.length, self.speed, self.stiffness = (
             Fraction(positive(scene, key, "scene")) for key in ("length", "wave_speed", "axial_stiffness"))
         self.rows, self.contacts, self.clamped, self.dashpots = [], [], [False], [Fraction(0)]
-        self.stubs, self.forces = [], [Fraction(0)]
+        self.stubs, self.forces, self.driven, self.shaken = [], [Fraction(0)], set(), set()
         self.bar_of, self.places, self.travel = [0], [Fraction(0)], Fraction(0)
         for part in listed(scene["parts"], "scene: parts"):
             self.read(part)
@@ -65,6 +65,8 @@ class Bars:
         node = len(self.clamped) - 1
         if kind == "clamp":
             self.clamped[node] = True
+        elif kind in ("driven", "shaken"):
+            getattr(self, kind).add(node)
         elif kind == "dash":
             self.dashpots[node] += simplest(positive(part, "impedance", "scene: dash"))
         elif kind in ("spring", "mass"):
@@ -253,17 +255,21 @@ class Law:
             raise NoProof("scene: a node without cells")
         velocity = {c: Fraction(0) if held else 2 * bars.impedance(c) / total for c in channels}
         self.weights.update(velocity)
-        velocity[None] = Fraction(0) if held else sum(bars.forces[node] for node in nodes) / total
-        self.clusters.append((channels, velocity[None]))
+        made = {None: sum(bars.forces[node] for node in nodes) / total, "force": len(bars.driven & {*nodes}) / total} \
+            if not held else {"base": Fraction(held[0] in bars.shaken)}
+        velocity.update(made)
+        self.clusters.append((channels, made))
         self.velocities.update((node, velocity) for node in nodes)
         self.find_pushes(nodes, held[0] if held else nodes[-1], velocity, closed, stops)
 
     def force(self, node, velocity):
-        """2 sum Z w + f - (sum Z + D) v: what neighbours have to balance; what is constant under None."""
+        """2 sum Z w + f - (sum Z + D) v: what neighbours have to balance. Under None what is constant, under "force"
+        and "base" by the force on what is driven, and by the velocity of the base."""
         bars = self.bars
         total = sum(map(bars.impedance, bars.branches[node])) + bars.dashpots[node]
         form = collections.Counter({c: -total * weight for c, weight in velocity.items()})
         form[None] += bars.forces[node]
+        form["force"] += node in bars.driven
         for channel in bars.branches[node]:
             form[channel] += 2 * bars.impedance(channel)
         return form
@@ -302,7 +308,8 @@ class Backwards:
                 self.lines.append(collections.deque(y[at:at + row.cells]))
                 at += row.cells
         self.lines += [collections.deque([value]) for value in y[at:]]
-        self.constant = Fraction(0)  # what constant forces make
+        # What constant forces make, and by what drives the bars, in a step.
+        self.made = collections.Counter()
 
     def entry(self, entered, channel):
         """By what leaves along a branch: into the other line of its row, or back from a stub."""
@@ -313,9 +320,10 @@ class Backwards:
         """The transpose of a step, rounded down."""
         # What arrives in channel 2 row + 0 leaves, scattered, into the line of 2 row + 1 at its right end.
         entered = [line.popleft() if k % 2 == 0 else line.pop() for k, line in enumerate(self.lines)]
-        for channels, constant in law.clusters:
+        self.made.clear()
+        for channels, made in law.clusters:
             total = sum(self.entry(entered, channel) for channel in channels)
-            self.constant += constant * total
+            add(self.made, made, total)
             for channel in channels:
                 weight = law.weights[channel]
                 value = weight.numerator * total // weight.denominator - self.entry(entered, channel)
@@ -327,8 +335,8 @@ class Backwards:
     def add(self, form, value):
         """A multiple of a form of the waves that arrive; each is rounded down."""
         for channel, factor in form.items():
-            if channel is None:
-                self.constant += factor * value
+            if channel in (None, "force", "base"):
+                self.made[channel] += factor * value
             else:
                 self.lines[channel][-1 if channel % 2 == 0 else 0] += math.floor(factor * value)
 

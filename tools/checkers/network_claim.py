@@ -29,19 +29,19 @@ class Claim:
                 raise NoProof(f"schedule: allowed contacts of the scene, 1 step or more, {MOST_WORK} of them times "
                               "waves that arrive")
             self.closed += [frozenset(name - 1 for name in names)] * steps
-        certificate = require_keys(answer["certificate"], "certificate",
-                                   ("kind", "verified", "rows", "energy_ratio", "energy", "periodicity", "places",
-                                    "pushes"))
-        if (certificate["kind"], certificate["rows"]) != ("energy-floor", "network") or not self.closed:
-            raise NoProof("certificate: allowed energy-floor over rows of a network, and some steps")
-        self.y = [whole(value, "periodicity") for value in listed(certificate["periodicity"], "periodicity")]
+        if not self.closed:
+            raise NoProof("schedule: allowed some steps")
+
+    def take(self, lists):
+        """The multipliers of a certificate."""
+        self.y = [whole(value, "periodicity") for value in listed(lists["periodicity"], "periodicity")]
         waves = 2 * self.bars.cells + len(self.bars.stubs)
         if len(self.y) != waves + len(self.bars.drifting):
             raise NoProof(f"periodicity: no list of {waves + len(self.bars.drifting)} numbers")
         self.ways = self.y[waves:]
         self.y = self.y[:waves]
-        self.places = self.read(certificate, "places")
-        self.pushes = self.read(certificate, "pushes")
+        self.places = self.read(lists, "places")
+        self.pushes = self.read(lists, "pushes")
 
     def read(self, certificate, name):
         """{step: [(contact, multiplier)]} of [contact, step, multiplier]."""
@@ -67,16 +67,24 @@ class Claim:
 
     def least(self):
         """Every motion has this energy or more, in Z_1 delta^2/h."""
+        delta, norm = self.march(None)
+        if not delta > 0:
+            raise NoProof("the right sides do not ask for a motion other than rest")
+        return (delta / norm) ** 2
+
+    def march(self, drive):
+        """(delta, the norm of eta, rounded upwards). `drive` is told what each step makes."""
         bars = self.bars
         laws = {closed: Law(bars, closed) for closed in set(self.closed)}
         distances = [bars.distance(contact) for contact in bars.contacts]
-        march, rounded, slack = Backwards(bars, self.y), 0, Fraction(0)
+        march, rounded, constant, slack = Backwards(bars, self.y), 0, Fraction(0), Fraction(0)
         drifts = dict(zip(bars.drifting, self.ways))
         least_impedance = min([row.impedance for row in bars.rows] + [z for _, _, z in bars.stubs])
         pull = sum(map(abs, bars.forces)) / least_impedance
         for step in range(len(self.closed) - 1, -1, -1):
             law = laws[self.closed[step]]
-            slack += rounded * pull  # waves that rounding spoilt so far, times what forces add to them
+            spoilt = rounded
+            slack += spoilt * pull  # waves that rounding spoilt so far, times what forces add to them
             march.step(law)
             rounded += len(march.lines)
             for bar, value in drifts.items():
@@ -86,22 +94,26 @@ class Claim:
             for contact, value in self.pushes.get(step, ()):
                 march.add(law.pushes[contact], value)
                 rounded += len(law.pushes[contact])
+            moved = 0  # by the place of the base
             for contact, value in self.places.get(step, ()):
                 march.place(distances[contact], value)
                 for node, sign in bars.faces(bars.contacts[contact]):
                     if bars.bar_of[node] in drifts:
                         drifts[bars.bar_of[node]] += sign * value
+                    elif bars.reference(bars.bar_of[node])[1] in bars.shaken:
+                        moved += sign * value
+            constant += march.made[None]
+            if drive:
+                drive.add(step, march.made, moved, spoilt)
         if list(drifts.values()) != self.ways:
             raise NoProof("places: the displacement of a bar that nothing holds does not drop out")
-        delta = -march.constant - slack - sum(value * bars.gaps[contact] for found in self.places.values()
-                                              for contact, value in found)
-        if not delta > 0:
-            raise NoProof("the right sides do not ask for a motion other than rest")
+        delta = -constant - slack - sum(value * bars.gaps[contact] for found in self.places.values()
+                                        for contact, value in found)
         eta = [x - y for x, y in zip(march.waves(), self.y)]
         square = self.norm_square(eta)
         # A wave rounded by less than a unit has a norm below 1/sqrt(Z), and no step makes it larger.
         norm = math.isqrt(math.ceil(square)) + 1 + rounded * (math.isqrt(math.ceil(1 / least_impedance)) + 1)
-        return (delta / norm) ** 2
+        return delta, norm
 
     def norm_square(self, eta):
         """sum eta^2/Z, less what ties take: they are 0 for every motion, so multiples of them may be added."""
@@ -156,10 +168,21 @@ class Claim:
                 raise NoProof(f"{name}: {shown(value)} does not follow from scene and schedule")
 
 
+def spans(answer):
+    """The schedule in words."""
+    return " ".join(f"{'+'.join(map(str, span['closed'])) or '-'}:{span['steps']}" for span in answer["schedule"])
+
+
 def check_scene(answer):
     """What an answer of `find --scene` proves, in a sentence. NoProof if it proves nothing."""
     require_keys(answer, "answer", SAID)
     claim = Claim(answer)
+    certificate = require_keys(answer["certificate"], "certificate",
+                               ("kind", "verified", "rows", "energy_ratio", "energy", "periodicity", "places",
+                                "pushes"))
+    if (certificate["kind"], certificate["rows"]) != ("energy-floor", "network"):
+        raise NoProof("certificate: allowed energy-floor over rows of a network")
+    claim.take(certificate)
     unit = claim.bars.unit()
     claim.require_derived(answer, unit)
     key, size = ("energy_ratio", unit[0]) if unit[0] else ("energy", 1 / claim.bars.joules())
@@ -185,8 +208,7 @@ def check_scene(answer):
             raise NoProof(f"energy: {shown(answer['energy'])} is not energy_ratio in joules")
     count = sum(map(len, claim.places.values())) + sum(map(len, claim.pushes.values()))
     words = f"{count} conditions and {len(claim.y)} waves, marched backwards"
-    spans = " ".join(f"{'+'.join(map(str, span['closed'])) or '-'}:{span['steps']}" for span in answer["schedule"])
     besides = " (that a motion has this energy is not shown by this file)" if is_found else ""
-    return (f"no periodic motion of schedule {spans} of these bars below {float(claimed)!r} "
+    return (f"no periodic motion of schedule {spans(answer)} of these bars below {float(claimed)!r} "
             f"{'E_1' if unit[0] else 'J'}: {words}{besides}; nothing is said of contact, detail, kernel_dimension, and "
             "of the frequency and damping of reference")
