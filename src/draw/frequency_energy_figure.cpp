@@ -39,12 +39,13 @@ struct Style {
     Series line;
 };
 
+/// In their order, the first on top: twins lie on the main mode.
 const std::array<Style, 5> styles{{
-    {"main", "main mode  t_c = 4 − T", {.width = 3.5}},
-    {"subharmonic", "subharmonic p  t_c = 4p − (2p−1)T", {.width = 2.0}},
-    {"higher", "higher m  t_c = 4 − (2m+1)T", {.width = 2.0, .dash = Dash::longDashed}},
-    {"twin", "twins of the main mode", {.role = Role::strain, .width = 2.0, .dash = Dash::dashed}},
-    {"", "other modes", {.role = Role::faint, .width = 1.0}},
+    {"twin", "twins of the main mode", line(Role::velocity, 1.5, Dash::dashed)},
+    {"main", "main mode  t_c = 4 − T", line(Role::ink, 3.5)},
+    {"subharmonic", "subharmonic p  t_c = 4p − (2p−1)T", line(Role::ink, 2.0)},
+    {"higher", "higher m  t_c = 4 − (2m+1)T", line(Role::ink, 2.0, Dash::longDashed)},
+    {"", "other modes", line(Role::faint, 1.0)},
 }};
 
 /// Half-lines of families, orders from the one above to `last`.
@@ -329,9 +330,10 @@ private:
     /// Is any of it below the top?
     [[nodiscard]] bool startsBelow(const Mode& mode) const
     {
-        return std::min(
-                   energyRatio(mode, 0.999 * mode.highest.value() + 0.001 * mode.lowest.value()),
-                   static_cast<double>(mode.b * mode.b)) < frame_.top;
+        const auto energyAt = [&mode](double part) {
+            return energyRatio(mode, std::lerp(mode.lowest.value(), mode.highest.value(), part));
+        };
+        return std::min(energyAt(0.001), energyAt(0.999)) < frame_.top;
     }
 
     /// The modes of each style, and the points where they leave linear motions.

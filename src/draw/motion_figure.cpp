@@ -271,7 +271,7 @@ private:
                          isPressed ? 1.15 * *most : 1.0);
         const double span = *panel.x.high - *panel.x.low;
         panel.x.step = niceStep(span / (second_ ? 4.2 : 2.5));
-        if (span / panel.x.step < 2.5) {  // 0 is one tick, there are to be others
+        if (second_ && span / panel.x.step < 2.5) {  // 0 is one tick, there are to be others
             panel.x.step /= 2.0;
         }
         panel.y = beside();
