@@ -82,15 +82,18 @@ double HarmonicMarch::place(const Path& path, double time) const
 /// The tip obeys one law until a time; what leaves it comes back 2 L/c later.
 void HarmonicMarch::advance(bool isHeld, const HarmonicWave& arriving, double until)
 {
-    Path path{time_, tip_, {}};
+    Path path{time_, tip_, {}, impulse_, {}};
     HarmonicWave leaving{-arriving.steady, -arriving.swing};
-    if (!isHeld) {
+    if (isHeld) {
+        path.push = {2.0 * arriving.steady, 2.0 * arriving.swing + force_.swing};
+    } else {
         path.velocity = {2.0 * admittance_ * arriving.steady,
                          admittance_ * (2.0 * arriving.swing + force_.swing)};
         leaving = {rho_ * arriving.steady, rho_ * arriving.swing + admittance_ * force_.swing};
     }
     pieces_.push_back({until + 2.0, {-leaving.steady, -leaving.swing * turn_}});
     tip_ = place(path, until);
+    impulse_ += integral(path.push, time_, until);
     path_.push_back(path);
     time_ = until;
 }
@@ -119,7 +122,7 @@ void HarmonicMarch::hold(const HarmonicWave& push, const Piece& piece)
 void HarmonicMarch::fly(const HarmonicWave& push, const Piece& piece)
 {
     const HarmonicWave velocity{admittance_ * push.steady, admittance_ * push.swing};
-    const Path path{time_, tip_, velocity};
+    const Path path{time_, tip_, velocity, impulse_, {}};
     std::vector<double> turns = zeros(velocity, time_, piece.end);
     turns.push_back(piece.end);
     double from = time_;
@@ -143,11 +146,22 @@ void HarmonicMarch::fly(const HarmonicWave& push, const Piece& piece)
     advance(false, piece.wave, piece.end);
 }
 
-double HarmonicMarch::tip(double time) const
+const HarmonicMarch::Path& HarmonicMarch::pathAt(double time) const
 {
     const auto after = std::upper_bound(path_.begin() + 1, path_.end(), time,
                                         [](double t, const Path& path) { return t < path.begin; });
-    return place(*(after - 1), time);
+    return *(after - 1);
+}
+
+double HarmonicMarch::tip(double time) const
+{
+    return place(pathAt(time), time);
+}
+
+double HarmonicMarch::impulse(double time) const
+{
+    const Path& path = pathAt(time);
+    return path.impulse + integral(path.push, path.begin, time);
 }
 
 }  // namespace signorini::bench

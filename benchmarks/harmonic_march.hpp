@@ -38,6 +38,8 @@ public:
 
     /// u(L) [g], 0 <= time <= end. O(log pieces).
     [[nodiscard]] double tip(double time) const;
+    /// Of the wall until a time [EA g/c]. O(log pieces).
+    [[nodiscard]] double impulse(double time) const;
     /// Beginnings of contact [L/c].
     [[nodiscard]] const std::vector<double>& arrivals() const { return arrivals_; }
 
@@ -47,16 +49,20 @@ private:
         double end;
         HarmonicWave wave;
     };
-    /// Where the tip is from a time on: at + the integral of its velocity since.
+    /// Where the tip is from a time on: at + the integral of its velocity since; and so the
+    /// impulse.
     struct Path {
         double begin;
         double at;
         HarmonicWave velocity;
+        double impulse;
+        HarmonicWave push;
     };
 
     [[nodiscard]] double value(const HarmonicWave& wave, double time) const;
     [[nodiscard]] double integral(const HarmonicWave& wave, double from, double to) const;
     [[nodiscard]] std::vector<double> zeros(const HarmonicWave& wave, double from, double to) const;
+    [[nodiscard]] const Path& pathAt(double time) const;
     [[nodiscard]] double place(const Path& path, double time) const;
     void advance(bool isHeld, const HarmonicWave& arriving, double until);
     void hold(const HarmonicWave& push, const Piece& piece);
@@ -70,6 +76,7 @@ private:
     std::deque<Piece> pieces_;
     double time_ = 0.0;
     double tip_ = 0.0;
+    double impulse_ = 0.0;
     bool isHeld_ = false;
     std::vector<Path> path_;
     std::vector<double> arrivals_;

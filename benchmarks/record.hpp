@@ -11,7 +11,8 @@
 
 namespace signorini::bench {
 
-/// The figures a record may hold, in the order of the columns. Seconds are wall time.
+/// The figures a record may hold, in the order of the columns. Seconds are wall time, but of the
+/// processor in marches of rivals.
 inline constexpr std::array figureColumns{
     "cells",           ///< N
     "tolerance",       ///< asked for
@@ -34,7 +35,9 @@ inline constexpr std::array figureColumns{
     "set_distance",    ///< to the solution set, relative
     "energy_ratio",    ///< E/E_1
     "energy_error",    ///< relative to what was asked for
-    "tip_error",       ///< largest over time, relative to the reach of the tip
+    "tip_error",       ///< root mean square over time, relative to the reach of the tip
+    "force_error",     ///< the same of the wall's force, relative to its own root mean square
+    "energy_drift",    ///< energy at the end over that at the start, - 1
     "checked",         ///< how many schedules, periods or dimensions one record stands for
     "found",           ///< of them those with motions
     "families",        ///< sets of orbits that these belong to

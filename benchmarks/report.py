@@ -218,14 +218,15 @@ def rivals(table: Table) -> str:
     """Other programs."""
     rows = where(table, lambda r: r.suite == "rivals")
     return rows and (
-        "## Rivals\n\nTip error: root mean square over time, and largest, "
-        "relative to the reach of the tip; energy: change from the exact value"
-        " at the end.\n\n" + grid(
-            ["what", "who", "setting", "outcome", "tip error", "largest",
-             "energy", "time", "words"],
+        "## Rivals\n\nErrors of tip and force: root mean square over the first "
+        "five periods, relative to the reach of the tip and to the force's own"
+        "; drift: of the energy after 100 periods; time: of the processor, for"
+        " those 100.\n\n" + grid(
+            ["what", "who", "setting", "outcome", "tip error", "force error",
+             "drift", "time", "words"],
             [[r.case, r.back_end, r.setting, r.outcome,
-              number(r.figure("tip_error")), number(r.figure("error")),
-              number(r.figure("energy_error")),
+              number(r.figure("tip_error")), number(r.figure("force_error")),
+              number(r.figure("energy_drift")),
               seconds(r.figure("seconds_median")), r.detail]
              for r in rows])) or ""
 
@@ -254,7 +255,7 @@ def our_failures(table: Table) -> str:
     """What went wrong with us."""
     failed = where(table, lambda r: r.is_ours
                    and r.outcome not in ("right", "reference")
-                   # Of a forced bar on a grid: an error, no verdict.
+                   # Of a march: an error, no verdict.
                    and not (r.outcome == "approximate"
                             and r.suite == "rivals"))
     if not failed:

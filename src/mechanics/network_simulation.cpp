@@ -57,6 +57,15 @@ double NetworkSimulation::displacement(std::size_t node) const
     return nodes_[node].displacement + nodes_[node].velocity * (now_ - nodes_[node].since);
 }
 
+double NetworkSimulation::impulse() const
+{
+    Sum sum = impulse_;
+    for (const Touch& touch : touches_) {
+        sum.add(touch.push * (now_ - touch.since));
+    }
+    return sum.total();
+}
+
 double NetworkSimulation::distance(std::size_t contact) const
 {
     const NetworkContact& place = network_.contacts[contact];
@@ -147,7 +156,7 @@ void NetworkSimulation::takeClock()
     force_ = valueOf(drive_.forces);
     baseVelocity_ = valueOf(drive_.velocities);
     ++driveStep_;
-    due_.back() = static_cast<double>(driveStep_) * drive_.step - base_;
+    due_.back() = static_cast<double>(driveStep_) * drive_.step - drive_.past - base_;
 }
 
 /// What has happened at a node until now is added up, and what arrives now is taken in.

@@ -46,6 +46,7 @@ struct NetworkDrive {
     std::vector<double> forces = {};      ///< on the driven nodes
     std::vector<double> velocities = {};  ///< of the shaken clamps
     double step = 1.0;                    ///< its length [h]
+    double past = 0.0;                    ///< of the first one, over at the start [h], < step
 };
 
 struct NetworkContactEvent {
@@ -109,8 +110,8 @@ public:
     [[nodiscard]] std::vector<NetworkContactEvent> contacts() const;
     /// How many have begun to press.
     [[nodiscard]] std::int64_t contactCount() const { return pressed_; }
-    /// Of all contacts until the last event at each.
-    [[nodiscard]] double impulse() const { return impulse_.total(); }
+    /// Of all contacts so far, those that last included.
+    [[nodiscard]] double impulse() const;
     [[nodiscard]] const std::vector<std::vector<NodePoint>>& paths() const { return paths_; }
     /// Averages over the cells, in the order of Network::waves; exact on a grid. O(fronts + M).
     [[nodiscard]] NetworkStart state() const;

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 #include "catch.hpp"
 #include "harmonic_march.hpp"
-#include "moreau_jean.hpp"
+#include "rival_cases.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/response.hpp"
 #include "support.hpp"
@@ -100,29 +101,66 @@ TEST_CASE("bench: the simulation tends to the march as the square of the step of
     CHECK(fine > coarse / 20.0);
 }
 
-TEST_CASE("bench: time steps of elements come nearer as they get finer, slowly")
+TEST_CASE("bench: the closed forms of the rivals' cases are what waves on a grid do")
 {
-    const ForcedMotion motion = suiteMotion();
-    const HarmonicMarch truth(motion.state, caseOf(motion), 3.6 * 5);
-    const State nodes = refined(motion.state, 20);
-    std::vector<double> errors;
-    for (const int elements : {50, 200, 800}) {
-        double squares = 0.0;
-        const TimeSteps steps = runMoreauJean({.state = nodes,
-                                               .elements = elements,
-                                               .steps = 36 * elements / 10,
-                                               .period = 3.6,
-                                               .periods = 5,
-                                               .dashpot = motion.damping.eta(),
-                                               .amplitude = motion.amplitude,
-                                               .phase = motion.phase});
-        for (const Sample& sample : steps.samples) {
-            squares += std::pow(sample.tip - truth.tip(sample.time), 2);
+    for (const RivalCase& one : rivalCases()) {
+        const TimeSteps grid = march("characteristics", one.bar, 20, one.period, 10, 10);
+        const TimeSteps ours = one.ours(10, 10, 20);
+        for (const TimeSteps* steps : {&grid, &ours}) {
+            Record record;
+            judgeMarch(one, *steps, record);
+            INFO(one.name << (steps == &grid ? ": characteristics" : ": ours"));
+            // The harmonic is constant in steps, and its contacts are on no grid.
+            CHECK(record.figure("tip_error") < (one.isSampled ? 5e-3 : 1e-12));
+            CHECK(record.figure("force_error") < (one.isSampled ? 2e-2 : 1e-11));
+            CHECK(std::abs(record.figure("energy_drift")) < (one.isSampled ? 0.1 : 1e-12));
         }
-        errors.push_back(std::sqrt(squares / static_cast<double>(steps.samples.size())));
     }
-    CHECK(errors[0] < 0.2);
-    CHECK(errors[1] < 0.6 * errors[0]);
-    CHECK(errors[2] < 0.6 * errors[1]);
-    CHECK(errors[2] > 1e-5);
+}
+
+TEST_CASE("bench: every scheme of elements comes nearer as they get finer")
+{
+    for (const RivalCase& one : rivalCases()) {
+        for (const std::string_view scheme : schemeNames()) {
+            if (scheme == "characteristics" ||
+                (scheme.starts_with("CVODE") && !SIGNORINI_HAS_CVODE)) {
+                continue;
+            }
+            std::vector<double> errors;
+            for (const int elements : {10, 160}) {
+                Record record;
+                judgeMarch(one, march(scheme, one.bar, elements, one.period, 1, 1), record);
+                errors.push_back(record.figure("tip_error"));
+            }
+            INFO(one.name << ", " << scheme << ": " << errors[0] << ", " << errors[1]);
+            CHECK(errors[1] < 0.7 * errors[0]);
+            CHECK(errors[1] > 1e-5);
+        }
+    }
+}
+
+TEST_CASE("bench: without contact the elements swing as the formula of a bar in elements says")
+{
+    // A sine of the first mode, far from the wall: cos(w t), w^2 = K/M of the mode, no energy lost.
+    const double wave = 0.5 * std::numbers::pi;
+    const int elements = 8;
+    MarchedBar bar;
+    bar.wall = 10.0;
+    bar.displacement = [wave](double x) { return std::sin(wave * x); };
+    bar.velocity = [](double) { return 0.0; };
+    const double cell = 1.0 / elements;
+    const double cosine = std::cos(wave * cell);
+    const double consistent = std::sqrt(6.0 * (1.0 - cosine) / (2.0 + cosine)) / cell;
+    for (const std::string_view scheme : {"Newmark, penalty", "Moreau-Jean"}) {
+        // The trapezoidal rule turns by 2 atan(w h/2) in a step.
+        const double period = 2.0 * std::numbers::pi / consistent;
+        const TimeSteps steps = march(scheme, bar, elements, period, 3, 3);
+        const double h = steps.samples.front().time;
+        for (const Sample& sample : steps.samples) {
+            const double turned = 2.0 * std::atan(0.5 * consistent * h) * sample.time / h;
+            CHECK(sample.tip == Approx(std::cos(turned)).margin(1e-9));
+            CHECK(sample.force == 0.0);
+        }
+        CHECK(steps.energyAfter == Approx(steps.energyBefore).epsilon(1e-9));
+    }
 }
