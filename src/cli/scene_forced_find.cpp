@@ -24,7 +24,7 @@ struct Seen {
     NetworkResiduals residuals;
 };
 
-struct Answer {
+struct SceneForcedAnswer {
     Assembly assembly;
     Network network;
     std::vector<ContactSpan> schedule;
@@ -62,7 +62,7 @@ struct Answer {
     }
 };
 
-Json certificateAsJson(const Answer& answer)
+Json certificateAsJson(const SceneForcedAnswer& answer)
 {
     if (answer.status() != Status::none) {
         return nullptr;
@@ -77,7 +77,7 @@ Json certificateAsJson(const Answer& answer)
             {"cuts", std::move(cuts)}};
 }
 
-Json asJson(const Answer& answer)
+Json asJson(const SceneForcedAnswer& answer)
 {
     const bool isFound = answer.set.status == Status::found;
     Json motions = Json::array();
@@ -113,7 +113,7 @@ Json asJson(const Answer& answer)
     return json;
 }
 
-std::string asText(const Answer& answer)
+std::string asText(const SceneForcedAnswer& answer)
 {
     std::string text = headline(answer.assembly, answer.network);
     text += fmt::format("{:<12}{}\n", name(answer.status()), textOf(answer.schedule));
@@ -136,7 +136,8 @@ std::string asText(const Answer& answer)
         text += fmt::format("residual    {:.2g}\n", one.residuals.worst());
     }
     if (answer.status() == Status::none) {
-        text += "proof       no amplitude of it has a motion; checked by a march backwards\n";
+        text += fmt::format("proof       none of {} amplitude; checked by a march backwards\n",
+                            answer.exclusion ? "this" : "any");
     } else if (answer.status() == Status::undecided) {
         text += fmt::format("why         {}\n", answer.detail());
     }
@@ -144,7 +145,7 @@ std::string asText(const Answer& answer)
 }
 
 /// The least amplitude, or those of the one that is asked for.
-void choose(Answer& answer)
+void choose(SceneForcedAnswer& answer)
 {
     if (answer.set.status != Status::found) {
         return;
@@ -178,7 +179,7 @@ ExitStatus findForcedInScene(const FindCommand& command)
     if (!force.place) {
         refuse("--force", "missing", "tip|base");
     }
-    Answer answer;
+    SceneForcedAnswer answer;
     answer.assembly = command.common.assembly();
     answer.network = networkOf(answer.assembly);
     answer.schedule = parseSpans(command.steps, answer.network.contacts.size());
