@@ -13,6 +13,7 @@
 #include "network_state_file.hpp"
 #include "progress.hpp"
 #include "scene_figures.hpp"
+#include "scene_reach.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "signorini/output.hpp"
@@ -448,6 +449,9 @@ void goOn(NetworkSimulation& simulation, const Question& question, bool isQuiet,
 
 ExitStatus simulateScene(const SimulateCommand& command)
 {
+    if (command.forceRange) {
+        return reportReach(command);
+    }
     const Question question = questionOf(command);
     Outputs outputs({{"--events", command.eventsFile},
                      {"--statistics", command.statisticsFile},

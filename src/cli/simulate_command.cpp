@@ -43,6 +43,19 @@ void SimulateCommand::addTo(CLI::App& command)
                 "merge contacts no further apart, and average forces over S (a step, L/(N c))");
     addFile(command, "--force-file", forceFile,
             "force on the tip, or where a scene is driven: columns time [s], force [N]");
+    addWord(command, "--force-range", "LO,HI",
+            "what any force between these can do where a scene is driven, from rest [N]",
+            [this](const std::string& text) {
+                const std::size_t comma = std::min(text.find(','), text.size());
+                const double low = parseReal("--force-range", text.substr(0, comma), "N");
+                const double high = comma < text.size()
+                                        ? parseReal("--force-range", text.substr(comma + 1), "N")
+                                        : low;
+                if (comma == text.size() || !(low <= high)) {
+                    refuse("--force-range", text, "LO,HI with LO <= HI [N]");
+                }
+                forceRange.emplace(low, high);
+            });
     addFile(command, "--events", eventsFile,
             "write all contacts: start, end, impulse, peak and mean force, speed, energy");
     addFile(command, "--statistics", statisticsFile,

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "arguments.hpp"
@@ -29,6 +30,7 @@ struct SimulateCommand {
     std::vector<double> speeds;  ///< [m/s], one for each bar
     std::string stateFile;
     std::string forceFile;
+    std::optional<std::pair<double, double>> forceRange;  ///< [N], least and most
     std::string statisticsFile;
 
     void addTo(CLI::App& command);
@@ -48,7 +50,7 @@ private:
     /// Is it a question for the simulation of a network?
     [[nodiscard]] bool isOfNetwork() const
     {
-        return common.hasScene() || common.gravity != 0.0 || !speeds.empty() || !stateFile.empty();
+        return common.hasScene() || forceRange || common.gravity != 0.0 || !speeds.empty() || !stateFile.empty();
     }
     /// The start, `base` [g] the place of the base then.
     [[nodiscard]] Waves start(const Scene& scene, double base) const;

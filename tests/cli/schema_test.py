@@ -136,6 +136,8 @@ CALLS = [
     ("simulate-scene", "simulate --scene 'clamp 20 gap=-1e-3 spring=3 dash=1' --time 3"
                        " --from {}/state.csv"),
     ("simulate-scene", "simulate --cells 30 --velocity 0.1 --time 9"),
+    ("simulate-reach", "simulate --scene 'clamp 7 stop=1 3 driven' --force-range 0.9,1 --time 3"),
+    ("simulate-reach", "simulate --scene 'clamp 7 stop=0.1 3 driven' --force-range -1,1 --time 9"),
 ]
 # Spoilt answers that a schema worth its name refuses.
 SPOILT = [
@@ -171,6 +173,8 @@ SPOILT = [
     ("scene", "scene clamp 3 stop=1", lambda answer: answer["scene"]["parts"][1].pop("cells")),
     ("simulate-scene", "simulate --scene '3 stop=1' --velocity 1 --time 9",
      lambda answer: answer["contacts"][0].pop("impulse")),
+    ("simulate-reach", "simulate --scene 'clamp 7 stop=1 3 driven' --force-range 0.9,1 --time 3",
+     lambda answer: answer["contacts"][0]["velocity"].pop()),
     ("atlas", "atlas --database {}/a.sqlite --cells 8", lambda answer: answer.update(finished=True)),
     ("atlas", "atlas --database {}/a.sqlite --cells 8", lambda answer: answer.pop("refuted")),
     ("atlas", "atlas --database {}/a.sqlite --cells 8", lambda answer: answer.pop("stops")),
