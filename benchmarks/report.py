@@ -218,8 +218,8 @@ def rivals(table: Table) -> str:
     """Other programs."""
     rows = where(table, lambda r: r.suite == "rivals")
     return rows and (
-        "## Rivals\n\nErrors of tip and force: root mean square over the first "
-        "five periods, relative to the reach of the tip and to the force's own"
+        "## Rivals\n\nErrors of tip and force: root mean square over the "
+        "first five periods, relative to the reach of the tip and to the force's own"
         "; drift: of the energy after 100 periods; time: of the processor, for"
         " those 100.\n\n" + grid(
             ["what", "who", "setting", "outcome", "tip error", "force error",

@@ -22,9 +22,11 @@ STYLES = {
     "clp-primal": ("#009e73", "<"), "clp-barrier": ("#009e73", ">"),
     "ipopt": ("#d55e00", "X"), "nlopt-slsqp": ("#cc79a7", "d"),
     "nlopt-auglag": ("#cc79a7", "h"), "nlopt-cobyla": ("#cc79a7", "*"),
-    "characteristics": ("#0072b2", "s"), "Newmark, penalty": ("#d55e00", "X"),
-    "damped Newmark, penalty": ("#cc79a7", "d"), "Moreau-Jean": ("#777777", "x"),
-    "mass redistribution": ("#009e73", "P"), "CVODE, penalty": ("#e69f00", "p"),
+    "characteristics": ("#0072b2", "s"), "Moreau-Jean": ("#777777", "x"),
+    "Newmark, penalty": ("#d55e00", "X"),
+    "damped Newmark, penalty": ("#cc79a7", "d"),
+    "mass redistribution": ("#009e73", "P"),
+    "CVODE, penalty": ("#e69f00", "p"),
     "march from rest": ("#56b4e9", "8"),
 }
 

@@ -253,10 +253,36 @@ def striker(folder):
     return "striker and rod: staircases of five steps, bit for bit"
 
 
+def pile(folder):
+    """A pile of impedance 1, length 1, hit by a striker; at its toe a resistance R, rigid until it is overcome, and a
+    dashpot J (Smith; Goble and Rausche, CAPWAP): v = max(0, (2 Z r - R)/(Z + J)), r what arrives. The toe is a stop
+    that R presses it to, so this holds until it would turn back. The Case formula (F_1 + F_2)/2 + Z (v_1 - v_2)/2,
+    from the head alone, 2 L/c apart, is the force at the toe, R + J v or what holds it."""
+    cells, compared = 32, 0
+    for impedance, static, dashpot in ((1, 0.25, 0.5), (3, 0.5, 0.25), (3, 0.75, 1), (7, 1.0, 0.125), (1, 1.5, 0.5)):
+        scene = f"{4 * cells}:{impedance} gap=0 {cells} stop=left:0 force={-static} dash={dashpot}"
+        arriving, moves, states = impedance / (impedance + 1), [], {}
+        for time in (0.5, 1.5, 2.5):
+            run = Run(folder, scene, "--length", 5, "--velocity", "1,0", "--time", time)
+            states[time] = [(float(row["right"]), float(row["left"])) for row in csv.DictReader(
+                (folder / "state.csv").read_text().splitlines()) if row["part"] == "cell"][-cells:]
+            moves.append(run.speeds[-1])
+        toe = max(0.0, (2 * arriving - static) / (1 + dashpot))
+        near(moves[1], toe, f"the toe moves, Z = {impedance}, R = {static}, J = {dashpot}")
+        near(moves[0], 0, "the toe waits")
+        # The head: what goes down at 1/2, what comes up at 5/2.
+        (down, up), (later, back) = states[0.5][0], states[2.5][0]
+        forces, speeds = (down - up, later - back), (down + up, later + back)
+        case = sum(forces) / 2 + (speeds[0] - speeds[1]) / 2
+        near(case, static + dashpot * toe if toe > 0 else 2 * arriving, "the Case formula")
+        compared += 1
+    return f"pile: {compared} blows, toe and Case formula to rounding"
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         for case in (bouncing_bar, two_bars, driven_bar, rigid_wall, stepped_load, any_load, string,
-                     striker):
+                     striker, pile):
             print(case(pathlib.Path(name)), flush=True)
 
 

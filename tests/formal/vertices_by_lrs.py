@@ -107,7 +107,8 @@ def between_grids(program, order):
         if ours != theirs:
             sys.exit(f"{polytope['chains']}: lrs has {theirs}, the answer {ours}")
         count, corners = count + 1, corners + len(ours)
-    print(f"{count} polytopes of two contacts between the grids, order <= {order}: lrs finds the same {corners} vertices")
+    print(f"{count} polytopes of two contacts between the grids, order <= {order}: lrs finds the same {corners} "
+          "vertices")
 
 
 def rank(rows):
