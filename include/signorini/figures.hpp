@@ -105,9 +105,9 @@ struct FrequencyEnergyPlot {
 
 /// How to draw it.
 struct FrequencyEnergyOptions {
-    std::optional<double> maxFrequencyRatio;  ///< [-], right end; unset: where the last item ends
-    double maxEnergyRatio = 50.0;             ///< [E_1], top; > 1
-    Bar bar = {};                             ///< whose hertz the upper axis has
+    std::optional<double> maxFrequencyRatio = {};  ///< [-], right end; unset: the last item
+    double maxEnergyRatio = 50.0;                  ///< [E_1], top; > 1
+    Bar bar = {};                                  ///< whose hertz the upper axis has
     /// The one panel from here to the right end, in place of the whole and its detail.
     std::optional<double> leastFrequencyRatio = {};
     std::int64_t maxOrder = 60;  ///< [-], of the families behind those of an atlas
