@@ -10,6 +10,7 @@ import csv
 import json
 import math
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -105,6 +106,49 @@ def bouncing_bar(folder):
     require(json.loads(done.stdout)["contacts"][0]["count"] == bounces and
             (folder / "state.csv").read_bytes() == begin.read_bytes(), f"{bounces} bounces bit for bit")
     return f"bouncing bar: 3 grids, 40 bounces each, and {many}, to rounding; {bounces} bounces, bit for bit the same"
+
+
+def bouncing_schedule(folder):
+    """The same as a schedule: contact 2/3, flight 2, twice. At the end of a contact any strains and velocities may be
+    added that leave the momentum as it is: in flight, 6 L/c long, they come back three times, in contact they are
+    turned over, twice in a period. So near the published motion there is a family of 2 N - 1 dimensions."""
+    words = ["--gravity", "10", "--length", "10", "--wave-speed", "30", "--axial-stiffness", "900", "--format", "json",
+             "--quiet"]
+    draw, begin, end = random.Random(3), folder / "begin.csv", folder / "end.csv"
+    for cells in (1, 2, 5):
+        schedule = [f"1:{2 * cells}", f"-:{6 * cells}"] * 2
+        call = [PROGRAM, "find", "--scene", f"{cells} stop=5", *schedule, *words]
+        found = json.loads(subprocess.run(call, stdout=subprocess.PIPE, check=True).stdout)
+        near(found["period"], Fraction(16, 3), "period")
+        require(found["kernel_dimension"] == 2 * cells, f"kernel of {found['kernel_dimension']} dimensions")
+        near(found["contacts"][0]["impulse"], 10 * 10 * Fraction(16, 3), "the weight's impulse")
+        near(found["contacts"][0]["contact_time"], Fraction(4, 3), "contact")
+        call = [PROGRAM, "simulate", "--scene", f"{cells} stop=5", *words, "--state"]
+        subprocess.run([*call, str(begin), "--velocity", "0", "--time", repr(5 / 3)], stdout=subprocess.DEVNULL,
+                       check=True)
+        published = list(csv.DictReader(begin.read_text().splitlines()))
+        for trial in range(20 if cells > 1 else 1):
+            added = [draw.uniform(-0.4, 0.4) if trial else 0.0 for _ in range(2 * cells)]
+            mean = sum(added) / len(added)
+            added = [value - mean for value in added]
+            rows = ["part,number,right,left,displacement"]
+            for row in published:
+                if row["part"] == "cell":
+                    i = 2 * (int(row["number"]) - 1)
+                    row = {**row, "right": repr(float(row["right"]) + added[i]),
+                           "left": repr(float(row["left"]) + added[i + 1])}
+                rows.append(",".join(row[name] for name in ("part", "number", "right", "left", "displacement")))
+            begin.write_text("\n".join(rows) + "\n")
+            done = subprocess.run([*call, str(end), "--from", str(begin), "--time", repr(10 * 16 / 3)],
+                                  stdout=subprocess.PIPE, check=True)
+            contact = json.loads(done.stdout)["contacts"][0]
+            require(contact["count"] == 20, f"{contact['count']} bounces in ten periods")
+            near(contact["impulse"], 10000 * Fraction(16, 30), "impulse of ten periods")
+            for row, other in zip(csv.DictReader(begin.read_text().splitlines()),
+                                  csv.DictReader(end.read_text().splitlines())):
+                for name in ("right", "left") if row["part"] == "cell" else ("displacement",):
+                    near(float(other[name]), float(row[name]), f"ten periods of neighbour {trial}: {name}", 1e-9)
+    return "bouncing bar as a schedule: found, and 38 neighbours on two grids that repeat themselves ten times"
 
 
 def two_bars(folder):
@@ -281,7 +325,7 @@ def pile(folder):
 
 def main():
     with tempfile.TemporaryDirectory() as name:
-        for case in (bouncing_bar, two_bars, driven_bar, rigid_wall, stepped_load, any_load, string,
+        for case in (bouncing_bar, bouncing_schedule, two_bars, driven_bar, rigid_wall, stepped_load, any_load, string,
                      striker, pile):
             print(case(pathlib.Path(name)), flush=True)
 
