@@ -9,7 +9,7 @@ from html import escape
 from typing import Any
 
 from . import _core
-from ._forced import Response
+from ._forced import Response, simulate
 from ._question import Question
 from ._study import StudyPoint
 from ._tables import (Cell, Table, cells_of, cells_of_key, flat, frame_of,
@@ -235,23 +235,101 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Simulation: ("simulation", (8, 5)),
     _core.Sweep: ("sweep", (8, 6)),
     Response: ("response", (8, 6)),
+    _core.ForcedResult: ("simulation", (8, 5)),
+    _core.ModeMotion: ("simulation", (8, 5)),
+    _core.PolytopeMotion: ("simulation", (8, 5)),
+    _core.Mode: ("frequency_energy", (8, 5)),
+    _core.Scene: ("scene", (8, 2)),
 }
 
 #: The same of tables, by what a row is.
 _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Family: ("families", (9, 6.5)),
+    _core.Mode: ("frequency_energy", (9, 6)),
     StudyPoint: ("study", (7, 5)),
 }
 
 
 def _has_a_figure(record: Any) -> bool:
-    if isinstance(record, _core.Result):
-        return record.status == "found"
+    if isinstance(record, (_core.Result, _core.ForcedResult)):
+        return bool(record.status == "found")
     if isinstance(record, _core.Simulation):
         return len(record.tip_time) > 0
     if isinstance(record, _core.Sweep):
         return len(record.points) > 0
     return not isinstance(record, (_core.Continuum, Table)) or len(record) > 0
+
+
+def _scene_of(record: Any) -> _core.Scene:
+    stop = next((stop["place"] for stop in record.stops if stop["side"] == "left"), None)
+    return _core.Scene(record.bar, None if stop is None else -stop, record.segments)
+
+
+def _walked(record: Any) -> _core.Simulation:
+    """Two periods of a motion that is known by its state, followed from there."""
+    if not isinstance(record, _core.ForcedResult):
+        return simulate(record.state(300), time=2.0 * record.period)
+    last = record.motions[-1]
+    return simulate(last.state, damping=record.damping.ratio, force=record.force,
+                    amplitude=last.amplitude, frequency=record.frequency_ratio,
+                    phase=last.phase, periods=2 * record.cycles, scene=_scene_of(record))
+
+
+def _draw_scene(scene: _core.Scene, figure: Any) -> None:
+    """The bar between its clamp and what it may meet; gaps are not to scale."""
+    from matplotlib.patches import Rectangle
+
+    from .plot import colours, unit_for
+    axes = figure.add_subplot()
+    axes.set_axis_off()
+
+    def block(x: float, y: float, wide: float, high: float, **style: Any) -> None:
+        axes.add_patch(Rectangle((x, y), wide, high, **style))
+
+    parts = [(part.cells * part.speed, part.impedance)
+             for part in scene.segments] or [(1.0, 1.0)]
+    whole = sum(long for long, _ in parts)
+    most = max(heavy for _, heavy in parts)
+    at = 0.0
+    for long, heavy in parts:
+        high = 0.4 + 0.6 * heavy / most
+        block(at / whole, -high / 2, long / whole, high, fc="0.85", ec=colours["ink"])
+        at += long
+    block(-0.03, -0.7, 0.03, 1.4, fc="none", ec=colours["ink"], hatch="///")
+    gap = scene.bar.gap
+    factor, unit = unit_for(abs(gap) or 1.0, "m")
+    block(1.1 if gap > 0 else 1.0, -0.7, 0.03, 1.4, fc=colours["faint"])
+    axes.text(1.0, 0.8, f"g = {gap * factor:.4g} {unit}", va="bottom")
+    if scene.second_stop is not None:
+        factor, unit = unit_for(scene.second_stop, "m")
+        for low in (-0.85, 0.55):
+            block(0.9, low, 0.03, 0.3, fc=colours["faint"])
+        axes.text(0.93, -0.9, f"h = {scene.second_stop * factor:.4g} {unit}", va="top")
+    factor, unit = unit_for(scene.bar.length, "m")
+    axes.text(0.4, -0.6, f"L = {scene.bar.length * factor:.4g} {unit}", ha="center", va="top")
+    axes.set_xlim(-0.05, 1.3)
+    axes.set_ylim(-1.3, 1.3)
+
+
+def _points_of(mode: _core.Mode) -> list[tuple[float, float]]:
+    """(omega/omega_1, E/E_1) along its curve, as far up as the figure goes."""
+    (p, q), (r, s) = mode.period_range
+    periods = [p / q + k / 40 * (r / s - p / q) for k in range(1, 40)]
+    points = [(4.0 / period, mode.energy_ratio(period)) for period in periods]
+    return [point for point in points if point[1] < 50.0]
+
+
+def _draw(name: str, record: Any, figure: Any) -> None:
+    from . import plot
+    if name == "scene":
+        _draw_scene(record, figure)
+    elif name == "frequency_energy":
+        points = _points_of(record) if isinstance(record, _core.Mode) else []
+        plot.frequency_energy(figure=figure, data=points or None, data_label="this mode")
+    elif name == "simulation" and not isinstance(record, _core.Simulation):
+        plot.simulation(_walked(record), figure=figure)
+    else:
+        getattr(plot, name)(record, figure=figure)
 
 
 #: What was drawn last: a notebook asks for the table and for the figure.
@@ -277,8 +355,7 @@ def png(record: Any) -> bytes | None:
         return None
     name, size = how
     figure = Figure(figsize=size, layout="constrained")
-    from . import plot
-    getattr(plot, name)(record, figure=figure)
+    _draw(name, record, figure)
     file = io.BytesIO()
     figure.savefig(file, format="png", dpi=80)
     _last[:] = [(record, file.getvalue())]

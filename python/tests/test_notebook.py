@@ -195,7 +195,6 @@ def test_a_scene_is_its_parts() -> None:
     assert page.values["stops"] == "right 0.001, left -0.002 m"
     assert [(row["cells"], row["impedance"])
             for row in page.under("segments")] == [("10", "2"), ("20", "1")]
-    assert not hasattr(scene, "_repr_png_")
 
 
 def test_a_long_table_shows_its_head() -> None:
@@ -210,7 +209,7 @@ def test_a_long_table_shows_its_head() -> None:
     assert [int(row["order"]) for row in shown] == [
         row.order for row in rows[:10]]
     size_of(sg.families())
-    assert page_of(sg.families()[3]).said and png_of(sg.modes()) is None
+    assert page_of(sg.families()[3]).said
     assert page_of(sg.Table("families", [])).said == "Table of families"
     assert png_of(sg.Table("families", [])) is None
 
@@ -326,3 +325,24 @@ def test_curves_are_sequences() -> None:
     assert len(page_of(curve).under("points")) == 5
     size_of(curve)
     size_of(curve[2])
+
+
+def test_motions_known_by_a_state_are_followed_for_their_figure() -> None:
+    from signorini import _notebook
+    forced = sg.find(12, 96, cells=30, **FORCED)
+    run = _notebook._walked(forced)
+    assert len(run.contact_impulse) == 2
+    assert run.contact_impulse[1] == pytest.approx(forced.motions[-1].impulse, rel=1e-9)
+    mode = sg.mode(4, -1, 3.5)
+    run = _notebook._walked(mode)
+    assert run.contact_impulse[1] == pytest.approx(mode.physical.impulse, rel=1e-6)
+
+
+@pytest.mark.parametrize("shown", [
+    sg.find(12, 96, cells=30, **FORCED), sg.mode(4, -1, 3.5), sg.modes(), sg.modes()[0],
+    sg.Scene(), sg.Scene(second_stop=1e-3),
+    sg.Scene(bar=sg.Bar(gap=-1e-3), segments=[sg.Segment(150), sg.Segment(150, 1.5)])])
+def test_forced_motions_modes_and_scenes_have_a_figure(shown: Any) -> None:
+    image = Image.open(io.BytesIO(shown._repr_png_()))
+    assert image.width > 400 and len(set(image.convert("L").getdata())) > 2
+    assert "<img" in shown._repr_html_()
