@@ -134,6 +134,8 @@ inline constexpr std::int64_t maxMeasurements = 1'000'000;
 [[nodiscard]] StateReading readState(const std::string& path, const Bar& bar, std::int64_t cells,
                                      std::optional<std::int64_t> mostCells = {});
 
+class HarmonicField;
+
 /// Most nodes and instants in a motion file; longer motions are thinned out evenly.
 inline constexpr std::int64_t maxMotionNodes = 1001;
 inline constexpr std::int64_t maxMotionInstants = 2001;  ///< see maxMotionNodes
@@ -149,6 +151,9 @@ public:
     /// One period on the nodes of N cells; velocity and strain are those in the middle of a cell.
     /// Refers to the motion.
     MotionSamples(const ModeMotion& motion, const Bar& bar, std::int64_t cells,
+                  std::int64_t mostInstants = maxMotionInstants);
+    /// The same of a motion under an exact harmonic.
+    MotionSamples(const HarmonicField& motion, const Scene& scene, std::int64_t cells,
                   std::int64_t mostInstants = maxMotionInstants);
 
     [[nodiscard]] std::size_t nodes() const { return x_.size(); }
@@ -166,6 +171,8 @@ public:
 
 private:
     using Field = std::function<double(std::size_t node, std::size_t instant)>;
+    template <typename Functions>
+    void sample(const Functions& motion, std::int64_t cells, std::int64_t mostInstants);
 
     Scene scene_;
     std::vector<double> x_;

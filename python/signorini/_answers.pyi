@@ -172,7 +172,6 @@ class ContinuumPoint(_Record):
     motion: Motion
 
 class Continuum(_Record):
-    def _figure(self) -> str: ...
     status: str
     cells: int
     schedule: Schedule
@@ -197,6 +196,7 @@ class Continuum(_Record):
     segments: list[Segment]
     static_force: float
     detail: Optional[str]
+    def _figure(self) -> str: ...
     lambda_: Array
     peak_strain: Array
     residual: Array
@@ -458,6 +458,7 @@ class HarmonicMotion(_Record):
     physical: Physical
     admissible: bool
     growth: Optional[float]
+    attracts: Optional[bool]
     residual: float
     enclosed: Optional[float]
     alone_within: Optional[float]
@@ -559,7 +560,6 @@ class SweepPoint(_Record):
     peak_stress: Known[float]
 
 class Sweep(_Record):
-    def _figure(self) -> str: ...
     status: str
     bar: Bar
     stops: list[dict[str, Any]]
@@ -574,6 +574,7 @@ class Sweep(_Record):
     carried: bool
     yield_stress: Optional[float]
     points: list[SweepPoint]
+    def _figure(self) -> str: ...
     def frame(self) -> Any: ...
 
 class Waves:
@@ -586,7 +587,6 @@ class Waves:
     def stretching(self, cells: int) -> Array: ...
 
 class Simulation(_Record):
-    def _figure(self) -> str: ...
     status: str
     cells: int
     bar: Bar
@@ -610,6 +610,7 @@ class Simulation(_Record):
     events: int
     pieces: int
     merged: float
+    def _figure(self) -> str: ...
     contact_stop: list[str]
     contact_start: Array
     contact_end: Array

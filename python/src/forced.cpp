@@ -7,7 +7,6 @@
 #include "described.hpp"
 #include "excited_amplitude.hpp"
 #include "excited_names.hpp"
-#include "faults.hpp"
 #include "force.hpp"
 #include "harmonic_answer.hpp"
 #include "motion.hpp"
@@ -28,9 +27,10 @@ SIGNORINI_MEMBERS(HarmonicContact, &T::begin, &T::end, &T::stop, &T::isPinned, &
 SIGNORINI_MEMBERS(HarmonicMotion, &T::phase, &T::contacts, &T::pieces, &T::extremes, &T::residual);
 SIGNORINI_MEMBERS(HarmonicProof, &T::isProved, &T::within, &T::aloneWithin, &T::why);
 SIGNORINI_MEMBERS(HarmonicContactOf, &T::value, &T::bar);
-SIGNORINI_MEMBERS(HarmonicMotionOf, &T::value, &T::bar, &T::growth, &T::proof);
+SIGNORINI_MEMBERS(HarmonicMotionOf, &T::value, &T::bar, &T::growth, &T::proof, &T::attracts);
 SIGNORINI_MEMBERS(HarmonicAnswer, &T::period, &T::damping, &T::place, &T::cycles, &T::amplitude,
-                  &T::scene, &T::bar, &T::contacts, &T::motions, &T::settled);
+                  &T::scene, &T::bar, &T::contacts, &T::motions, &T::settledContacts,
+                  &T::settledCycles);
 template <>
 struct Members<ForcedAnswer> {
     static constexpr auto list =
@@ -96,6 +96,9 @@ HarmonicAnswer findHarmonic(std::int64_t numerator, std::int64_t denominator, co
                             int derivative, std::int64_t cycles, std::int64_t contacts)
 {
     validate(scene);
+    Faults faults;
+    faults.requireWhole("contacts", contacts, maxHarmonicContacts);
+    faults.throwIfAny();
     const ExactPeriod period = exactPeriod(numerator, denominator);
     const double ratio = 4.0 * static_cast<double>(cycles) / period.value();
     const double meant = displaced(amplitude, derivative, ratio, answers::unitsOf(scene));

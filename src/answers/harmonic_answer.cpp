@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "exact_response.hpp"
 #include "harmonic_contact.hpp"
-#include "harmonic_growth.hpp"
 #include "harmonic_settled.hpp"
 
 namespace signorini::answers {
@@ -23,18 +23,13 @@ HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping, Excit
 {
     HarmonicAnswer answer{period, damping,        place,    cycles, amplitude,
                           scene,  unitsOf(scene), contacts, {}};
-    const Harmonic excitation{place,
-                              amplitude / amplitudeUnit(place, answer.bar),
-                              0.0,
-                              cycles,
-                              period.numerator,
-                              static_cast<double>(period.denominator)};
     const auto add = [&](const HarmonicCase& given, HarmonicMotion motion) {
-        const auto growth = growthOf(given, motion);
+        const ExactStability stability = exactStability(given, motion);
         const HarmonicProof proof = enclosed(given, motion);
-        answer.motions.push_back({std::move(motion), answer.bar, growth, proof});
+        answer.motions.push_back(
+            {std::move(motion), answer.bar, stability.growth, proof, stability.attracts});
     };
-    const HarmonicCase given = harmonicCase(damping, excitation, stopsOf(scene));
+    const HarmonicCase given = answer.given();
     if (contacts == 1) {
         for (HarmonicMotion& motion : harmonicContacts(given)) {
             add(given, std::move(motion));
@@ -44,14 +39,30 @@ HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping, Excit
     SettlingSearch search;
     search.mostCycles = std::max(search.mostCycles, cycles);
     search.cancel = cancel;
-    if (auto settled = settledHarmonic(damping, excitation, stopsOf(scene), search)) {
+    if (auto settled = settledHarmonic(damping, answer.excitation(), stopsOf(scene), search)) {
         const auto found = static_cast<std::int64_t>(settled->motion.contacts.size());
-        answer.settled = {found, settled->given.cycles};
+        answer.settledContacts = found;
+        answer.settledCycles = settled->given.cycles;
         if (found == contacts && settled->given.cycles == cycles) {
             add(settled->given, std::move(settled->motion));
         }
     }
     return answer;
+}
+
+Harmonic HarmonicAnswer::excitation() const
+{
+    return {place,
+            amplitude / amplitudeUnit(place, bar),
+            0.0,
+            cycles,
+            period.numerator,
+            static_cast<double>(period.denominator)};
+}
+
+HarmonicCase HarmonicAnswer::given() const
+{
+    return harmonicCase(damping, excitation(), stopsOf(scene));
 }
 
 std::optional<std::string> HarmonicAnswer::detail() const
@@ -60,10 +71,11 @@ std::optional<std::string> HarmonicAnswer::detail() const
         return std::nullopt;
     }
     if (contacts > 1) {
-        return settled ? fmt::format("a bar at rest settles on {} contact{} in {} cycle{}",
-                                     settled->first, settled->first == 1 ? "" : "s",
-                                     settled->second, settled->second == 1 ? "" : "s")
-                       : "a bar at rest settles on no motion that touches a stop";
+        return settledContacts > 0
+                   ? fmt::format("a bar at rest settles on {} contact{} in {} cycle{}",
+                                 settledContacts, settledContacts == 1 ? "" : "s", settledCycles,
+                                 settledCycles == 1 ? "" : "s")
+                   : "a bar at rest settles on no motion that touches a stop";
     }
     const double cell = static_cast<double>(period.numerator % 2 == 0 ? 2 : 1) /
                         static_cast<double>(period.denominator);

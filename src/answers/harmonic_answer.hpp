@@ -26,8 +26,9 @@ struct HarmonicContactOf {
 struct HarmonicMotionOf {
     HarmonicMotion value;
     Bar bar;
-    std::optional<double> growth;  ///< [-], of a disturbance in a period, if it is known
-    HarmonicProof proof = {};      ///< with enclosed numbers
+    std::optional<double> growth;       ///< [-], of a disturbance in a period, if it is known
+    HarmonicProof proof = {};           ///< with enclosed numbers
+    std::optional<bool> attracts = {};  ///< as growth says and as was tried
 
     [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
     [[nodiscard]] std::vector<HarmonicContactOf> contacts() const;
@@ -44,8 +45,8 @@ struct HarmonicAnswer {
     Bar bar;                                ///< whose scales the answer has
     std::int64_t contacts;                  ///< in a period
     std::vector<HarmonicMotionOf> motions;  ///< by ascending impulse
-    /// With several contacts asked for: what the bar settled on had so many, in so many cycles.
-    std::optional<std::pair<std::int64_t, std::int64_t>> settled = {};
+    std::int64_t settledContacts = 0;       ///< of what a bar at rest settled on, if it was asked
+    std::int64_t settledCycles = 0;         ///< the period of that
 
     /// Found, or undecided: that there is none was computed, not proved.
     [[nodiscard]] Status status() const
@@ -58,6 +59,9 @@ struct HarmonicAnswer {
         return 4.0 * static_cast<double>(cycles) / period.value();
     }
     [[nodiscard]] std::optional<std::string> detail() const;
+    /// What its motions are of.
+    [[nodiscard]] HarmonicCase given() const;
+    [[nodiscard]] Harmonic excitation() const;
 };
 
 /// \throws as harmonicCase.
@@ -106,6 +110,10 @@ void describe(D& d, Type<HarmonicMotionOf>)
     d.key("growth", "- > 0",
           "Of a small disturbance in a period; nothing where fronts fade too slowly to tell.",
           &T::growth);
+    d.key("attracts", "-",
+          "Does a bar that is disturbed a little come back? As growth says and as was tried; "
+          "nothing where they disagree, or neither tells.",
+          &T::attracts);
     d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
           [](const T& m) { return m.value.residual; });
     d.key("enclosed", "L/c > 0",

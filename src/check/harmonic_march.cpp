@@ -47,7 +47,8 @@ HarmonicMarch HarmonicMarch::atRest(const HarmonicCase& given, double mergeBelow
         given, phase, {{1.0, {-0.5 * place, 0.0}}, {2.0, {-0.5 * place, sent}}}, place, mergeBelow};
 }
 
-HarmonicMarch HarmonicMarch::of(const HarmonicCase& given, const HarmonicMotion& motion)
+HarmonicMarch HarmonicMarch::of(const HarmonicCase& given, const HarmonicMotion& motion,
+                                double mergeBelow)
 {
     std::deque<ArrivingPiece> arriving;
     for (double past = 0.0; past < 2.0; past += given.period()) {
@@ -58,7 +59,14 @@ HarmonicMarch HarmonicMarch::of(const HarmonicCase& given, const HarmonicMotion&
         }
     }
     arriving.back().end = 2.0;
-    return {given, motion.phase, std::move(arriving), given.placeOf(motion.contacts[0].stop), 0.0};
+    // u(L, 0) is what the waves say, at the stop but for rounding unless they are disturbed.
+    double tip = (given.place() * given.amplitude * turned(-motion.phase)).real();
+    double begin = 0.0;
+    for (const ArrivingPiece& piece : arriving) {
+        tip -= (piece.wave.swing * (given.at(piece.end) - given.at(begin))).imag() / given.omega;
+        begin = piece.end;
+    }
+    return {given, motion.phase, std::move(arriving), tip, mergeBelow};
 }
 
 void HarmonicMarch::advance(double until)

@@ -52,8 +52,9 @@ public:
                   double tip, std::optional<double> mergeBelow = {});
     /// At rest, pressed on the wall with a gap below 0; a base stands at 0 at first.
     [[nodiscard]] static HarmonicMarch atRest(const HarmonicCase& given, double mergeBelow);
-    /// A motion, at the start of its first contact.
-    [[nodiscard]] static HarmonicMarch of(const HarmonicCase& given, const HarmonicMotion& motion);
+    /// A motion, at the start of its first contact; u(L, 0) is what its waves say.
+    [[nodiscard]] static HarmonicMarch of(const HarmonicCase& given, const HarmonicMotion& motion,
+                                          double mergeBelow = 0.0);
 
     void advance(double until);
 
@@ -79,7 +80,7 @@ private:
     void fly(const HarmonicWave& push, const ArrivingPiece& piece, double until);
     void touch(double time, Stop stop);
 
-    const HarmonicCase& given_;
+    HarmonicCase given_;
     double phase_;
     std::optional<double> mergeBelow_;
     HarmonicWave force_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 
 #include "portable.hpp"
@@ -195,22 +196,48 @@ private:
             }
             begin = piece.end;
         }
-        for (const Peak& r : arriving) {
-            for (const Peak& b : left) {
-                const double apart = b.angle - r.angle;
-                if (apart - given_.period() * std::floor(apart / given_.period()) <= 2.0) {
-                    stretch(b.value - r.value);
+        // B - r with r no more than 2L/c before B, in a window that slides along.
+        for (const double sign : {1.0, -1.0}) {
+            spread(arriving, left, sign);
+        }
+    }
+
+    /// The largest sign (B - r).
+    void spread(const std::vector<Peak>& arriving, const std::vector<Peak>& left, double sign)
+    {
+        std::vector<Peak> before;
+        for (double past = std::ceil(2.0 / given_.period()); past >= 0.0; --past) {
+            for (const Peak& r : arriving) {
+                before.push_back({r.angle - past * given_.period(), sign * r.value});
+            }
+        }
+        std::deque<Peak> least;  // of the window: each is below those that follow
+        auto next = before.begin();
+        for (const Peak& b : left) {
+            for (; next != before.end() && next->angle <= b.angle; ++next) {
+                while (!least.empty() && least.back().value >= next->value) {
+                    least.pop_back();
                 }
+                least.push_back(*next);
+            }
+            while (!least.empty() && b.angle - least.front().angle > 2.0) {
+                least.pop_front();
+            }
+            if (!least.empty()) {
+                stretch(sign * (sign * b.value - least.front().value));
             }
         }
     }
 
     void addPeaks(std::vector<Peak>& peaks, Complex z, double begin, double end) const
     {
+        const auto first = static_cast<std::ptrdiff_t>(peaks.size());
         for (Peak peak : peaksOf(z, given_.omega * begin, given_.omega * end)) {
             peak.angle = std::clamp(peak.angle / given_.omega, begin + besides, end - besides);
             peaks.push_back(peak);
         }
+        std::sort(peaks.begin() + first, peaks.end(),
+                  [](const Peak& x, const Peak& y) { return x.angle < y.angle; });
     }
 
     void stretch(double s)

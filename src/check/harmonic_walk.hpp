@@ -13,7 +13,7 @@ namespace signorini {
 
 /// Fills in extremes, residual, and of each contact impulse, force and speed; strains only where
 /// the residual is one of a motion. \pre phase, pieces, and of each contact begin, end and stop
-/// are there. O(pieces log pieces), strains O(pieces^2).
+/// are there. O(pieces log pieces).
 void measure(const HarmonicCase& given, HarmonicMotion& motion);
 
 }  // namespace signorini

@@ -1,5 +1,6 @@
 #include "find_outputs.hpp"
 
+#include "exact_figure.hpp"
 #include "find_command.hpp"
 
 namespace signorini::cli {
@@ -69,6 +70,20 @@ void FindOutputs::writeMotion(const WrittenMotion& motion)
     if (words_.motionFile.isWanted() || !words_.animationFile.empty()) {
         writeField(motion);
     }
+    motion_.commit();
+}
+
+void FindOutputs::writeHarmonic(const HarmonicField& field, const Scene& scene, std::int64_t cells)
+{
+    motion_.put("--figure", [&](const std::string& path) {
+        drawFigure(harmonicFigure(field, scene), figureFormat(words_.figureFile), path);
+    });
+    motion_.put("--animate", [&](const std::string& path) {
+        drawFigures(motionFrames(MotionSamples(field, scene, cells)),
+                    animationFormat(words_.animationFile), path);
+    });
+    words_.motionFile.write(
+        motion_, [&](std::int64_t most) { return MotionSamples(field, scene, cells, most); });
     motion_.commit();
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "files.hpp"
+#include "harmonic_field.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/output.hpp"
@@ -35,6 +36,8 @@ public:
     [[nodiscard]] bool wantsProof() const { return proof_.areWanted(); }
 
     void writeMotion(const WrittenMotion& motion);
+    /// Of a motion under an exact harmonic, on no grid: files and pictures, no state.
+    void writeHarmonic(const HarmonicField& field, const Scene& scene, std::int64_t cells);
     void lackMotion() const;
     void writeProof(const std::function<void(TextFile&)>& write);
     void lackProof() const;

@@ -99,11 +99,11 @@ ExitStatus answerHarmonic(const FindCommand& call)
     if (!force.amplitude) {
         refuse("--amplitude", "missing", "numbers > 0 [N or m]");
     }
-    if (std::isfinite(call.options.strainLimit) || FindOutputs(call).areOfMotion()) {
+    if (std::isfinite(call.options.strainLimit) || !call.stateFile.empty()) {
         throw std::invalid_argument(
-            "--strain-limit, --state, --motion, --figure, --animate: of forced motions allowed "
-            "only together with NC NF");
+            "--strain-limit, --state: of forced motions allowed only together with NC NF");
     }
+    FindOutputs files(call);
     const ExactPeriod period =
         call.question.exactly(common.usualCells(), scene.bar, call.forced.cycles);
     const double frequencyRatio = 4.0 * static_cast<double>(call.forced.cycles) / period.value();
@@ -113,6 +113,12 @@ ExitStatus answerHarmonic(const FindCommand& call)
     const answers::HarmonicAnswer answer =
         answers::answerOf(period, force.damping(), *force.place, call.forced.cycles,
                           *displaced.amplitude, scene, call.forced.contacts, interrupt.cancel());
+    if (answer.motions.empty()) {
+        files.lackMotion();
+    } else if (files.areOfMotion()) {
+        const HarmonicField field(answer.given(), answer.motions.back().value);
+        files.writeHarmonic(field, scene, common.usualCells());
+    }
     writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
                               : common.restated({}, force.ratio) + asText(answer));
     for (const answers::HarmonicMotionOf& motion : answer.motions) {

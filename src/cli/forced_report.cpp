@@ -117,10 +117,15 @@ std::string asText(const answers::HarmonicAnswer& answer)
                   "and only one within {:.0e}\n",
                   motion.proof.within, motion.proof.aloneWithin);
         }
-        if (motion.growth) {
-            print(text,
-                  "stability   {}: small disturbances become {:.4g} times as large in a period\n",
-                  *motion.growth < 1.0 ? "attracts" : "repels", *motion.growth);
+        if (motion.attracts || motion.growth) {
+            print(text, "stability   {}{}\n",
+                  !motion.attracts   ? "not known"
+                  : *motion.attracts ? "attracts"
+                                     : "repels",
+                  motion.growth
+                      ? fmt::format(": small disturbances become {:.4g} times as large in a period",
+                                    *motion.growth)
+                      : " (tried: disturbed a little, 150 periods)");
         }
     }
     if (const auto detail = answer.detail()) {

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact_figure.hpp"
+#include "exact_report.hpp"
 #include "files.hpp"
 #include "hints.hpp"
 #include "interrupt.hpp"
+#include "json.hpp"
 #include "progress.hpp"
+#include "report.hpp"
 #include "response_report.hpp"
 #include "response_tables.hpp"
 #include "share_work.hpp"
@@ -97,6 +101,9 @@ void ResponseCommand::addTo(CLI::App& command)
             });
     addPositive(command, "--yield-stress", "Pa", yieldStress, "PA",
                 "say whether the stress exceeds it (needs --young)");
+    addFlag(command, "--exact", isExact,
+            "the harmonic itself in place of a staircase, contacts of any times: all motions with "
+            "one, and what a bar at rest settles on; curves with folds");
     addFlag(command, "--stability", wantsStability, "perturb each motion to test its stability");
     addFile(command, "--csv", csvFile, "write a row for each motion");
     addFigure(command, "--figure", figureFile, "draw impulse and tip against frequency");
@@ -119,6 +126,12 @@ void ResponseCommand::addTo(CLI::App& command)
         "frequency, and contact_time [s], approach_speed [m/s], peak_compression, peak_tension "
         "[-], peak_stress [Pa] of the motion; one row without them where there is no motion. "
         "Contact of all n steps: the tip never leaves the wall.\n"
+        "--csv with --exact: steps, frequency_ratio, frequency, touches, linear_peak, motion (0, "
+        "1, "
+        "... at this frequency), contacts and cycles in its period, contact (0, 1, ...), begin, "
+        "end [s], stop, release (pinned: ended by a wave front, or smooth), impulse [N s], "
+        "peak_force [N], speed [m/s], phase [rad], growth of disturbances in a period, attracts "
+        "(1, 0), residual.\n"
         "--map-csv: steps, frequency_ratio, frequency, contacts (0, 1 or 2), contact, free, "
         "second_contact, second_free, least_amplitude, most_amplitude [N or m]; no largest one: "
         "empty. Schedules in order of contact; an amplitude has as many motions as rows hold it.\n"
@@ -179,6 +192,9 @@ ExitStatus ResponseCommand::run() const
     }
     answer.range.band = band.value_or(range.band);
     (void)stepsOf(answer.range);
+    if (isExact) {
+        return runExact(answer.range, scene);
+    }
     Outputs outputs({{"--csv", csvFile},
                      {"--map-csv", mapCsvFile},
                      {"--backbone-csv", backboneFile},
@@ -212,6 +228,51 @@ ExitStatus ResponseCommand::run() const
     const Status status = answer.status();
     writeOut(common.wantsJson ? asJson(answer) : common.restated({}, force.ratio) + asText(answer));
     return exitStatusOf(status);
+}
+
+ExitStatus ResponseCommand::runExact(const ResponseRange& asked, const Scene& scene) const
+{
+    if (!isUniform(scene.segments) || force.derivative > 0 || range.contacts > 1 || band ||
+        yieldStress || wantsStability || !mapFile.empty() || !mapCsvFile.empty() ||
+        !backboneFile.empty()) {
+        throw std::invalid_argument(
+            "--exact: allowed with --amplitude, --cycles, --csv and --figure, of a uniform bar; "
+            "it says how disturbances grow by itself");
+    }
+    answers::ExactAnswer answer{asked, scene, answers::unitsOf(scene), *force.amplitude, {}, {}};
+    Outputs outputs({{"--csv", csvFile}, {"--figure", figureFile}});
+    const std::vector<std::int64_t> steps = stepsOf(asked);
+    std::vector<std::optional<ExactFrequency>> found(steps.size());
+    {
+        const Interrupt interrupt;
+        Progress progress(!common.quiet, "frequencies");
+        shareWork(
+            steps.size(), common.threads,
+            [&](std::size_t at) {
+                found[at] = exactAt(asked, steps[at], interrupt.cancel());
+                return found[at].has_value();
+            },
+            [&progress](double done, double total) { progress.show(done, total); });
+        for (std::optional<ExactFrequency>& at : found) {
+            if (at) {
+                answer.frequencies.push_back(std::move(*at));
+            }
+        }
+        answer.branches = exactBranches(asked, answer.frequencies, interrupt.cancel());
+        answer.isComplete =
+            answer.frequencies.size() == steps.size() && !isRequested(interrupt.cancel());
+    }
+    if (answer.isComplete) {
+        outputs.put("--csv", [&](const std::string& path) { writeExactCsv(path, answer); });
+        outputs.put("--figure", [&](const std::string& path) {
+            drawFigure(exactFigure(answer.frequencies, answer.branches, asked, answer.bar),
+                       figureFormat(figureFile), path);
+        });
+        outputs.commit();
+    }
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
+                              : common.restated({}, force.ratio) + asText(answer));
+    return exitStatusOf(answer.status());
 }
 
 }  // namespace signorini::cli

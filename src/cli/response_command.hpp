@@ -21,6 +21,7 @@ struct ResponseCommand {
     std::optional<double> band;
     std::optional<double> yieldStress;  ///< [Pa]
     bool wantsStability = false;
+    bool isExact = false;  ///< the harmonic itself, not a staircase
     std::string csvFile;
     std::string figureFile;
     std::string mapFile;
@@ -32,6 +33,9 @@ struct ResponseCommand {
     /// Does the work; the report goes to stdout. SIGINT and SIGTERM end it, and the frequencies
     /// that were done are reported. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
+
+private:
+    [[nodiscard]] ExitStatus runExact(const ResponseRange& asked, const Scene& scene) const;
 };
 
 }  // namespace signorini::cli

@@ -16,10 +16,10 @@
 
 namespace signorini {
 
-/// The motions by ascending impulse; the phase is an answer. The wall is touched, a second stop is
-/// not. Left out: contacts longer than T - h, where waves rest beside a tip that is held (a set,
-/// not a motion). Motions that differ by less than 1e-7 are one. O(nu^2).
-/// \throws as harmonicCase.
+/// The motions by ascending impulse; the phase is an answer. One stop is touched, the wall or
+/// the second stop. Left out: contacts longer than T - h, where waves rest beside a tip that is
+/// held (a set, not a motion). Motions that differ by less than 1e-7 are one. O(nu log nu), and
+/// O(nu) for each candidate. \throws as harmonicCase.
 [[nodiscard]] std::vector<HarmonicMotion> harmonicContacts(const HarmonicCase& given);
 [[nodiscard]] std::vector<HarmonicMotion> harmonicContacts(const Damping& damping,
                                                            const Harmonic& excitation,

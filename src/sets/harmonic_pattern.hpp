@@ -31,4 +31,18 @@ struct HarmonicStart {
 [[nodiscard]] std::optional<HarmonicMotion> harmonicNear(const HarmonicCase& given,
                                                          const HarmonicStart& start);
 
+/// Fronts of several contacts that meet, apart by rounding, make a flight of nothing: contacts with
+/// one stop so near are one.
+[[nodiscard]] std::vector<HarmonicContact> joined(const std::vector<HarmonicContact>& all,
+                                                  double within);
+
+/// Where a curve of motions of one period goes: by ln |A|, phase, and beginnings and ends.
+using HarmonicDirection = std::vector<double>;
+
+/// A step along that curve, as amplitude changes, of a length in ln |A|, rad and L/c; folds are no
+/// obstacle. The amplitude of the case becomes that of the motion. \return false: there is none,
+/// and nothing has changed. \pre 2 + 2K directions, or none: amplitude grows.
+[[nodiscard]] bool stepAlongAmplitude(HarmonicCase& given, HarmonicMotion& motion,
+                                      HarmonicDirection& direction, double length);
+
 }  // namespace signorini

@@ -38,28 +38,6 @@ bool areSame(Contacts x, Contacts y, double later, double tolerance)
     });
 }
 
-/// Fronts of several contacts that meet, apart by rounding, make a flight of nothing.
-std::vector<HarmonicContact> joined(const std::vector<HarmonicContact>& all)
-{
-    std::vector<HarmonicContact> found;
-    std::vector<std::size_t> index;  // where one is now
-    for (const HarmonicContact& one : all) {
-        if (!found.empty() && found.back().stop == one.stop &&
-            one.begin - found.back().end < noFlight) {
-            const double begin = found.back().begin;
-            found.back() = one;
-            found.back().begin = begin;
-        } else {
-            found.push_back(one);
-        }
-        index.push_back(found.size() - 1);
-    }
-    for (HarmonicContact& one : found) {
-        one.front = index[one.front];
-    }
-    return found;
-}
-
 /// Contacts of one period, counted from its first beginning.
 HarmonicStart startOf(const std::vector<HarmonicContact>& all, const HarmonicCase& given,
                       double phase, Contacts contacts)
@@ -105,7 +83,7 @@ std::optional<SettledHarmonic> settledHarmonic(const Damping& damping, const Har
             march.advance(static_cast<double>(done + 1) * cycle);
             march.forget();
         }
-        const std::vector<HarmonicContact> all = joined(march.contacts());
+        const std::vector<HarmonicContact> all = joined(march.contacts(), noFlight);
         if (all.size() < 3) {
             continue;
         }

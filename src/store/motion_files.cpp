@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "harmonic_field.hpp"
 #include "printing.hpp"
 #include "stepped_bar.hpp"
 
@@ -206,10 +207,11 @@ MotionSamples::MotionSamples(const Motion& motion, const Scene& scene, std::int6
     }
 }
 
-MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int64_t cells,
-                             std::int64_t mostInstants)
-    : scene_(bar)
+/// u, v and s as functions of x and t, in units of scales(bar).
+template <typename Functions>
+void MotionSamples::sample(const Functions& motion, std::int64_t cells, std::int64_t mostInstants)
 {
+    const Bar& bar = scene_.bar;
     const std::vector<std::int64_t> counts = thinned(cells, maxMotionNodes);
     const std::vector<double> nodes = inUnits(counts, 1.0 / static_cast<double>(cells));
     const std::vector<double> middles = middlesOf(counts, 1.0 / static_cast<double>(cells));
@@ -231,6 +233,20 @@ MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int6
     strain_ = [&motion, middles, instants](std::size_t i, std::size_t m) {
         return motion.strain(middles[i], instants[m]);
     };
+}
+
+MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int64_t cells,
+                             std::int64_t mostInstants)
+    : scene_(bar)
+{
+    sample(motion, cells, mostInstants);
+}
+
+MotionSamples::MotionSamples(const HarmonicField& motion, const Scene& scene, std::int64_t cells,
+                             std::int64_t mostInstants)
+    : scene_(scene)
+{
+    sample(motion, cells, mostInstants);
 }
 
 double MotionSamples::displacement(std::size_t node, std::size_t instant) const

@@ -7,6 +7,7 @@
 #include "atlas_answer.hpp"
 #include "continuum_answer.hpp"
 #include "forced_answer.hpp"
+#include "exact_answer.hpp"
 #include "harmonic_answer.hpp"
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
@@ -155,7 +156,8 @@ int main()
         {"modes-phases", nameOf<PolytopeList>()}, {"mode", nameOf<ModeAnswer>()},
         {"response", nameOf<ResponseAnswer>()},   {"simulate", nameOf<SimulationAnswer>()},
         {"sweep", nameOf<SweepAnswer>()},         {"atlas", nameOf<AtlasBuilt>()},
-        {"atlas-query", nameOf<AtlasAnswer>()},   {"find-harmonic", nameOf<HarmonicAnswer>()}};
+        {"atlas-query", nameOf<AtlasAnswer>()},   {"find-harmonic", nameOf<HarmonicAnswer>()},
+        {"response-exact", nameOf<ExactAnswer>()}};
     (void)nameOf<PolytopeAnswer>();  // of Python alone
     std::cout << Json{{"files", files}, {"records", records()}}.dump(1) << '\n';
 }

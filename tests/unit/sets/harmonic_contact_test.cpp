@@ -339,6 +339,28 @@ TEST_CASE("harmonic contact: a motion that repels is left as fast as its growth 
     CHECK(count >= 2);
 }
 
+TEST_CASE("harmonic contact: what touches the second stop is the mirror of what touches the wall")
+{
+    // Stops at 1 and -5, or seen from the other side, and with 5 as 1, at 1 and -1/5.
+    const Damping damping{0.03};
+    std::size_t count = 0;
+    for (std::int64_t n = 13; n <= 25; ++n) {
+        const auto here = harmonicContacts(damping, harmonicOf(5, n, 0.3), {1, Fraction{5, 1}});
+        const auto there = harmonicContacts(damping, harmonicOf(5, n, 0.06), {1, Fraction{1, 5}});
+        REQUIRE(here.size() == there.size());
+        for (std::size_t k = 0; k < here.size(); ++k) {
+            const HarmonicContact& one = here[k].contacts[0];
+            const HarmonicContact& other = there[k].contacts[0];
+            CHECK(one.stop != other.stop);
+            CHECK(other.end == Approx(one.end).margin(1e-10));
+            CHECK(other.impulse == Approx(one.impulse / 5.0).margin(1e-10));
+            CHECK(other.speed == Approx(one.speed / 5.0).margin(1e-9));
+        }
+        count += here.size();
+    }
+    CHECK(count > 3);
+}
+
 TEST_CASE("harmonic contact: a call that makes no sense is refused")
 {
     const Damping damping{0.02};

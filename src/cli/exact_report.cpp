@@ -1,0 +1,116 @@
+#include "exact_report.hpp"
+
+#include <algorithm>
+
+#include "report.hpp"
+#include "signorini/output.hpp"
+#include "text.hpp"
+
+namespace signorini::cli {
+
+using answers::ExactAnswer;
+
+namespace {
+
+/// "in 12 of 30 periods".
+std::string countOf(const ExactAnswer& answer, std::size_t least)
+{
+    const auto count = std::count_if(
+        answer.frequencies.begin(), answer.frequencies.end(), [&](const ExactFrequency& at) {
+            return std::any_of(at.motions.begin(), at.motions.end(), [&](const ExactMotion& one) {
+                return (one.motion.contacts.size() > 1) == (least > 1);
+            });
+        });
+    return fmt::format("at {} of {} frequencies", count, answer.frequencies.size());
+}
+
+}  // namespace
+
+std::string asText(const ExactAnswer& answer)
+{
+    Text text;
+    const auto hertz = [&](double ratio) { return answers::hertzOf(ratio, answer.bar); };
+    print(text, "{:<12}{} of amplitude {:.6g} {}, an exact harmonic, {:.6g} … {:.6g} Hz\n",
+          name(answer.status()),
+          answer.range.place == Excited::tip ? "force on the tip" : "base moving", answer.amplitude,
+          answer.range.place == Excited::tip ? "N" : "m", hertz(answer.range.leastFrequencyRatio),
+          hertz(answer.range.mostFrequencyRatio));
+    print(text, "one contact {}: all of them\n", countOf(answer, 1));
+    print(text,
+          "several     {}: what a bar at rest settles on, where one is not known to attract\n",
+          countOf(answer, 2));
+    const ExactFrequency* worst = nullptr;
+    double force = 0.0;
+    for (const ExactFrequency& at : answer.frequencies) {
+        for (const ExactMotion& one : at.motions) {
+            if (one.motion.extremes.peakForce > force) {
+                force = one.motion.extremes.peakForce;
+                worst = &at;
+            }
+        }
+    }
+    if (worst != nullptr) {
+        print(text, "worst       force {:.6g} N at {:.6g} Hz\n",
+              force * answers::forceUnit(answer.bar), hertz(worst->frequencyRatio));
+    }
+    for (const ExactBranch& branch : answer.branches) {
+        const auto& points = branch.curve.points;
+        const auto [low, high] = std::minmax_element(
+            points.begin(), points.end(), [](const BranchPoint& x, const BranchPoint& y) {
+                return x.frequencyRatio < y.frequencyRatio;
+            });
+        const auto attracting =
+            std::count_if(branch.stability.begin(), branch.stability.end(),
+                          [](const auto& one) { return one.attracts.value_or(false); });
+        print(text, "branch      {:.6g} … {:.6g} Hz, {} points, {} attract",
+              hertz(low->frequencyRatio), hertz(high->frequencyRatio), points.size(), attracting);
+        for (const BranchMark& mark : branch.curve.marks) {
+            if (mark.event != BranchEvent::end) {
+                print(text, "; {} at {:.6g} Hz", name(mark.event), hertz(mark.frequencyRatio));
+            }
+        }
+        print(text, "\n");
+    }
+    return fmt::to_string(text);
+}
+
+void writeExactCsv(const std::string& path, const ExactAnswer& answer)
+{
+    const double time = scales(answer.bar).time;
+    TextFile file(path);
+    file.write(
+        "steps,frequency_ratio,frequency,touches,linear_peak,motion,contacts,cycles,contact,"
+        "begin,end,stop,release,impulse,peak_force,speed,phase,growth,attracts,residual\n");
+    for (const answers::ExactFrequencyOf& at : answer.listed()) {
+        const ExactFrequency& value = at.value;
+        const std::string begin =
+            fmt::format("{},{},{},{},{}", value.steps, value.frequencyRatio,
+                        answers::hertzOf(value.frequencyRatio, answer.bar), value.touches ? 1 : 0,
+                        value.linearPeak * scales(answer.bar).displacement);
+        if (value.motions.empty()) {
+            file.write(begin + ",,,,,,,,,,,,,,,\n");
+        }
+        for (std::size_t k = 0; k < value.motions.size(); ++k) {
+            const ExactMotion& one = value.motions[k];
+            for (std::size_t c = 0; c < one.motion.contacts.size(); ++c) {
+                const answers::HarmonicContactOf contact{one.motion.contacts[c], answer.bar};
+                const HarmonicContact& raw = contact.value;
+                file.write(fmt::format(
+                    "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", begin, k,
+                    one.motion.contacts.size(), one.given.cycles, c, raw.begin * time,
+                    raw.end * time, name(raw.stop), contact.release(),
+                    raw.impulse * answers::impulseUnit(answer.bar),
+                    raw.peakForce * answers::forceUnit(answer.bar),
+                    raw.speed * scales(answer.bar).velocity, one.motion.phase,
+                    one.stability.growth ? fmt::format("{}", *one.stability.growth) : "",
+                    !one.stability.attracts   ? ""
+                    : *one.stability.attracts ? "1"
+                                              : "0",
+                    one.motion.residual));
+            }
+        }
+    }
+    file.close();
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,281 @@
+#include "exact_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "axes.hpp"
+#include "excited_amplitude.hpp"
+
+namespace signorini {
+
+namespace {
+
+using namespace plot;
+
+/// A part of a curve: what disturbances do, and how often a stop is touched in a period.
+struct PartSort {
+    const char* words;
+    Dash dash;
+    double width;
+};
+
+const std::array<PartSort, 3> partSorts{{{"attracts", Dash::solid, 2.4},
+                                         {"repels", Dash::dashed, 1.4},
+                                         {"not known", Dash::dotted, 1.8}}};
+
+std::size_t kindOf(const ExactStability& stability)
+{
+    return !stability.attracts ? 2U : *stability.attracts ? 0U : 1U;
+}
+
+/// Force above, impulse below, over the same frequencies.
+class ExactPanels {
+public:
+    ExactPanels(const std::vector<ExactFrequency>& frequencies,
+                const std::vector<ExactBranch>& branches, const ResponseRange& range,
+                const Bar& bar)
+        : branches_(branches), range_(range), bar_(bar)
+    {
+        low_ = frequencies.back().frequencyRatio;
+        high_ = frequencies.front().frequencyRatio;
+        for (const ExactFrequency& at : frequencies) {
+            for (const ExactMotion& one : at.motions) {
+                look(one.motion);
+            }
+        }
+        for (const ExactBranch& branch : branches) {
+            for (const BranchPoint& point : branch.curve.points) {
+                look(point.motion);
+            }
+        }
+        const Scales unit = scales(bar);
+        const double force = bar.axialStiffness * unit.strain;
+        forceUnit_ = axisUnit(force, force_ * 1.15, "N");
+        impulseUnit_ = axisUnit(force * unit.time, impulse_ * 1.15, "N s");
+        hertz_ = 0.25 / unit.time;
+    }
+
+    FigureData figure(const std::vector<ExactFrequency>& frequencies)
+    {
+        FigureData figure;
+        figure.title =
+            fmt::format("{} of amplitude {},  ζ = {:.4g},  exact harmonic",
+                        range_.place == Excited::tip ? "force on the tip" : "base moving",
+                        withUnit(range_.amplitude * amplitudeUnit(range_.place, bar_, 0),
+                                 amplitudeUnitName(range_.place, 0)),
+                        range_.damping.ratio);
+        upper_ = {.name = "force", .place = {0.12, 0.95, 0.53, 0.83}, .legend = Legend::topLeft};
+        upper_.x = {.low = low_ * hertz_, .high = high_ * hertz_, .hasNumbers = false};
+        upper_.y = axisIn(forceUnit_, "largest force", 0.0, 1.15 * force_);
+        lower_ = {.name = "impulse", .place = {0.12, 0.95, 0.12, 0.48}};
+        lower_.x = {.label = "frequency of the excitation  [Hz]",
+                    .low = low_ * hertz_,
+                    .high = high_ * hertz_};
+        lower_.y = axisIn(impulseUnit_, "impulse a period", 0.0, 1.15 * impulse_);
+        for (const bool areSeveral : {false, true}) {
+            for (std::size_t kind = 0; kind < partSorts.size(); ++kind) {
+                addCurves(kind, areSeveral);
+            }
+        }
+        addLone(frequencies);
+        addMarks();
+        figure.panels = {std::move(upper_), std::move(lower_)};
+        return figure;
+    }
+
+private:
+    void look(const HarmonicMotion& motion)
+    {
+        force_ = std::max(force_, motion.extremes.peakForce);
+        impulse_ = std::max(impulse_, motion.extremes.impulse);
+    }
+
+    void add(Series& above, Series& below, double ratio, const HarmonicMotion& motion) const
+    {
+        above.x.push_back(ratio * hertz_);
+        above.y.push_back(motion.extremes.peakForce * forceUnit_.factor);
+        below.x.push_back(ratio * hertz_);
+        below.y.push_back(motion.extremes.impulse * impulseUnit_.factor);
+    }
+
+    /// A line goes on to the next point, whatever that does, unless curves have a gap there.
+    void addCurves(std::size_t kind, bool areSeveral)
+    {
+        constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+        Series above{.role = areSeveral ? Role::strain : Role::contact,
+                     .width = partSorts[kind].width,
+                     .dash = partSorts[kind].dash};
+        Series below = above;
+        for (const ExactBranch& branch : branches_) {
+            const auto& points = branch.curve.points;
+            bool goesOn = false;
+            for (std::size_t k = 0; k < points.size(); ++k) {
+                const bool isIn = kindOf(branch.stability[k]) == kind &&
+                                  (points[k].motion.contacts.size() > 1) == areSeveral;
+                if (isIn || goesOn) {
+                    add(above, below, points[k].frequencyRatio, points[k].motion);
+                }
+                if (goesOn && !isIn) {
+                    breakLine(above, below, nothing);
+                }
+                goesOn = isIn;
+            }
+            breakLine(above, below, nothing);
+        }
+        if (std::any_of(above.y.begin(), above.y.end(), [](double y) { return y == y; })) {
+            above.legend = fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact",
+                                       partSorts[kind].words);
+            upper_.series.push_back(std::move(above));
+            lower_.series.push_back(std::move(below));
+        }
+    }
+
+    static void breakLine(Series& above, Series& below, double nothing)
+    {
+        for (Series* series : {&above, &below}) {
+            series->x.push_back(nothing);
+            series->y.push_back(nothing);
+        }
+    }
+
+    /// Attractors of many contacts have curves too short to be seen.
+    void addLone(const std::vector<ExactFrequency>& frequencies)
+    {
+        Series above{.kind = Kind::dots, .role = Role::strain, .size = 0.5};
+        Series below = above;
+        for (const ExactFrequency& at : frequencies) {
+            for (const ExactMotion& one : at.motions) {
+                if (one.motion.contacts.size() > 1) {
+                    add(above, below, at.frequencyRatio, one.motion);
+                }
+            }
+        }
+        if (!above.x.empty()) {
+            above.legend = "several contacts: settled on from rest";
+            upper_.series.push_back(std::move(above));
+            lower_.series.push_back(std::move(below));
+        }
+    }
+
+    void addMarks()
+    {
+        Series dots{.kind = Kind::dots, .role = Role::ink, .marker = Marker::diamond, .size = 0.7};
+        Series words{.kind = Kind::words, .size = 0.8};
+        Series below = dots;
+        for (const ExactBranch& branch : branches_) {
+            for (const BranchMark& mark : branch.curve.marks) {
+                if (mark.event == BranchEvent::end || mark.event == BranchEvent::pin ||
+                    branch.curve.points.size() < 4) {
+                    continue;
+                }
+                const HarmonicMotion& motion = branch.curve.points[mark.after].motion;
+                add(dots, below, mark.frequencyRatio, motion);
+                words.x.push_back(dots.x.back());
+                words.y.push_back(dots.y.back());
+                words.words.push_back(fmt::format("  {}", name(mark.event)));
+            }
+        }
+        if (!dots.x.empty()) {
+            upper_.series.push_back(std::move(dots));
+            upper_.series.push_back(std::move(words));
+            lower_.series.push_back(std::move(below));
+        }
+    }
+
+    const std::vector<ExactBranch>& branches_;
+    const ResponseRange& range_;
+    const Bar& bar_;
+    double low_ = 0.0;
+    double high_ = 0.0;
+    double hertz_ = 1.0;
+    double force_ = 1e-12;
+    double impulse_ = 1e-12;
+    Unit forceUnit_;
+    Unit impulseUnit_;
+    Panel upper_;
+    Panel lower_;
+};
+
+}  // namespace
+
+FigureData exactFigure(const std::vector<ExactFrequency>& frequencies,
+                       const std::vector<ExactBranch>& branches, const ResponseRange& range,
+                       const Bar& bar)
+{
+    if (frequencies.empty()) {
+        throw std::invalid_argument("figure: the response holds no frequency to draw");
+    }
+    return ExactPanels(frequencies, branches, range, bar).figure(frequencies);
+}
+
+FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)
+{
+    constexpr int instants = 600;
+    constexpr int nodes = 120;
+    const Bar& bar = scene.bar;
+    const Scales unit = scales(bar);
+    Series field{.kind = Kind::image};
+    Series tip{.width = 1.8, .legend = "tip"};
+    Series force{.role = Role::contact, .width = 1.8};
+    double pressed = 0.0;
+    double swing = 1.0;
+    std::vector<double> times;
+    for (int m = 0; m <= instants; ++m) {
+        times.push_back(motion.period() * m / instants);
+        pressed = std::max(pressed, std::abs(motion.push(times.back())));
+        swing = std::max(swing, std::abs(motion.displacement(1.0, times.back())));
+    }
+    const Unit time = unitFor(motion.period() * unit.time, "s");
+    const Unit place = axisUnit(unit.displacement, swing, "m");
+    const Unit push = axisUnit(bar.axialStiffness * unit.strain, pressed, "N");
+    for (const double t : times) {
+        field.x.push_back(t * unit.time * time.factor);
+        tip.x.push_back(field.x.back());
+        tip.y.push_back(motion.displacement(1.0, t) * place.factor);
+        force.x.push_back(field.x.back());
+        force.y.push_back(motion.push(t) * push.factor);
+    }
+    for (int i = 0; i <= nodes; ++i) {
+        const double x = static_cast<double>(i) / nodes;
+        field.y.push_back(x * bar.length);
+        for (const double t : times) {
+            field.z.push_back(motion.displacement(x, t) * place.factor);
+        }
+    }
+    FigureData figure{.title = "motion under an exact harmonic"};
+    Panel above{.name = "displacement", .place = {0.12, 0.86, 0.66, 0.92}};
+    above.x = {.low = 0.0, .high = field.x.back(), .hasNumbers = false};
+    above.y = {.label = "place  x  [m]", .low = 0.0, .high = bar.length};
+    above.colour = {.label = labelled("u", place)};
+    above.colourBar = Place{0.88, 0.9, 0.66, 0.92};
+    above.hasGrid = false;
+    above.series.push_back(std::move(field));
+    Panel middle{.name = "tip", .place = {0.12, 0.86, 0.38, 0.62}};
+    middle.x = {.low = 0.0, .high = tip.x.back(), .hasNumbers = false};
+    middle.y = {.label = labelled("tip  u(L)", place)};
+    const Stops stops = stopsOf(scene);
+    std::vector<double> walls{static_cast<double>(stops.right)};
+    if (stops.left) {
+        walls.push_back(-stops.left->value());
+    }
+    for (const double wall : walls) {
+        middle.series.push_back({.role = Role::faint,
+                                 .dash = Dash::dotted,
+                                 .x = {0.0, tip.x.back()},
+                                 .y = {wall * place.factor, wall * place.factor}});
+    }
+    tip.legend.clear();
+    middle.series.push_back(std::move(tip));
+    Panel below{.name = "force", .place = {0.12, 0.86, 0.1, 0.34}};
+    below.x = {.label = labelled("time  t", time), .low = 0.0, .high = force.x.back()};
+    below.y = {.label = labelled("force", push)};
+    below.series.push_back(std::move(force));
+    figure.panels = {std::move(above), std::move(middle), std::move(below)};
+    return figure;
+}
+
+}  // namespace signorini
