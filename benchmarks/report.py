@@ -219,9 +219,9 @@ def rivals(table: Table) -> str:
     rows = where(table, lambda r: r.suite == "rivals")
     return rows and (
         "## Rivals\n\nErrors of tip and force: root mean square over the "
-        "first five periods, relative to the reach of the tip and to the force's own"
-        "; drift: of the energy after 100 periods; time: of the processor, for"
-        " those 100.\n\n" + grid(
+        "first five periods, relative to the reach of the tip and to the "
+        "force's own; drift: of the energy after 100 periods; time: of the "
+        "processor, for those 100.\n\n" + grid(
             ["what", "who", "setting", "outcome", "tip error", "force error",
              "drift", "time", "words"],
             [[r.case, r.back_end, r.setting, r.outcome,

@@ -10,9 +10,9 @@ namespace signorini {
 
 namespace {
 
-constexpr double tiny = 1e-300;
-constexpr double touching = 1e-9;  // relative to the gap
-constexpr double whole = 1e-9;     // [h], a duration so near to whole steps is that
+constexpr double noWave = 1e-300;
+constexpr double touching = 1e-9;     // relative to the gap
+constexpr double wholeWithin = 1e-9;  // [h], a duration so near to whole steps is that
 
 /// What a force of each step so long ago does: enclosures, step by step.
 struct Response {
@@ -44,7 +44,7 @@ std::vector<Response> responsesOf(Network network, std::int64_t steps)
                 return law.velocity(node).at(waves.arriving(), force, Interval());
             });
             // A wave that is not there is 0, whatever intervals were widened by.
-            const bool isNone = velocity.magnitude().high < tiny;
+            const bool isNone = velocity.magnitude().high < noWave;
             response.velocity.push_back(isNone ? Interval() : velocity);
             response.displacement.push_back(m == 0 ? response.velocity.back()
                                                    : response.displacement.back() +
@@ -56,7 +56,7 @@ std::vector<Response> responsesOf(Network network, std::int64_t steps)
 }
 
 /// Largest product of a response and a force that may be chosen.
-Interval most(const Interval& response, double low, double high)
+Interval largestProduct(const Interval& response, double low, double high)
 {
     const Interval one = response * Interval(low);
     const Interval other = response * Interval(high);
@@ -69,7 +69,7 @@ std::vector<Interval> sumsOf(const std::vector<Interval>& responses, double low,
 {
     std::vector<Interval> sums(1);
     for (const Interval& response : responses) {
-        sums.push_back(sums.back() + most(Interval(sign) * response, low, high));
+        sums.push_back(sums.back() + largestProduct(Interval(sign) * response, low, high));
     }
     return sums;
 }
@@ -96,7 +96,7 @@ public:
             }
         }
         const double steps = std::round(duration);
-        duration_ = std::abs(duration - steps) <= whole ? steps : duration;
+        duration_ = std::abs(duration - steps) <= wholeWithin ? steps : duration;
         responses_ = responsesOf(network, static_cast<std::int64_t>(std::floor(duration_)) + 1);
     }
 
@@ -177,7 +177,7 @@ private:
             }
         }
         const double from = asked.isVelocity ? 0.0 : startOf(asked.contact);
-        peak.bound = bound > tiny ? from + asked.sign * bound : from;
+        peak.bound = bound > noWave ? from + asked.sign * bound : from;
         peak.reached = follow(asked, peak.time);
         return peak;
     }
