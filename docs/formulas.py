@@ -53,7 +53,7 @@ def tex_of(text: str) -> str:
             words += token
             continue
         if words:
-            parts.append(said(words) + (r"\quad" if words.endswith("  ") else ""))
+            parts.append(said(words) + (r"\quad " if words.endswith("  ") else ""))
             words = ""
         if token == "  ":
             token = r" \quad "

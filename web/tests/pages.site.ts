@@ -1,7 +1,8 @@
-// Every page of the site in a light window and a small dark one: nothing on its console, no request that
-// fails or leaves the folder, and the scheme of the system.
+// Every page of the site in a light window, a dark one and on a telephone: nothing on its console, no request that
+// fails or leaves the folder, the scheme of the system, nothing wider than the screen, and letters of enough contrast.
 
-import { readdirSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
 import { join, relative, resolve } from 'node:path';
 import { expect, test, type Page } from '@playwright/test';
 
@@ -37,16 +38,31 @@ test('the site has pages', () => {
   expect(pages().length).toBeGreaterThan(20);
 });
 
-for (const colorScheme of ['light', 'dark'] as const) {
-  test.describe(colorScheme, () => {
-    test.use({ colorScheme, viewport: { width: colorScheme === 'light' ? 1280 : 390, height: 844 } });
-    for (const name of pages()) {
-      test(name, async ({ page }) => {
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+/** What axe says of the contrast of letters, place by place. */
+async function contrast(page: Page): Promise<string[]> {
+  await page.evaluate(axe);
+  return page.evaluate(async () => {
+    interface Found { violations: { nodes: { html: string; failureSummary?: string }[] }[] }
+    const { run } = (globalThis as unknown as { axe: { run: (options: object) => Promise<Found> } }).axe;
+    const { violations } = await run({ runOnly: ['color-contrast'], resultTypes: ['violations'] });
+    return violations.flatMap((one) => one.nodes.map((node) => `${node.html.slice(0, 120)}: ${node.failureSummary?.split('\n')[1]}`)).slice(0, 5);
+  });
+}
+
+for (const [name, colorScheme, width, height] of [['light', 'light', 1280, 844], ['dark', 'dark', 1280, 844], ['telephone', 'light', 390, 844]] as const) {
+  test.describe(name, () => {
+    test.use({ colorScheme, viewport: { width, height } });
+    for (const file of pages()) {
+      test(file, async ({ page }) => {
         const faults = watch(page);
-        await page.goto(`file://${join(folder, name)}`, { waitUntil: 'load' });
+        await page.goto(`file://${join(folder, file)}`, { waitUntil: 'load' });
         const white = await brightness(page);
-        expect(white, relative(folder, name)).toBeGreaterThan(colorScheme === 'light' ? 0.9 : 0);
+        expect(white, relative(folder, file)).toBeGreaterThan(colorScheme === 'light' ? 0.9 : 0);
         expect(white).toBeLessThan(colorScheme === 'light' ? 1.01 : 0.2);
+        expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(width);
+        expect(await contrast(page)).toEqual([]);
         expect(faults).toEqual([]);
       });
     }
