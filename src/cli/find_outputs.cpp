@@ -8,15 +8,16 @@ namespace {
 
 OutputOption ofProof(const FindCommand& words)
 {
-    return {"--certificate", words.certificateFile};
+    return {"--certificate", words.given.text("--certificate")};
 }
 
 std::vector<OutputOption> ofMotion(const FindCommand& words)
 {
-    return {{"--state", words.stateFile},
-            words.motionFile.option(),
-            {"--figure", words.figureFile},
-            {"--animate", words.animationFile}};
+    std::vector<OutputOption> outputs;
+    for (const char* option : {"--state", "--motion", "--figure", "--animate"}) {
+        outputs.push_back({option, words.given.text(option)});
+    }
+    return outputs;
 }
 
 }  // namespace
@@ -64,9 +65,9 @@ void FindOutputs::writeMotion(const WrittenMotion& motion)
     motion_.put("--state",
                 [&](const std::string& path) { writeStateCsv(path, motion.state, motion.bar); });
     motion_.put("--figure", [&](const std::string& path) {
-        motion.draw(figureFormat(words_.figureFile), path);
+        motion.draw(figureFormat(words_.given.text("--figure")), path);
     });
-    if (words_.motionFile.isWanted() || !words_.animationFile.empty()) {
+    if (words_.motionFile.isWanted() || words_.given.has("--animate")) {
         writeField(motion);
     }
     motion_.commit();
@@ -77,7 +78,7 @@ void FindOutputs::writeField(const WrittenMotion& motion)
     const Motion field = motion.field();
     motion_.put("--animate", [&](const std::string& path) {
         drawFigures(motionFrames(MotionSamples(field, motion.scene)),
-                    animationFormat(words_.animationFile), path);
+                    animationFormat(words_.given.text("--animate")), path);
     });
     if (words_.motionFile.isWanted() && field.steps() < motion.steps) {
         say(fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",

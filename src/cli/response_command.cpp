@@ -1,9 +1,11 @@
-#include "response_command.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "files.hpp"
+#include "force_options.hpp"
+#include "given.hpp"
 #include "hints.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
@@ -77,64 +79,24 @@ void requireFrequencies(const ResponseRange& range, const Bar& bar)
 
 }  // namespace
 
-void ResponseCommand::addTo(CLI::App& command)
+ExitStatus runResponse(const Given& given)
 {
-    force.addTo(command);
-    from.addTo(command, "--from", "--from-hertz", "lowest frequency of the excitation, ω/ω₁ (0.5)");
-    to.addTo(command, "--to", "--to-hertz", "highest frequency of the excitation, ω/ω₁ (2)");
-    addWhole(command, "--cycles", 1, maxForcedSteps / 2, range.cycles, "K",
-             "cycles of the excitation in a period of the motion (1)");
-    addWhole(command, "--contacts", 1, 2, range.contacts, "K",
-             "largest number of contacts in a period (1); 2: also every schedule with two, each at "
-             "its own amplitude");
-    addWord(command, "--band", "B",
-            "largest relative deviation from the amplitude for motions with two contacts (0.05)",
-            [this](const std::string& text) {
-                band = parsePositive("--band", text, "-");
-                if (*band >= 1.0) {
-                    refuse("--band", text, "numbers > 0, below 1 [-]");
-                }
-            });
-    addPositive(command, "--yield-stress", "Pa", yieldStress, "PA",
-                "say whether the stress exceeds it (needs --young)");
-    addFlag(command, "--stability", wantsStability, "perturb each motion to test its stability");
-    addFile(command, "--csv", csvFile, "write a row for each motion");
-    addFigure(command, "--figure", figureFile, "draw impulse and tip against frequency");
-    addFigure(command, "--map", mapFile,
-              "draw how many motions there are, amplitude against frequency");
-    addFile(command, "--map-csv", mapCsvFile,
-            "write a row for each schedule that has motions of any amplitude");
-    addFile(command, "--backbone-csv", backboneFile,
-            "write the free motions of the modes, the curves behind the figure");
-    common.addTo(command);
-    addFooter(
-        command,
-        "Of the periods that are n steps of L/(N c): 4 N K/n is the frequency of the excitation in "
-        "ω₁.\n--damping, --force and --amplitude are required.\n"
-        "--csv: steps n, frequency_ratio ω/ω₁, frequency [Hz], touches (would the bar without a "
-        "wall meet it?), linear_peak [m], then of each motion contact, free [steps], phase [rad], "
-        "impulse [N s], peak_force [N], tip_lowest [m], stability, amplitude [N or m], "
-        "second_contact, second_free [steps], stop, then undecided, the number of schedules at "
-        "this "
-        "frequency, and contact_time [s], approach_speed [m/s], peak_compression, peak_tension "
-        "[-], peak_stress [Pa] of the motion; one row without them where there is no motion. "
-        "Contact of all n steps: the tip never leaves the wall.\n"
-        "--map-csv: steps, frequency_ratio, frequency, contacts (0, 1 or 2), contact, free, "
-        "second_contact, second_free, least_amplitude, most_amplitude [N or m]; no largest one: "
-        "empty. Schedules in order of contact; an amplitude has as many motions as rows hold it.\n"
-        "--backbone-csv: a4, b and family of the mode (t_c = a4 + b T), frequency_ratio and "
-        "frequency of the excitation, period_ratio cT/L, energy_ratio E/E₁, impulse, peak_force, "
-        "tip_lowest.");
-}
-
-ExitStatus ResponseCommand::run() const
-{
+    const CommonOptions common(given);
+    const ForceOptions force(given);
+    ResponseRange range;
+    range.cycles = given.whole("--cycles").value_or(range.cycles);
+    range.contacts = given.whole("--contacts").value_or(range.contacts);
+    const auto band = given.number("--band");
+    const auto yieldStress = given.number("--yield-stress");
     const Scene scene = common.scene();
     ResponseAnswer answer{range, scene, answers::unitsOf(scene), 0.0, {}};
     answer.range.cells = common.usualCells();
     answer.range.leastFrequencyRatio =
-        from.ratioFor(firstHertz(answer.bar), range.leastFrequencyRatio);
-    answer.range.mostFrequencyRatio = to.ratioFor(firstHertz(answer.bar), range.mostFrequencyRatio);
+        FrequencyOption(given, "--from", "--from-hertz")
+            .ratioFor(firstHertz(answer.bar), range.leastFrequencyRatio);
+    answer.range.mostFrequencyRatio =
+        FrequencyOption(given, "--to", "--to-hertz")
+            .ratioFor(firstHertz(answer.bar), range.mostFrequencyRatio);
     if (answer.range.leastFrequencyRatio <= answer.range.mostFrequencyRatio) {
         requireFrequencies(answer.range, answer.bar);
     }
@@ -162,13 +124,13 @@ ExitStatus ResponseCommand::run() const
     answer.range.place = *force.place;
     answer.range.amplitude = force.scaledAmplitude(answer.bar);
     answer.range.derivative = force.derivative;
-    if (force.derivative > 0 && !mapFile.empty()) {
-        refuse("--map", mapFile,
+    if (force.derivative > 0 && given.has("--map")) {
+        refuse("--map", given.text("--map"),
                "it only with --amplitude: at each frequency another displacement is meant");
     }
     answer.range.stops = stopsOf(answer.scene);
     answer.range.segments = scene.segments;
-    if (!isUniform(scene.segments) && !backboneFile.empty()) {
+    if (!isUniform(scene.segments) && given.has("--backbone-csv")) {
         throw std::invalid_argument(
             "--backbone-csv: allowed only for a uniform bar: modes of several segments are not "
             "known");
@@ -179,15 +141,11 @@ ExitStatus ResponseCommand::run() const
     }
     answer.range.band = band.value_or(range.band);
     (void)stepsOf(answer.range);
-    Outputs outputs({{"--csv", csvFile},
-                     {"--map-csv", mapCsvFile},
-                     {"--backbone-csv", backboneFile},
-                     {"--figure", figureFile},
-                     {"--map", mapFile}});
+    Outputs outputs(given, {"--csv", "--map-csv", "--backbone-csv", "--figure", "--map"});
     {
         const Interrupt interrupt;
         Progress progress(!common.quiet, "frequencies");
-        work(answer, wantsStability, common.threads, interrupt.cancel(),
+        work(answer, given.has("--stability"), common.threads, interrupt.cancel(),
              [&progress](double done, double total) { progress.show(done, total); });
     }
     if (!answer.isComplete && !common.quiet) {
@@ -201,11 +159,11 @@ ExitStatus ResponseCommand::run() const
                     [&](const std::string& path) { writeBackboneCsv(path, answer); });
         outputs.put("--figure", [&](const std::string& path) {
             drawFigure(responseFigure(answer.frequencies, answer.range, answer.bar),
-                       figureFormat(figureFile), path);
+                       figureFormat(given.text("--figure")), path);
         });
         outputs.put("--map", [&](const std::string& path) {
             drawFigure(responseMapFigure(answer.frequencies, answer.range, answer.bar),
-                       figureFormat(mapFile), path);
+                       figureFormat(given.text("--map")), path);
         });
         outputs.commit();
     }
