@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "faults.hpp"
 #include "units.hpp"
 
 namespace signorini::answers {
@@ -79,7 +80,8 @@ std::string inOptions(const std::string& message, unsigned questions,
             (plain(option.name) != plain(field) && plain(option.field) != plain(field))) {
             continue;
         }
-        if (const std::string text = typed(option.name); !text.empty()) {
+        const std::string text = shortened(typed(option.name));
+        if (!text.empty() && (value == text || numberIn(value, "-"))) {
             return fmt::format("{}{}{}{}{}{}", option.name, is, text, verdict,
                                allowedOf(option, allowed, text, value), rest);
         }
