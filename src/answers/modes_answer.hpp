@@ -29,6 +29,9 @@ struct PolytopeAnswer {
 
 /// The outcome of one search.
 struct FamilyList {
+    static constexpr std::int64_t mostOrder = 20'000;
+    static constexpr std::size_t most = 20'000'000;  ///< families, 32 bytes each
+
     std::int64_t maxOrder = 0;
     double maxEnergyRatio = 0.0;
     Bar bar;

@@ -1,10 +1,6 @@
 #include "arguments.hpp"
 
 #include <unistd.h>
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -17,6 +13,7 @@
 #include <utility>
 
 #include "faults.hpp"
+#include "given.hpp"
 #include "hints.hpp"
 #include "segments_text.hpp"
 #include "share_work.hpp"
@@ -186,88 +183,29 @@ ExactPeriod parseFraction(std::string_view name, std::string_view text, std::str
     return *exact;
 }
 
-void addWord(CLI::App& command, const char* name, const char* type, const char* help,
-             const std::function<void(const std::string&)>& take)
+CommonOptions::CommonOptions(const Given& given)
+    : cells(given.whole("--cells")),
+      wantsJson(given.text("--format") == "json"),
+      quiet(given.has("--quiet")),
+      isVerbose(given.has("--verbose")),
+      threads(given.whole("--threads").value_or(1)),
+      sceneText(given.text("--scene")),
+      gravity(given.number("--gravity").value_or(0.0)),
+      piecesFile_(given.text("--segments-file")),
+      secondStop_(given.number("--second-stop")),
+      waveSpeed_(given.number("--wave-speed")),
+      axialStiffness_(given.number("--axial-stiffness")),
+      young_(given.number("--young")),
+      density_(given.number("--density")),
+      area_(given.number("--area"))
 {
-    command.add_option_function<std::string>(name, take, help)->type_name(type);
-}
-
-void addFlag(CLI::App& command, const char* name, bool& flag, const char* help)
-{
-    command.add_flag(name, flag, help);
-}
-
-void addWords(CLI::App& command, const char* name, const char* type,
-              std::vector<std::string>& words, const char* help, int most)
-{
-    CLI::Option* option = command.add_option(name, words, help)->type_name(type);
-    if (most > 0) {
-        option->expected(1, most);
+    bar_.length = given.number("--length").value_or(bar_.length);
+    bar_.gap = given.number("--gap").value_or(bar_.gap);
+    if (given.has("--segments")) {
+        segments_ = parseSegments("--segments", given.text("--segments"));
     }
-}
-
-void addFooter(CLI::App& command, const char* text)
-{
-    command.footer(text);
-}
-
-void CommonOptions::addTo(CLI::App& command, bool hasScene)
-{
-    if (hasScene) {
-        addWord(command, "--scene", "TEXT|FILE.json",
-                "bars in a row, from left to right: clamp, free, N[:Z[:C]], gap=G, stop=G, dash=D, "
-                "spring=K, mass=M, force=F, driven, shaken",
-                [this](const std::string& text) { sceneText = text.empty() ? " " : text; });
-    }
-    addWord(command, "--gravity", "M/S2", "gravity, to the right along all bars of a scene (0)",
-            [this](const std::string& text) { gravity = parseReal("--gravity", text, "m/s^2"); });
-    addWhole(command, "--cells", 1, maxCells, cells, "N", "N, equal cells of the bar (300)");
-    addPositive(command, "--length", "m", bar_.length, "M", "L (1)");
-    addPositive(command, "--wave-speed", "m/s", waveSpeed_, "M/S", "c (1)");
-    addPositive(command, "--axial-stiffness", "N", axialStiffness_, "N", "EA (1)");
-    addWord(command, "--gap", "M",
-            "g, from the tip at rest to the wall (1e-3); < 0: pressed at rest",
-            [this](const std::string& text) { bar_.gap = parseReal("--gap", text, "m"); });
-    addPositive(command, "--second-stop", "m", secondStop_, "M",
-                "h, to a stop on the other side of the tip; phases on it are L:NC NF");
-    addWord(command, "--segments", "N:Z[:C[:D]],...",
-            "cells, relative impedance and speed of each segment, clamp first (one, uniform); a "
-            "fourth number is the dashpot at the joint after it, in units of the first impedance",
-            [this](const std::string& text) { segments_ = parseSegments("--segments", text); });
-    addWord(command, "--segments-file", "FILE.csv",
-            "the same of a drawing: columns length [m], young [Pa], density [kg/m^3], and area "
-            "[m^2] or diameter [m]; on --cells cells at most",
-            [this](const std::string& path) { piecesFile_ = path; });
-    addPositive(command, "--young", "Pa", young_, "PA",
-                "E, with --density and --area in place of c and EA");
-    addPositive(command, "--density", "kg/m^3", density_, "KG/M3", "rho");
-    addWord(command, "--area", "M2", "cross-section",
-            [this](const std::string& text) { takeArea(parsePositive("--area", text, "m^2")); });
-    addWord(command, "--diameter", "M", "of a round bar, in place of --area",
-            [this](const std::string& text) {
-                const double diameter = parsePositive("--diameter", text, "m");
-                takeArea(0.25 * std::numbers::pi * diameter * diameter);
-            });
-    addWord(command, "--format", "text|json", "text or json (text)",
-            [this](const std::string& text) {
-                wantsJson = text == "json";
-                if (!wantsJson && text != "text") {
-                    refuse("--format", text, "text|json");
-                }
-            });
-    command.add_flag("--quiet", quiet, "nothing on stderr but errors");
-    command.add_flag("--verbose", isVerbose,
-                     "in text, also by which route an answer was found and what that left out");
-    addWhole(command, "--threads", 1, maxThreads, threads, "K", "most threads to use (1)");
-    for (CLI::Option* option : command.get_options()) {
-        if (option->get_name().starts_with("--") && option->get_items_expected_max() > 0) {
-            option->check([&command](const std::string& value) {
-                return value.empty() ? "'' is out of range: allowed a value"
-                       : value.starts_with("--") && command.get_option_no_throw(value) != nullptr
-                           ? fmt::format("{} is an option: allowed a value", value)
-                           : std::string();
-            });
-        }
+    if (const auto diameter = given.number("--diameter")) {
+        takeArea(0.25 * std::numbers::pi * *diameter * *diameter);
     }
 }
 

@@ -20,11 +20,9 @@
 #include "signorini/find_periodic.hpp"
 #include "signorini/schedule.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace signorini::cli {
+
+class Given;
 
 /// Exit status of the program.
 enum ExitStatus : int {
@@ -69,21 +67,6 @@ struct GivenNumber {
 [[nodiscard]] ExactPeriod parseFraction(std::string_view name, std::string_view text,
                                         std::string_view unit);
 
-/// Adds an option whose word goes to `take`. Not CLI11's validators: they put words of their own
-/// around a message, and ours shall name argument, value and range in the same way everywhere.
-void addWord(CLI::App& command, const char* name, const char* type, const char* help,
-             const std::function<void(const std::string&)>& take);
-
-/// An option without a value.
-void addFlag(CLI::App& command, const char* name, bool& flag, const char* help);
-
-/// Words that belong to no option; or an option with `most` of them, or fewer.
-void addWords(CLI::App& command, const char* name, const char* type,
-              std::vector<std::string>& words, const char* help, int most = 0);
-
-/// What the help ends with.
-void addFooter(CLI::App& command, const char* text);
-
 /// A whole number in [low, high]. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] std::int64_t parseWhole(std::string_view name, std::string_view text,
                                       std::int64_t low, std::int64_t high);
@@ -96,50 +79,17 @@ void addFooter(CLI::App& command, const char* text);
 /// A finite number, likewise. \throws std::invalid_argument naming argument, value and range.
 [[nodiscard]] double parseReal(std::string_view name, std::string_view text, std::string_view unit);
 
-/// Options with a value of one kind: name, range or unit, where it goes, and words for the help.
-/// `Value` is the number or an optional of it.
-template <typename Value>
-void addWhole(CLI::App& command, const char* name, std::int64_t low, std::int64_t high,
-              Value& value, const char* type, const char* help)
-{
-    addWord(command, name, type, help,
-            [=, &value](const std::string& text) { value = parseWhole(name, text, low, high); });
-}
-
-template <typename Value>
-void addPositive(CLI::App& command, const char* name, const char* unit, Value& value,
-                 const char* type, const char* help)
-{
-    addWord(command, name, type, help,
-            [=, &value](const std::string& text) { value = parsePositive(name, text, unit); });
-}
-
-/// One of the values of an enumeration, by the name that a table (names.hpp) has for it.
-template <typename Table, typename Value>
-void addName(CLI::App& command, const char* option, const Table& table, Value& value,
-             const char* help)
-{
-    addWord(command, option, namesIn(table).c_str(), help, [=, &value](const std::string& text) {
-        const auto named = valueIn(table, text);
-        if (!named) {
-            refuse(option, text, namesIn(table));
-        }
-        value = *named;
-    });
-}
-
 /// The options every command shares.
 struct CommonOptions {
-    std::optional<std::int64_t> cells;
-    bool wantsJson = false;
-    bool quiet = false;
-    bool isVerbose = false;
-    std::int64_t threads = 1;
-    std::string sceneText;  ///< of --scene: words, or the name of a file; empty: not given
-    double gravity = 0.0;   ///< [m/s^2], to the right along all bars of a scene
+    explicit CommonOptions(const Given& given);
 
-    /// Adds them to a command; --scene unless its words have a place of their own.
-    void addTo(CLI::App& command, bool hasScene = true);
+    std::optional<std::int64_t> cells;
+    bool wantsJson;
+    bool quiet;
+    bool isVerbose;
+    std::int64_t threads;
+    std::string sceneText;  ///< of --scene: words, or the name of a file; empty: not given
+    double gravity;         ///< [m/s^2], to the right along all bars of a scene
 
     /// Those given, or those of all segments, or 300.
     [[nodiscard]] std::int64_t usualCells() const;

@@ -1,4 +1,5 @@
 #include "atlas_command.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,7 @@
 
 #include "faults.hpp"
 #include "files.hpp"
+#include "given.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "ranks.hpp"
@@ -31,52 +33,33 @@ double parseRatio(const char* name, const std::string& text, const char* unit)
 
 }  // namespace
 
-void AtlasCommand::addTo(CLI::App& command)
+AtlasCommand::AtlasCommand(const Given& words)
+    : given(words), common(words), database(words.text("--database"))
 {
-    addFile(command, "--database", database, "the atlas, created if it does not exist; required",
-            "FILE.sqlite");
-    constexpr std::int64_t maxEach = maxSteps / (2 * maxAtlasPhases);
-    addWhole(command, "--max-contact", 1, maxEach, maxContact, "NC", "contact steps 1..NC (2N)");
-    addWhole(command, "--max-free", 1, maxEach, maxFree, "NF", "free steps 1..NF (4N)");
-    addWhole(command, "--phases", 1, maxAtlasPhases, phases, "K",
-             "schedules of 1..K contact phases (1)");
-    addPositive(command, "--max-energy-ratio", "E_1", maxEnergyRatio, "X",
-                "keep schedules with motions of E <= X E_1 (all)");
-    addFlag(command, "--all", all, "also store the refuted schedules");
-    addFlag(command, "--families-only", familiesOnly, "store families only, no schedules");
-    addFlag(command, "--resume", resume, "continue an interrupted run");
-    addWords(command, "--near", "W E", near,
-             "query: families with motions near omega/omega_1, E/E_1", 2);
-    addPositive(command, "--within", "-", within, "X", "how near, relative (0.001)");
-    addWord(command, "--period", "T", "query: families of this period, as 7/2 or 3.5 [L/c]",
-            [this](const std::string& text) { period = parseFraction("--period", text, "L/c"); });
-    addFlag(command, "--twins", twins, "query: different orbits of equal period and energy");
-    addFlag(command, "--schedules", schedules, "list the schedules of families as well");
-    addFigure(command, "--figure", figureFile, "draw the frequency-energy plot");
-    addFigure(command, "--map", mapFile, "draw the existence map over contact and flight times");
-    addFile(command, "--csv", csvFile, "write the families, the bars of the plot, as a table");
-    common.addTo(command);
+    if (given.has("--period")) {
+        period = parseFraction("--period", given.text("--period"), "L/c");
+    }
 }
 
 bool AtlasCommand::isQuery() const
 {
-    return !near.empty() || period || twins;
+    return given.has("--near") || period || given.has("--twins");
 }
 
 AtlasRange AtlasCommand::range() const
 {
     AtlasRange range = usualRange(common.usualCells());
-    range.maxContact = maxContact.value_or(range.maxContact);
-    range.maxFree = maxFree.value_or(range.maxFree);
-    range.maxPhases = phases.value_or(range.maxPhases);
-    range.maxEnergyRatio = maxEnergyRatio.value_or(range.maxEnergyRatio);
-    range.keepsRefuted = all;
-    range.familiesOnly = familiesOnly;
+    range.maxContact = given.whole("--max-contact").value_or(range.maxContact);
+    range.maxFree = given.whole("--max-free").value_or(range.maxFree);
+    range.maxPhases = given.whole("--phases").value_or(range.maxPhases);
+    range.maxEnergyRatio = given.number("--max-energy-ratio").value_or(range.maxEnergyRatio);
+    range.keepsRefuted = given.has("--all");
+    range.familiesOnly = given.has("--families-only");
     const Stops stops = stopsOf(common.scene());
     range.gapSign = stops.right;
     range.secondStop = stops.left;
     range.segments = segments();
-    if (all && familiesOnly) {
+    if (range.keepsRefuted && range.familiesOnly) {
         throw std::invalid_argument("--all, --families-only: allowed one of them");
     }
     validate(range);
@@ -100,16 +83,6 @@ Bar AtlasCommand::bar() const
     return firstMaterial({common.scene().bar, std::nullopt, segments()});
 }
 
-bool AtlasCommand::namesRange() const
-{
-    return common.cells || makesRange();
-}
-
-bool AtlasCommand::makesRange() const
-{
-    return maxContact || maxFree || phases || maxEnergyRatio || all || familiesOnly || resume;
-}
-
 ExitStatus AtlasCommand::run() const
 {
     // Under mpirun the other processes neither read, write nor complain. MPI starts threads, which
@@ -125,21 +98,23 @@ ExitStatus AtlasCommand::run() const
             throw std::invalid_argument(
                 "--database is missing: allowed the name of an SQLite file");
         }
-        if (stopsOf(common.scene()) != Stops{} && !figureFile.empty()) {
+        if (stopsOf(common.scene()) != Stops{} && given.has("--figure")) {
             throw std::invalid_argument(
                 "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds the "
                 "families");
         }
-        if (!segments().empty() && !(figureFile.empty() && csvFile.empty())) {
+        if (!segments().empty() && (given.has("--figure") || given.has("--csv"))) {
             throw std::invalid_argument(
                 "--figure, --csv: allowed for a uniform bar, whose families they show");
         }
-        std::vector<OutputOption> written = outputs();
-        written.insert(written.begin(), {"--database", database});
-        validateOutputs(written);
+        validateOutputs({{"--database", database},
+                         {"--figure", given.text("--figure")},
+                         {"--map", given.text("--map")},
+                         {"--csv", given.text("--csv")}});
         // A picture of an atlas that exists needs no range.
-        const bool draws = (!figureFile.empty() || !mapFile.empty() || !csvFile.empty()) &&
-                           !namesRange() && std::filesystem::exists(database);
+        const bool draws = (given.has("--figure") || given.has("--map") || given.has("--csv")) &&
+                           !common.cells && given.outside(answers::asks::atlasQuery) == nullptr &&
+                           std::filesystem::exists(database);
         if (isQuery() || draws) {
             checkQuery();
             return !ranks || ranks->rank() == 0 ? answer() : exitFound;
@@ -155,19 +130,16 @@ ExitStatus AtlasCommand::run() const
 
 void AtlasCommand::checkQuery() const
 {
-    const int queries = (near.empty() ? 0 : 1) + (period ? 1 : 0) + (twins ? 1 : 0);
+    const bool near = given.has("--near");
+    const int queries = (near ? 1 : 0) + (period ? 1 : 0) + (given.has("--twins") ? 1 : 0);
     if (queries > 1) {
         throw std::invalid_argument("--near, --period, --twins: allowed one of them");
     }
-    if (makesRange()) {
-        throw std::invalid_argument(
-            "--near, --period and --twins ask a database and clash with --max-contact, --max-free, "
-            "--phases, --max-energy-ratio, --all, --families-only and --resume, which make one");
-    }
-    if (within && near.empty()) {
+    given.requireOnly(answers::asks::atlasQuery);
+    if (given.has("--within") && !near) {
         throw std::invalid_argument("--within: allowed only together with --near");
     }
-    if (schedules && near.empty() && !period) {
+    if (given.has("--schedules") && !near && !period) {
         throw std::invalid_argument("--schedules: allowed only together with --near or --period");
     }
     (void)point();
@@ -175,6 +147,7 @@ void AtlasCommand::checkQuery() const
 
 std::optional<answers::AtlasPoint> AtlasCommand::point() const
 {
+    const std::vector<std::string>& near = given.all("--near");
     if (near.empty()) {
         return std::nullopt;
     }
@@ -183,13 +156,14 @@ std::optional<answers::AtlasPoint> AtlasCommand::point() const
     }
     return answers::AtlasPoint{.frequencyRatio = parseRatio("--near W", near[0], "omega_1"),
                                .energyRatio = parsePositive("--near E", near[1], "E_1"),
-                               .distance = within.value_or(usualDistance),
+                               .distance = given.number("--within").value_or(usualDistance),
                                .bar = bar()};
 }
 
 AtlasQuestion AtlasCommand::question() const
 {
-    AtlasQuestion question{.cells = common.cells, .period = period, .wantsSchedules = schedules};
+    AtlasQuestion question{
+        .cells = common.cells, .period = period, .wantsSchedules = given.has("--schedules")};
     if (const auto at = point()) {
         question.lowestFrequency = at->frequencyRatio * (1.0 - at->distance);
         question.highestFrequency = at->frequencyRatio * (1.0 + at->distance);
@@ -202,8 +176,9 @@ AtlasAnswer AtlasCommand::ask(const AtlasDatabase& atlas) const
 {
     using answers::withUnits;
     AtlasAnswer answer{.bar = bar(), .near = point()};
-    const AtlasSchedules which = schedules ? AtlasSchedules::all : AtlasSchedules::withoutFamily;
-    if (twins) {
+    const AtlasSchedules which =
+        given.has("--schedules") ? AtlasSchedules::all : AtlasSchedules::withoutFamily;
+    if (given.has("--twins")) {
         answer.twins = withUnits(atlas.twins(common.cells), answer.bar);
     } else if (period) {
         answer.families = withUnits(atlas.familiesOfPeriod(*period, common.cells), answer.bar);
@@ -219,16 +194,11 @@ AtlasAnswer AtlasCommand::ask(const AtlasDatabase& atlas) const
     return answer;
 }
 
-std::vector<OutputOption> AtlasCommand::outputs() const
-{
-    return {{"--figure", figureFile}, {"--map", mapFile}, {"--csv", csvFile}};
-}
-
 void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                         Outputs& outputs) const
 {
     const std::vector<AtlasRun> runs = atlas.runs();
-    if (!(figureFile.empty() && csvFile.empty()) &&
+    if ((given.has("--figure") || given.has("--csv")) &&
         std::any_of(runs.begin(), runs.end(),
                     [](const AtlasRun& run) { return !run.range.segments.empty(); })) {
         throw std::invalid_argument(
@@ -236,10 +206,10 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
     }
     outputs.put("--figure", [&](const std::string& path) {
         drawFigure(frequencyEnergyFigure(atlas, cells, {.maxFrequencyRatio = {}, .bar = bar()}),
-                   figureFormat(figureFile), path);
+                   figureFormat(given.text("--figure")), path);
     });
     outputs.put("--map", [&](const std::string& path) {
-        drawFigure(existenceFigure(atlas, cells), figureFormat(mapFile), path);
+        drawFigure(existenceFigure(atlas, cells), figureFormat(given.text("--map")), path);
     });
     outputs.put("--csv",
                 [&](const std::string& path) { writeAtlasCsv(path, atlas, cells, bar()); });
@@ -248,7 +218,7 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
 
 ExitStatus AtlasCommand::answer() const
 {
-    Outputs drawing(outputs());
+    Outputs drawing(given, {"--figure", "--map", "--csv"});
     AtlasAnswer answer;
     AtlasCoverage coverage;
     const AtlasDatabase atlas = forFile("--database", database, [&] {
@@ -293,19 +263,14 @@ void AtlasCommand::fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks,
 ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
                                std::optional<Interrupt>& interrupt) const
 {
-    if (within) {
-        throw std::invalid_argument("--within: allowed only together with --near");
-    }
-    if (schedules) {
-        throw std::invalid_argument("--schedules: allowed only together with --near or --period");
-    }
-    if (familiesOnly && !mapFile.empty()) {
+    given.requireOnly(answers::asks::atlas);
+    if (range.familiesOnly && given.has("--map")) {
         throw std::invalid_argument(
             "--map draws schedules, which --families-only leaves out: allowed one of them");
     }
     AtlasOptions options;
     options.threads = common.threads;
-    options.resume = resume;
+    options.resume = given.has("--resume");
     options.options =
         fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}{}", range.cells,
                     range.maxContact, range.maxFree, range.maxPhases,
@@ -328,7 +293,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (ranks != nullptr && ranks->rank() != 0) {
         return ranks->serve(options.threads, options.cancel) ? exitFound : exitUndecided;
     }
-    Outputs drawing(outputs());
+    Outputs drawing(given, {"--figure", "--map", "--csv"});
     std::optional<Progress> progress(std::in_place, !common.quiet, "deciding");
     options.progress = [&progress](const AtlasRun& run) {
         progress->show(fmt::format("{} schedules", run.tally.decided),
@@ -369,6 +334,11 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
         return exitUndecided;
     }
     return exitFound;
+}
+
+ExitStatus runAtlas(const Given& given)
+{
+    return AtlasCommand(given).run();
 }
 
 }  // namespace signorini::cli

@@ -19,25 +19,12 @@ namespace signorini::cli {
 
 /// One call.
 struct AtlasCommand {
+    const Given& given;
     CommonOptions common;
     std::string database;
-    std::optional<std::int64_t> maxContact;
-    std::optional<std::int64_t> maxFree;
-    std::optional<std::int64_t> phases;
-    std::optional<double> maxEnergyRatio;
-    bool all = false;
-    bool familiesOnly = false;
-    bool resume = false;
-    std::vector<std::string> near;  ///< W E
-    std::optional<double> within;
     std::optional<ExactPeriod> period;
-    bool twins = false;
-    bool schedules = false;  ///< an answer lists those of families, too
-    std::string figureFile;
-    std::string mapFile;
-    std::string csvFile;
 
-    void addTo(CLI::App& command);
+    explicit AtlasCommand(const Given& words);
 
     /// Decides the range, or answers a query; the report goes to stdout. SIGINT and SIGTERM end
     /// the work after the batch in flight. Exceptions are for `main` to translate.
@@ -45,8 +32,6 @@ struct AtlasCommand {
 
 private:
     [[nodiscard]] bool isQuery() const;
-    [[nodiscard]] bool namesRange() const;
-    [[nodiscard]] bool makesRange() const;
     [[nodiscard]] AtlasRange range() const;
     /// Of a bar that is not uniform.
     [[nodiscard]] std::vector<Segment> segments() const;
@@ -56,7 +41,6 @@ private:
     [[nodiscard]] std::optional<answers::AtlasPoint> point() const;
     [[nodiscard]] AtlasQuestion question() const;
     [[nodiscard]] AtlasAnswer ask(const AtlasDatabase& atlas) const;
-    [[nodiscard]] std::vector<OutputOption> outputs() const;
     [[nodiscard]] ExitStatus answer() const;
     [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,
                                    std::optional<Interrupt>& interrupt) const;

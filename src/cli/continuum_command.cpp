@@ -1,4 +1,4 @@
-#include "continuum_command.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +9,7 @@
 #include "engine_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
+#include "given.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "report.hpp"
@@ -23,50 +24,63 @@ namespace {
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
 
 /// [E_1], whichever way it was given.
-double energyOf(const ContinuumCommand& call, const Bar& bar)
+double energyOf(const Given& given, const Bar& bar)
 {
-    if (call.energy && call.energyRatio) {
+    const auto energy = given.number("--energy");
+    const auto energyRatio = given.number("--energy-ratio");
+    if (energy && energyRatio) {
         throw std::invalid_argument("--energy clashes with --energy-ratio: allowed one of them");
     }
-    if (!call.energy && !call.energyRatio) {
+    if (!energy && !energyRatio) {
         throw std::invalid_argument(
             "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
     }
-    return call.energy ? *call.energy / scales(bar).energy : *call.energyRatio;
+    return energy ? *energy / scales(bar).energy : *energyRatio;
 }
 
-Trace traceOf(const ContinuumCommand& call, const Bar& bar)
+Trace traceOf(const Given& given, const Bar& bar, std::int64_t cells)
 {
-    const int ends = (call.toFile.empty() ? 0 : 1) + (call.directionFile.empty() ? 0 : 1);
-    if ((call.fromFile.empty() ? 0 : 1) != ends) {
+    const int ends = (given.has("--to") ? 1 : 0) + (given.has("--direction") ? 1 : 0);
+    if ((given.has("--from") ? 1 : 0) != ends) {
         throw std::invalid_argument(
             "--from: allowed only together with one of --to and --direction");
     }
-    if (call.fromFile.empty()) {
-        return call.sample ? Trace(trace::Sample{call.seed.value_or(trace::Sample{}.seed)})
-               : call.seed ? Trace(trace::RandomPath{*call.seed})
-                           : Trace(trace::SplitPulse{});
+    const std::optional<std::int64_t> seed = given.whole("--seed");
+    const auto seedOr = [&seed](std::uint64_t usual) {
+        return seed ? static_cast<std::uint64_t>(*seed) : usual;
+    };
+    if (ends == 0) {
+        return given.has("--sample") ? Trace(trace::Sample{seedOr(trace::Sample{}.seed)})
+               : seed                ? Trace(trace::RandomPath{seedOr(0)})
+                                     : Trace(trace::SplitPulse{});
     }
-    if (call.seed || call.sample) {
+    if (seed || given.has("--sample")) {
         throw std::invalid_argument("--seed and --sample clash with --from: allowed one of them");
     }
-    const auto read = [&](const char* option, const std::string& path) {
-        return forFile(option, path,
-                       [&] { return readState(path, bar, call.common.usualCells()).state; });
+    const auto read = [&](const char* option) {
+        const std::string path = given.text(option);
+        return forFile(option, path, [&] { return readState(path, bar, cells).state; });
     };
-    State from = read("--from", call.fromFile);
-    if (!call.toFile.empty()) {
-        return trace::Path{std::move(from), read("--to", call.toFile)};
+    State from = read("--from");
+    if (given.has("--to")) {
+        return trace::Path{std::move(from), read("--to")};
     }
-    return trace::Walk{std::move(from), read("--direction", call.directionFile)};
+    return trace::Walk{std::move(from), read("--direction")};
 }
 
 /// The options with what needs several of them.
-ContinuumOptions completed(const ContinuumCommand& call)
+ContinuumOptions optionsOf(const Given& given, const CommonOptions& common)
 {
-    ContinuumOptions options = call.options;
-    options.scene = call.common.sceneOfOneBar();
-    options.trace = traceOf(call, options.scene.bar);
+    ContinuumOptions options;
+    options.scene = common.sceneOfOneBar();
+    options.trace = traceOf(given, options.scene.bar, common.usualCells());
+    options.points = given.whole("--points").value_or(options.points);
+    if (given.has("--engine")) {
+        options.solver = solverOfEngine(given.text("--engine"), "--engine");
+    }
+    options.strainLimit = given.number("--strain-limit").value_or(options.strainLimit);
+    options.resolution = given.number("--resolution").value_or(options.resolution);
+    options.tolerance = given.number("--tolerance").value_or(options.tolerance);
     return options;
 }
 
@@ -84,54 +98,18 @@ void warnOfWorst(const Continuum& curve)
 
 }  // namespace
 
-void ContinuumCommand::addTo(CLI::App& command)
+ExitStatus runContinuum(const Given& given)
 {
-    addWords(command, "steps", "NC NF ...", steps, "contact and free steps of each phase");
-    addPositive(command, "--energy-ratio", "E_1", energyRatio, "X",
-                "E/E_1 of every motion; this or");
-    addPositive(command, "--energy", "J", energy, "J", "their energy in joules");
-    addWhole(command, "--points", 2, maxContinuumPoints, options.points, "M",
-             "motions along the curve (201)");
-    addFile(command, "--from", fromFile, "state to start from, as find --state writes it");
-    addFile(command, "--to", toFile, "state to end at");
-    addFile(command, "--direction", directionFile,
-            "or the direction to take from there, as a state file");
-    addFlag(command, "--sample", sample, "motions spread over the whole set instead of a curve");
-    addWhole(command, "--seed", 0, maxSeed, seed, "K",
-             "join two members drawn at random; with --sample, which ones");
-    addWord(command, "--engine", "auto|geometric|ipopt|nlopt",
-            "method that traces the curve, or a back end (auto)",
-            [this](const std::string& text) { options.solver = solverOfEngine(text, "--engine"); });
-    addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
-                "strain >= -S everywhere, always");
-    addPositive(
-        command, "--resolution", "-", options.resolution, "X",
-        "largest distance between neighbours on a curve found by solvers, in √(E/E₁) (0.05)");
-    addPositive(command, "--tolerance", "-", options.tolerance, "X",
-                "largest relative residual (1e-7)");
-    addFile(command, "--csv", csvFile, "write lambda, a_1..a_N, b_1..b_N, a row per motion");
-    addWord(command, "--member", "LAMBDA", "one motion of the curve, for --state",
-            [this](const std::string& text) { member = parseReal("--member", text, "lambda"); });
-    addFile(command, "--state", stateFile, "write the state of that motion at t = 0");
-    addFigure(command, "--figure", figureFile, "draw the curve");
-    addAnimation(command, animationFile);
-    common.addTo(command);
-}
-
-ExitStatus ContinuumCommand::run() const
-{
-    Schedule schedule{common.usualCells(), parsePhases(steps)};
-    ContinuumOptions request = completed(*this);
-    const double ratio = energyOf(*this, request.scene.bar);
+    const CommonOptions common(given);
+    Schedule schedule{common.usualCells(), parsePhases(given.words())};
+    ContinuumOptions request = optionsOf(given, common);
+    const double ratio = energyOf(given, request.scene.bar);
     schedule.stops = stopsOf(request.scene);
     validate(schedule);
-    if (member.has_value() == stateFile.empty()) {
+    if (given.has("--member") != given.has("--state")) {
         throw std::invalid_argument("--member and --state: allowed both or neither");
     }
-    Outputs outputs({{"--csv", csvFile},
-                     {"--state", stateFile},
-                     {"--figure", figureFile},
-                     {"--animate", animationFile}});
+    Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
 
     std::optional<Interrupt> interrupt(std::in_place);
     request.cancel = interrupt->cancel();
@@ -142,7 +120,7 @@ ExitStatus ContinuumCommand::run() const
     interrupt.reset();
     std::optional<Member> chosen;
     if (!curve.points.empty()) {
-        if (member) {
+        if (const auto member = given.number("--member")) {
             chosen = memberAt(curve, *member);
         }
         outputs.put("--state", [&](const std::string& path) {
@@ -150,10 +128,10 @@ ExitStatus ContinuumCommand::run() const
         });
         outputs.put("--csv", [&](const std::string& path) { writeContinuumCsv(path, curve); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(continuumFigure(curve), figureFormat(figureFile), path);
+            drawFigure(continuumFigure(curve), figureFormat(given.text("--figure")), path);
         });
         outputs.put("--animate", [&](const std::string& path) {
-            drawFigures(continuumFrames(curve), animationFormat(animationFile), path);
+            drawFigures(continuumFrames(curve), animationFormat(given.text("--animate")), path);
         });
         outputs.commit();
     } else if (outputs.areWanted() && !common.quiet) {

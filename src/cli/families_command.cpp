@@ -1,9 +1,10 @@
-#include "families_command.hpp"
+#include "commands.hpp"
 
 #include <fmt/format.h>
 
 #include "families_report.hpp"
 #include "files.hpp"
+#include "given.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "signorini/figures.hpp"
@@ -30,8 +31,9 @@ void fill(answers::FamilyList& list, FamilyBounds bounds, const Stops& stops, bo
         if (!staysClear(family, stops)) {
             return true;
         }
-        if (list.families.size() == maxListedFamilies) {
-            list.ended = fmt::format("{} families are the most in a list", maxListedFamilies);
+        if (list.families.size() == answers::FamilyList::most) {
+            list.ended =
+                fmt::format("{} families are the most in a list", answers::FamilyList::most);
             return false;
         }
         list.families.push_back(family);
@@ -44,37 +46,26 @@ void fill(answers::FamilyList& list, FamilyBounds bounds, const Stops& stops, bo
 
 }  // namespace
 
-void FamiliesCommand::addTo(CLI::App& command)
+ExitStatus runFamilies(const Given& given)
 {
-    addWhole(command, "--max-order", 1, maxListedOrder, maxOrder, "W",
-             "only families of at most W blocks in 2 L/c (12)");
-    addPositive(command, "--max-energy-ratio", "E_1", bounds.maxEnergyRatio, "X",
-                "only families with a motion of E/E_1 <= X (all)");
-    addFigure(command, "--figure", figureFile,
-              "draw them as a periodic table, period against order");
-    addFile(command, "--csv", tableFile, "write them as a table, one row per family");
-    common.addTo(command);
-    addFooter(
-        command,
-        "A family (w, nu, k) is all motions of one period T = 2 nu/w and one contact pattern, with "
-        "energies from the least one upwards, on every grid with w | 2N. Times are in units of L/c "
-        "and energies in E_1: the list holds for every bar. Hz, s and J are those of the bar that "
-        "the options name. Ordered by w, nu, k.");
-}
-
-ExitStatus FamiliesCommand::run() const
-{
+    const CommonOptions common(given);
+    FamilyBounds bounds;
+    bounds.maxEnergyRatio = given.number("--max-energy-ratio").value_or(bounds.maxEnergyRatio);
     const Scene scene = common.sceneOfOneBar();
     const Stops stops = stopsOf(scene);
-    answers::FamilyList list{maxOrder, bounds.maxEnergyRatio, scene.bar, {}, {}, scene.secondStop};
-    Outputs outputs({{"--csv", tableFile}, {"--figure", figureFile}});
-    if (list.bar.gap == 0.0 && !figureFile.empty()) {
+    answers::FamilyList list{given.whole("--max-order").value_or(12),
+                             bounds.maxEnergyRatio,
+                             scene.bar,
+                             {},
+                             {},
+                             scene.secondStop};
+    Outputs outputs(given, {"--csv", "--figure"});
+    if (list.bar.gap == 0.0 && given.has("--figure")) {
         throw std::invalid_argument(
             "--figure: allowed only with a gap: without one families have every energy");
     }
-    FamilyBounds asked = bounds;
-    asked.gapSign = stops.right;
-    fill(list, asked, stops, common.quiet);
+    bounds.gapSign = stops.right;
+    fill(list, bounds, stops, common.quiet);
     if (!list.isComplete() && !common.quiet) {
         tell(fmt::format("signorini families: {}; the list is not complete{}\n", list.ended,
                          outputs.areWanted() ? ", so no file was written" : ""));
@@ -82,8 +73,8 @@ ExitStatus FamiliesCommand::run() const
     if (list.isComplete()) {
         outputs.put("--csv", [&](const std::string& path) { writeFamiliesCsv(path, list); });
         outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(familiesFigure(list.families, list.maxOrder), figureFormat(figureFile),
-                       path);
+            drawFigure(familiesFigure(list.families, list.maxOrder),
+                       figureFormat(given.text("--figure")), path);
         });
         outputs.commit();
     }

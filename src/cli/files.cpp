@@ -5,6 +5,7 @@
 
 #include "arguments.hpp"
 #include "faults.hpp"
+#include "given.hpp"
 #include "signorini/figures.hpp"
 
 namespace signorini::cli {
@@ -19,32 +20,17 @@ bool isStandardOutput(const std::string& path)
            file.st_dev == out.st_dev && file.st_ino == out.st_ino;
 }
 
+std::vector<OutputOption> outputOptions(const Given& given,
+                                        std::initializer_list<const char*> options)
+{
+    std::vector<OutputOption> outputs;
+    for (const char* option : options) {
+        outputs.push_back({option, given.text(option)});
+    }
+    return outputs;
+}
+
 }  // namespace
-
-void addFile(CLI::App& command, const char* name, std::string& file, const std::string& help,
-             const char* type)
-{
-    addWord(command, name, type, help.c_str(), [&file](const std::string& path) { file = path; });
-}
-
-void addFigure(CLI::App& command, const char* name, std::string& file, const std::string& help)
-{
-    addWord(command, name, "FILE.svg|.png|.pdf", (help + " (needs gnuplot)").c_str(),
-            [&file](const std::string& path) {
-                (void)figureFormat(path);
-                file = path;
-            });
-}
-
-void addAnimation(CLI::App& command, std::string& file)
-{
-    addWord(command, "--animate", "FILE.gif|.mp4",
-            "draw it moving (needs gnuplot, and ffmpeg for .mp4)",
-            [&file](const std::string& path) {
-                (void)animationFormat(path);
-                file = path;
-            });
-}
 
 void validateOutputs(const std::vector<OutputOption>& outputs)
 {
@@ -103,6 +89,12 @@ Outputs::Outputs(const std::vector<OutputOption>& outputs, const std::vector<Out
         removeOnSignal(OutputFiles::keptName(staged));
         entries_.push_back({option, path, staged});
     }
+}
+
+Outputs::Outputs(const Given& given, std::initializer_list<const char*> options,
+                 const std::vector<OutputOption>& taken)
+    : Outputs(outputOptions(given, options), taken)
+{
 }
 
 std::string Outputs::stageFolder(const OutputOption& folder, const std::string& ending)

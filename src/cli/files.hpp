@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Files named on the command line: options for their names, checks before any work, staging, and
-/// messages that name the option.
+/// Files named on the command line: checks before any work, staging, and messages that name the
+/// option.
 
 #include <csignal>
 #include <optional>
@@ -11,19 +11,9 @@
 
 #include "signorini/output.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace signorini::cli {
 
-/// An option for the name of a table or a state. `type`: what it looks like.
-void addFile(CLI::App& command, const char* name, std::string& file, const std::string& help,
-             const char* type = "FILE.csv");
-
-/// The same for a picture, whose ending names its format, and for a moving one.
-void addFigure(CLI::App& command, const char* name, std::string& file, const std::string& help);
-void addAnimation(CLI::App& command, std::string& file);
+class Given;
 
 /// An option that names a file to write, and the name; empty: not given.
 struct OutputOption {
@@ -65,6 +55,9 @@ public:
     /// \throws as `validateOutputs`, FileError if a file could not be written.
     explicit Outputs(const std::vector<OutputOption>& outputs,
                      const std::vector<OutputOption>& taken = {});
+    /// The same by the names of the options.
+    Outputs(const Given& given, std::initializer_list<const char*> options,
+            const std::vector<OutputOption>& taken = {});
 
     [[nodiscard]] bool areWanted() const { return !entries_.empty(); }
 

@@ -1,6 +1,6 @@
 #include "find_command.hpp"
+#include "commands.hpp"
 
-#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -30,6 +30,8 @@ struct FindRequest {
     std::string reading;
 };
 
+namespace asks = answers::asks;
+
 namespace {
 
 FindRequest completed(const FindCommand& call)
@@ -37,27 +39,28 @@ FindRequest completed(const FindCommand& call)
     FindRequest request{call.options, {}};
     FindOptions& options = request.options;
     options.scene = call.common.scene();
-    if (call.energy) {
+    if (const auto energy = call.given.number("--energy")) {
         if (options.energyRatio) {
             throw std::invalid_argument(
                 "--energy clashes with --energy-ratio: allowed one of them");
         }
-        options.energyRatio = *call.energy / scales(firstMaterial(options.scene)).energy;
+        options.energyRatio = *energy / scales(firstMaterial(options.scene)).energy;
     }
     options.strainLimit /= scales(options.scene.bar).strain;
     if (std::isfinite(options.tipFloor) && !(options.tipFloor < options.scene.bar.gap)) {
         refuse("--tip-floor", fmt::format("{}", options.tipFloor), "below the gap [m]");
     }
     options.tipFloor /= scales(options.scene.bar).displacement;
-    if (options.objective == Objective::nearest && call.targetFile.empty()) {
+    const std::string target = call.given.text("--target");
+    if (options.objective == Objective::nearest && target.empty()) {
         throw std::invalid_argument("--target is missing: --objective nearest needs a state file");
     }
-    if (!call.targetFile.empty()) {
+    if (!target.empty()) {
         if (options.objective != Objective::nearest) {
             throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
         }
-        StateReading read = forFile("--target", call.targetFile, [&] {
-            return readState(call.targetFile, options.scene.bar, call.common.usualCells());
+        StateReading read = forFile("--target", target, [&] {
+            return readState(target, options.scene.bar, call.common.usualCells());
         });
         options.target = std::move(read.state);
         request.reading = std::move(read.how);
@@ -130,48 +133,29 @@ void writeFiles(FindOutputs& files, const FindOptions& options, const PeriodicRe
 
 }  // namespace
 
-void FindCommand::addTo(CLI::App& command)
+FindCommand::FindCommand(const Given& words)
+    : given(words),
+      common(words),
+      question(words),
+      force(words),
+      cycles(words.whole("--cycles").value_or(1)),
+      yieldStress(words.number("--yield-stress")),
+      motionFile(words)
 {
-    addWords(
-        command, "steps", "NC NF ...", steps,
-        "contact and free steps of each phase; of a scene with several contacts SET:STEPS ..., "
-        "SET those that are closed, as in 1+2:6 -:35");
-    addWord(command, "--solver", "NAME", "a back end listed by signorini --version (auto)",
-            [this](const std::string& text) { options.solver = text; });
-    addName(command, "--formulation", std::span(formulationNames), options.formulation,
-            "unknowns of the problem (auto)");
-    addName(command, "--objective", std::span(objectiveNames).subspan(1), options.objective,
-            "which motion of the set (least energy; at a given energy, least peak strain)");
-    addFile(command, "--target", targetFile,
-            "state to come nearest to: as --state writes it, or measured (columns x, velocity and "
-            "strain or displacement); may be a pipe");
-    question.addTo(command);
-    forced.addTo(command);
-    addPositive(command, "--energy-ratio", "E_1", options.energyRatio, "X",
-                "hold E/E_1 = X: the motion of least peak compression");
-    addPositive(command, "--energy", "J", energy, "J", "hold the energy, in joules");
-    addPositive(command, "--strain-limit", "-", options.strainLimit, "S",
-                "strain >= -S everywhere, always");
-    addPositive(command, "--yield-stress", "Pa", yieldStress, "PA",
-                "warn where the stress exceeds it (needs --young)");
-    addWord(command, "--tip-floor", "M", "lowest displacement of the tip",
-            [this](const std::string& text) {
-                options.tipFloor = parseReal("--tip-floor", text, "m");
-            });
-    addPositive(command, "--tolerance", "-", options.tolerance, "X",
-                "largest relative residual (1e-7)");
-    addPositive(command, "--time-limit", "s", options.timeLimit, "S", "for the solver");
-    addFile(command, "--state", stateFile, "write the state at t = 0");
-    motionFile.addTo(command);
-    addFigure(command, "--figure", figureFile, "draw the motion");
-    addFlag(command, "--stability", wantsStability,
-            "perturb the motion to test its stability, undamped and with a damping ratio of 0.001");
-    addAnimation(command, animationFile);
-    addFile(command, "--certificate", certificateFile,
-            "write the proof that there is no motion, or of the least energy, for "
-            "tools/check-certificate, or of a forced bar tools/check-forced",
-            "FILE.json");
-    common.addTo(command);
+    const auto set = [&words](const char* option, double& value) {
+        value = words.number(option).value_or(value);
+    };
+    if (given.has("--solver")) {
+        options.solver = given.text("--solver");
+    }
+    options.formulation =
+        given.named("--formulation", formulationNames).value_or(options.formulation);
+    options.objective = given.named("--objective", objectiveNames).value_or(options.objective);
+    options.energyRatio = given.number("--energy-ratio");
+    set("--strain-limit", options.strainLimit);
+    set("--tip-floor", options.tipFloor);
+    set("--tolerance", options.tolerance);
+    set("--time-limit", options.timeLimit);
 }
 
 void FindCommand::warn(const Physical& physical) const
@@ -188,54 +172,25 @@ void FindCommand::warn(const Physical& physical) const
     }
 }
 
-/// Forced motions are chosen by amplitude alone, within a limit on strain; those of a scene that is
-/// no bar by their energy, and nothing but their states is written.
-const char* FindCommand::otherDemand(bool isScene) const
+unsigned FindCommand::kind() const
 {
-    const FindOptions usual;
-    const std::array<std::pair<const char*, bool>, 15> others{{
-        {"--period, --frequency, --hertz", isScene && question.isAsked()},
-        {"--damping", isScene && forced.force.ratio},
-        {"--strain-limit", isScene && std::isfinite(options.strainLimit)},
-        {"--energy", energy.has_value()},
-        {"--energy-ratio", options.energyRatio.has_value()},
-        {"--objective", options.objective != usual.objective},
-        {"--target", !targetFile.empty()},
-        {"--solver", options.solver != usual.solver},
-        {"--formulation", options.formulation != usual.formulation},
-        {"--yield-stress", isScene && yieldStress.has_value()},
-        {"--tip-floor", options.tipFloor != usual.tipFloor},
-        {"--motion", isScene && motionFile.isWanted()},
-        {"--figure", isScene && !figureFile.empty()},
-        {"--animate", isScene && !animationFile.empty()},
-        {"--stability", isScene && wantsStability},
-    }};
-    const auto* other =
-        std::find_if(others.begin(), others.end(), [](const auto& one) { return one.second; });
-    return other == others.end() ? nullptr : other->first;
+    return question.isAsked() ? isForced() ? asks::forcedPeriod : asks::period
+           : isForced()       ? asks::forced
+                              : asks::schedule;
 }
 
 ExitStatus FindCommand::run() const
 {
     if (common.hasScene()) {
-        const char* other = otherDemand(true);
-        if (other == nullptr) {
+        if (given.outside(asks::network) == nullptr) {
             return findInScene(*this);
         }
         if (!barOf(common.assembly())) {
-            throw std::invalid_argument(fmt::format(
-                "{} clashes with --scene '{}': allowed of one bar, clamped on the left, "
-                "with stops at its tip; of other scenes only motions of least energy and forced "
-                "ones are known, their --state and --certificate",
-                other, shortened(common.sceneText)));
+            given.requireOnly(asks::network);
         }
     }
-    if (!forced.isAsked() && forced.cycles != 1) {
-        throw std::invalid_argument("--cycles: allowed only together with --damping and --force");
-    }
-    if (question.isAsked() && (wantsStability || !certificateFile.empty())) {
-        throw std::invalid_argument("--stability, --certificate: allowed only together with NC NF");
-    }
+    const unsigned asked = kind();
+    given.requireOnly(asked);
     const Scene bar = common.scene();
     if (yieldStress && !bar.bar.young) {
         throw std::invalid_argument(
@@ -246,7 +201,7 @@ ExitStatus FindCommand::run() const
             "--state, --motion, --figure, --animate: allowed only for segments in which waves have "
             "one speed");
     }
-    if (question.isAsked() && !steps.empty()) {
+    if (question.isAsked() && !given.words().empty()) {
         throw std::invalid_argument(
             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     }
@@ -254,22 +209,14 @@ ExitStatus FindCommand::run() const
         throw std::invalid_argument("--segments: allowed only together with NC NF");
     }
     ExitStatus status = exitUndecided;
-    if (forced.isAsked()) {
-        if (const char* other = otherDemand(false)) {
-            throw std::invalid_argument(
-                fmt::format("{} clashes with --damping, --force and --amplitude: allowed with them "
-                            "--cycles, --strain-limit, --yield-stress, --stability and files",
-                            other));
-        }
-        status = question.isAsked()
-                     ? answerHarmonic(*this)
-                     : answerForced(*this, {common.usualCells(), parsePhases(steps), stopsOf(bar)});
-    } else if (question.isAsked()) {
-        const answers::AskedPeriod asked = question.on(common.usualCells(), bar.bar);
-        status = answerQuestion(asked, completed(*this));
+    if (asked == asks::forcedPeriod) {
+        status = answerHarmonic(*this);
+    } else if (asked == asks::period) {
+        status = answerQuestion(question.on(common.usualCells(), bar.bar), completed(*this));
     } else {
-        const Schedule schedule{common.usualCells(), parsePhases(steps), stopsOf(bar)};
-        status = answerSchedule(schedule, completed(*this));
+        const Schedule schedule{common.usualCells(), parsePhases(given.words()), stopsOf(bar)};
+        status = asked == asks::forced ? answerForced(*this, schedule)
+                                       : answerSchedule(schedule, completed(*this));
     }
     common.useOneThread("find");
     return status;
@@ -278,10 +225,10 @@ ExitStatus FindCommand::run() const
 /// The simulation that stability is seen in knows one bar.
 void FindCommand::requireStable(const Schedule& schedule) const
 {
-    if (wantsStability && !common.scene().segments.empty()) {
+    if (given.has("--stability") && !common.scene().segments.empty()) {
         throw std::invalid_argument("--stability: allowed without --segments");
     }
-    if (wantsStability && signorini::steps(schedule) > maxStableSteps) {
+    if (given.has("--stability") && signorini::steps(schedule) > maxStableSteps) {
         refuse("--stability", fmt::format("{} steps", signorini::steps(schedule)),
                fmt::format("periods of at most {} steps", maxStableSteps));
     }
@@ -295,7 +242,7 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
     answers::FindAnswer answer = search(schedule, request, common.quiet);
     const PeriodicResult& result = answer.result;
     writeFiles(files, request.options, result, wholeJsonOf(answer, "certificate"));
-    if (wantsStability && result.motion) {
+    if (given.has("--stability") && result.motion) {
         answer.stability = stabilityReports(*result.motion, schedule, result.scene.bar);
     }
     if (common.wantsJson) {
@@ -344,6 +291,11 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
         warn(physical);
     }
     return exitStatusOf(answer.status());
+}
+
+ExitStatus runFind(const Given& given)
+{
+    return FindCommand(given).run();
 }
 
 }  // namespace signorini::cli

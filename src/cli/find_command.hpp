@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "forced_find.hpp"
+#include "force_options.hpp"
+#include "given.hpp"
 #include "motion_file.hpp"
 #include "question.hpp"
 #include "signorini/output.hpp"
@@ -17,33 +18,26 @@ struct FindRequest;
 
 /// One call.
 struct FindCommand {
+    const Given& given;
     CommonOptions common;
-    std::vector<std::string> steps;
     PeriodQuestion question;
-    ForcedFind forced;
+    ForceOptions force;
+    std::int64_t cycles;  ///< of the force in a period
     FindOptions options;
-    std::optional<double> energy;       ///< [J]
     std::optional<double> yieldStress;  ///< [Pa]
-    std::string targetFile;
-    std::string stateFile;
     MotionFile motionFile;
-    std::string figureFile;
-    std::string animationFile;
-    std::string certificateFile;
-    bool wantsStability = false;
 
-    void addTo(CLI::App& command);
+    explicit FindCommand(const Given& words);
 
-    /// Does the work; the report goes to stdout. SIGINT and SIGTERM end a search that can be
-    /// stopped. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
+    [[nodiscard]] bool isForced() const { return force.ratio || force.place || force.amplitude; }
 
     /// Says on stderr where a motion is not what a bar could do.
     void warn(const Physical& physical) const;
 
 private:
-    /// The first demand given that forced motions, or scenes, do not have; nullptr: none.
-    [[nodiscard]] const char* otherDemand(bool isScene) const;
+    /// answers::asks::..., of a bar.
+    [[nodiscard]] unsigned kind() const;
     void requireStable(const Schedule& schedule) const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
                                             const FindRequest& request) const;

@@ -9,15 +9,16 @@ namespace {
 
 OutputOption ofProof(const FindCommand& words)
 {
-    return {"--certificate", words.certificateFile};
+    return {"--certificate", words.given.text("--certificate")};
 }
 
 std::vector<OutputOption> ofMotion(const FindCommand& words)
 {
-    return {{"--state", words.stateFile},
-            words.motionFile.option(),
-            {"--figure", words.figureFile},
-            {"--animate", words.animationFile}};
+    std::vector<OutputOption> outputs;
+    for (const char* option : {"--state", "--motion", "--figure", "--animate"}) {
+        outputs.push_back({option, words.given.text(option)});
+    }
+    return outputs;
 }
 
 }  // namespace
@@ -65,9 +66,9 @@ void FindOutputs::writeMotion(const WrittenMotion& motion)
     motion_.put("--state",
                 [&](const std::string& path) { writeStateCsv(path, motion.state, motion.bar); });
     motion_.put("--figure", [&](const std::string& path) {
-        motion.draw(figureFormat(words_.figureFile), path);
+        motion.draw(figureFormat(words_.given.text("--figure")), path);
     });
-    if (words_.motionFile.isWanted() || !words_.animationFile.empty()) {
+    if (words_.motionFile.isWanted() || words_.given.has("--animate")) {
         writeField(motion);
     }
     motion_.commit();
@@ -76,11 +77,11 @@ void FindOutputs::writeMotion(const WrittenMotion& motion)
 void FindOutputs::writeHarmonic(const HarmonicField& field, const Scene& scene, std::int64_t cells)
 {
     motion_.put("--figure", [&](const std::string& path) {
-        drawFigure(harmonicFigure(field, scene), figureFormat(words_.figureFile), path);
+        drawFigure(harmonicFigure(field, scene), figureFormat(words_.given.text("--figure")), path);
     });
     motion_.put("--animate", [&](const std::string& path) {
         drawFigures(motionFrames(MotionSamples(field, scene, cells)),
-                    animationFormat(words_.animationFile), path);
+                    animationFormat(words_.given.text("--animate")), path);
     });
     words_.motionFile.write(
         motion_, [&](std::int64_t most) { return MotionSamples(field, scene, cells, most); });
@@ -92,7 +93,7 @@ void FindOutputs::writeField(const WrittenMotion& motion)
     const Motion field = motion.field();
     motion_.put("--animate", [&](const std::string& path) {
         drawFigures(motionFrames(MotionSamples(field, motion.scene)),
-                    animationFormat(words_.animationFile), path);
+                    animationFormat(words_.given.text("--animate")), path);
     });
     if (words_.motionFile.isWanted() && field.steps() < motion.steps) {
         say(fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",

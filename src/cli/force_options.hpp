@@ -18,8 +18,9 @@ struct FrequencyOption {
     std::optional<double> ratio;  ///< ω/ω₁
     std::optional<double> hertz;
 
+    FrequencyOption() = default;
     /// `name` and its twin in Hz.
-    void addTo(CLI::App& command, const char* name, const char* twin, const char* help);
+    FrequencyOption(const Given& given, const char* name, const char* twin);
     [[nodiscard]] bool isGiven() const { return ratio || hertz; }
     /// ω/ω₁, ω₁ being so many Hz; what is meant where nothing is given.
     [[nodiscard]] double ratioFor(double firstHertz, double otherwise = 0.0) const;
@@ -31,7 +32,8 @@ struct ForceOptions {
     std::optional<double> amplitude;  ///< [N], [m], or of a derivative [m/s], [m/s²]
     int derivative = 0;               ///< of the base's displacement: 1 velocity, 2 acceleration
 
-    void addTo(CLI::App& command);
+    ForceOptions() = default;
+    explicit ForceOptions(const Given& given);
 
     /// None without --damping.
     [[nodiscard]] Damping damping() const { return {ratio.value_or(0.0)}; }

@@ -13,16 +13,6 @@
 
 namespace signorini::cli {
 
-void ForcedFind::addTo(CLI::App& command)
-{
-    force.addTo(command);
-    addWhole(command, "--cycles", 1, maxForcedSteps / 2, cycles, "K",
-             "cycles of the excitation in a period of the motion (1)");
-    addWhole(command, "--contacts", 1, maxHarmonicContacts, contacts, "K",
-             "with --period, --frequency or --hertz: contacts in a period (1); of several the "
-             "motion on which a bar at rest settles");
-}
-
 namespace {
 
 void requireForce(const ForceOptions& force)
@@ -37,12 +27,12 @@ void requireForce(const ForceOptions& force)
 
 void validate(const FindCommand& call, const Schedule& schedule, bool isStepped)
 {
-    requireForce(call.forced.force);
+    requireForce(call.force);
     if (isStepped && std::isfinite(call.options.strainLimit)) {
         refuse("--strain-limit", fmt::format("{}", call.options.strainLimit),
                "none for a forced bar of several segments");
     }
-    if (canRest(schedule.phases, schedule.stops) && !call.forced.force.amplitude) {
+    if (canRest(schedule.phases, schedule.stops) && !call.force.amplitude) {
         refuse("--amplitude", "missing",
                "numbers > 0 [N or m]: without a gap motions are as small as one likes");
     }
@@ -90,7 +80,7 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
 ExitStatus answerHarmonic(const FindCommand& call)
 {
     const CommonOptions& common = call.common;
-    const ForceOptions& force = call.forced.force;
+    const ForceOptions& force = call.force;
     const Scene scene = common.scene();
     requireForce(force);
     if (*force.ratio == 0.0) {
@@ -99,20 +89,15 @@ ExitStatus answerHarmonic(const FindCommand& call)
     if (!force.amplitude) {
         refuse("--amplitude", "missing", "numbers > 0 [N or m]");
     }
-    if (std::isfinite(call.options.strainLimit) || !call.stateFile.empty()) {
-        throw std::invalid_argument(
-            "--strain-limit, --state: of forced motions allowed only together with NC NF");
-    }
     FindOutputs files(call);
-    const ExactPeriod period =
-        call.question.exactly(common.usualCells(), scene.bar, call.forced.cycles);
-    const double frequencyRatio = 4.0 * static_cast<double>(call.forced.cycles) / period.value();
+    const ExactPeriod period = call.question.exactly(common.usualCells(), scene.bar, call.cycles);
+    const double frequencyRatio = 4.0 * static_cast<double>(call.cycles) / period.value();
     const ForceOptions displaced = force.at(frequencyRatio, firstHertz(scene.bar));
     (void)displaced.scaledAmplitude(scene.bar);
     const Interrupt interrupt;
     const answers::HarmonicAnswer answer =
-        answers::answerOf(period, force.damping(), *force.place, call.forced.cycles,
-                          *displaced.amplitude, scene, call.forced.contacts, interrupt.cancel());
+        answers::answerOf(period, force.damping(), *force.place, call.cycles, *displaced.amplitude,
+                          scene, call.given.whole("--contacts").value_or(1), interrupt.cancel());
     if (answer.motions.empty()) {
         files.lackMotion();
     } else if (files.areOfMotion()) {
@@ -134,18 +119,18 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
     // Equal segments are one bar.
     const bool isStepped = !isUniform(scene.segments);
     validate(call, schedule, isStepped);
-    const ForceOptions& force = call.forced.force;
+    const ForceOptions& force = call.force;
     const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;
     FindOutputs files(call);
     const ForcedLimits limits{call.options.strainLimit / scales(bar).strain};
-    const Forcing forcing{*force.place, call.forced.cycles};
+    const Forcing forcing{*force.place, call.cycles};
     const double frequencyRatio = 4.0 * static_cast<double>(schedule.cells) *
-                                  static_cast<double>(call.forced.cycles) /
+                                  static_cast<double>(call.cycles) /
                                   static_cast<double>(steps(schedule));
     answers::ForcedAnswer answer =
         answers::answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
                           scene, force.at(frequencyRatio, firstHertz(bar)).amplitude);
-    if (call.wantsStability) {
+    if (call.given.has("--stability")) {
         tryStability(answer);
     }
     writeFiles(files, answer);

@@ -4,25 +4,10 @@
 /// with
 /// --period, --frequency or --hertz in place of NC NF those with one contact, on no grid.
 
-#include <cstdint>
-#include <string>
-
 #include "arguments.hpp"
-#include "force_options.hpp"
-#include "signorini/response.hpp"
+#include "signorini/schedule.hpp"
 
 namespace signorini::cli {
-
-/// The part of a call of `find` that makes its motions forced ones.
-struct ForcedFind {
-    ForceOptions force;
-    std::int64_t cycles = 1;
-    std::int64_t contacts = 1;
-
-    void addTo(CLI::App& command);
-
-    [[nodiscard]] bool isAsked() const { return force.ratio || force.place || force.amplitude; }
-};
 
 struct FindCommand;
 

@@ -4,35 +4,22 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <cctype>
+#include <array>
 #include <csignal>
 #include <filesystem>
-#include <functional>
 #include <new>
-#include <sstream>
 #include <system_error>
 
-#include "atlas_command.hpp"
-#include "continuum_command.hpp"
-#include "families_command.hpp"
+#include "commands.hpp"
 #include "faults.hpp"
-#include "find_command.hpp"
+#include "given.hpp"
 #include "hints.hpp"
 #include "json.hpp"
-#include "mode_command.hpp"
-#include "modes_command.hpp"
 #include "ranks.hpp"
-#include "response_command.hpp"
-#include "scene_command.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
-#include "simulate_command.hpp"
 #include "solver.hpp"
-#include "sweep_command.hpp"
 #include "text.hpp"
 
 namespace {
@@ -51,14 +38,6 @@ std::string versionText()
         text += fmt::format("  {:<14} {}{}\n", backend.name, backend.purpose, library);
     }
     return text;
-}
-
-/// "-5", "-inf", "-nan": a number where CLI11 sees an unknown option.
-bool looksLikeNumber(const std::string& word)
-{
-    return word.size() > 1 && word[0] == '-' &&
-           (std::isdigit(static_cast<unsigned char>(word[1])) != 0 || word[1] == '.' ||
-            word == "-inf" || word == "-nan" || word == "-infinity");
 }
 
 int complain(ExitStatus status, std::string_view text)
@@ -93,87 +72,6 @@ int leaveUndecided(bool wantsJson, std::string_view reason)
     return complain(exitUndecided, fmt::format("undecided: {}", reason));
 }
 
-/// The options of the commands that were called.
-std::vector<std::string> optionsOf(const CLI::App& app)
-{
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands()) {
-        for (const CLI::Option* option : command->get_options()) {
-            names.push_back(option->get_name());
-        }
-    }
-    return names;
-}
-
-/// Text for words that are not expected: a number is the step count it was meant to be where a
-/// command takes some, another word perhaps one of the names.
-std::string explainExtras(const std::vector<std::string>& words, bool takesSteps,
-                          const std::vector<std::string>& names)
-{
-    for (const std::string& word : words) {
-        if (looksLikeNumber(word) && !takesSteps) {
-            return fmt::format(
-                "number = {} is out of range: allowed numbers > 0, each after an option that takes "
-                "it",
-                shortened(word));
-        }
-        if (looksLikeNumber(word)) {
-            return fmt::format("step count = {} is out of range: allowed whole numbers 1..{}",
-                               shortened(word), maxSteps);
-        }
-    }
-    std::string text;
-    for (const std::string& word : words) {
-        text += (text.empty() ? "" : " ") + shortened(word);
-    }
-    std::string hint;
-    for (const std::string& word : words) {
-        hint += hint.empty() && word.starts_with("--") ? didYouMean(word, names) : "";
-    }
-    return fmt::format("{} is not expected{}; see signorini --help", text, hint);
-}
-
-/// Names the option that was given more often than once, if that is what went wrong.
-std::string explainMismatch(const CLI::App& command, const std::string& message)
-{
-    for (const CLI::Option* option : command.get_options()) {
-        const int most = option->get_items_expected_max();
-        const auto given = static_cast<int>(option->count());
-        if (most > 0 && given >= 2 * most) {
-            return fmt::format("{} is given {} times: allowed once", option->get_name(),
-                               given / most);
-        }
-    }
-    return message;
-}
-
-/// The command line, cut at the first "--": what follows it are step counts.
-struct Words {
-    std::vector<std::string> before;
-    std::vector<std::string> after;
-};
-
-/// \throws std::invalid_argument on "--option=" with no value: CLI11 would take the next word.
-Words wordsOf(int argc, char** argv)
-{
-    const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-    const auto end = std::find(words.begin(), words.end(), "--");
-    for (auto word = words.begin(); word != end; ++word) {
-        if (word->starts_with("--") && word->find('=') == word->size() - 1) {
-            Faults faults;
-            faults.add(shortened(word->substr(0, word->size() - 1)), "''", "a value");
-            faults.throwIfAny();
-        }
-    }
-    Words cut{{words.begin(), end}, {end == words.end() ? end : end + 1, words.end()}};
-    for (std::string& word : cut.before) {
-        if (word.starts_with("-:")) {  // steps in which no contact is closed, and no option
-            word.erase(0, 1);
-        }
-    }
-    return cut;
-}
-
 /// Holds 0, 1 and 2, or a file opened later gets one of them and with it what is meant for people.
 /// Using them fails as if they were closed.
 void occupyStandardStreams()
@@ -185,135 +83,140 @@ void occupyStandardStreams()
     }
 }
 
-/// All commands, and the one that was called.
-class Commands {
-public:
-    explicit Commands(CLI::App& app)
-    {
-        add(app, find_, "find", "a periodic motion of a schedule, or a proof of absence",
-            &find_.steps);
-        add(app, continuum_, "continuum", "a curve of motions of one schedule and energy",
-            &continuum_.steps);
-        add(app, modes_, "modes", "the continuous families of motions, exact, for any grid");
-        add(app, mode_, "mode", "the motion of one mode at any period", &mode_.contact);
-        add(app, families_, "families",
-            "the families of motions by order: each set of orbits once, for any grid");
-        add(app, atlas_, "atlas",
-            "decides every schedule of a range and stores the results in a database");
-        add(app, response_, "response",
-            "all forced, damped motions with one contact phase, frequency by frequency");
-        add(app, simulate_, "simulate", "the exact motion from any initial state");
-        add(app, sweep_, "sweep",
-            "what a driven bar settles on while a frequency, or another number, is varied");
-        add(app, scene_, "scene",
-            "bars in a row, with springs, masses, gaps and stops: parsed, converted, drawn",
-            &scene_.words);
-    }
-
-    /// "find", "continuum", ...
-    [[nodiscard]] std::vector<std::string> names() const
-    {
-        std::vector<std::string> names;
-        for (const Command& command : commands_) {
-            names.push_back(command.app->get_name());
-        }
-        return names;
-    }
-
-    /// Where the command that was called keeps words that belong to no option; null if it has none.
-    [[nodiscard]] std::vector<std::string>* words() const { return called().words; }
-
-    [[nodiscard]] ExitStatus run() const { return called().run(); }
-
-private:
-    struct Command {
-        CLI::App* app;
-        std::vector<std::string>* words;
-        std::function<ExitStatus()> run;
-    };
-
-    template <typename Options>
-    void add(CLI::App& app, Options& options, const char* name, const char* what,
-             std::vector<std::string>* words = nullptr)
-    {
-        CLI::App& command = *app.add_subcommand(name, what);
-        options.addTo(command);
-        commands_.push_back({&command, words, [&options] { return options.run(); }});
-    }
-
-    /// \pre one was called.
-    [[nodiscard]] const Command& called() const
-    {
-        return *std::find_if(commands_.begin(), commands_.end(),
-                             [](const Command& command) { return command.app->parsed(); });
-    }
-
-    FindCommand find_;
-    ContinuumCommand continuum_;
-    ModesCommand modes_;
-    ModeCommand mode_;
-    FamiliesCommand families_;
-    AtlasCommand atlas_;
-    ResponseCommand response_;
-    SimulateCommand simulate_;
-    SweepCommand sweep_;
-    SceneCommand scene_;
-    std::vector<Command> commands_;
+/// A command, and what its help says.
+struct Command {
+    Usage usage;
+    ExitStatus (*run)(const Given&);
 };
 
-int run(int argc, char** argv)
+namespace asks = answers::asks;
+
+constexpr std::array commands{
+    Command{
+        {"find", "a periodic motion of a schedule, or a proof of absence", asks::find, "NC NF ...",
+         "contact and free steps of each phase; of a scene with several contacts SET:STEPS "
+         "..., SET those that are closed, as in 1+2:6 -:35"},
+        runFind},
+    Command{{"continuum", "a curve of motions of one schedule and energy", asks::continuum,
+             "NC NF ...", "contact and free steps of each phase"},
+            runContinuum},
+    Command{
+        {"modes", "the continuous families of motions, exact, for any grid", asks::modes, "", "",
+         "Times are in units of L/c and energies in E_1: the list holds for every bar and every "
+         "grid. JSON adds frequencies in Hz and energies in J of the bar that the options "
+         "name.\nWith several contacts chains k/turns→release say which release follows which "
+         "arrival, s + 2k - turns T, and `free` how many times may be chosen beside T."},
+        runModes},
+    Command{{"mode", "the motion of one mode at any period", asks::mode, "A4 B",
+             "the mode of contact time A4 + B T, e.g. 4 -1"},
+            runMode},
+    Command{
+        {"families", "the families of motions by order: each set of orbits once, for any grid",
+         asks::families, "", "",
+         "A family (w, nu, k) is all motions of one period T = 2 nu/w and one contact pattern, "
+         "with energies from the least one upwards, on every grid with w | 2N. Times are in "
+         "units of L/c and energies in E_1: the list holds for every bar. Hz, s and J are those "
+         "of the bar that the options name. Ordered by w, nu, k."},
+        runFamilies},
+    Command{{"atlas", "decides every schedule of a range and stores the results in a database",
+             asks::atlas | asks::atlasQuery, "", ""},
+            runAtlas},
+    Command{
+        {"response", "all forced, damped motions with one contact phase, frequency by frequency",
+         asks::response, "", "",
+         "Of the periods that are n steps of L/(N c): 4 N K/n is the frequency of the "
+         "excitation in ω₁.\n--damping, --force and --amplitude are required.\n"
+         "--csv: steps n, frequency_ratio ω/ω₁, frequency [Hz], touches (would the bar without "
+         "a wall meet it?), linear_peak [m], then of each motion contact, free [steps], phase "
+         "[rad], impulse [N s], peak_force [N], tip_lowest [m], stability, amplitude [N or m], "
+         "second_contact, second_free [steps], stop, then undecided, the number of schedules "
+         "at this frequency, and contact_time [s], approach_speed [m/s], peak_compression, "
+         "peak_tension [-], peak_stress [Pa] of the motion; one row without them where there "
+         "is no motion. Contact of all n steps: the tip never leaves the wall.\n"
+         "--csv with --exact: steps, frequency_ratio, frequency, touches, linear_peak, motion (0, "
+         "1, ... at this frequency), contacts and cycles in its period, contact (0, 1, ...), "
+         "begin, end [s], stop, release (pinned: ended by a wave front, or smooth), impulse [N s], "
+         "peak_force [N], speed [m/s], phase [rad], growth of disturbances in a period, attracts "
+         "(1, 0), residual.\n"
+         "--map-csv: steps, frequency_ratio, frequency, contacts (0, 1 or 2), contact, free, "
+         "second_contact, second_free, least_amplitude, most_amplitude [N or m]; no largest "
+         "one: empty. Schedules in order of contact; an amplitude has as many motions as rows "
+         "hold it.\n"
+         "--backbone-csv: a4, b and family of the mode (t_c = a4 + b T), frequency_ratio and "
+         "frequency of the excitation, period_ratio cT/L, energy_ratio E/E₁, impulse, "
+         "peak_force, tip_lowest."},
+        runResponse},
+    Command{{"simulate", "the exact motion from any initial state", asks::simulation, "", "",
+             "Only the excitation is on a grid: it is constant for L/(N c), or a time near it that "
+             "fits a\nwhole number of times into its period."},
+            runSimulate},
+    Command{
+        {"sweep", "what a driven bar settles on while a frequency, or another number, is varied",
+         asks::sweep, "", "",
+         "At each value the bar is followed until it repeats itself after 1 ... 16 periods of "
+         "the\nexcitation, or for --periods of them.\n"
+         "--csv: value (ω/ω₁, N or m, m, -), frequency [Hz], direction, periods it repeats "
+         "after\n(empty: it does not), residual, watched (periods), contacts, contacts_least, "
+         "contacts_most,\nimpulse, impulse_least, impulse_most [N s] in a period of the "
+         "excitation, mean_force [N] over\n--resolve, tip_lowest, tip_highest [m], "
+         "peak_strain [-], peak_stress [Pa]."},
+        runSweep},
+    Command{
+        {"scene", "bars in a row, with springs, masses, gaps and stops: parsed, converted, drawn",
+         asks::scene, "TEXT", "TEXT or FILE.json: the words of the scene",
+         "Elements, from left to right, separated by blanks: clamp, free, N[:Z[:C]] cells, "
+         "gap=G, stop=G (to the right), stop=-G\n(to the left), dash=D, spring=K, mass=M, "
+         "force=F, driven, shaken. Example: signorini scene clamp 150 gap=1e-3 200:1.3 clamp"},
+        runScene},
+};
+
+std::string helpText()
 {
-    CLI::App app{
-        "Finds, proves, measures and draws the periodic motions of an elastic bar in "
-        "unilateral contact with a wall.",
-        "signorini"};
-    app.set_version_flag("--version", versionText());
-    app.require_subcommand(1);
-    Commands commands(app);
-    app.footer(
-        "Exit status: 0 found, 1 proved that none exists, 2 usage error, 3 undecided,\n"
-        "4 a file, database or back end could not be used; 128 + N ended by signal N: 129 "
-        "hang-up,\n"
-        "130 Ctrl-C, 143 SIGTERM.");
-    try {
-        const Words words = wordsOf(argc, argv);
-        app.parse(std::vector<std::string>(words.before.rbegin(), words.before.rend()));
-        std::vector<std::string>* more = commands.words();
-        if (more == nullptr && !words.after.empty()) {
-            return complain(exitWrongUse, explainExtras(words.after, false, {}));
-        }
-        if (more != nullptr) {
-            more->insert(more->end(), words.after.begin(), words.after.end());
-        }
-    } catch (const CLI::CallForVersion&) {
-        writeOut(versionText());
-        return exitFound;
-    } catch (const CLI::Success& success) {
-        std::ostringstream help;
-        (void)app.exit(success, help, help);
-        writeOut(help.str());
-        return exitFound;
-    } catch (const CLI::ExtrasError&) {
-        return complain(exitWrongUse,
-                        explainExtras(app.remaining(true),
-                                      app.got_subcommand("find") || app.got_subcommand("continuum"),
-                                      optionsOf(app)));
-    } catch (const CLI::RequiredError&) {
-        const std::string given =
-            argc > 1 ? fmt::format(" = {}", shortened(argv[1])) : " is missing";
-        return complain(exitWrongUse,
-                        fmt::format("command{}: allowed {}{}; see signorini --help", given,
-                                    fmt::join(commands.names(), "|"),
-                                    argc > 1 ? didYouMean(argv[1], commands.names()) : ""));
-    } catch (const CLI::ParseError& error) {
-        std::string text = error.what();
-        text = text.substr(0, text.find('\n'));
-        for (const CLI::App* command : app.get_subcommands()) {
-            text = explainMismatch(*command, text);
-        }
-        return complain(exitWrongUse, text + "; see signorini --help");
+    std::string text =
+        "Finds, proves, measures and draws the periodic motions of an elastic bar in unilateral "
+        "contact with a wall.\nUsage: signorini [OPTIONS] SUBCOMMAND\n\nOptions:\n"
+        "  -h,--help                   Print this help message and exit\n"
+        "  --version                   Display program version information and exit\n"
+        "\nSubcommands:\n";
+    for (const Command& command : commands) {
+        text += fmt::format("  {:<28}{}\n", command.usage.command, command.usage.sentence);
     }
-    return commands.run();
+    return text +
+           "\nExit status: 0 found, 1 proved that none exists, 2 usage error, 3 undecided,\n"
+           "4 a file, database or back end could not be used; 128 + N ended by signal N: 129 "
+           "hang-up,\n130 Ctrl-C, 143 SIGTERM.\n";
+}
+
+int run(const std::vector<std::string>& words)
+{
+    const std::string first = words.empty() ? "" : words.front();
+    if (first == "--version" || first == "--help" || first == "-h") {
+        writeOut(first == "--version" ? versionText() : helpText());
+        return exitFound;
+    }
+    const auto called = std::find_if(commands.begin(), commands.end(), [&](const Command& command) {
+        return command.usage.command == first;
+    });
+    if (called == commands.end()) {
+        std::vector<std::string> names;
+        for (const Command& command : commands) {
+            names.emplace_back(command.usage.command);
+        }
+        const std::string given = words.empty() ? " is missing" : " = " + shortened(first);
+        throw std::invalid_argument(fmt::format("command{}: allowed {}{}; see signorini --help",
+                                                given, fmt::join(names, "|"),
+                                                didYouMean(first, names)));
+    }
+    const Given given(called->usage, {words.begin() + 1, words.end()});
+    if (given.wantsHelp()) {
+        writeOut(helpOf(called->usage));
+        return exitFound;
+    }
+    try {
+        return called->run(given);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(given.inOptions(error.what()));
+    }
 }
 
 }  // namespace
@@ -327,7 +230,7 @@ int main(int argc, char** argv)
     handOverToMpi(argv);
     int status = exitUndecided;
     try {
-        status = run(argc, argv);
+        status = run({argv + std::min(argc, 1), argv + argc});
     } catch (const std::invalid_argument& error) {
         return complain(exitWrongUse, error.what());
     } catch (const FileError& error) {

@@ -1,11 +1,13 @@
-#include "mode_command.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "files.hpp"
+#include "given.hpp"
 #include "json.hpp"
 #include "mode_report.hpp"
+#include "motion_file.hpp"
 #include "rational.hpp"
 #include "report.hpp"
 #include "signorini/figures.hpp"
@@ -116,45 +118,34 @@ std::string draw(const std::string& path, FigureFormat format, const Mode& mode,
 
 }  // namespace
 
-void ModeCommand::addTo(CLI::App& command)
+ExitStatus runMode(const Given& given)
 {
-    addWords(command, "contact", "A4 B", contact, "the mode of contact time A4 + B T, e.g. 4 -1");
-    addWord(command, "--period", "T", "in L/c: 3.14, 22/7 or 3; required",
-            [this](const std::string& text) { period = parseNumber("--period", text, "L/c"); });
-    addFile(command, "--state", stateFile, "write the state at t = 0 on the grid");
-    motionFile.addTo(command);
-    addFigure(command, "--figure", figureFile, "draw the motion");
-    addAnimation(command, animationFile);
-    common.addTo(command);
-}
-
-ExitStatus ModeCommand::run() const
-{
+    const CommonOptions common(given);
+    const MotionFile motionFile(given);
     const Bar bar = common.barOfAnyGap();
-    const Mode mode = modeOf(contact, gapSignOfModes(bar));
-    if (!period) {
+    const Mode mode = modeOf(given.words(), gapSignOfModes(bar));
+    if (!given.has("--period")) {
         throw std::invalid_argument(fmt::format(
             "--period is missing: allowed ]{}, {}[ [L/c], where the mode t_c = {} lives",
             fractionAsText(mode.lowest), fractionAsText(mode.highest), contactAsText(mode)));
     }
-    requireInside(mode, *period);
-    const ModeMotion motion(mode, period->value);
-    Outputs outputs({{"--state", stateFile},
-                     motionFile.option(),
-                     {"--figure", figureFile},
-                     {"--animate", animationFile}},
+    const GivenNumber period = parseNumber("--period", given.text("--period"), "L/c");
+    requireInside(mode, period);
+    const ModeMotion motion(mode, period.value);
+    Outputs outputs(given, {"--state", "--motion", "--figure", "--animate"},
                     {motionFile.folderOption()});
     const std::int64_t cells = common.usualCells();
     std::string notes;
     outputs.put("--state", [&](const std::string& path) {
-        notes += writeState(path, mode, motion, cells, stepsOn(cells, *period), bar);
+        notes += writeState(path, mode, motion, cells, stepsOn(cells, period), bar);
     });
     outputs.put("--figure", [&](const std::string& path) {
-        notes += draw(path, figureFormat(figureFile), mode, motion.period(), cells, bar);
+        notes +=
+            draw(path, figureFormat(given.text("--figure")), mode, motion.period(), cells, bar);
     });
     outputs.put("--animate", [&](const std::string& path) {
-        drawFigures(motionFrames(MotionSamples(motion, bar, cells)), animationFormat(animationFile),
-                    path);
+        drawFigures(motionFrames(MotionSamples(motion, bar, cells)),
+                    animationFormat(given.text("--animate")), path);
     });
     motionFile.write(outputs,
                      [&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });

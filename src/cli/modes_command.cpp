@@ -1,4 +1,4 @@
-#include "modes_command.hpp"
+#include "commands.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "files.hpp"
+#include "given.hpp"
 #include "interrupt.hpp"
 #include "json.hpp"
 #include "mode_report.hpp"
@@ -105,59 +106,41 @@ std::int64_t usualOrder(std::int64_t phases)
 
 }  // namespace
 
-void ModesCommand::addTo(CLI::App& command)
+ExitStatus runModes(const Given& given)
 {
-    addPositive(command, "--max-energy-ratio", "E_1", bounds.maxEnergyRatio, "X",
-                "only modes with a motion of E/E_1 <= X (50)");
-    addWhole(command, "--max-order", 1, maxModeOrder, maxOrder, "B",
-             "only contact times 4a + b T with |b| <= B (25; with 3, 4, 5 contacts 9, 5, 3)");
-    addPositive(command, "--max-period", "L/c", maxPeriod, "T",
-                "only modes with a motion of T <= X, in L/c (8, or 4 for each contact)");
-    addWhole(command, "--phases", 1, maxPolytopePhases, phases, "K",
-             "motions with K contacts in a period (1)");
-    addFile(command, "--csv", csvFile,
-            "write their curves: T, ω/ω₁, t_c and E/E₁ of motions along each");
-    addFigure(command, "--figure", figureFile, "draw them, energy against frequency");
-    common.addTo(command);
-    addFooter(
-        command,
-        "Times are in units of L/c and energies in E_1: the list holds for every bar and every "
-        "grid. JSON adds frequencies in Hz and energies in J of the bar that the options name.\n"
-        "With several contacts chains k/turns→release say which release follows which arrival, s "
-        "+ 2k - turns T, and `free` how many times may be chosen beside T.");
-}
-
-ExitStatus ModesCommand::run() const
-{
+    const CommonOptions common(given);
+    const std::int64_t phases = given.whole("--phases").value_or(1);
+    const auto maxOrder = given.whole("--max-order");
     // Several contacts are known for a gap > 0.
     const Bar bar = phases == 1 ? common.barOfAnyGap() : common.bar();
     if (phases > 1 && maxOrder && *maxOrder > maxPolytopeOrder) {
         refuse("--max-order", fmt::format("{}", *maxOrder),
                fmt::format("whole numbers 1..{} with several contacts", maxPolytopeOrder));
     }
-    ModeBounds all = bounds;
+    ModeBounds all;
+    all.maxEnergyRatio = given.number("--max-energy-ratio").value_or(all.maxEnergyRatio);
     all.maxOrder = maxOrder.value_or(usualOrder(phases));
-    all.maxPeriod = maxPeriod.value_or(std::max(8.0, 4.0 * static_cast<double>(phases)));
+    all.maxPeriod =
+        given.number("--max-period").value_or(std::max(8.0, 4.0 * static_cast<double>(phases)));
     all.gapSign = gapSignOfModes(bar);
     FrequencyEnergyOptions drawing;
-    if (!figureFile.empty()) {
+    if (given.has("--figure")) {
         if (bar.gap < 0.0) {
             throw std::invalid_argument(
                 "--figure: allowed with a gap > 0, whose plot it is; --csv holds the curves");
         }
-        (void)figureFormat(figureFile);
         drawing.bar = bar;
         // From the lowest energy there is to where curves are upright lines.
         drawing.maxEnergyRatio = std::clamp(all.maxEnergyRatio, 2.0, 1e6);
     }
     answers::ModeList listing{all, bar, {}};
     answers::PolytopeList polytopes{phases, all, bar, {}};
-    Outputs outputs({{"--csv", csvFile}, {"--figure", figureFile}});
-    const bool isComplete = runSearch(all, common.quiet, [&](const ModeBounds& given) {
+    Outputs outputs(given, {"--csv", "--figure"});
+    const bool isComplete = runSearch(all, common.quiet, [&](const ModeBounds& searched) {
         if (phases == 1) {
-            listing.modes = findModes(given);
+            listing.modes = findModes(searched);
         } else {
-            polytopes.polytopes = findPolytopes(phases, given);
+            polytopes.polytopes = findPolytopes(phases, searched);
         }
     });
     listing.isComplete = isComplete;
@@ -173,10 +156,10 @@ ExitStatus ModesCommand::run() const
         outputs.put("--figure", [&](const std::string& path) {
             if (phases == 1) {
                 drawFigure(frequencyEnergyFigure({.modes = listing.modes}, drawing),
-                           figureFormat(figureFile), path);
+                           figureFormat(given.text("--figure")), path);
             } else {
-                drawFigure(polytopesFigure(polytopes.polytopes, drawing), figureFormat(figureFile),
-                           path);
+                drawFigure(polytopesFigure(polytopes.polytopes, drawing),
+                           figureFormat(given.text("--figure")), path);
             }
         });
         outputs.commit();

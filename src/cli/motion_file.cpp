@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "arguments.hpp"
+#include "given.hpp"
 
 namespace signorini::cli {
 
@@ -13,18 +13,7 @@ constexpr std::string_view seriesEnding = ".pvd";
 
 }  // namespace
 
-void MotionFile::addTo(CLI::App& command)
-{
-    addWord(command, "--motion", "FILE.csv|.vtk|.pvd",
-            "write u, v, s over one period; .pvd: a time series for ParaView",
-            [this](const std::string& path) {
-                if (!path.ends_with(".csv") && !path.ends_with(".vtk") &&
-                    !path.ends_with(seriesEnding)) {
-                    refuse("--motion", path, "a name ending in .csv, .vtk or .pvd");
-                }
-                path_ = path;
-            });
-}
+MotionFile::MotionFile(const Given& given) : path_(given.text("--motion")) {}
 
 OutputOption MotionFile::folderOption() const
 {

@@ -8,16 +8,12 @@
 
 #include "files.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace signorini::cli {
 
 /// Where a motion goes.
 class MotionFile {
 public:
-    void addTo(CLI::App& command);
+    explicit MotionFile(const Given& given);
 
     [[nodiscard]] OutputOption option() const { return {"--motion", path_}; }
     /// The folder of a time series, an output like the file; without a name if there is none.

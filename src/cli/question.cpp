@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "arguments.hpp"
+#include "given.hpp"
 #include "harmonic_contact.hpp"
 #include "hints.hpp"
 #include "report.hpp"
@@ -75,15 +76,11 @@ answers::AskedPeriod onGrid(const char* option, const std::string& word, const G
 
 }  // namespace
 
-void PeriodQuestion::addTo(CLI::App& command)
+PeriodQuestion::PeriodQuestion(const Given& given)
+    : period(given.text("--period")),
+      frequency(given.text("--frequency")),
+      hertz(given.number("--hertz"))
 {
-    addWord(command, "--period", "T",
-            "in place of NC NF: all motions of this period, 7/2 or 3.5 L/c",
-            [this](const std::string& text) { period = text; });
-    addWord(command, "--frequency", "W", "the same by frequency, 8/7 or 1.25 ω₁",
-            [this](const std::string& text) { frequency = text; });
-    addPositive(command, "--hertz", "Hz", hertz, "F",
-                "the same by frequency in Hz: that of the grid nearest to it");
 }
 
 bool PeriodQuestion::isAsked() const

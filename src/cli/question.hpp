@@ -13,11 +13,9 @@
 
 #include "question_answer.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace signorini::cli {
+
+class Given;
 
 /// --period | --frequency | --hertz.
 struct PeriodQuestion {
@@ -25,7 +23,7 @@ struct PeriodQuestion {
     std::string frequency;        ///< [omega_1], the same
     std::optional<double> hertz;  ///< [Hz]
 
-    void addTo(CLI::App& command);
+    explicit PeriodQuestion(const Given& given);
 
     [[nodiscard]] bool isAsked() const;
 

@@ -1,7 +1,9 @@
-#include "scene_command.hpp"
+#include "commands.hpp"
 
 #include "files.hpp"
+#include "given.hpp"
 #include "scene_figures.hpp"
+#include "scene_options.hpp"
 #include "scene_report.hpp"
 
 namespace signorini::cli {
@@ -36,30 +38,17 @@ std::string asText(const Assembly& assembly, const Network& network)
 
 }  // namespace
 
-void SceneCommand::addTo(CLI::App& command)
+ExitStatus runScene(const Given& given)
 {
-    addWords(command, "words", "TEXT", words, "TEXT or FILE.json: the words of the scene");
-    addFigure(command, "--figure", figureFile, "draw it");
-    common.addTo(command, false);
-    addFooter(command,
-              "Elements, from left to right, separated by blanks: clamp, free, N[:Z[:C]] cells, "
-              "gap=G, stop=G "
-              "(to the right), stop=-G\n(to the left), dash=D, spring=K, mass=M, force=F, driven, "
-              "shaken. "
-              "Example: signorini scene clamp 150 gap=1e-3 200:1.3 clamp");
-}
-
-ExitStatus SceneCommand::run() const
-{
-    CommonOptions given = common;
-    for (const std::string& word : words) {
-        given.sceneText += (given.hasScene() ? " " : "") + word;
+    CommonOptions common(given);
+    for (const std::string& word : given.words()) {
+        common.sceneText += (common.hasScene() ? " " : "") + word;
     }
-    const Assembly& assembly = given.assembly();
+    const Assembly& assembly = common.assembly();
     const Network network = networkOf(assembly);
-    Outputs outputs({{"--figure", figureFile}});
+    Outputs outputs(given, {"--figure"});
     outputs.put("--figure", [&](const std::string& path) {
-        drawFigure(sceneFigure(assembly), figureFormat(figureFile), path);
+        drawFigure(sceneFigure(assembly), figureFormat(given.text("--figure")), path);
     });
     outputs.commit();
     if (common.wantsJson) {

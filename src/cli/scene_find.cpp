@@ -181,16 +181,16 @@ std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words, std::
 
 ExitStatus findInScene(const FindCommand& command)
 {
-    if (command.forced.isAsked()) {
+    if (command.isForced()) {
         return findForcedInScene(command);
     }
     Answer answer;
     answer.assembly = command.common.assembly();
     answer.network = networkOf(answer.assembly);
-    answer.schedule = parseSpans(command.steps, answer.network.contacts.size());
+    answer.schedule = parseSpans(command.given.words(), answer.network.contacts.size());
     answer.unit = firstEnergy(answer.network);
-    const OutputOption ofState{"--state", command.stateFile};
-    const OutputOption ofProof{"--certificate", command.certificateFile};
+    const OutputOption ofState{"--state", command.given.text("--state")};
+    const OutputOption ofProof{"--certificate", command.given.text("--certificate")};
     Outputs states({ofState}, {ofProof});
     Outputs proofs({ofProof}, {ofState});
     const Interrupt interrupt;

@@ -171,7 +171,7 @@ void choose(SceneForcedAnswer& answer)
 
 ExitStatus findForcedInScene(const FindCommand& command)
 {
-    const ForceOptions& force = command.forced.force;
+    const ForceOptions& force = command.force;
     if (force.ratio) {
         throw std::invalid_argument(
             "--damping clashes with --scene: allowed dash=D among its words");
@@ -182,8 +182,8 @@ ExitStatus findForcedInScene(const FindCommand& command)
     SceneForcedAnswer answer;
     answer.assembly = command.common.assembly();
     answer.network = networkOf(answer.assembly);
-    answer.schedule = parseSpans(command.steps, answer.network.contacts.size());
-    const Forcing forcing{*force.place, command.forced.cycles, {}};
+    answer.schedule = parseSpans(command.given.words(), answer.network.contacts.size());
+    const Forcing forcing{*force.place, command.cycles, {}};
     const SceneReference reference = referenceOf(answer.network);
     const double first = reference.frequency / (2.0 * std::numbers::pi);
     const double hertz =
@@ -191,8 +191,8 @@ ExitStatus findForcedInScene(const FindCommand& command)
     if (force.amplitude) {
         answer.amplitude = first > 0.0 ? force.at(hertz / first, first).amplitude : force.amplitude;
     }
-    const OutputOption ofState{"--state", command.stateFile};
-    const OutputOption ofProof{"--certificate", command.certificateFile};
+    const OutputOption ofState{"--state", command.given.text("--state")};
+    const OutputOption ofProof{"--certificate", command.given.text("--certificate")};
     Outputs states({ofState}, {ofProof});
     Outputs proofs({ofProof}, {ofState});
     answer.set = forcedScene(answer.network, answer.schedule, forcing,

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "files.hpp"
 #include "force_range.hpp"
 #include "scene_options.hpp"
@@ -29,10 +32,11 @@ std::string asText(const ForcePeak& least, const ForcePeak& most, double unit, c
 
 ExitStatus reportReach(const SimulateCommand& command)
 {
-    if (!command.time || command.force.amplitude || !command.forceFile.empty() ||
-        !command.fromFile.empty() || !command.speeds.empty() || !command.eventsFile.empty() ||
-        !command.statisticsFile.empty() || !command.tipFile.empty() ||
-        !command.figureFile.empty() || !command.stateFile.empty() || !command.common.hasScene()) {
+    const auto isGiven = [&command](const char* option) { return command.given.has(option); };
+    constexpr std::array others{"--force-file", "--from", "--velocity", "--events",
+                                "--statistics", "--tip",  "--figure",   "--state"};
+    if (!command.time || command.force.amplitude || !command.common.hasScene() ||
+        std::any_of(others.begin(), others.end(), isGiven)) {
         throw std::invalid_argument(
             "--force-range: allowed only with --scene, --time and what the scene is made of");
     }

@@ -113,7 +113,7 @@ void setHistory(const SimulateCommand& command, Question& question)
 {
     const NetworkScales& scales = question.network.scales;
     if (!isDriven(question.network)) {
-        refuse("--force-file", command.forceFile, "a scene with the word driven");
+        refuse("--force-file", command.given.text("--force-file"), "a scene with the word driven");
     }
     question.drive.forces =
         command.forceHistory(scales.time, scales.force(), *command.time / scales.time);
@@ -123,7 +123,7 @@ void setHistory(const SimulateCommand& command, Question& question)
 void setDrive(const SimulateCommand& command, Question& question)
 {
     const ForceOptions& force = command.force;
-    if (!command.forceFile.empty()) {
+    if (!command.given.text("--force-file").empty()) {
         setHistory(command, question);
         return;
     }
@@ -217,9 +217,9 @@ Question questionOf(const SimulateCommand& command)
 
 NetworkStart startOf(const SimulateCommand& command, const Network& network)
 {
-    if (!command.fromFile.empty()) {
-        return forFile("--from", command.fromFile,
-                       [&] { return readNetworkState(command.fromFile, network); });
+    if (!command.given.text("--from").empty()) {
+        const std::string path = command.given.text("--from");
+        return forFile("--from", path, [&] { return readNetworkState(path, network); });
     }
     if (command.speeds.empty()) {
         return startAtRest(network);
@@ -453,11 +453,7 @@ ExitStatus simulateScene(const SimulateCommand& command)
         return reportReach(command);
     }
     const Question question = questionOf(command);
-    Outputs outputs({{"--events", command.eventsFile},
-                     {"--statistics", command.statisticsFile},
-                     {"--tip", command.tipFile},
-                     {"--figure", command.figureFile},
-                     {"--state", command.stateFile}});
+    Outputs outputs(command.given, {"--events", "--statistics", "--tip", "--figure", "--state"});
     const NetworkStart start = startOf(command, question.network);
     double size = 0.0;
     for (const double wave : start.waves) {
@@ -466,7 +462,7 @@ ExitStatus simulateScene(const SimulateCommand& command)
     NetworkSimulation simulation(
         question.network, start, question.drive,
         {.mergeBelow = 1e-12 * std::max(size, 1.0),
-         .recordsPaths = !command.tipFile.empty() || !command.figureFile.empty()});
+         .recordsPaths = command.given.has("--tip") || command.given.has("--figure")});
     SceneAnswer answer{.question = question, .simulation = simulation};
     goOn(simulation, question, command.common.quiet, answer);
     if (answer.isComplete) {
@@ -478,7 +474,8 @@ ExitStatus simulateScene(const SimulateCommand& command)
             writeNetworkState(path, simulation.network(), simulation.state());
         });
         outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(simulationFigure(simulation), figureFormat(command.figureFile), path);
+            drawFigure(simulationFigure(simulation), figureFormat(command.given.text("--figure")),
+                       path);
         });
         outputs.commit();
     } else if (!command.common.quiet) {

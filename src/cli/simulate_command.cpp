@@ -1,4 +1,5 @@
 #include "simulate_command.hpp"
+#include "commands.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,71 +29,48 @@ std::vector<Segment> partsOf(const Scene& scene)
 
 }  // namespace
 
-void SimulateCommand::addTo(CLI::App& command)
+SimulateCommand::SimulateCommand(const Given& words)
+    : given(words),
+      common(words),
+      force(words),
+      frequency(words, "--frequency", "--hertz"),
+      phase(words.number("--phase").value_or(0.0)),
+      time(words.number("--time")),
+      periods(words.whole("--periods"))
 {
-    addFile(command, "--from", fromFile, "state to start from, as find --state writes it");
-    addFlag(command, "--rest", fromRest, "start at rest (so without --from)");
-    force.addTo(command);
-    frequency.addTo(command, "--frequency", "--hertz", "frequency of the excitation, ω/ω₁");
-    addWord(command, "--phase", "RAD", "of the excitation at the start, cos(ωt - phase) (0)",
-            [this](const std::string& text) { phase = parseReal("--phase", text, "rad"); });
-    addPositive(command, "--time", "s", time, "T", "duration in seconds");
-    addWhole(command, "--periods", 1, 1'000'000'000, periods, "P",
-             "or how many periods of the excitation");
-    addPositive(command, "--resolve", "s", resolution, "S",
-                "merge contacts no further apart, and average forces over S (a step, L/(N c))");
-    addFile(command, "--force-file", forceFile,
-            "force on the tip, or where a scene is driven: columns time [s], force [N]");
-    addWord(command, "--force-range", "LO,HI",
-            "what any force between these can do where a scene is driven, from rest [N]",
-            [this](const std::string& text) {
-                const std::size_t comma = std::min(text.find(','), text.size());
-                const double low = parseReal("--force-range", text.substr(0, comma), "N");
-                const double high = comma < text.size()
-                                        ? parseReal("--force-range", text.substr(comma + 1), "N")
-                                        : low;
-                if (comma == text.size() || !(low <= high)) {
-                    refuse("--force-range", text, "LO,HI with LO <= HI [N]");
-                }
-                forceRange.emplace(low, high);
-            });
-    addFile(command, "--events", eventsFile,
-            "write all contacts: start, end, impulse, peak and mean force, speed, energy");
-    addFile(command, "--statistics", statisticsFile,
-            "write how impacts are spread: rate, impulse, speed, energy turned over");
-    addFile(command, "--tip", tipFile, "write the path of the tip");
-    addFigure(command, "--figure", figureFile, "draw tip, contacts and force");
-    addWord(command, "--velocity", "V1,V2,...",
-            "start undeformed, each bar with its own speed [m/s], from the left",
-            [this](const std::string& text) {
-                for (std::size_t at = 0; at <= text.size();) {
-                    const std::size_t comma = std::min(text.find(',', at), text.size());
-                    speeds.push_back(parseReal("--velocity", text.substr(at, comma - at), "m/s"));
-                    at = comma + 1;
-                }
-            });
-    addFile(command, "--state", stateFile, "write the final state, which --from continues");
-    common.addTo(command);
-    addFooter(command,
-              "Only the excitation is on a grid: it is constant for L/(N c), or a time near it "
-              "that fits a\n"
-              "whole number of times into its period.");
+    const std::string text = given.text("--velocity");
+    for (std::size_t at = 0; !text.empty() && at <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        speeds.push_back(parseReal("--velocity", text.substr(at, comma - at), "m/s"));
+        at = comma + 1;
+    }
+    if (const std::string ends = given.text("--force-range"); !ends.empty()) {
+        const std::size_t comma = std::min(ends.find(','), ends.size());
+        const double low = parseReal("--force-range", ends.substr(0, comma), "N");
+        const double high =
+            comma < ends.size() ? parseReal("--force-range", ends.substr(comma + 1), "N") : low;
+        if (comma == ends.size() || !(low <= high)) {
+            refuse("--force-range", ends, "LO,HI with LO <= HI [N]");
+        }
+        forceRange.emplace(low, high);
+    }
 }
 
 void SimulateCommand::requireWhole() const
 {
-    if ((fromRest ? 1 : 0) + (fromFile.empty() ? 0 : 1) + (speeds.empty() ? 0 : 1) > 1) {
+    if ((given.has("--rest") ? 1 : 0) + (given.has("--from") ? 1 : 0) + (speeds.empty() ? 0 : 1) >
+        1) {
         throw std::invalid_argument(
             "--rest, --from, --velocity: allowed one of them: each is a start");
     }
-    const int given =
+    const int parts =
         (force.place ? 1 : 0) + (force.amplitude ? 1 : 0) + (frequency.isGiven() ? 1 : 0);
-    if (!forceFile.empty() && (given > 0 || periods)) {
+    if (given.has("--force-file") && (parts > 0 || periods)) {
         throw std::invalid_argument(
             "--force-file clashes with --force, --amplitude, --frequency and --periods: allowed a "
             "force of one kind, and --time");
     }
-    if (!isOfNetwork() && given != 0 && given != 3) {
+    if (!isOfNetwork() && parts != 0 && parts != 3) {
         throw std::invalid_argument(
             "--force, --amplitude, --frequency: allowed only all three together");
     }
@@ -108,6 +86,7 @@ void SimulateCommand::requireWhole() const
 Waves SimulateCommand::start(const Scene& scene, double base) const
 {
     const std::vector<Segment> parts = partsOf(scene);
+    const std::string fromFile = given.text("--from");
     if (fromFile.empty()) {
         return parts.empty()
                    ? wavesAtRest(static_cast<double>(common.usualCells()), stopsOf(scene), base)
@@ -122,7 +101,7 @@ Waves SimulateCommand::start(const Scene& scene, double base) const
 
 Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
 {
-    if (!forceFile.empty()) {
+    if (given.has("--force-file")) {
         const double step = scales(bar).time / cells;
         return {.values = forceHistory(step, answers::forceUnit(bar), *time / step),
                 .stepsPerCrossing = cells};
@@ -160,6 +139,7 @@ std::vector<double> SimulateCommand::forceHistory(double step, double newtons, d
                            step));
     }
     std::vector<ForcePoint> points;
+    const std::string forceFile = given.text("--force-file");
     forFile("--force-file", forceFile, [&] {
         Table table(forceFile);
         const std::size_t times = table.columnOf("time");
@@ -185,11 +165,9 @@ ExitStatus SimulateCommand::run() const
     const Scene scene = common.scene();
     const Bar bar = firstMaterial(scene);
     SimulationAnswer answer{.scene = scene, .damping = force.damping()};
-    Outputs outputs({{"--events", eventsFile},
-                     {"--statistics", statisticsFile},
-                     {"--tip", tipFile},
-                     {"--figure", figureFile}},
-                    {{"--from", fromFile}, {"--force-file", forceFile}});
+    Outputs outputs(
+        given, {"--events", "--statistics", "--tip", "--figure"},
+        {{"--from", given.text("--from")}, {"--force-file", given.text("--force-file")}});
     const auto usual = static_cast<double>(common.usualCells());
     const Waves waves = start(scene, excitation(bar, usual).baseDisplacement(0));
     answer.cells = static_cast<std::int64_t>(waves.crossing);
@@ -201,10 +179,11 @@ ExitStatus SimulateCommand::run() const
         answer.drive->follow(driving, bar);
     }
     const double second = scales(bar).time;
+    const auto resolution = given.number("--resolve");
     answer.resolution = resolution ? *resolution / second : 1.0 / driving.stepsPerCrossing;
     BarSimulation simulation(waves, force.damping(), driving,
                              {.mergeBelow = {},
-                              .recordsTip = !tipFile.empty() || !figureFile.empty(),
+                              .recordsTip = given.has("--tip") || given.has("--figure"),
                               .stops = stopsOf(scene),
                               .segments = partsOf(scene),
                               .resolution = answer.resolution});
@@ -230,7 +209,7 @@ ExitStatus SimulateCommand::run() const
         outputs.put("--tip", [&](const std::string& path) { writeTip(path, simulation, bar); });
         outputs.put("--figure", [&](const std::string& path) {
             drawFigure(simulationFigure(simulation, force.place ? driving : Excitation{}, bar),
-                       figureFormat(figureFile), path);
+                       figureFormat(given.text("--figure")), path);
         });
         outputs.commit();
     } else if (!common.quiet) {
@@ -241,6 +220,11 @@ ExitStatus SimulateCommand::run() const
                  : common.restated(answer.cells, force.ratio) + asText(answer, simulation));
     common.useOneThread("simulate");
     return answer.isComplete ? exitFound : exitUndecided;
+}
+
+ExitStatus runSimulate(const Given& given)
+{
+    return SimulateCommand(given).run();
 }
 
 }  // namespace signorini::cli

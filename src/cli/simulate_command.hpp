@@ -9,34 +9,25 @@
 
 #include "arguments.hpp"
 #include "force_options.hpp"
+#include "given.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::cli {
 
 /// One call.
 struct SimulateCommand {
+    const Given& given;
     CommonOptions common;
     ForceOptions force;
     FrequencyOption frequency;
-    double phase = 0.0;          ///< [rad]
+    double phase;                ///< [rad]
     std::optional<double> time;  ///< [s]
     std::optional<std::int64_t> periods;
-    std::optional<double> resolution;  ///< [s]
-    bool fromRest = false;
-    std::string fromFile;
-    std::string eventsFile;
-    std::string tipFile;
-    std::string figureFile;
-    std::vector<double> speeds;  ///< [m/s], one for each bar
-    std::string stateFile;
-    std::string forceFile;
+    std::vector<double> speeds;                           ///< [m/s], one for each bar
     std::optional<std::pair<double, double>> forceRange;  ///< [N], least and most
-    std::string statisticsFile;
 
-    void addTo(CLI::App& command);
+    explicit SimulateCommand(const Given& words);
 
-    /// Does the work; the report goes to stdout. SIGINT and SIGTERM end it, and what was simulated
-    /// is reported. Exceptions are for `main` to translate.
     [[nodiscard]] ExitStatus run() const;
 
     /// \throws std::invalid_argument on options that do not go together.
@@ -50,7 +41,8 @@ private:
     /// Is it a question for the simulation of a network?
     [[nodiscard]] bool isOfNetwork() const
     {
-        return common.hasScene() || forceRange || common.gravity != 0.0 || !speeds.empty() || !stateFile.empty();
+        return common.hasScene() || forceRange || common.gravity != 0.0 || !speeds.empty() ||
+               given.has("--state");
     }
     /// The start, `base` [g] the place of the base then.
     [[nodiscard]] Waves start(const Scene& scene, double base) const;

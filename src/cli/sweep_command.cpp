@@ -1,9 +1,11 @@
-#include "sweep_command.hpp"
+#include "commands.hpp"
 
 #include <cmath>
 
 #include "excited_names.hpp"
 #include "files.hpp"
+#include "force_options.hpp"
+#include "given.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "share_work.hpp"
@@ -62,52 +64,32 @@ std::vector<FrequencyResponse> exactUnder(const SweepRange& sweep)
     return exact;
 }
 
-}  // namespace
+/// One call.
+struct Call {
+    explicit Call(const Given& words)
+        : given(words),
+          common(words),
+          force(words),
+          frequency(words, "--frequency", "--hertz"),
+          over(words.named("--over", sweptNames).value_or(Swept::frequency))
+    {
+    }
 
-void SweepCommand::addTo(CLI::App& command)
-{
-    addName(command, "--over", sweptNames, over, "what is varied (frequency)");
-    force.addTo(command);
-    frequency.addTo(command, "--frequency", "--hertz",
-                    "frequency of the excitation, ω/ω₁, where another number is varied");
-    addWord(command, "--from", "V", "lowest value: ω/ω₁ (0.5) or Hz, N or m, m, or a ratio",
-            [this](const std::string& text) { from = text; });
-    addWord(command, "--to", "V", "highest value (2 ω₁)",
-            [this](const std::string& text) { to = text; });
-    addPositive(command, "--from-hertz", "Hz", fromHertz, "F", "lowest frequency in Hz");
-    addPositive(command, "--to-hertz", "Hz", toHertz, "F", "highest frequency in Hz");
-    addWhole(command, "--points", 1, maxSweepPoints, points, "M",
-             "how many values, at equal distances (101)");
-    addFlag(command, "--up", goesUp, "in ascending order only (both)");
-    addFlag(command, "--down", goesDown, "in descending order only (both)");
-    addWhole(command, "--periods", 1, maxSweepPeriods, periods, "P",
-             "how many periods of the excitation at each value, at most (1000)");
-    addFlag(command, "--rest", startsAtRest,
-            "start at rest at each value, in place of where the one before ended");
-    addPositive(command, "--resolve", "s", resolution, "S",
-                "merge contacts no further apart, and average forces over S (a step, L/(N c))");
-    addPositive(command, "--yield-stress", "Pa", yieldStress, "PA",
-                "say whether the stress exceeds it (needs --young)");
-    addFile(command, "--csv", csvFile, "write a row for each value and direction");
-    addFigure(command, "--figure", figureFile,
-              "draw impulse and tip against the value, both directions; over the exact motions "
-              "where the frequency is varied");
-    addFigure(command, "--bifurcation", bifurcationFile,
-              "draw the impulse of each contact against the value");
-    common.addTo(command);
-    addFooter(command,
-              "At each value the bar is followed until it repeats itself after 1 ... 16 periods of "
-              "the\nexcitation, or for --periods of them.\n"
-              "--csv: value (ω/ω₁, N or m, m, -), frequency [Hz], direction, periods it repeats "
-              "after\n(empty: it does not), residual, watched (periods), contacts, contacts_least, "
-              "contacts_most,\nimpulse, impulse_least, impulse_most [N s] in a period of the "
-              "excitation, mean_force [N] over\n--resolve, tip_lowest, tip_highest [m], "
-              "peak_strain [-], peak_stress [Pa].");
-}
+    const Given& given;
+    CommonOptions common;
+    ForceOptions force;
+    FrequencyOption frequency;
+    Swept over;
 
-double SweepCommand::end(const char* option, const std::string& text,
-                         const std::optional<double>& hertz, double otherwise, const Bar& bar) const
+    [[nodiscard]] SweepRange range(const Scene& scene, const Bar& bar) const;
+    [[nodiscard]] double end(const char* option, double otherwise, const Bar& bar) const;
+};
+
+/// One end of the range.
+double Call::end(const char* option, double otherwise, const Bar& bar) const
 {
+    const std::string text = given.text(option);
+    const auto hertz = given.number(fmt::format("{}-hertz", option));
     if (hertz && over != Swept::frequency) {
         refuse(fmt::format("{}-hertz", option), fmt::format("{}", *hertz),
                "it only with --over frequency");
@@ -132,7 +114,9 @@ double SweepCommand::end(const char* option, const std::string& text,
            answers::unitOf(over, force.place.value(), bar);
 }
 
-SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
+/// What is asked, in units of the bar. \throws std::invalid_argument on options that are missing or
+/// do not go together.
+SweepRange Call::range(const Scene& scene, const Bar& bar) const
 {
     if (!force.place) {
         refuse("--force", "missing", "tip|base");
@@ -155,72 +139,79 @@ SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
         refuse("--gap", fmt::format("{}", scene.bar.gap), "numbers > 0 [m] with --over gap");
     }
     SweepRange range{.over = over,
-                     .least = end("--from", from, fromHertz, 0.5, bar),
-                     .most = end("--to", to, toHertz, 2.0, bar),
-                     .points = points,
-                     .periods = periods,
-                     .isCarried = !startsAtRest,
+                     .least = end("--from", 0.5, bar),
+                     .most = end("--to", 2.0, bar),
+                     .points = given.whole("--points").value_or(101),
+                     .periods = given.whole("--periods").value_or(1000),
+                     .isCarried = !given.has("--rest"),
                      .cells = static_cast<double>(common.usualCells()),
                      .place = *force.place,
                      .frequencyRatio = frequency.ratioFor(firstHertz(bar), 1.0),
                      .damping = force.damping(),
                      .stops = stopsOf(scene),
                      .segments = scene.segments,
-                     .resolution = resolution.value_or(0.0) / scales(bar).time};
+                     .resolution = given.number("--resolve").value_or(0.0) / scales(bar).time};
     range.amplitude = over == Swept::amplitude ? range.least : force.scaledAmplitude(bar);
     range.derivative = force.derivative;
     if (range.most < range.least) {
+        const std::string from = given.text("--from");
+        const std::string to = given.text("--to");
         refuse("--from", from.empty() ? fmt::format("{}", range.least) : from,
                fmt::format("numbers up to --to = {}", to.empty() ? "2" : to));
     }
     return range;
 }
 
-ExitStatus SweepCommand::run() const
+}  // namespace
+
+ExitStatus runSweep(const Given& given)
 {
+    const Call call(given);
+    const CommonOptions& common = call.common;
+    const auto yieldStress = given.number("--yield-stress");
     const Scene scene = common.scene();
     const Bar bar = answers::unitsOf(scene);
     if (yieldStress && !bar.young) {
         refuse("--yield-stress", fmt::format("{}", *yieldStress),
                "it only with --young, --density and --area, of a uniform bar");
     }
-    SweepAnswer answer{range(scene, bar), scene, bar, {}, true, yieldStress};
+    SweepAnswer answer{call.range(scene, bar), scene, bar, {}, true, yieldStress};
     std::vector<SweepDirection> directions;
-    if (goesUp || !goesDown) {
+    if (given.has("--up") || !given.has("--down")) {
         directions.push_back(SweepDirection::up);
     }
-    if (goesDown || !goesUp) {
+    if (given.has("--down") || !given.has("--up")) {
         directions.push_back(SweepDirection::down);
     }
-    Outputs outputs(
-        {{"--csv", csvFile}, {"--figure", figureFile}, {"--bifurcation", bifurcationFile}});
+    Outputs outputs(given, {"--csv", "--figure", "--bifurcation"});
     {
         const Interrupt interrupt;
         Progress progress(!common.quiet, "values");
         answer.points = sweep(
             answer.range, directions, interrupt.cancel(),
             [&progress](double done, double total) { progress.show(done, total); },
-            [this](std::size_t count, const auto& serve) {
+            [&common](std::size_t count, const auto& serve) {
                 shareWork(count, common.threads, serve, {});
             });
     }
     answer.isComplete =
-        answer.points.size() == directions.size() * static_cast<std::size_t>(points);
+        answer.points.size() == directions.size() * static_cast<std::size_t>(answer.range.points);
     if (answer.isComplete) {
         outputs.put("--csv", [&](const std::string& path) { writeSweepCsv(path, answer); });
         outputs.put("--figure", [&](const std::string& path) {
             drawFigure(sweepFigure(answer.points, answer.range, bar, exactUnder(answer.range)),
-                       figureFormat(figureFile), path);
+                       figureFormat(given.text("--figure")), path);
         });
         outputs.put("--bifurcation", [&](const std::string& path) {
             drawFigure(bifurcationFigure(answer.points, answer.range, bar),
-                       figureFormat(bifurcationFile), path);
+                       figureFormat(given.text("--bifurcation")), path);
         });
         outputs.commit();
     } else if (!common.quiet) {
         tell("signorini sweep: interrupted; the list is not complete, and no file was written\n");
     }
-    writeOut(common.wantsJson ? asJson(answer) : common.restated({}, force.ratio) + asText(answer));
+    writeOut(common.wantsJson ? asJson(answer)
+                              : common.restated({}, call.force.ratio) + asText(answer));
     return answer.isComplete ? exitFound : exitUndecided;
 }
 

@@ -1,7 +1,11 @@
 // What a wrong word was probably meant to be.
 
 #include "hints.hpp"
+
+#include <set>
+
 #include "command_line.hpp"
+#include "options.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -117,4 +121,45 @@ TEST_CASE("cli hints: what find needs, and hertz where ω₁ was asked for")
               .run("response --damping 0.02 --force tip --amplitude 1e-6 --from 19 --to 20 "
                    "--cells 30")
               .status == 0);
+}
+
+TEST_CASE("cli hints: no question has two options of one name, and defaults that are values fit")
+{
+    for (unsigned question = 1; question < answers::asks::all; question <<= 1U) {
+        std::set<std::string_view> names;
+        for (const answers::Option& option : answers::options()) {
+            INFO(option.name);
+            if ((option.of & question) != 0) {
+                CHECK(names.insert(option.name).second);
+                CHECK(answers::optionOf(question, option.name) == &option);
+            }
+            CHECK_FALSE(option.sentence.empty());
+            const bool isValue =
+                option.usual.find_first_not_of("0123456789.e-") == std::string::npos;
+            CHECK((option.usual.empty() || !isValue || option.fits(option.usual)));
+        }
+    }
+}
+
+TEST_CASE(
+    "cli hints: a fault of the library names the option, its value, and the range in its unit")
+{
+    const CommandLine program;
+    checkRefused(program, "find 5 23 --cells 8 --tolerance 1",
+                 {": --tolerance = 1 is", "1e-12..1e-2"});
+    checkRefused(program, "continuum 5 23 --cells 8 --energy-ratio 9 --resolution 2",
+                 {": --resolution = 2 is"});
+    const auto said = [](const std::string& message) {
+        return answers::inOptions(message, answers::asks::schedule, [](std::string_view name) {
+            return name == "--tip-floor" ? "3mm" : name == "--energy" ? "5" : "";
+        });
+    };
+    // 3 mm are 6 g where g = 0.5 mm, so that 2 g are 1 mm.
+    CHECK(said("tipFloor = 6 is out of range: allowed below 2 [g]; cells = 3 is out of range: "
+               "allowed 1..2") ==
+          "--tip-floor = 3mm is out of range: allowed below 0.001 [m]; cells = 3 is out of range: "
+          "allowed 1..2");
+    CHECK(said("energyRatio = 50 is out of range: allowed 10..20 [E_1]") ==
+          "--energy = 5 is out of range: allowed 1..2 [J]");
+    CHECK(said("strainLimit = 100: none") == "strainLimit = 100: none");
 }

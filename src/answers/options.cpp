@@ -1,0 +1,184 @@
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "faults.hpp"
+#include "units.hpp"
+
+namespace signorini::answers {
+
+namespace {
+
+/// "camelCase", "two words", "--an-option": all the same but for their letters.
+std::string plain(std::string_view name)
+{
+    std::string letters;
+    for (const char letter : name) {
+        if (std::isalnum(static_cast<unsigned char>(letter)) != 0) {
+            letters += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+        }
+    }
+    return letters;
+}
+
+/// All numbers of a text times a factor.
+std::string scaled(const std::string& text, double factor)
+{
+    std::string result;
+    for (std::size_t k = 0; k < text.size();) {
+        const bool begins = std::isdigit(static_cast<unsigned char>(text[k])) != 0;
+        char* end = nullptr;
+        const double number = begins ? std::strtod(text.c_str() + k, &end) : 0.0;
+        result += begins ? fmt::format("{:.6g}", number * factor) : std::string(1, text[k]);
+        k = begins ? static_cast<std::size_t>(end - text.c_str()) : k + 1;
+    }
+    return result;
+}
+
+/// What the library allows, in the unit of the option: a range in other units is scaled as the
+/// value was.
+std::string allowedOf(const Option& option, const std::string& allowed, const std::string& typed,
+                      const std::string& value)
+{
+    const std::size_t unit = allowed.rfind(" [");
+    const auto given = numberIn(typed, option.unit);
+    const auto held = numberIn(value, "-");
+    if (unit == std::string::npos || !allowed.ends_with(']') || !given || !held || *held == 0.0 ||
+        *given == *held) {
+        return allowed;
+    }
+    return fmt::format("{} [{}]", scaled(allowed.substr(0, unit), *given / *held), option.unit);
+}
+
+}  // namespace
+
+std::string inOptions(const std::string& message, unsigned questions,
+                      const std::function<std::string(std::string_view)>& typed)
+{
+    constexpr std::string_view is = " = ";
+    constexpr std::string_view verdict = " is out of range: allowed ";
+    const std::size_t equals = message.find(is);
+    const std::size_t out = message.find(verdict);
+    if (equals == std::string::npos || out == std::string::npos || out < equals) {
+        return message;
+    }
+    const std::string field = message.substr(0, equals);
+    const std::string value = message.substr(equals + is.size(), out - equals - is.size());
+    const std::size_t next = message.find("; ", out);
+    const std::string allowed = message.substr(out + verdict.size(), next - out - verdict.size());
+    const std::string rest = next == std::string::npos
+                                 ? ""
+                                 : "; " + inOptions(message.substr(next + 2), questions, typed);
+    for (const Option& option : options()) {
+        if ((option.of & questions) == 0 || field.starts_with("--") ||
+            (plain(option.name) != plain(field) && plain(option.field) != plain(field))) {
+            continue;
+        }
+        const std::string text = shortened(typed(option.name));
+        if (!text.empty() && (value == text || numberIn(value, "-"))) {
+            return fmt::format("{}{}{}{}{}{}", option.name, is, text, verdict,
+                               allowedOf(option, allowed, text, value), rest);
+        }
+    }
+    return message.substr(0, next) + rest;
+}
+
+const Option* optionOf(unsigned questions, std::string_view name)
+{
+    for (const Option& option : options()) {
+        if ((option.of & questions) != 0 && option.name == name) {
+            return &option;
+        }
+    }
+    return nullptr;
+}
+
+std::string inWords(unsigned questions)
+{
+    using namespace asks;
+    constexpr std::array phrases{
+        std::pair{schedule, "NC NF"},
+        std::pair{period, "--period, --frequency, --hertz"},
+        std::pair{forced, "NC NF of --damping and --force"},
+        std::pair{forcedPeriod, "--period, --frequency, --hertz of --damping and --force"},
+        std::pair{network, "--scene of more than a bar with stops at its tip"},
+        std::pair{atlas, "a range to decide"},
+        std::pair{atlasQuery, "a query: --near, --period, --twins"},
+    };
+    std::string text;
+    for (const auto& [question, phrase] : phrases) {
+        if ((questions & question) != 0) {
+            text += fmt::format("{}{}", text.empty() ? "" : ", or with ", phrase);
+        }
+    }
+    return text;
+}
+
+std::string Option::allowed() const
+{
+    switch (takes) {
+        case Takes::whole:
+            return fmt::format("whole numbers {}..{}", static_cast<std::int64_t>(low),
+                               static_cast<std::int64_t>(high));
+        case Takes::positive:
+            return std::isfinite(high) ? fmt::format("numbers > 0, below {} [{}]", high, unit)
+                                       : fmt::format("finite numbers > 0 [{}]", unit);
+        case Takes::range:
+            return fmt::format("numbers {}..{} [{}]", low, high, unit);
+        case Takes::real:
+            return fmt::format("finite numbers [{}]", unit);
+        case Takes::choice:
+            return type;
+        case Takes::ending: {
+            std::string endings = type.substr(type.find('.'));
+            for (std::size_t bar = endings.find('|'); bar != std::string::npos;
+                 bar = endings.find('|')) {
+                endings.replace(bar, 1,
+                                endings.find('|', bar + 1) == std::string::npos ? " or " : ", ");
+            }
+            return "a name ending in " + endings;
+        }
+        default:
+            return type;
+    }
+}
+
+bool Option::fits(std::string_view text) const
+{
+    const auto isOneOf = [this](auto matches) {
+        std::string_view rest = type;
+        for (std::size_t end = 0; end != std::string_view::npos;
+             rest.remove_prefix(end == std::string_view::npos ? 0 : end + 1)) {
+            end = rest.find('|');
+            if (matches(rest.substr(0, end))) {
+                return true;
+            }
+        }
+        return false;
+    };
+    if (takes == Takes::whole) {
+        return wholeIn(text, static_cast<std::int64_t>(low), static_cast<std::int64_t>(high))
+            .has_value();
+    }
+    if (takes == Takes::choice) {
+        return isOneOf([text](std::string_view word) { return word == text; });
+    }
+    if (takes == Takes::ending) {
+        return isOneOf(
+            [text](std::string_view word) { return text.ends_with(word.substr(word.find('.'))); });
+    }
+    if (takes == Takes::positive || takes == Takes::range || takes == Takes::real) {
+        const auto value = numberIn(text, unit);
+        return value && (takes == Takes::positive ? *value > 0.0 && *value < high
+                                                  : low <= *value && *value <= high);
+    }
+    return !text.empty();
+}
+
+}  // namespace signorini::answers

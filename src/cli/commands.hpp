@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// The commands. Each does the work of one call; the report goes to standard output. SIGINT and
+/// SIGTERM end a search, and what was found by then is reported, in no file. Exceptions are for
+/// `main` to translate.
+
+#include "arguments.hpp"
+
+namespace signorini::cli {
+
+[[nodiscard]] ExitStatus runFind(const Given& given);
+[[nodiscard]] ExitStatus runContinuum(const Given& given);
+[[nodiscard]] ExitStatus runModes(const Given& given);
+[[nodiscard]] ExitStatus runMode(const Given& given);
+[[nodiscard]] ExitStatus runFamilies(const Given& given);
+[[nodiscard]] ExitStatus runAtlas(const Given& given);
+[[nodiscard]] ExitStatus runResponse(const Given& given);
+[[nodiscard]] ExitStatus runSimulate(const Given& given);
+[[nodiscard]] ExitStatus runSweep(const Given& given);
+[[nodiscard]] ExitStatus runScene(const Given& given);
+
+}  // namespace signorini::cli

@@ -1,0 +1,74 @@
+#pragma once
+/// \file
+/// A command line as the table of options reads it, and the help that it makes.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "names.hpp"
+#include "options.hpp"
+
+namespace signorini::cli {
+
+/// What stands before an option's help.
+struct Usage {
+    std::string_view command;   ///< "find"
+    std::string_view sentence;  ///< what it does
+    unsigned questions;         ///< of the table
+    std::string_view words;     ///< those that belong to no option: "NC NF ..."; empty: none
+    std::string_view ofWords;   ///< a sentence about them
+    std::string_view footer = "";
+};
+
+/// The options and words of one call, each checked as far as its row of the table says.
+class Given {
+public:
+    /// \param asked the words behind the command. \throws std::invalid_argument with one line.
+    Given(const Usage& usage, const std::vector<std::string>& asked);
+
+    [[nodiscard]] bool wantsHelp() const { return wantsHelp_; }
+    [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
+
+    [[nodiscard]] bool has(std::string_view option) const;
+    /// As it was typed; empty: not given.
+    [[nodiscard]] std::string text(std::string_view option) const;
+    /// In the unit of the table.
+    [[nodiscard]] std::optional<double> number(std::string_view option) const;
+    [[nodiscard]] std::optional<std::int64_t> whole(std::string_view option) const;
+    /// One of the values of an enumeration, by the name that a table (names.hpp) has for it.
+    template <typename Table>
+    [[nodiscard]] auto named(std::string_view option, const Table& table) const
+    {
+        return valueIn(table, text(option));
+    }
+    /// The words after an option that takes several.
+    [[nodiscard]] const std::vector<std::string>& all(std::string_view option) const;
+
+    /// The first option given that this question does not take; a value that holds without it is
+    /// taken for none. nullptr: they all belong to it.
+    [[nodiscard]] const answers::Option* outside(unsigned question) const;
+    /// \throws std::invalid_argument if there is one, naming the questions that take it.
+    void requireOnly(unsigned question) const;
+
+    /// A fault of the library in the words of this call.
+    [[nodiscard]] std::string inOptions(const std::string& message) const;
+
+private:
+    const answers::Option& row(std::string_view option) const;
+    void take(const answers::Option& option, std::vector<std::string> values);
+    void requireOnce() const;
+    [[noreturn]] void refuseUnknown(const std::vector<std::string>& words) const;
+
+    Usage usage_;
+    std::vector<std::string> words_;
+    std::map<std::string, std::vector<std::string>, std::less<>> values_;
+    bool wantsHelp_ = false;
+};
+
+/// The text of --help.
+[[nodiscard]] std::string helpOf(const Usage& usage);
+
+}  // namespace signorini::cli
