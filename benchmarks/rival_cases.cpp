@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "harmonic_march.hpp"
+#include "driven_march.hpp"
 #include "network_simulation.hpp"
 #include "signorini/response.hpp"
 
@@ -155,7 +155,7 @@ RivalCase string()
     return one;
 }
 
-constexpr double rho = 0.9;
+constexpr double forcedRho = 0.9;
 constexpr double amplitude = 0.25;
 constexpr double forcedPeriod = 3.6;
 constexpr double mostPeriods = 101.0;
@@ -166,13 +166,13 @@ RivalCase forcedBar()
 {
     const Schedule schedule{30, {{12, 96}}};
     const std::vector<ForcedMotion> motions =
-        motionsOfAmplitude(forcedMotions(schedule, dampingOfRho(rho), {}), amplitude);
+        motionsOfAmplitude(forcedMotions(schedule, dampingOfRho(forcedRho), {}), amplitude);
     if (motions.empty()) {
         throw std::runtime_error("the motion to be followed is not there");
     }
     const ForcedMotion motion = motions.back();
-    const auto truth = std::make_shared<HarmonicMarch>(
-        motion.state, HarmonicCase{motion.damping.eta(), amplitude, motion.phase, forcedPeriod},
+    const auto truth = std::make_shared<DrivenMarch>(
+        motion.state, DrivenCase{motion.damping.eta(), amplitude, motion.phase, forcedPeriod},
         forcedPeriod * mostPeriods);
     RivalCase one;
     one.name = "forced, damped";

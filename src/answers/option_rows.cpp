@@ -16,11 +16,9 @@ namespace signorini::answers {
 
 namespace {
 
-using namespace asks;
-
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr std::int64_t mostSteps = maxSteps / (2 * maxAtlasPhases);
-constexpr unsigned driven = response | simulation | sweep;
+constexpr unsigned driven = asks::response | asks::simulation | asks::sweep;
 
 /// What it belongs to, how a value looks in the help, what it does, and what holds without it.
 Option flag(std::string_view name, unsigned of, std::string_view sentence)
@@ -98,6 +96,7 @@ Option figure(std::string_view name, unsigned of, std::string_view sentence)
 /// What is asked of a motion of a schedule.
 std::vector<Option> ofMotions()
 {
+    using namespace asks;
     return {
         text("--solver", schedule | period, "NAME", "a back end listed by signorini --version",
              "auto"),
@@ -144,6 +143,7 @@ std::vector<Option> ofMotions()
 /// What shakes a bar, and what is asked of that.
 std::vector<Option> ofForce()
 {
+    using namespace asks;
     constexpr unsigned shaken = forced | forcedPeriod | driven;
     return {
         choice("--over", sweep, namesIn(sweptNames), "what is varied", "frequency"),
@@ -198,6 +198,7 @@ std::vector<Option> ofForce()
 /// Simulations and sweeps.
 std::vector<Option> ofSimulations()
 {
+    using namespace asks;
     return {
         file("--from", simulation, "state to start from, as find --state writes it"),
         flag("--rest", simulation, "start at rest (so without --from)"),
@@ -227,6 +228,7 @@ std::vector<Option> ofSimulations()
 /// Lists of families and modes, and atlases.
 std::vector<Option> ofLists()
 {
+    using namespace asks;
     return {
         text("--period", mode, "T", "in L/c: 3.14, 22/7 or 3; required", "", "L/c"),
         whole("--max-order", families, "W", 1, FamilyList::mostOrder,
@@ -263,6 +265,7 @@ std::vector<Option> ofLists()
 /// What is written beside the answer, or said of it.
 std::vector<Option> ofOutputs()
 {
+    using namespace asks;
     return {
         file("--events", simulation,
              "write all contacts: start, end, impulse, peak and mean force, speed, energy"),
@@ -318,6 +321,7 @@ std::vector<Option> ofOutputs()
 /// The scene, and how the answer is given.
 std::vector<Option> ofAll()
 {
+    using namespace asks;
     return {
         text("--scene", all, "TEXT|FILE.json",
              "bars in a row, from left to right: clamp, free, N[:Z[:C]], gap=G, stop=G, dash=D, "

@@ -126,7 +126,7 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
         outputs.commit();
     }
     writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : common.restated({}, force.ratio) + asText(answer));
+                              : common.restated({}, force.ratio) + cli::asText(answer));
     return exitStatusOf(answer.status());
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "catch.hpp"
-#include "harmonic_march.hpp"
+#include "driven_march.hpp"
 #include "rival_cases.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/response.hpp"
@@ -30,13 +30,13 @@ ForcedMotion suiteMotion()
         .back();
 }
 
-HarmonicCase caseOf(const ForcedMotion& motion)
+DrivenCase caseOf(const ForcedMotion& motion)
 {
     return {motion.damping.eta(), motion.amplitude, motion.phase, 3.6};
 }
 
 /// Largest difference of the tip's path with a harmonic in so many steps of L/c.
-double errorOfSteps(const ForcedMotion& motion, const HarmonicMarch& truth, std::int64_t steps)
+double errorOfSteps(const ForcedMotion& motion, const DrivenMarch& truth, std::int64_t steps)
 {
     BarSimulation bar(wavesOf(motion.state), motion.damping,
                       excitationOf({.amplitude = motion.amplitude,
@@ -59,9 +59,9 @@ TEST_CASE("bench: the march of a harmonic swings as the formula of the linear ba
     // u = U sin(w x)/sin(w) and s(L) = F - eta v: U = A/|w cot w + i eta w|.
     for (const double period : {2.3, 3.1, 4.0, 5.7}) {
         for (const double eta : {0.05, 0.3, 0.8}) {
-            const HarmonicCase one{eta, 0.01, 0.4, period};
+            const DrivenCase one{eta, 0.01, 0.4, period};
             const double end = 60.0 * period / eta;
-            const HarmonicMarch march(rest(1), one, end);
+            const DrivenMarch march(rest(1), one, end);
             const double w = 2.0 * std::numbers::pi / period;
             const double size = one.amplitude / std::hypot(w * std::cos(w) / std::sin(w), eta * w);
             double most = 0.0;
@@ -78,7 +78,7 @@ TEST_CASE("bench: the march of a harmonic swings as the formula of the linear ba
 TEST_CASE("bench: the march repeats a free motion, contact by contact")
 {
     const State state = leastEnergyMotion(onePhaseSet(onePhase(30, 15, 90)));
-    const HarmonicMarch march(state, {0.0, 0.0, 0.0, 1.0}, 35.0);
+    const DrivenMarch march(state, {0.0, 0.0, 0.0, 1.0}, 35.0);
     REQUIRE(march.arrivals().size() == 10);
     for (std::size_t k = 0; k < 10; ++k) {
         CHECK(march.arrivals()[k] == Approx(3.5 * static_cast<double>(k + 1)).margin(1e-9));
@@ -92,7 +92,7 @@ TEST_CASE("bench: the march repeats a free motion, contact by contact")
 TEST_CASE("bench: the simulation tends to the march as the square of the step of its harmonic")
 {
     const ForcedMotion motion = suiteMotion();
-    const HarmonicMarch truth(motion.state, caseOf(motion), 7.4);
+    const DrivenMarch truth(motion.state, caseOf(motion), 7.4);
     CHECK(truth.arrivals().size() == 2);
     const double coarse = errorOfSteps(motion, truth, 60);
     const double fine = errorOfSteps(motion, truth, 240);

@@ -7,16 +7,12 @@
 
 #include "catch.hpp"
 #include "energy_floor.hpp"
+#include "scene_words.hpp"
 #include "signorini/find_periodic.hpp"
 
 using namespace signorini;
 
 namespace {
-
-Network sceneOf(const std::string& words)
-{
-    return networkOf(Assembly{.parts = partsOf(words)});
-}
 
 NetworkMotions asked(const Network& network, std::int64_t contact, std::int64_t free)
 {

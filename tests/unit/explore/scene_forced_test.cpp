@@ -7,17 +7,9 @@
 #include <string>
 
 #include "catch.hpp"
+#include "scene_words.hpp"
 
 using namespace signorini;
-
-namespace {
-
-Network sceneOf(const std::string& words)
-{
-    return networkOf(Assembly{.parts = partsOf(words)});
-}
-
-}  // namespace
 
 TEST_CASE("scene forced: a bar with a stop at its tip has the motions of the forced bar")
 {

@@ -18,7 +18,7 @@
 namespace signorini::bench {
 
 /// A force amplitude cos(2 pi t/period - phase) on the tip, a dashpot eta. Units L = c = g = 1.
-struct HarmonicCase {
+struct DrivenCase {
     double dashpot = 0.0;    ///< [EA/c], eta
     double amplitude = 0.0;  ///< [EA g/L]
     double phase = 0.0;      ///< [rad]
@@ -31,10 +31,10 @@ struct HarmonicWave {
     std::complex<double> swing;
 };
 
-class HarmonicMarch {
+class DrivenMarch {
 public:
     /// From a state of cells, its tip not beyond the wall, to a time [L/c].
-    HarmonicMarch(const State& start, const HarmonicCase& one, double end);
+    DrivenMarch(const State& start, const DrivenCase& one, double end);
 
     /// u(L) [g], 0 <= time <= end. O(log pieces).
     [[nodiscard]] double tip(double time) const;

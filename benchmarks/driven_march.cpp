@@ -1,4 +1,4 @@
-#include "harmonic_march.hpp"
+#include "driven_march.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr double atWall = 1e-12;  // [g]
 
 }  // namespace
 
-HarmonicMarch::HarmonicMarch(const State& start, const HarmonicCase& one, double end)
+DrivenMarch::DrivenMarch(const State& start, const DrivenCase& one, double end)
     : w_(2.0 * std::numbers::pi / one.period),
       rho_((1.0 - one.dashpot) / (1.0 + one.dashpot)),
       admittance_(1.0 / (1.0 + one.dashpot)),
@@ -41,19 +41,19 @@ HarmonicMarch::HarmonicMarch(const State& start, const HarmonicCase& one, double
     }
 }
 
-double HarmonicMarch::value(const HarmonicWave& wave, double time) const
+double DrivenMarch::value(const HarmonicWave& wave, double time) const
 {
     return wave.steady + (wave.swing * std::polar(1.0, w_ * time)).real();
 }
 
-double HarmonicMarch::integral(const HarmonicWave& wave, double from, double to) const
+double DrivenMarch::integral(const HarmonicWave& wave, double from, double to) const
 {
     const std::complex<double> turned = std::polar(1.0, w_ * to) - std::polar(1.0, w_ * from);
     return wave.steady * (to - from) + (wave.swing * turned).imag() / w_;
 }
 
 /// Where the wave changes its sign, ascending.
-std::vector<double> HarmonicMarch::zeros(const HarmonicWave& wave, double from, double to) const
+std::vector<double> DrivenMarch::zeros(const HarmonicWave& wave, double from, double to) const
 {
     std::vector<double> all;
     const double size = std::abs(wave.swing);
@@ -74,13 +74,13 @@ std::vector<double> HarmonicMarch::zeros(const HarmonicWave& wave, double from, 
     return all;
 }
 
-double HarmonicMarch::place(const Path& path, double time) const
+double DrivenMarch::place(const Path& path, double time) const
 {
     return path.at + integral(path.velocity, path.begin, time);
 }
 
 /// The tip obeys one law until a time; what leaves it comes back 2 L/c later.
-void HarmonicMarch::advance(bool isHeld, const HarmonicWave& arriving, double until)
+void DrivenMarch::advance(bool isHeld, const HarmonicWave& arriving, double until)
 {
     Path path{time_, tip_, {}, impulse_, {}};
     HarmonicWave leaving{-arriving.steady, -arriving.swing};
@@ -99,7 +99,7 @@ void HarmonicMarch::advance(bool isHeld, const HarmonicWave& arriving, double un
 }
 
 /// Held until the wall would have to pull.
-void HarmonicMarch::hold(const HarmonicWave& push, const Piece& piece)
+void DrivenMarch::hold(const HarmonicWave& push, const Piece& piece)
 {
     double until = piece.end;
     for (const double zero : zeros(push, time_, piece.end)) {
@@ -119,7 +119,7 @@ void HarmonicMarch::hold(const HarmonicWave& push, const Piece& piece)
 }
 
 /// Free until the tip comes to the wall.
-void HarmonicMarch::fly(const HarmonicWave& push, const Piece& piece)
+void DrivenMarch::fly(const HarmonicWave& push, const Piece& piece)
 {
     const HarmonicWave velocity{admittance_ * push.steady, admittance_ * push.swing};
     const Path path{time_, tip_, velocity, impulse_, {}};
@@ -146,19 +146,19 @@ void HarmonicMarch::fly(const HarmonicWave& push, const Piece& piece)
     advance(false, piece.wave, piece.end);
 }
 
-const HarmonicMarch::Path& HarmonicMarch::pathAt(double time) const
+const DrivenMarch::Path& DrivenMarch::pathAt(double time) const
 {
     const auto after = std::upper_bound(path_.begin() + 1, path_.end(), time,
                                         [](double t, const Path& path) { return t < path.begin; });
     return *(after - 1);
 }
 
-double HarmonicMarch::tip(double time) const
+double DrivenMarch::tip(double time) const
 {
     return place(pathAt(time), time);
 }
 
-double HarmonicMarch::impulse(double time) const
+double DrivenMarch::impulse(double time) const
 {
     const Path& path = pathAt(time);
     return path.impulse + integral(path.push, path.begin, time);
