@@ -27,16 +27,19 @@ std::string plain(std::string_view name)
     return letters;
 }
 
-/// All numbers of a text times a factor.
+/// All numbers of a text times a factor; two dots are between two of them.
 std::string scaled(const std::string& text, double factor)
 {
     std::string result;
     for (std::size_t k = 0; k < text.size();) {
-        const bool begins = std::isdigit(static_cast<unsigned char>(text[k])) != 0;
+        if (std::isdigit(static_cast<unsigned char>(text[k])) == 0) {
+            result += text[k++];
+            continue;
+        }
+        const std::string rest = text.substr(k, text.find("..", k) - k);
         char* end = nullptr;
-        const double number = begins ? std::strtod(text.c_str() + k, &end) : 0.0;
-        result += begins ? fmt::format("{:.6g}", number * factor) : std::string(1, text[k]);
-        k = begins ? static_cast<std::size_t>(end - text.c_str()) : k + 1;
+        result += fmt::format("{:.6g}", std::strtod(rest.c_str(), &end) * factor);
+        k += static_cast<std::size_t>(end - rest.c_str());
     }
     return result;
 }

@@ -312,7 +312,7 @@ TEST_CASE("cli find: a period in place of a schedule has motions on no grid")
     for (const char* wrong :
          {"find --period 18/5 --damping 0 --force tip --amplitude 1e-4",
           "find --period 18/5 --damping 0.1 --force tip",
-          "find --period 18/5 --contacts 2 --damping 0.1 --force tip --amplitude 1e-4",
+          "find --period 18/5 --contacts 61 --damping 0.1 --force tip --amplitude 1e-4",
           "find --period 1.23456789 --damping 0.1 --force tip --amplitude 1e-4",
           "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --state s.csv",
           "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --energy 1",
@@ -497,7 +497,7 @@ TEST_CASE("cli response, simulate: figures with their labels")
     CHECK(program.run("simulate --frequency 1.1 --periods 40 --figure s.svg" + section15).status ==
           0);
     CHECK(program.run("simulate --time 40 --figure rest.svg --quiet").status == 0);
-    for (const char* label : {"the beginning", "the end", "impulse of a contact"}) {
+    for (const char* label : {"the beginning", "the end", "of a contact", "impulse"}) {
         CHECK_THAT(contentOf(program.file("s.svg")), containsText(label));
     }
     CHECK_THAT(contentOf(program.file("rest.svg")), containsText("no contact"));
@@ -616,7 +616,7 @@ TEST_CASE("cli response --map: amplitude against frequency")
         return;  // no gnuplot here
     }
     CHECK(outcome.status == 0);
-    for (const char* label : {"amplitude of the force", "meets the wall", "the least", "two"}) {
+    for (const char* label : {"amplitude of the force", "meets a stop", "the least", "two"}) {
         CHECK_THAT(contentOf(program.file("m.svg")), containsText(label));
     }
     CHECK_THAT(contentOf(program.file("r.svg")), containsText("modes"));

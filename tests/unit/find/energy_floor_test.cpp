@@ -218,7 +218,7 @@ TEST_CASE("energy floor: displacements of a drifting bar have to cancel")
     network.bars = {{.firstNode = 0, .lastNode = 1}};
     network.contacts = {{ContactKind::stopLeft, 0, -1.0}, {ContactKind::stopRight, 1, -1.0}};
     const std::vector<ContactSpan> schedule{{1, 2}, {2, 2}};
-    EnergyFloor floor{std::vector<double>(4, 0.0), {{0, 0, 1.0}}, {}};
+    EnergyFloor floor{std::vector<double>(4 + 1, 0.0), {{0, 0, 1.0}}, {}};  // 4 waves, a bar
     CHECK(provedEnergy(floor, network, schedule) == 0.0);
     floor.places.push_back({1, 0, 1.0});
     // 2 - (r - l sums) >= 0 with 4 waves of factor 1: (2)^2/4.
