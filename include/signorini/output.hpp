@@ -101,14 +101,17 @@ private:
 };
 
 /// x, a, b, velocity, strain, displacement: row i is x_i = i dx and holds the values on cell i and
-/// u(x_i); [m], [-], [-], [m/s], [-], [m] with v = c (a + b), s = b - a. \throws FileError.
-void writeStateCsv(const std::string& path, const State& state, const Bar& bar);
+/// u(x_i); [m], [-], [-], [m/s], [-], [m] with v = c (a + b), s = b - a, the base standing at
+/// `base` [g]. \throws FileError.
+void writeStateCsv(const std::string& path, const State& state, const Bar& bar, double base = 0.0);
 
 /// A state from a file.
 struct StateReading {
     State state;
     std::int64_t rows = 0;  ///< read
     std::string how;        ///< what was done with them, e.g. "velocity and strain in 57 rows, ..."
+    /// [g], where the base stands, if waves come with displacements.
+    std::optional<double> base = std::nullopt;
 };
 
 /// Most rows of measurements in a file.

@@ -46,6 +46,30 @@ inline constexpr double settledBelow = 1e-3;
 /// Most periods of the excitation after which a motion is asked whether it repeats itself.
 inline constexpr std::int64_t mostPeriods = 16;
 
+/// What is watched: a bar, or a network (network_watched.hpp).
+class Watched {
+public:
+    Watched() = default;
+    Watched(const Watched&) = delete;
+    Watched& operator=(const Watched&) = delete;
+    virtual ~Watched() = default;
+
+    /// So many units of its time.
+    virtual void advance(double duration) = 0;
+    /// Contacts and impulse so far.
+    [[nodiscard]] virtual std::int64_t contacts() const = 0;
+    [[nodiscard]] virtual double impulse() const = 0;
+    [[nodiscard]] virtual std::int64_t pieces() const = 0;
+    /// All waves, one after the other.
+    [[nodiscard]] virtual std::vector<Piece> state() const = 0;
+    /// The same at rest.
+    [[nodiscard]] virtual std::vector<Piece> rest() const = 0;
+    /// By which their squares count, so that together they are an energy.
+    [[nodiscard]] virtual std::vector<Piece> weights() const = 0;
+    /// How near a contact without one comes to it in so many units, in roots of that energy.
+    [[nodiscard]] virtual double clearance(double duration) const = 0;
+};
+
 /// Watches the ends of the periods of an excitation.
 class SettlingWatch {
 public:
@@ -57,10 +81,12 @@ public:
 
     /// To be called at the end of each period. O(1) but for about a hundred of them, of which the
     /// state is kept: O(pieces).
+    void see(const Watched& simulation);
     void see(const BarSimulation& simulation);
 
     /// Has it settled after the periods that were seen? The simulation goes on for up to 16 periods
     /// of `period` units in a copy. O(pieces). \pre see was called with it last.
+    [[nodiscard]] Settling settling(const Watched& simulation, double period);
     [[nodiscard]] Settling settling(const BarSimulation& simulation, double period);
 
 private:
@@ -70,23 +96,22 @@ private:
     };
     struct Kept {
         std::int64_t period = 0;
-        Waves waves;
+        std::vector<Piece> state;
     };
     struct Comparison;
 
     [[nodiscard]] bool isKept(std::int64_t period) const;
-    [[nodiscard]] const Waves* stateBefore(std::int64_t periods) const;
+    [[nodiscard]] const std::vector<Piece>* stateBefore(std::int64_t periods) const;
     [[nodiscard]] double apart(std::int64_t late, std::int64_t early) const;
     [[nodiscard]] double wandering(std::int64_t length, std::int64_t lag) const;
     [[nodiscard]] Comparison compared(std::int64_t length) const;
-    [[nodiscard]] static double clearance(const BarSimulation& simulation, double duration);
     [[nodiscard]] Settled counted(const Comparison& repeats) const;
     [[nodiscard]] std::string whyNot(const std::vector<Comparison>& all) const;
 
     std::int64_t total_;
     double tolerance_;
     std::int64_t longest_ = mostPeriods;  ///< fewer where states have very many pieces
-    std::vector<Segment> segments_;
+    std::vector<Piece> weights_;
     double size_ = 1.0;  ///< |x_n| of the last period
     std::int64_t seen_ = 0;
     std::deque<Counted> counted_;  ///< at the ends of the last periods
@@ -104,6 +129,9 @@ struct Followed {
 
 /// Goes on for `total` stretches of time (a part of one at the end is not watched) and says what
 /// the simulation has settled on. `show(done, total)` is called after each.
+[[nodiscard]] Followed follow(Watched& simulation, double stretch, double total,
+                              const Cancel& cancel = {},
+                              const std::function<void(double, double)>& show = {});
 [[nodiscard]] Followed follow(BarSimulation& simulation, double stretch, double total,
                               const Cancel& cancel = {},
                               const std::function<void(double, double)>& show = {});

@@ -130,6 +130,9 @@ struct Waves {
     double crossing = 1.0;  ///< units of time in L/c; N for a state on a grid
     std::vector<Piece> a;   ///< right-going wave, in the order in which it reaches the tip
     std::vector<Piece> b;   ///< left-going wave, in the order in which it reaches the base
+    /// Where the base stands [g]; unset: where the excitation has it. From elsewhere it is led to
+    /// its place within a period of the excitation, evenly, so that nothing jumps.
+    std::optional<double> base = std::nullopt;
 };
 
 /// A state on a grid; its unit of time is the step. O(N).
@@ -294,6 +297,7 @@ private:
     /// A periodic list of values, each of which lasts as long.
     struct Clock {
         std::vector<double> values;
+        std::size_t first = 0;  ///< of those that are repeated
         double step = 0.0;
         std::size_t next = 0;  ///< the value after the present one
         double value = 0.0;
@@ -330,8 +334,9 @@ private:
     double way_;  ///< from the wall to the second stop, like opening_; infinite: none
     Excitation excitation_;
     Clock force_;
-    Clock base_;       ///< V one crossing ago, as it arrives at the tip; with segments V now
-    PieceQueue echo_;  ///< of a uniform bar: q, in the order in which it arrives
+    double lead_ = 0.0;  ///< [g], of the base from its place at the start
+    Clock base_;         ///< V one crossing ago, as it arrives at the tip; with segments V now
+    PieceQueue echo_;    ///< of a uniform bar: q, in the order in which it arrives
     /// Of a bar of several segments: its waves, one entry; else empty.
     std::vector<SegmentLines> segments_;
     std::vector<Segment> parts_;

@@ -76,7 +76,7 @@ struct SweepPoint {
     std::vector<double> impulses = {};          ///< of single contacts, in their order [EA g/c]
     double meanForce = 0.0;                     ///< largest over the resolution [EA g/L]
     std::array<double, 2> tip = {};             ///< u(L) [g]
-    /// max |s| over all x and t [g/L], of a uniform bar.
+    /// max |s| over all x and t [g/L], of a bar.
     std::optional<double> strain = std::nullopt;
 };
 
@@ -96,13 +96,39 @@ using SweepListener = std::function<void(double done, double total)>;
 using Sharing =
     std::function<void(std::size_t count, const std::function<bool(std::size_t)>& serve)>;
 
+/// A point, and the state in which it leaves the bar.
+struct SweepStep {
+    SweepPoint point;
+    Waves waves;
+};
+
+/// What a call may do beside its work.
+struct SweepControl {
+    Cancel cancel = {};
+    SweepListener show = {};
+    Sharing share = {};
+    /// What an earlier call kept of the same sweep; of a direction that is carried in its order.
+    std::vector<SweepStep> known = {};
+    std::function<void(const SweepStep&)> keep = {};  ///< hears of each other one, one at a time
+};
+
+/// What a sweep follows: a bar, or a network (network_sweep.hpp).
+struct SweepBody {
+    std::function<Waves()> atRest;
+    /// As `settleAt`.
+    std::function<std::optional<SweepPoint>(double value, SweepDirection direction, Waves& waves,
+                                            const Cancel& cancel)>
+        settle;
+};
+
 /// The sweeps in these directions, each in the order in which it went. With `share` carried ones
 /// may go side by side, others value by value; without, one after the other. Those points that were
 /// done where it was cancelled. \throws std::invalid_argument on a range that is none.
 [[nodiscard]] std::vector<SweepPoint> sweep(const SweepRange& range,
                                             const std::vector<SweepDirection>& directions,
-                                            const Cancel& cancel = {},
-                                            const SweepListener& show = {},
-                                            const Sharing& share = {});
+                                            const SweepControl& control = {});
+[[nodiscard]] std::vector<SweepPoint> sweep(const SweepRange& range, const SweepBody& body,
+                                            const std::vector<SweepDirection>& directions,
+                                            const SweepControl& control);
 
 }  // namespace signorini

@@ -29,14 +29,14 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable,
                     PolytopeMotion,
                     ProgramProof, Residuals, Result, Scene,
                     Schedule, Segment, Settled, Simulation, SolutionSet,
-                    SolverReport, State, SteppedProof, Sweep, SweepPoint,
+                    SolverReport, State, SteppedProof, StudyPoint, Sweep, SweepPoint,
                     Waves, __version__, backends)
 from ._find import continuum, find
 from ._forced import Response, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
 from ._notebook import be_at_home
 from ._question import Question
-from ._study import StudyPoint, study
+from ._study import study
 from ._tables import Table
 
 let_speak(_core)

@@ -494,6 +494,7 @@ class PermanentContact(_Record):
 
 class ForcedFrequency(_Record):
     steps: int
+    cells: int
     frequency_ratio: float
     frequency: float
     touches: bool
@@ -576,6 +577,19 @@ class Sweep(_Record):
     points: list[SweepPoint]
     def _figure(self) -> str: ...
     def frame(self) -> Any: ...
+
+class StudyPoint(_Record):
+    gap: float
+    damping: float
+    amplitude: float
+    impulse: float
+    frequency: float
+    mean_force: float
+    peak_strain: Optional[float]
+    peak_stress: Known[float]
+    rattles_from: Optional[float]
+    rattles_to: Optional[float]
+    irregular: float
 
 class Waves:
     def to_dict(self) -> dict[str, Any]: ...

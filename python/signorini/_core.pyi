@@ -220,7 +220,11 @@ def response(damping: float, force: str, amplitude: float, derivative: int,
 def sweep(over: str, start: float, to: float, force: str, damping: float,
           amplitude: float, derivative: int, frequency: float, points: int, direction: str,
           periods: int, rest: bool, resolve: Optional[float], cells: int,
-          threads: int, scene: Scene, progress: Listener, /) -> Sweep: ...
+          threads: int, scene: Scene, file: str, question: str,
+          progress: Listener, /) -> Sweep: ...
+def study(cases: Sequence[tuple[Scene, float, float]], force: str, start: float,
+          to: float, points: int, periods: int, cells: int, threads: int,
+          file: str, question: str, progress: Listener, /) -> list[StudyPoint]: ...
 def simulate(start: Union[State, Waves, None], cells: Optional[int],
              scene: Scene, damping: float, force: Optional[str],
              amplitude: Optional[float], derivative: int,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -207,7 +208,9 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
           resolve: float | None = None, cells: int | None = None,
           threads: int = 1, bar: Bar | None = None,
           scene: Scene | None = None, second_stop: float | None = None,
-          segments: Segments | None = None, progress: Progress = None,
+          segments: Segments | None = None,
+          file: str | os.PathLike[str] | None = None,
+          progress: Progress = None,
           **bar_options: float | None) -> Sweep:
     """Follow what a driven bar settles on while one number is varied.
 
@@ -251,6 +254,9 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
         h [m]: a stop at u(L) = -h.
     segments : list of Segment, or of their parameters, optional
         (cells, impedance, speed, dashpot) of each, clamp first.
+    file : path, optional
+        What is done is kept in FILE.part, and a later call with the same
+        question goes on from it.
     progress : callable of (done, total), bool or tqdm bar, optional
 
     Returns
@@ -265,8 +271,9 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
     whole = scene_of(scene, bar, second_stop, segments, bar_options)
     size, derivative = amplitude_of(force, amplitude, amplitude_velocity,
                                     amplitude_acceleration)
-    return _core.sweep(over, start, to, force, damping, 0.0 if size is None
-                       else size, derivative, frequency,
-                       points, direction, periods, rest, resolve,
-                       cells_of(cells, whole) or 300, threads, whole,
-                       listener(progress))
+    asked = (over, start, to, force, damping, 0.0 if size is None else size,
+             derivative, frequency, points, direction, periods, rest, resolve,
+             cells_of(cells, whole) or 300)
+    return _core.sweep(*asked, threads, whole,
+                       "" if file is None else os.fspath(file),
+                       f"{asked} {whole.to_dict()}", listener(progress))

@@ -11,7 +11,6 @@ from typing import Any
 from . import _core
 from ._forced import Response, simulate
 from ._question import Question
-from ._study import StudyPoint
 from ._tables import (Cell, Table, cells_of, cells_of_key, flat, frame_of,
                       is_record, keys_of, text_of)
 
@@ -96,7 +95,7 @@ def _in_a_line(cells: Sequence[Cell]) -> str:
 
 def _is_list_of_records(value: Any) -> bool:
     return isinstance(value, (list, Table)) and len(value) > 0 and all(
-        is_record(row) or isinstance(row, StudyPoint) for row in value)
+        is_record(row) for row in value)
 
 
 def _lines(name: str, value: Any, said: str) -> Iterator[Cell]:
@@ -246,7 +245,7 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
 _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Family: ("families", (9, 6.5)),
     _core.Mode: ("frequency_energy", (9, 6)),
-    StudyPoint: ("study", (7, 5)),
+    _core.StudyPoint: ("study", (7, 5)),
 }
 
 
@@ -400,7 +399,7 @@ def be_at_home() -> None:
     """Give the compiled classes and tables what a notebook asks for."""
     kinds = [kind for kind in vars(_core).values()
              if isinstance(kind, type) and hasattr(kind, "_keys")]
-    for kind in (*kinds, _core.Motion, StudyPoint, Table):
+    for kind in (*kinds, _core.Motion, Table):
         _set(kind, "_repr_html_", html)
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)

@@ -156,7 +156,7 @@ SIGNORINI_MEMBERS(FrequencyResponse, &T::steps, &T::frequencyRatio, &T::linearPe
                   &T::undecided, &T::detail, &T::permanent, &T::motions, &T::branches,
                   &T::twoContacts);
 SIGNORINI_MEMBERS(Piece, &T::duration, &T::value);
-SIGNORINI_MEMBERS(Waves, &T::crossing, &T::a, &T::b);
+SIGNORINI_MEMBERS(Waves, &T::crossing, &T::a, &T::b, &T::base);
 SIGNORINI_MEMBERS(ContactEvent, &T::start, &T::end, &T::impulse, &T::peakForce, &T::meanForce,
                   &T::speed, &T::energy, &T::stop);
 SIGNORINI_MEMBERS(TipPoint, &T::time, &T::displacement);

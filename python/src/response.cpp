@@ -21,8 +21,8 @@ struct Members<PermanentOf> {
 };
 template <>
 struct Members<FrequencyOf> {
-    static constexpr auto list =
-        std::tuple{&FrequencyOf::value, &FrequencyOf::bar, &FrequencyOf::segments};
+    static constexpr auto list = std::tuple{&FrequencyOf::value, &FrequencyOf::bar,
+                                            &FrequencyOf::segments, &FrequencyOf::cycles};
 };
 template <>
 struct Members<ResponseAnswer> {

@@ -4,13 +4,16 @@
 #include "excited_names.hpp"
 #include "faults.hpp"
 #include "force.hpp"
+#include "journal.hpp"
 #include "patience.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
-#include "sweep_answer.hpp"
+#include "study_answer.hpp"
 
 namespace signorini::python {
 
+using answers::StudyCase;
+using answers::StudyPoint;
 using answers::SweepAnswer;
 using answers::SweepPointOf;
 
@@ -24,61 +27,128 @@ SIGNORINI_MEMBERS(SweepPointOf, &T::value, &T::over, &T::place, &T::bar);
 SIGNORINI_MEMBERS(SweepAnswer, &T::range, &T::scene, &T::bar, &T::points, &T::isComplete,
                   &T::yieldStress);
 
+SIGNORINI_MEMBERS(StudyPoint, &T::gap, &T::damping, &T::amplitude, &T::impulse, &T::frequency,
+                  &T::meanForce, &T::strain, &T::stress, &T::from, &T::to, &T::irregular);
+
 namespace {
 
-SweepAnswer sweep(const std::string& over, double least, double most, const std::string& force,
-                  double damping, double amplitude, int derivative, double frequency,
-                  std::int64_t points, const std::string& direction, std::int64_t periods,
-                  bool rest, std::optional<double> resolve, std::int64_t cells,
-                  std::int64_t threads, const Scene& scene, const py::object& progress)
+/// A sweep without points, its numbers being in SI units. \throws std::invalid_argument.
+SweepAnswer asked(SweepRange range, const Scene& scene, double least, double most, double amplitude)
 {
     validate(scene);
     const Bar bar = answers::unitsOf(scene);
-    SweepRange range{.over = valueOf("over", over, sweptNames),
-                     .points = points,
-                     .periods = periods,
-                     .isCarried = !rest,
-                     .cells = static_cast<double>(cells),
-                     .place = placeOf(force),
-                     .derivative = derivative,
-                     .frequencyRatio = frequency,
-                     .damping = {damping},
-                     .stops = stopsOf(scene),
-                     .segments = scene.segments,
-                     .resolution = resolve.value_or(0.0) / scales(bar).time};
     const double unit = answers::unitOf(range.over, range.place, bar);
     range.least = least / unit;
     range.most = most / unit;
     range.amplitude = range.over == Swept::amplitude
                           ? range.least
-                          : amplitude / amplitudeUnit(range.place, bar, derivative);
-    std::vector<SweepDirection> directions{SweepDirection::up, SweepDirection::down};
-    if (direction != "both") {
-        directions = {valueOf("direction", direction, sweepDirections)};
-    }
+                          : amplitude / amplitudeUnit(range.place, bar, range.derivative);
+    range.stops = stopsOf(scene);
+    range.segments = scene.segments;
+    range.resolution /= scales(bar).time;
     Faults faults;
     faults.requirePositive("start", least, "ω₁, N or m, m, -");
     faults.requirePositive("to", most, "ω₁, N or m, m, -");
     if (most < least) {
         faults.add("to", most, fmt::format("at least start = {}", least));
     }
+    faults.throwIfAny();
+    (void)valuesOf(range);
+    return {range, scene, bar, {}, true, {}};
+}
+
+void requireThreads(std::int64_t threads)
+{
+    Faults faults;
+    faults.requireWhole("threads", threads, maxThreads);
+    faults.throwIfAny();
+}
+
+SweepAnswer sweep(const std::string& over, double least, double most, const std::string& force,
+                  double damping, double amplitude, int derivative, double frequency,
+                  std::int64_t points, const std::string& direction, std::int64_t periods,
+                  bool rest, std::optional<double> resolve, std::int64_t cells,
+                  std::int64_t threads, const Scene& scene, const std::string& file,
+                  const std::string& question, const py::object& progress)
+{
+    Faults faults;
     if (resolve) {
         faults.requirePositive("resolve", *resolve, "s");
     }
     faults.throwIfAny();
-    (void)valuesOf(range);
-    faults.requireWhole("threads", threads, maxThreads);
-    faults.throwIfAny();
+    std::vector<SweepDirection> directions{SweepDirection::up, SweepDirection::down};
+    if (direction != "both") {
+        directions = {valueOf("direction", direction, sweepDirections)};
+    }
+    SweepAnswer answer = asked({.over = valueOf("over", over, sweptNames),
+                                .points = points,
+                                .periods = periods,
+                                .isCarried = !rest,
+                                .cells = static_cast<double>(cells),
+                                .place = placeOf(force),
+                                .derivative = derivative,
+                                .frequencyRatio = frequency,
+                                .damping = {damping},
+                                .resolution = resolve.value_or(0.0)},
+                               scene, least, most, amplitude);
+    requireThreads(threads);
     return patiently(
-        [=](const Wires& wires) {
-            SweepAnswer answer{range, scene, bar, {}, true, {}};
-            answer.points = signorini::sweep(range, directions, wires.cancel, wires.progress,
-                                             [threads](std::size_t count, const auto& serve) {
-                                                 shareWork(count, threads, serve, {});
-                                             });
+        [=](const Wires& wires) mutable {
+            std::optional<Journal> journal;
+            if (!file.empty()) {
+                journal.emplace(file, question, true);
+            }
+            answer.points =
+                sweepThrough(answer.range, nullptr, directions, journal ? &*journal : nullptr,
+                             threads, {.cancel = wires.cancel, .show = wires.progress});
             answer.isComplete =
                 answer.points.size() == directions.size() * static_cast<std::size_t>(points);
             return answer;
+        },
+        progress);
+}
+
+/// Cases are (scene, damping, amplitude).
+std::vector<StudyPoint> study(const std::vector<std::tuple<Scene, double, double>>& cases,
+                              const std::string& force, double least, double most,
+                              std::int64_t points, std::int64_t periods, std::int64_t cells,
+                              std::int64_t threads, const std::string& file,
+                              const std::string& question, const py::object& progress)
+{
+    std::vector<StudyCase> all;
+    for (const auto& [scene, damping, amplitude] : cases) {
+        all.push_back({asked({.points = points,
+                              .periods = periods,
+                              .cells = static_cast<double>(cells),
+                              .place = placeOf(force),
+                              .damping = {damping}},
+                             scene, least, most, amplitude),
+                       amplitude});
+    }
+    requireThreads(threads);
+    return patiently(
+        [=](const Wires& wires) {
+            const RowOf row = [&](std::size_t k) -> std::optional<std::string> {
+                const auto point = answers::studyAt(all[k], wires.cancel);
+                return point ? std::optional(answers::rowOf(*point)) : std::nullopt;
+            };
+            std::vector<std::string> keys;
+            for (const StudyCase& one : all) {
+                keys.push_back(answers::keyOf(one));
+            }
+            std::vector<StudyPoint> done;
+            for (const std::string& text : tabulated({.file = file,
+                                           .question = question,
+                                           .header = answers::studyHeader(),
+                                           .keys = keys,
+                                           .resumes = true,
+                                           .deal = byThreads(row, threads),
+                                           .show = wires.progress})) {
+                if (!text.empty()) {
+                    done.push_back(answers::studyPointOf(text));
+                }
+            }
+            return done;
         },
         progress);
 }
@@ -91,7 +161,9 @@ void addSweep(py::module_& module)
     classOf<SweepAnswer>(module)->more().def("_figure", [](const SweepAnswer& answer) {
         return asJson(sweepFigure(answer.points, answer.range, answer.bar, {}));
     });
+    classOf<StudyPoint>(module);
     module.def("sweep", &sweep);
+    module.def("study", &study);
 }
 
 }  // namespace signorini::python

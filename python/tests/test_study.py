@@ -45,11 +45,11 @@ def test_a_study_goes_on_from_its_file(tmp_path: Path) -> None:
     whole = sg.study(gap=1e-3, damping=0.05, amplitude=[1e-4, 2e-4], file=file,
                      progress=lambda done, total: asked.append(done), **SMALL)
     assert asked == [2] and whole[1] == part[0]
-    with pytest.raises(ValueError, match="another study"):
+    with pytest.raises(ValueError, match="another question"):
         sg.study(gap=1e-3, damping=0.05, amplitude=2e-4, file=file,
                  **dict(SMALL, points=3))
-    file.write_text(file.read_text("utf-8").replace("0.05", "x"), "utf-8")
-    with pytest.raises(ValueError, match="damaged"):
+    file.write_text(file.read_text("utf-8").replace("0.05,0.0002,", "0.05,0.0002,x"), "utf-8")
+    with pytest.raises(ValueError, match="a row of a study"):
         sg.study(gap=1e-3, damping=0.05, amplitude=2e-4, file=file, **SMALL)
 
 

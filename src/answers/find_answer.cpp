@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "near_schedule.hpp"
+#include "one_material.hpp"
 #include "propagation.hpp"
 #include "stepped_bar.hpp"
 
@@ -11,11 +12,7 @@ namespace signorini::answers {
 
 Bar unitsOf(const Scene& scene)
 {
-    Bar bar = firstMaterial(scene);
-    if (!isUniform(scene.segments)) {
-        bar.young.reset();
-    }
-    return bar;
+    return unitsOfBar(scene);
 }
 
 double forceUnit(const Bar& bar)

@@ -200,7 +200,7 @@ std::vector<Option> ofSimulations()
 {
     using namespace asks;
     return {
-        file("--from", simulation, "state to start from, as find --state writes it"),
+        file("--from", simulation, "state to start from, as find or simulate --state writes it"),
         flag("--rest", simulation, "start at rest (so without --from)"),
         positive("--time", simulation, "T", "s", "duration in seconds"),
         whole("--periods", simulation, "P", 1, 1'000'000'000,
@@ -253,6 +253,7 @@ std::vector<Option> ofLists()
         flag("--all", atlas, "also store the refuted schedules"),
         flag("--families-only", atlas, "store families only, no schedules"),
         flag("--resume", atlas, "continue an interrupted run"),
+        flag("--resume", sweep | study, "go on with a run to the same --csv that was interrupted"),
         text("--near", atlasQuery, "W E", "query: families with motions near omega/omega_1, E/E_1"),
         positive("--within", atlasQuery, "X", "-", "how near, relative", "0.001"),
         text("--period", atlasQuery, "T", "query: families of this period, as 7/2 or 3.5 [L/c]", "",
@@ -278,6 +279,7 @@ std::vector<Option> ofOutputs()
         file("--csv", atlas | atlasQuery, "write the families, the bars of the plot, as a table"),
         file("--csv", response, "write a row for each motion"),
         file("--csv", sweep, "write a row for each value and direction"),
+        file("--csv", study, "write a row for each gap, damping and amplitude"),
         file("--map-csv", response,
              "write a row for each schedule that has motions of any amplitude"),
         file("--backbone-csv", response,
@@ -298,6 +300,7 @@ std::vector<Option> ofOutputs()
         figure("--figure", sweep,
                "draw impulse and tip against the value, both directions; over the exact motions "
                "where the frequency is varied"),
+        figure("--figure", study, "draw the worst impulse over the plane of amplitude and gap"),
         figure("--figure", scene, "draw it"),
         figure("--map", atlas | atlasQuery, "draw the existence map over contact and flight times"),
         figure("--map", response, "draw how many motions there are, amplitude against frequency"),
@@ -328,7 +331,11 @@ std::vector<Option> ofAll()
              "spring=K, mass=M, force=F, driven, shaken"),
         real("--gravity", all, "M/S2", "m/s^2", "gravity, to the right along all bars of a scene",
              "0"),
-        whole("--cells", all, "N", 1, maxCells, "N, equal cells of the bar", "300"),
+        whole("--cells", all & ~response, "N", 1, maxCells, "N, equal cells of the bar", "300"),
+        whole("--cells", response, "N|auto", 1, maxCells,
+              "N, equal cells of the bar; auto: few, and more where something happens, until the "
+              "answer no longer changes",
+              "300"),
         positive("--length", all, "M", "m", "L", "1"),
         positive("--wave-speed", all, "M/S", "m/s", "c", "1"),
         positive("--axial-stiffness", all, "N", "N", "EA", "1"),
@@ -347,11 +354,13 @@ std::vector<Option> ofAll()
         positive("--density", all, "KG/M3", "kg/m^3", "rho"),
         positive("--area", all, "M2", "m^2", "cross-section"),
         positive("--diameter", all, "M", "m", "of a round bar, in place of --area", "", "area"),
-        choice("--format", all, "text|json", "text or json", "text"),
-        flag("--quiet", all, "nothing on stderr but errors"),
+        choice("--format", all | study, "text|json", "text or json", "text"),
+        flag("--quiet", all | study, "nothing on stderr but errors"),
         flag("--verbose", all,
              "in text, also by which route an answer was found and what that left out"),
-        whole("--threads", all, "K", 1, 1024, "most threads to use", "1"),
+        whole("--threads", all | study, "K", 1, 1024, "most threads to use", "1"),
+        file("--progress", all | study, "write how far long work has come, a line each second",
+             "FILE"),
     };
 }
 

@@ -127,8 +127,9 @@ std::string Option::allowed() const
 {
     switch (takes) {
         case Takes::whole:
-            return fmt::format("whole numbers {}..{}", static_cast<std::int64_t>(low),
-                               static_cast<std::int64_t>(high));
+            return fmt::format("whole numbers {}..{}{}", static_cast<std::int64_t>(low),
+                               static_cast<std::int64_t>(high),
+                               type.ends_with("|auto") ? " or auto" : "");
         case Takes::positive:
             return std::isfinite(high) ? fmt::format("numbers > 0, below {} [{}]", high, unit)
                                        : fmt::format("finite numbers > 0 [{}]", unit);
@@ -166,8 +167,9 @@ bool Option::fits(std::string_view text) const
         return false;
     };
     if (takes == Takes::whole) {
-        return wholeIn(text, static_cast<std::int64_t>(low), static_cast<std::int64_t>(high))
-            .has_value();
+        return (text == "auto" && type.ends_with("|auto")) ||
+               wholeIn(text, static_cast<std::int64_t>(low), static_cast<std::int64_t>(high))
+                   .has_value();
     }
     if (takes == Takes::choice) {
         return isOneOf([text](std::string_view word) { return word == text; });

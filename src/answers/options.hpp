@@ -30,13 +30,14 @@ inline constexpr unsigned simulation = 1U << 12U;
 inline constexpr unsigned sweep = 1U << 13U;
 inline constexpr unsigned scene = 1U << 14U;
 inline constexpr unsigned find = schedule | period | forced | forcedPeriod | network;
-inline constexpr unsigned all = (1U << 15U) - 1U;
+inline constexpr unsigned all = (1U << 15U) - 1U;  ///< of a bar or a scene
+inline constexpr unsigned study = 1U << 15U;       ///< sweeps of a file
 }  // namespace asks
 
 /// What an option is followed by.
 enum class Takes {
     nothing,   ///< a flag
-    whole,     ///< a whole number low..high
+    whole,     ///< a whole number low..high, or "auto" where `type` ends with "|auto"
     positive,  ///< a number > 0, below `high` if that is finite
     range,     ///< a number low..high
     real,      ///< any finite number

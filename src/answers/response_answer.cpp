@@ -1,5 +1,7 @@
 #include "response_answer.hpp"
 
+#include <cmath>
+
 #include "excited_amplitude.hpp"
 
 namespace signorini::answers {
@@ -7,6 +9,12 @@ namespace signorini::answers {
 std::optional<PermanentOf> FrequencyOf::permanent() const
 {
     return value.permanent ? std::optional(PermanentOf{*value.permanent, bar}) : std::nullopt;
+}
+
+std::int64_t FrequencyOf::cells() const
+{
+    return std::llround(value.frequencyRatio * static_cast<double>(value.steps) / 4.0 /
+                        static_cast<double>(cycles));
 }
 
 std::vector<ForcedMotionOf> FrequencyOf::motions() const
@@ -46,7 +54,7 @@ std::vector<FrequencyOf> ResponseAnswer::listed() const
 {
     std::vector<FrequencyOf> list;
     for (const FrequencyResponse& response : frequencies) {
-        list.push_back({response, bar, scene.segments});
+        list.push_back({response, bar, scene.segments, range.cycles});
     }
     return list;
 }

@@ -19,7 +19,10 @@ struct FrequencyOf {
     FrequencyResponse value;
     Bar bar;
     std::vector<Segment> segments;
+    std::int64_t cycles = 1;
 
+    /// N, of the grid that has this frequency.
+    [[nodiscard]] std::int64_t cells() const;
     [[nodiscard]] std::optional<PermanentOf> permanent() const;
     [[nodiscard]] std::vector<ForcedMotionOf> motions() const;
 };
@@ -71,6 +74,7 @@ void describe(D& d, Type<FrequencyOf>)
     d.record("ForcedFrequency", "All motions at one frequency.");
     d.key("steps", "- >= 2", "n, of the period of the motions.",
           [](const T& f) { return f.value.steps; });
+    d.key("cells", "- >= 1", "N of the grid, where it is chosen.", &T::cells);
     d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.",
           [](const T& f) { return f.value.frequencyRatio; });
     d.key("frequency", "Hz > 0", "Of the excitation.",
@@ -96,7 +100,8 @@ void describe(D& d, Type<ResponseAnswer>)
     using T = ResponseAnswer;
     d.record("ResponseData", "Forced motions over a range of frequencies.");
     d.key("status", "-", R"("found", or "undecided": the list may lack motions.)", &T::status);
-    d.key("cells", "- >= 1", "N.", [](const T& a) { return a.range.cells; });
+    d.key("cells", "- >= 1", "N; of the finest grid, where it is chosen.",
+          [](const T& a) { return a.range.cells; });
     describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
     d.key("damping", "-", "A dashpot.", [](const T& a) {
         return Of<Damping>{a.range.damping, a.bar};
@@ -121,7 +126,7 @@ void describe(D& d, Type<ResponseAnswer>)
     });
     d.key("complete", "-", "Not interrupted, and no schedule undecided.",
           [](const T& a) { return a.status() == Status::found; });
-    d.key("frequencies", "-", "By ascending steps.", &T::listed);
+    d.key("frequencies", "-", "By descending frequency.", &T::listed);
 }
 
 }  // namespace signorini::answers

@@ -88,7 +88,7 @@ void describe(D& d, Type<SweepPointOf>)
     d.key("tip_lowest", "m", "min u(L, t).", [=](const T& p) { return metres(p, p.value.tip[0]); });
     d.key("tip_highest", "m", "max u(L, t).",
           [=](const T& p) { return metres(p, p.value.tip[1]); });
-    d.key("peak_strain", "- >= 0", "max |s| over all x and t, of a uniform bar.", [](const T& p) {
+    d.key("peak_strain", "- >= 0", "max |s| over all x and t, of a bar.", [](const T& p) {
         return p.value.strain ? std::optional(*p.value.strain * scales(p.bar).strain)
                               : std::nullopt;
     });

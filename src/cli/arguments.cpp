@@ -185,10 +185,12 @@ ExactPeriod parseFraction(std::string_view name, std::string_view text, std::str
 
 CommonOptions::CommonOptions(const Given& given)
     : cells(given.whole("--cells")),
+      choosesCells(given.text("--cells") == "auto"),
       wantsJson(given.text("--format") == "json"),
       quiet(given.has("--quiet")),
       isVerbose(given.has("--verbose")),
       threads(given.whole("--threads").value_or(1)),
+      progressFile(given.text("--progress")),
       sceneText(given.text("--scene")),
       gravity(given.number("--gravity").value_or(0.0)),
       piecesFile_(given.text("--segments-file")),

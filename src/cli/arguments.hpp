@@ -84,10 +84,12 @@ struct CommonOptions {
     explicit CommonOptions(const Given& given);
 
     std::optional<std::int64_t> cells;
+    bool choosesCells;  ///< --cells auto
     bool wantsJson;
     bool quiet;
     bool isVerbose;
     std::int64_t threads;
+    std::string progressFile;
     std::string sceneText;  ///< of --scene: words, or the name of a file; empty: not given
     double gravity;         ///< [m/s^2], to the right along all bars of a scene
 

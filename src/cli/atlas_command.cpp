@@ -294,7 +294,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
         return ranks->serve(options.threads, options.cancel) ? exitFound : exitUndecided;
     }
     Outputs drawing(given, {"--figure", "--map", "--csv"});
-    std::optional<Progress> progress(std::in_place, !common.quiet, "deciding");
+    std::optional<Progress> progress(std::in_place, !common.quiet, "deciding", common.progressFile);
     options.progress = [&progress](const AtlasRun& run) {
         progress->show(fmt::format("{} schedules", run.tally.decided),
                        static_cast<double>(run.nextBatch), static_cast<double>(run.batches));

@@ -17,6 +17,7 @@ namespace signorini::cli {
 [[nodiscard]] ExitStatus runResponse(const Given& given);
 [[nodiscard]] ExitStatus runSimulate(const Given& given);
 [[nodiscard]] ExitStatus runSweep(const Given& given);
+[[nodiscard]] ExitStatus runStudy(const Given& given);
 [[nodiscard]] ExitStatus runScene(const Given& given);
 
 }  // namespace signorini::cli

@@ -113,7 +113,7 @@ ExitStatus runContinuum(const Given& given)
 
     std::optional<Interrupt> interrupt(std::in_place);
     request.cancel = interrupt->cancel();
-    std::optional<Progress> progress(std::in_place, !common.quiet, "tracing");
+    std::optional<Progress> progress(std::in_place, !common.quiet, "tracing", common.progressFile);
     request.progress = [&progress](double done, double total) { progress->show(done, total); };
     const Continuum curve = traceContinuum(schedule, ratio, request);
     progress.reset();

@@ -14,10 +14,11 @@ namespace signorini::cli {
 namespace {
 
 /// The families, or those found until a signal came or the list was full.
-void fill(answers::FamilyList& list, FamilyBounds bounds, const Stops& stops, bool isQuiet)
+void fill(answers::FamilyList& list, FamilyBounds bounds, const Stops& stops,
+          const CommonOptions& common)
 {
     const Interrupt interrupt;
-    Progress progress(!isQuiet, "listing families");
+    Progress progress(!common.quiet, "listing families", common.progressFile);
     bounds.cancel = interrupt.cancel();
     const auto last = static_cast<double>(list.maxOrder);
     std::int64_t order = 0;
@@ -65,7 +66,7 @@ ExitStatus runFamilies(const Given& given)
             "--figure: allowed only with a gap: without one families have every energy");
     }
     bounds.gapSign = stops.right;
-    fill(list, bounds, stops, common.quiet);
+    fill(list, bounds, stops, common);
     if (!list.isComplete() && !common.quiet) {
         tell(fmt::format("signorini families: {}; the list is not complete{}\n", list.ended,
                          outputs.areWanted() ? ", so no file was written" : ""));

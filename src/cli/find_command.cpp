@@ -69,14 +69,15 @@ FindRequest completed(const FindCommand& call)
 }
 
 /// findPeriodic, with signals listened to and a line on a terminal.
-answers::FindAnswer search(const Schedule& schedule, const FindRequest& request, bool isQuiet)
+answers::FindAnswer search(const Schedule& schedule, const FindRequest& request,
+                           const CommonOptions& common)
 {
     const Interrupt interrupt;
-    const Progress progress(!isQuiet, "finding a motion");
+    const Progress progress(!common.quiet, "finding a motion", common.progressFile);
     FindOptions options = request.options;
     options.cancel = interrupt.cancel();
     PeriodicResult result = findPeriodic(schedule, options);
-    if (result.status == Status::undecided && isRequested(options.cancel) && !isQuiet) {
+    if (result.status == Status::undecided && isRequested(options.cancel) && !common.quiet) {
         tell("signorini find: interrupted\n");
     }
     return answers::answerOf(std::move(result), options, request.reading);
@@ -239,7 +240,7 @@ ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindReque
     validate(schedule);
     requireStable(schedule);
     FindOutputs files(*this);
-    answers::FindAnswer answer = search(schedule, request, common.quiet);
+    answers::FindAnswer answer = search(schedule, request, common);
     const PeriodicResult& result = answer.result;
     writeFiles(files, request.options, result, wholeJsonOf(answer, "certificate"));
     if (given.has("--stability") && result.motion) {
@@ -266,8 +267,7 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
     std::vector<Physical> measured;
     for (const Schedule& schedule :
          schedulesOfPeriod(cells, asked.steps, stopsOf(request.options.scene).right)) {
-        answers::FindAnswer& found =
-            answer.answers.emplace_back(search(schedule, request, common.quiet));
+        answers::FindAnswer& found = answer.answers.emplace_back(search(schedule, request, common));
         PeriodicResult& result = found.result;
         if (!result.motion) {
             continue;

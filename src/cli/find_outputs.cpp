@@ -63,8 +63,9 @@ void FindOutputs::writeProof(const std::function<void(TextFile&)>& write)
 
 void FindOutputs::writeMotion(const WrittenMotion& motion)
 {
-    motion_.put("--state",
-                [&](const std::string& path) { writeStateCsv(path, motion.state, motion.bar); });
+    motion_.put("--state", [&](const std::string& path) {
+        writeStateCsv(path, motion.state, motion.bar, motion.base);
+    });
     motion_.put("--figure", [&](const std::string& path) {
         motion.draw(figureFormat(words_.given.text("--figure")), path);
     });

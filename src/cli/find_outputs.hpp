@@ -25,6 +25,7 @@ struct WrittenMotion {
     std::int64_t steps;  ///< of its schedule
     std::function<Motion()> field;
     std::function<void(FigureFormat, const std::string&)> draw;
+    double base = 0.0;  ///< [g], where the base stands
 };
 
 /// Says on stderr which files there is nothing for.

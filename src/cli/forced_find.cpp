@@ -66,7 +66,8 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
         files.writeMotion({last.state, answer.scene, answer.bar, steps(last.schedule), field,
                            [&](FigureFormat format, const std::string& path) {
                                drawFigure(motionFigure(last, answer.scene), format, path);
-                           }});
+                           },
+                           last.excitation.baseDisplacement(0)});
     }
     if (answer.status() == Status::none) {
         files.writeProof([&](TextFile& file) { file.write(asLine(wholeJsonOf(answer))); });

@@ -131,8 +131,9 @@ constexpr std::array commands{
          "[rad], impulse [N s], peak_force [N], tip_lowest [m], stability, amplitude [N or m], "
          "second_contact, second_free [steps], stop, then undecided, the number of schedules "
          "at this frequency, and contact_time [s], approach_speed [m/s], peak_compression, "
-         "peak_tension [-], peak_stress [Pa] of the motion; one row without them where there "
-         "is no motion. Contact of all n steps: the tip never leaves the wall.\n"
+         "peak_tension [-], peak_stress [Pa] of the motion, and cells, N of its grid; one row "
+         "without "
+         "them where there is no motion. Contact of all n steps: the tip never leaves the wall.\n"
          "--csv with --exact: steps, frequency_ratio, frequency, touches, linear_peak, motion (0, "
          "1, ... at this frequency), contacts and cycles in its period, contact (0, 1, ...), "
          "begin, end [s], stop, release (pinned: ended by a wave front, or smooth), impulse [N s], "
@@ -161,6 +162,16 @@ constexpr std::array commands{
          "excitation, mean_force [N] over\n--resolve, tip_lowest, tip_highest [m], "
          "peak_strain [-], peak_stress [Pa]."},
         runSweep},
+    Command{{"study", "sweeps for many gaps, damping ratios and amplitudes, and the worst of each",
+             asks::study, "FILE.toml", "the question; required",
+             "FILE.toml holds options of sweep, gap, damping and amplitude one value or a list:\n"
+             "  force = \"base\"\n  gap = [\"0.05mm\", \"0.1mm\"]\n  damping = [0.02, 0.05]\n"
+             "  amplitude = [\"10um\", \"20um\"]\n  length = 3\n  young = \"210GPa\"\n"
+             "  density = 7850\n  area = \"1cm2\"\n  points = 31\n  cells = 40\n"
+             "--csv: the question, then gap [m], damping, amplitude, impulse [N s], frequency "
+             "[Hz],\nmean_force [N], peak_strain, peak_stress [Pa], rattles_from, rattles_to "
+             "[Hz], irregular."},
+            runStudy},
     Command{
         {"scene", "bars in a row, with springs, masses, gaps and stops: parsed, converted, drawn",
          asks::scene, "TEXT", "TEXT or FILE.json: the words of the scene",

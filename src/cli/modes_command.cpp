@@ -87,10 +87,10 @@ void writeCurves(const std::string& path, const answers::ModeList& listing)
 /// Runs search(bounds) with progress on stderr until it ends or is interrupted. \returns was it let
 /// finish?
 template <typename Search>
-bool runSearch(ModeBounds& bounds, bool isQuiet, Search search)
+bool runSearch(ModeBounds& bounds, const CommonOptions& common, Search search)
 {
     const Interrupt interrupt;
-    Progress progress(!isQuiet, "listing modes");
+    Progress progress(!common.quiet, "listing modes", common.progressFile);
     bounds.cancel = interrupt.cancel();
     bounds.progress = [&progress](double done, double total) { progress.show(done, total); };
     search(bounds);
@@ -136,7 +136,7 @@ ExitStatus runModes(const Given& given)
     answers::ModeList listing{all, bar, {}};
     answers::PolytopeList polytopes{phases, all, bar, {}};
     Outputs outputs(given, {"--csv", "--figure"});
-    const bool isComplete = runSearch(all, common.quiet, [&](const ModeBounds& searched) {
+    const bool isComplete = runSearch(all, common, [&](const ModeBounds& searched) {
         if (phases == 1) {
             listing.modes = findModes(searched);
         } else {

@@ -9,10 +9,9 @@
 #include <utility>
 
 #include "arguments.hpp"
+#include "signorini/output.hpp"
 
 namespace signorini::cli {
-
-namespace {
 
 std::string timeAsText(double seconds)
 {
@@ -21,11 +20,16 @@ std::string timeAsText(double seconds)
                               : fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-}  // namespace
-
-Progress::Progress(bool wanted, std::string words) : words_(std::move(words))
+Progress::Progress(bool wanted, std::string words, const std::string& file)
+    : words_(std::move(words)), isWanted_(wanted), isTerminal_(isatty(STDERR_FILENO) != 0)
 {
-    if (!wanted || isatty(STDERR_FILENO) == 0) {
+    if (!file.empty()) {
+        file_.open(file, std::ios::app);
+        if (!file_) {
+            throw FileError("--progress " + file, "cannot write it");
+        }
+    }
+    if (!wanted && file.empty()) {
         return;
     }
     try {
@@ -80,11 +84,30 @@ std::string Progress::line() const
 void Progress::write()
 {
     constexpr std::chrono::milliseconds pause{200};
+    const auto start = Clock::now();
+    auto toFile = start;
+    auto toPeople = start;
     bool isDirty = false;
+    const auto isDue = [](Clock::time_point& last, std::chrono::seconds between) {
+        const bool isIt = Clock::now() - last >= between;
+        last = isIt ? Clock::now() : last;
+        return isIt;
+    };
     std::unique_lock lock(mutex_);
     while (!changed_.wait_for(lock, pause, [this] { return isOver_; })) {
-        tell(fmt::format("\r{}\033[K", line()));
-        isDirty = true;
+        if (isWanted_ && isTerminal_) {
+            tell(fmt::format("\r{}\033[K", line()));
+            isDirty = true;
+        }
+        if (isWanted_ && !isTerminal_ && isDue(toPeople, std::chrono::seconds(10))) {
+            tell(line() + "\n");
+        }
+        if (file_.is_open() && isDue(toFile, std::chrono::seconds(1))) {
+            file_ << line() << std::endl;
+        }
+    }
+    if (file_.is_open()) {
+        file_ << line() << std::endl;
     }
     if (isDirty) {
         tell("\r\033[K");

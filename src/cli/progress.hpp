@@ -1,21 +1,28 @@
 #pragma once
 /// \file
-/// One line on a terminal that says how far long work has come.
+/// Says how far long work has come.
 
 #include <chrono>
 #include <condition_variable>
+#include <fstream>
 #include <mutex>
 #include <string>
 #include <thread>
 
 namespace signorini::cli {
 
-/// Written to standard error, by a thread of its own, if that is a terminal and `wanted`; removed
-/// at the end. Started after an Interrupt, or a signal may find its thread.
+/// "12 s", "3 min", "1.5 h".
+[[nodiscard]] std::string timeAsText(double seconds);
+
+/// One line on standard error that is written anew, where that is a terminal, and removed at the
+/// end; a line each ten seconds where it is none; with a file a line each second there, and a last
+/// one. By a thread of its own, if `wanted` or there is a file. Started after an Interrupt, or a
+/// signal may find its thread.
 class Progress {
 public:
     /// `words` for what is done: the line has the time spent, until `show` knows more.
-    Progress(bool wanted, std::string words);
+    /// \throws FileError if the file cannot be written.
+    Progress(bool wanted, std::string words, const std::string& file = {});
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
     ~Progress();
@@ -35,6 +42,9 @@ private:
     std::condition_variable changed_;
     bool isOver_ = false;
     std::string words_;
+    bool isWanted_;
+    bool isTerminal_;
+    std::ofstream file_;
     double before_ = -1.0;  ///< done when the first call came, perhaps by an earlier run
     double done_ = -1.0;
     double total_ = 0.0;

@@ -10,8 +10,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "atlas_batches.hpp"
+#include "journal.hpp"
 #include "signorini/control.hpp"
 
 namespace signorini::cli {
@@ -42,6 +44,12 @@ public:
                                                      Cancel cancel, std::int64_t first);
     /// The others: decide what rank 0 asks for, until it is done. Returns false if cancelled.
     bool serve(std::int64_t threads, const Cancel& cancel);
+
+    /// Rank 0: rows of a table, dealt to all in turn; the workers hear `question`.
+    [[nodiscard]] DealRows dealt(std::string question, const RowOf& row, std::int64_t threads);
+    /// The others: rows of the question that they hear, likewise.
+    bool serveRows(const std::function<RowOf(const std::string& question)>& rows,
+                   std::int64_t threads);
 
 private:
     int rank_ = 0;

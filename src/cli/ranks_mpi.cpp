@@ -1,9 +1,14 @@
 #include <mpi.h>
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <mutex>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -290,6 +295,130 @@ bool Ranks::serve(std::int64_t threads, const Cancel& cancel)
     }
     MPI_Recv(nullptr, 0, MPI_BYTE, 0, tagStop, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     return !isRequested(cancel);
+}
+
+namespace {
+
+/// Of the pieces of work those that fall to a rank.
+std::vector<std::size_t> partOf(const std::vector<std::size_t>& which, int rank, int count)
+{
+    std::vector<std::size_t> part;
+    for (auto k = static_cast<std::size_t>(rank); k < which.size();
+         k += static_cast<std::size_t>(count)) {
+        part.push_back(which[k]);
+    }
+    return part;
+}
+
+/// A row that has arrived from anyone, as text; empty: one of them has ended, or `isNone`.
+std::string arrivedRow(bool& isNone)
+{
+    int hasArrived = 0;
+    MPI_Status status;
+    MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &hasArrived, &status);
+    isNone = hasArrived == 0;
+    if (isNone) {
+        return {};
+    }
+    int size = 0;
+    MPI_Get_count(&status, MPI_CHAR, &size);
+    std::string text(static_cast<std::size_t>(size), ' ');
+    MPI_Recv(text.data(), size, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
+             MPI_STATUS_IGNORE);
+    return text;
+}
+
+/// Rows by threads of this process, while this thread, the only one that speaks MPI, hands on what
+/// is done: `each(k, row)` there, `meanwhile()` again and again until it is false.
+void workBeside(const std::vector<std::size_t>& which, const RowOf& row, std::int64_t threads,
+                const TakeRow& each, const std::function<bool()>& meanwhile)
+{
+    std::mutex mutex;
+    std::vector<std::pair<std::size_t, std::string>> done;
+    bool isOver = false;
+    std::exception_ptr trouble;
+    std::thread worker([&] {
+        try {
+            byThreads(row, threads)(which, [&](std::size_t k, const std::string& text) {
+                const std::lock_guard lock(mutex);
+                done.emplace_back(k, text);
+            });
+        } catch (...) {
+            trouble = std::current_exception();
+        }
+        const std::lock_guard lock(mutex);
+        isOver = true;
+    });
+    for (bool goesOn = true; goesOn;) {
+        std::vector<std::pair<std::size_t, std::string>> ready;
+        {
+            const std::lock_guard lock(mutex);
+            ready.swap(done);
+            goesOn = !isOver;
+        }
+        for (const auto& [k, text] : ready) {
+            each(k, text);
+        }
+        goesOn = meanwhile() || goesOn || !ready.empty();
+        rest();
+    }
+    worker.join();
+    if (trouble) {
+        std::rethrow_exception(trouble);
+    }
+}
+
+}  // namespace
+
+DealRows Ranks::dealt(std::string question, const RowOf& row, std::int64_t threads)
+{
+    return [this, question = std::move(question), row, threads](
+               const std::vector<std::size_t>& which, const TakeRow& take) {
+        wasCalled_ = true;
+        (void)broadcast(fmt::format("{}\n{}", fmt::join(which, " "), question));
+        int working = count_ - 1;
+        workBeside(partOf(which, 0, count_), row, threads, take, [&] {
+            bool isNone = false;
+            for (std::string text = arrivedRow(isNone); !isNone; text = arrivedRow(isNone)) {
+                const std::size_t mark = text.find(' ');
+                if (mark == std::string::npos) {
+                    --working;
+                } else {
+                    take(std::stoull(text.substr(0, mark)), text.substr(mark + 1));
+                }
+            }
+            return working > 0;
+        });
+    };
+}
+
+bool Ranks::serveRows(const std::function<RowOf(const std::string&)>& rows, std::int64_t threads)
+{
+    wasCalled_ = true;
+    const std::string call = broadcast("");
+    if (call.empty()) {
+        return true;
+    }
+    const std::size_t mark = call.find('\n');
+    std::vector<std::size_t> which;
+    std::istringstream words(call.substr(0, mark));
+    for (std::size_t k = 0; words >> k;) {
+        which.push_back(k);
+    }
+    const std::vector<std::size_t> part = partOf(which, rank_, count_);
+    std::size_t sent = 0;
+    const auto send = [](const std::string& text) {
+        MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, tagBatch, MPI_COMM_WORLD);
+    };
+    workBeside(
+        part, rows(call.substr(mark + 1)), threads,
+        [&](std::size_t k, const std::string& text) {
+            send(fmt::format("{} {}", k, text));
+            ++sent;
+        },
+        [] { return false; });
+    send("");
+    return sent == part.size();
 }
 
 }  // namespace signorini::cli

@@ -41,4 +41,14 @@ bool Ranks::serve(std::int64_t, const Cancel&)
     return false;
 }
 
+DealRows Ranks::dealt(std::string, const RowOf&, std::int64_t)
+{
+    return {};
+}
+
+bool Ranks::serveRows(const std::function<RowOf(const std::string&)>&, std::int64_t)
+{
+    return false;
+}
+
 }  // namespace signorini::cli

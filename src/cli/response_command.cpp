@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "exact_figure.hpp"
@@ -13,6 +14,7 @@
 #include "interrupt.hpp"
 #include "json.hpp"
 #include "progress.hpp"
+#include "refined_response.hpp"
 #include "report.hpp"
 #include "response_report.hpp"
 #include "response_tables.hpp"
@@ -44,25 +46,67 @@ std::optional<FrequencyResponse> responseOf(const ResponseRange& range, std::int
     return isRequested(cancel) ? std::nullopt : std::move(response);
 }
 
-/// Shares the n of the range among threads; those that were done are kept.
-void work(ResponseAnswer& answer, bool wantsStability, std::int64_t threads, const Cancel& cancel,
-          const std::function<void(double, double)>& show)
-{
-    const std::vector<std::int64_t> steps = stepsOf(answer.range);
-    std::vector<std::optional<FrequencyResponse>> responses(steps.size());
-    // The largest n takes longest and goes first.
-    const auto serve = [&](std::size_t at) {
-        responses[at] = responseOf(answer.range, steps[at], wantsStability, cancel);
-        return responses[at].has_value();
-    };
-    shareWork(steps.size(), threads, serve, show);
-    for (std::optional<FrequencyResponse>& response : responses) {
-        if (response) {
-            answer.frequencies.push_back(std::move(*response));
+/// How one call goes through frequencies.
+struct Worker {
+    const CommonOptions& common;
+    bool wantsStability;
+    const Cancel& cancel;
+    Progress& progress;
+    bool isComplete = true;
+
+    /// Shares the n of a range among threads; those that were done are kept.
+    std::vector<FrequencyResponse> work(const ResponseRange& range)
+    {
+        const std::vector<std::int64_t> steps = stepsOf(range);
+        std::vector<std::optional<FrequencyResponse>> responses(steps.size());
+        const auto serve = [&](std::size_t at) {
+            if (!responses[at]) {
+                responses[at] = responseOf(range, steps[at], wantsStability, cancel);
+            }
+            return responses[at].has_value();
+        };
+        estimate(range, steps, serve);
+        // The largest n takes longest and goes first.
+        shareWork(steps.size(), common.threads, serve,
+                  [this](double done, double total) { progress.show(done, total); });
+        std::vector<FrequencyResponse> all;
+        for (std::optional<FrequencyResponse>& response : responses) {
+            if (response) {
+                all.push_back(std::move(*response));
+            }
+        }
+        isComplete = isComplete && all.size() == steps.size();
+        return all;
+    }
+
+    /// Times one of many, and says how long all will take, where that is long.
+    void estimate(const ResponseRange& range, const std::vector<std::int64_t>& steps,
+                  const std::function<bool(std::size_t)>& serve) const
+    {
+        constexpr std::size_t many = 50;
+        constexpr double isLong = 5.0;  // [s]
+        if (common.quiet || steps.size() < many) {
+            return;
+        }
+        using Clock = std::chrono::steady_clock;
+        const std::size_t middle = steps.size() / 2;
+        const auto start = Clock::now();
+        (void)serve(middle);
+        const double one = std::chrono::duration<double>(Clock::now() - start).count();
+        const double order = range.contacts > 1 ? 4.0 : 2.0;  // of the cost in n
+        double all = 0.0;
+        for (const std::int64_t n : steps) {
+            all += std::pow(static_cast<double>(n) / static_cast<double>(steps[middle]), order);
+        }
+        const double seconds = one * all / static_cast<double>(common.threads);
+        if (seconds > isLong) {
+            tell(fmt::format("signorini response: {} frequencies, about {} on {} thread{}{}\n",
+                             steps.size(), timeAsText(seconds), common.threads,
+                             common.threads > 1 ? "s" : "",
+                             common.choosesCells ? "" : "; --cells auto is quicker"));
         }
     }
-    answer.isComplete = answer.frequencies.size() == steps.size();
-}
+};
 
 /// Frequencies are in ω₁: where the grid has none so high, hertz may have been meant.
 void requireFrequencies(const ResponseRange& range, const Bar& bar)
@@ -100,7 +144,7 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
     std::vector<std::optional<ExactFrequency>> found(steps.size());
     {
         const Interrupt interrupt;
-        Progress progress(!common.quiet, "frequencies");
+        Progress progress(!common.quiet, "frequencies", common.progressFile);
         shareWork(
             steps.size(), common.threads,
             [&](std::size_t at) {
@@ -169,7 +213,7 @@ ExitStatus runResponse(const Given& given)
     }
     if (yieldStress && !answer.bar.young) {
         refuse("--yield-stress", fmt::format("{}", *yieldStress),
-               "it only with --young, --density and --area, of a uniform bar");
+               "it only with --young, --density and --area, of a bar of one material");
     }
     answer.yieldStress = yieldStress;
     answer.amplitude = *force.amplitude;
@@ -193,6 +237,14 @@ ExitStatus runResponse(const Given& given)
             fmt::format("--band = {}: allowed only together with --contacts 2", *band));
     }
     answer.range.band = band.value_or(range.band);
+    if (common.choosesCells) {
+        if (!isUniform(scene.segments) || given.has("--map") || given.has("--map-csv")) {
+            throw std::invalid_argument(
+                "--cells auto: allowed for a uniform bar, and without --map and --map-csv, which "
+                "have one grid");
+        }
+        answer.range.cells = coarseResponseCells;
+    }
     (void)stepsOf(answer.range);
     if (given.has("--exact")) {
         return runExact(given, common, force, answer.range, scene);
@@ -200,9 +252,13 @@ ExitStatus runResponse(const Given& given)
     Outputs outputs(given, {"--csv", "--map-csv", "--backbone-csv", "--figure", "--map"});
     {
         const Interrupt interrupt;
-        Progress progress(!common.quiet, "frequencies");
-        work(answer, given.has("--stability"), common.threads, interrupt.cancel(),
-             [&progress](double done, double total) { progress.show(done, total); });
+        const Cancel cancel = interrupt.cancel();
+        Progress progress(!common.quiet, "frequencies", common.progressFile);
+        Worker worker{common, given.has("--stability"), cancel, progress};
+        const auto work = [&worker](const ResponseRange& one) { return worker.work(one); };
+        answer.frequencies =
+            common.choosesCells ? refinedResponse(answer.range, work) : work(answer.range);
+        answer.isComplete = worker.isComplete;
     }
     if (!answer.isComplete && !common.quiet) {
         tell("signorini response: interrupted; the list is not complete\n");

@@ -29,18 +29,20 @@ void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
     file.write(
         "steps,frequency_ratio,frequency,touches,linear_peak,contact,free,phase,impulse,"
         "peak_force,tip_lowest,stability,amplitude,second_contact,second_free,stop,undecided,"
-        "contact_time,approach_speed,peak_compression,peak_tension,peak_stress\n");
-    for (const FrequencyResponse& response : answer.frequencies) {
+        "contact_time,approach_speed,peak_compression,peak_tension,peak_stress,cells\n");
+    for (const answers::FrequencyOf& at : answer.listed()) {
+        const FrequencyResponse& response = at.value;
         const std::string begin =
             fmt::format("{},{},{},{},{}", response.steps, response.frequencyRatio,
                         response.frequencyRatio / 4.0 / unit.time, response.touches ? 1 : 0,
                         response.linearPeak * unit.displacement);
-        const auto end = [&response](const Physical* p) {
+        const auto end = [&](const Physical* p) {
             return p == nullptr
-                       ? fmt::format(",{},,,,,\n", response.undecided)
-                       : fmt::format(",{},{},{},{},{},{}\n", response.undecided, p->contactTime,
+                       ? fmt::format(",{},,,,,,{}\n", response.undecided, at.cells())
+                       : fmt::format(",{},{},{},{},{},{},{}\n", response.undecided, p->contactTime,
                                      p->approachSpeed, p->peakCompression, p->peakTension,
-                                     p->peakStress ? fmt::format("{}", *p->peakStress) : "");
+                                     p->peakStress ? fmt::format("{}", *p->peakStress) : "",
+                                     at.cells());
         };
         if (const auto& held = response.permanent) {
             const Physical p = physicalOf(held->extremes, answer.bar);

@@ -9,11 +9,11 @@
 #include "find_command.hpp"
 #include "interrupt.hpp"
 #include "network_find.hpp"
-#include "network_state_file.hpp"
 #include "scene_forced_find.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "signorini/find_periodic.hpp"
+#include "state_table.hpp"
 #include "units.hpp"
 
 namespace signorini::cli {
@@ -199,8 +199,8 @@ ExitStatus findInScene(const FindCommand& command)
                                  interrupt.cancel());
     if (answer.motions.motion) {
         states.put("--state", [&](const std::string& path) {
-            writeNetworkState(path, answer.network,
-                              {answer.motions.motion->waves, answer.motions.motion->displacements});
+            writeStateTable(path, answer.network,
+                            {answer.motions.motion->waves, answer.motions.motion->displacements});
         });
         states.commit();
     } else if (states.areWanted() && !command.common.quiet) {

@@ -7,11 +7,11 @@
 
 #include "files.hpp"
 #include "find_command.hpp"
-#include "network_state_file.hpp"
 #include "scene_find.hpp"
 #include "scene_forced.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
+#include "state_table.hpp"
 
 namespace signorini::cli {
 
@@ -201,7 +201,7 @@ ExitStatus findForcedInScene(const FindCommand& command)
     if (!answer.motions.empty()) {
         const NetworkClaim& last = answer.motions.back().claim;
         states.put("--state", [&](const std::string& path) {
-            writeNetworkState(path, answer.network, {last.waves, last.displacements});
+            writeStateTable(path, answer.network, {last.waves, last.displacements});
         });
         states.commit();
     } else if (states.areWanted() && !command.common.quiet) {

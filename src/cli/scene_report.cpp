@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene_options.hpp"
+
 namespace signorini::cli {
 
 namespace {
@@ -182,6 +184,22 @@ std::string forcesAsText(const Network& network, const NetworkResiduals& residua
                             residuals.impulses[j] * scales.force() * scales.time);
     }
     return text;
+}
+
+Json withScene(const Json& answer, const Assembly& assembly, const Network& network)
+{
+    Json all;
+    for (const auto& [key, value] : answer.items()) {
+        if (key == "bar") {
+            all["scene"] = asJson(assembly);
+            all["reference"] = referenceAsJson(network);
+            all["contacts"] = contactsAsJson(network, assembly.length);
+        } else if (key != "stops" && key != "segments" && key != "static_force" &&
+                   key != "damping") {
+            all[key] = value;
+        }
+    }
+    return all;
 }
 
 std::string headline(const Assembly& assembly, const Network& network)

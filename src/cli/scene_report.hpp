@@ -51,6 +51,10 @@ void addForces(Json& contacts, const Network& network, const std::vector<Contact
 /// The same in words, a line for each contact.
 [[nodiscard]] std::string forcesAsText(const Network& network, const NetworkResiduals& residuals);
 
+/// An answer about a bar as one about a scene: its keys of the bar become scene, reference and
+/// contacts.
+[[nodiscard]] Json withScene(const Json& answer, const Assembly& assembly, const Network& network);
+
 /// The line that restates the bars.
 [[nodiscard]] std::string headline(const Assembly& assembly, const Network& network);
 

@@ -9,8 +9,7 @@
 #include "excited_amplitude.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
-#include "network_simulation.hpp"
-#include "network_state_file.hpp"
+#include "network_watched.hpp"
 #include "progress.hpp"
 #include "scene_figures.hpp"
 #include "scene_options.hpp"
@@ -19,14 +18,13 @@
 #include "signorini/output.hpp"
 #include "simulate_command.hpp"
 #include "simulation_report.hpp"
+#include "state_table.hpp"
 
 namespace signorini::cli {
 
 namespace {
 
-constexpr double mostCrossings = 1e9;    // [crossings of all bars]
-constexpr std::size_t mostPeriods = 16;  // after which a motion may repeat
-constexpr double repeats = 1e-6;         // relative, of a state that is back
+constexpr double mostCrossings = 1e9;  // [crossings of all bars]
 
 /// What a call asks for, in the units of its network.
 struct Question {
@@ -39,67 +37,6 @@ struct Question {
     double frequencyRatio = 0.0;  ///< ω/ω₁
     double frequency = 0.0;       ///< [Hz]
     double duration = 0.0;        ///< [h]
-};
-
-/// The state at the ends of the last periods, and what had happened until then.
-class PeriodEnds {
-public:
-    struct Repeated {
-        std::int64_t periods = 0;  ///< 0: it does not
-        std::int64_t contacts = 0;
-        double impulse = 0.0;
-        double residual = 0.0;  ///< the least seen
-    };
-
-    void see(const NetworkSimulation& simulation)
-    {
-        ends_.push_back({simulation.state(), simulation.contactCount(), simulation.impulse()});
-        if (ends_.size() > mostPeriods + 1) {
-            ends_.erase(ends_.begin());
-        }
-    }
-
-    [[nodiscard]] std::optional<Repeated> repeated() const
-    {
-        std::optional<Repeated> best;
-        for (std::size_t k = 1; k < ends_.size(); ++k) {
-            const End& now = ends_.back();
-            const End& before = ends_[ends_.size() - 1 - k];
-            const double residual =
-                std::max(difference(now.state.waves, before.state.waves),
-                         difference(now.state.displacements, before.state.displacements));
-            if (!best || residual < best->residual) {
-                best = Repeated{0, now.contacts - before.contacts, now.impulse - before.impulse,
-                                residual};
-            }
-            if (residual <= repeats) {
-                best->periods = static_cast<std::int64_t>(k);
-                return best;
-            }
-        }
-        return best;
-    }
-
-private:
-    struct End {
-        NetworkStart state;
-        std::int64_t contacts;
-        double impulse;
-    };
-
-    /// Relative to the largest.
-    static double difference(const std::vector<double>& one, const std::vector<double>& other)
-    {
-        double most = 0.0;
-        double size = 0.0;
-        for (std::size_t k = 0; k < one.size(); ++k) {
-            most = std::max(most, std::abs(one[k] - other[k]));
-            size = std::max(size, std::abs(one[k]));
-        }
-        return size > 0.0 ? most / size : most;
-    }
-
-    std::vector<End> ends_;
 };
 
 bool isDriven(const Network& network)
@@ -219,7 +156,7 @@ NetworkStart startOf(const SimulateCommand& command, const Network& network)
 {
     if (!command.given.text("--from").empty()) {
         const std::string path = command.given.text("--from");
-        return forFile("--from", path, [&] { return readNetworkState(path, network); });
+        return forFile("--from", path, [&] { return readStateTable(path, network); });
     }
     if (command.speeds.empty()) {
         return startAtRest(network);
@@ -256,16 +193,7 @@ struct SceneAnswer {
     const Question& question;
     const NetworkSimulation& simulation;
     bool isComplete = true;
-    std::optional<PeriodEnds::Repeated> repeated = {};
-
-    [[nodiscard]] std::string why() const
-    {
-        return !repeated ? "fewer than two periods of an excitation were seen"
-                         : fmt::format(
-                               "over 1 to {} periods the state changes by {:.3g} of its "
-                               "size, at the least; {:g} is allowed",
-                               mostPeriods, repeated->residual, repeats);
-    }
+    Settling settling = {};
 };
 
 std::string asText(const SceneAnswer& answer)
@@ -284,15 +212,13 @@ std::string asText(const SceneAnswer& answer)
             ++number, total.count, total.impulse * impulseUnit, total.peakForce * scales.force(),
             total.time * scales.time);
     }
-    if (answer.repeated && answer.repeated->periods > 0) {
+    if (const std::optional<Settled>& settled = answer.settling.settled) {
         text += fmt::format(
             "settled     repeats every {} of the excitation to {:.2g}: {} contacts, {:.6g} N s\n",
-            answer.repeated->periods == 1 ? "period"
-                                          : fmt::format("{} periods", answer.repeated->periods),
-            answer.repeated->residual, answer.repeated->contacts,
-            answer.repeated->impulse * impulseUnit);
+            settled->periods == 1 ? "period" : fmt::format("{} periods", settled->periods),
+            settled->residual, settled->contacts, settled->impulse * impulseUnit);
     } else if (answer.question.period > 0.0) {
-        text += fmt::format("settled     no: {}\n", answer.why());
+        text += fmt::format("settled     no: {}\n", answer.settling.why);
     }
     const NetworkBalance energy = simulation.balance();
     const MomentumBalance momentum = simulation.momentumBalance();
@@ -360,13 +286,13 @@ std::string asJson(const SimulateCommand& command, const SceneAnswer& answer)
              {"events", simulation.events()},
              {"fronts", simulation.fronts()},
              {"merged", simulation.merged() * scales.displacement}});
-    if (answer.repeated && answer.repeated->periods > 0) {
-        json["settled"] = {{"periods", answer.repeated->periods},
-                           {"contacts", answer.repeated->contacts},
-                           {"impulse", answer.repeated->impulse * impulseUnit},
-                           {"residual", answer.repeated->residual}};
+    if (const std::optional<Settled>& settled = answer.settling.settled) {
+        json["settled"] = {{"periods", settled->periods},
+                           {"contacts", settled->contacts},
+                           {"impulse", settled->impulse * impulseUnit},
+                           {"residual", settled->residual}};
     } else if (answer.question.period > 0.0) {
-        json["why"] = answer.why();
+        json["why"] = answer.settling.why;
     }
     return asLine(json);
 }
@@ -421,28 +347,20 @@ void writePaths(const std::string& path, const NetworkSimulation& simulation)
 }
 
 /// Until its end, or a signal.
-void goOn(NetworkSimulation& simulation, const Question& question, bool isQuiet,
+void goOn(NetworkSimulation& simulation, const Question& question, const CommonOptions& common,
           SceneAnswer& answer)
 {
     const Interrupt interrupt;
-    const Cancel cancel = interrupt.cancel();
-    Progress progress(!isQuiet, "simulating");
-    PeriodEnds ends;
+    Progress progress(!common.quiet, "simulating", common.progressFile);
     const double stretch = question.period > 0.0
                                ? question.period
                                : 16.0 * static_cast<double>(simulation.network().cells());
-    double done = 0.0;
-    while (done < question.duration && !isRequested(cancel)) {
-        const double next = std::min(stretch, question.duration - done);
-        simulation.advance(next);
-        done += next;
-        if (question.period > 0.0 && next == stretch) {
-            ends.see(simulation);
-        }
-        progress.show(done, question.duration);
-    }
-    answer.isComplete = !(done < question.duration);
-    answer.repeated = ends.repeated();
+    WatchedNetwork watched(simulation, question.drive);
+    const Followed followed =
+        follow(watched, stretch, question.duration / stretch, interrupt.cancel(),
+               [&progress](double done, double all) { progress.show(done, all); });
+    answer.isComplete = followed.isComplete;
+    answer.settling = question.period > 0.0 ? followed.settling : Settling{};
 }
 
 }  // namespace
@@ -464,14 +382,14 @@ ExitStatus simulateScene(const SimulateCommand& command)
         {.mergeBelow = 1e-12 * std::max(size, 1.0),
          .recordsPaths = command.given.has("--tip") || command.given.has("--figure")});
     SceneAnswer answer{.question = question, .simulation = simulation};
-    goOn(simulation, question, command.common.quiet, answer);
+    goOn(simulation, question, command.common, answer);
     if (answer.isComplete) {
         outputs.put("--events", [&](const std::string& path) { writeEvents(path, simulation); });
         outputs.put("--statistics",
                     [&](const std::string& path) { writeStatistics(path, simulation); });
         outputs.put("--tip", [&](const std::string& path) { writePaths(path, simulation); });
         outputs.put("--state", [&](const std::string& path) {
-            writeNetworkState(path, simulation.network(), simulation.state());
+            writeStateTable(path, simulation.network(), simulation.state());
         });
         outputs.put("--figure", [&](const std::string& path) {
             drawFigure(simulationFigure(simulation), figureFormat(command.given.text("--figure")),

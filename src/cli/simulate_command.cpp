@@ -12,6 +12,7 @@
 #include "signorini/figures.hpp"
 #include "signorini/settling.hpp"
 #include "simulation_report.hpp"
+#include "state_table.hpp"
 #include "stepped_bar.hpp"
 #include "table.hpp"
 
@@ -94,9 +95,8 @@ Waves SimulateCommand::start(const Scene& scene, double base) const
     }
     // A table of waves brings its own grid, whatever --cells says of the excitation.
     const std::int64_t cells = parts.empty() ? common.usualCells() : steppedBar(parts).cells;
-    return wavesOf(forFile("--from", fromFile, [&] {
-        return readState(fromFile, firstMaterial(scene), cells, maxMeasurements).state;
-    }));
+    return forFile("--from", fromFile,
+                   [&] { return readWaves(fromFile, firstMaterial(scene), cells, parts.empty()); });
 }
 
 Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
@@ -166,7 +166,7 @@ ExitStatus SimulateCommand::run() const
     const Bar bar = firstMaterial(scene);
     SimulationAnswer answer{.scene = scene, .damping = force.damping()};
     Outputs outputs(
-        given, {"--events", "--statistics", "--tip", "--figure"},
+        given, {"--events", "--statistics", "--tip", "--figure", "--state"},
         {{"--from", given.text("--from")}, {"--force-file", given.text("--force-file")}});
     const auto usual = static_cast<double>(common.usualCells());
     const Waves waves = start(scene, excitation(bar, usual).baseDisplacement(0));
@@ -191,7 +191,7 @@ ExitStatus SimulateCommand::run() const
     const double total = stretches(stretch, waves.crossing, bar);
     {
         const Interrupt interrupt;
-        Progress progress(!common.quiet, "simulating");
+        Progress progress(!common.quiet, "simulating", common.progressFile);
         const Followed followed =
             follow(simulation, stretch, total, interrupt.cancel(),
                    [&progress](double done, double all) { progress.show(done, all); });
@@ -207,6 +207,9 @@ ExitStatus SimulateCommand::run() const
         outputs.put("--statistics",
                     [&](const std::string& path) { writeStatistics(path, simulation, bar); });
         outputs.put("--tip", [&](const std::string& path) { writeTip(path, simulation, bar); });
+        outputs.put("--state", [&](const std::string& path) {
+            writeStateTable(path, simulation.waves(), simulation.tip(), bar);
+        });
         outputs.put("--figure", [&](const std::string& path) {
             drawFigure(simulationFigure(simulation, force.place ? driving : Excitation{}, bar),
                        figureFormat(given.text("--figure")), path);

@@ -1,14 +1,18 @@
-#include "commands.hpp"
+#include "sweep_command.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "commands.hpp"
 #include "excited_names.hpp"
-#include "files.hpp"
-#include "force_options.hpp"
-#include "given.hpp"
 #include "interrupt.hpp"
+#include "journal.hpp"
+#include "json.hpp"
+#include "network_sweep.hpp"
 #include "progress.hpp"
-#include "share_work.hpp"
+#include "scene_options.hpp"
+#include "scene_report.hpp"
 #include "signorini/figures.hpp"
 #include "sweep_report.hpp"
 
@@ -64,29 +68,18 @@ std::vector<FrequencyResponse> exactUnder(const SweepRange& sweep)
     return exact;
 }
 
-/// One call.
-struct Call {
-    explicit Call(const Given& words)
-        : given(words),
-          common(words),
-          force(words),
-          frequency(words, "--frequency", "--hertz"),
-          over(words.named("--over", sweptNames).value_or(Swept::frequency))
-    {
-    }
+}  // namespace
 
-    const Given& given;
-    CommonOptions common;
-    ForceOptions force;
-    FrequencyOption frequency;
-    Swept over;
+SweepCommand::SweepCommand(const Given& words)
+    : given(words),
+      common(words),
+      force(words),
+      frequency(words, "--frequency", "--hertz"),
+      over(words.named("--over", sweptNames).value_or(Swept::frequency))
+{
+}
 
-    [[nodiscard]] SweepRange range(const Scene& scene, const Bar& bar) const;
-    [[nodiscard]] double end(const char* option, double otherwise, const Bar& bar) const;
-};
-
-/// One end of the range.
-double Call::end(const char* option, double otherwise, const Bar& bar) const
+double SweepCommand::end(const char* option, double otherwise, const Bar& bar) const
 {
     const std::string text = given.text(option);
     const auto hertz = given.number(fmt::format("{}-hertz", option));
@@ -114,9 +107,7 @@ double Call::end(const char* option, double otherwise, const Bar& bar) const
            answers::unitOf(over, force.place.value(), bar);
 }
 
-/// What is asked, in units of the bar. \throws std::invalid_argument on options that are missing or
-/// do not go together.
-SweepRange Call::range(const Scene& scene, const Bar& bar) const
+SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
 {
     if (!force.place) {
         refuse("--force", "missing", "tip|base");
@@ -162,20 +153,110 @@ SweepRange Call::range(const Scene& scene, const Bar& bar) const
     return range;
 }
 
-}  // namespace
-
 ExitStatus runSweep(const Given& given)
 {
-    const Call call(given);
-    const CommonOptions& common = call.common;
-    const auto yieldStress = given.number("--yield-stress");
+    return SweepCommand(given).run();
+}
+
+SweepAnswer SweepCommand::question() const
+{
     const Scene scene = common.scene();
     const Bar bar = answers::unitsOf(scene);
+    const auto yieldStress = given.number("--yield-stress");
     if (yieldStress && !bar.young) {
         refuse("--yield-stress", fmt::format("{}", *yieldStress),
-               "it only with --young, --density and --area, of a uniform bar");
+               "it only with --young, --density and --area, of a bar of one material");
     }
-    SweepAnswer answer{call.range(scene, bar), scene, bar, {}, true, yieldStress};
+    return {range(scene, bar), scene, bar, {}, true, yieldStress};
+}
+
+SweepAnswer SweepCommand::question(const Network& network) const
+{
+    if (force.ratio) {
+        throw std::invalid_argument(
+            "--damping clashes with --scene: allowed dash=D among its words");
+    }
+    if (over == Swept::gap || over == Swept::damping) {
+        refuse("--over", name(over), "frequency|amplitude of a scene of several bars");
+    }
+    if (given.has("--yield-stress")) {
+        refuse("--yield-stress", given.text("--yield-stress"),
+               "it only of one bar: strains of several are not watched");
+    }
+    const bool isForce = force.place == Excited::tip;
+    if (std::none_of(network.nodes.begin(), network.nodes.end(), [&](const NetworkNode& node) {
+            return isForce ? node.isDriven : node.isShaken;
+        })) {
+        refuse("--force", force.place ? name(*force.place) : "missing",
+               "tip for a scene with the word driven, base for one with shaken");
+    }
+    const Assembly& assembly = common.assembly();
+    const double gap = std::abs(network.contacts.front().gap) * network.scales.displacement;
+    const Bar bar{
+        .length = assembly.length,
+        .waveSpeed = 2.0 * assembly.length * referenceOf(network).frequency / std::numbers::pi,
+        .axialStiffness = assembly.axialStiffness,
+        .gap = gap > 0.0 ? gap : assembly.length};
+    return {range(bar, bar), bar, bar, {}, true, {}};
+}
+
+std::string SweepCommand::report(const SweepAnswer& answer, const Network* network) const
+{
+    if (common.wantsJson) {
+        const Json json = wholeJsonOf(answer);
+        return asLine(network != nullptr ? withScene(json, common.assembly(), *network) : json);
+    }
+    return (network != nullptr ? headline(common.assembly(), *network)
+                               : common.restated({}, force.ratio)) +
+           asText(answer);
+}
+
+std::string SweepCommand::questionOf(const SweepAnswer& answer) const
+{
+    SweepAnswer asked = answer;
+    asked.points.clear();
+    return fmt::format("{} {} {} {} {} {} {} {} {}", wholeJsonOf(asked).dump(), common.sceneText,
+                       common.gravity, asked.range.least, asked.range.most, asked.range.points,
+                       asked.range.periods, asked.range.frequencyRatio, asked.range.resolution) +
+           (given.has("--up") ? " up" : "") + (given.has("--down") ? " down" : "");
+}
+
+ExitStatus SweepCommand::run() const
+{
+    if (given.has("--resume") && !given.has("--csv")) {
+        throw std::invalid_argument("--resume: allowed only together with --csv");
+    }
+    if (common.hasScene() && !barOf(common.assembly())) {
+        const Network network = networkOf(common.assembly());
+        return run(question(network), &network);
+    }
+    return run(question(), nullptr);
+}
+
+void SweepCommand::write(const SweepAnswer& answer, const Network* network, Outputs& outputs) const
+{
+    const Bar& bar = answer.bar;
+    outputs.put("--csv", [&](const std::string& path) { writeSweepCsv(path, answer); });
+    outputs.put("--figure", [&](const std::string& path) {
+        drawFigure(sweepFigure(answer.points, answer.range, bar,
+                               network != nullptr ? std::vector<FrequencyResponse>{}
+                                                  : exactUnder(answer.range)),
+                   figureFormat(given.text("--figure")), path);
+    });
+    outputs.put("--bifurcation", [&](const std::string& path) {
+        drawFigure(bifurcationFigure(answer.points, answer.range, bar),
+                   figureFormat(given.text("--bifurcation")), path);
+    });
+}
+
+ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
+{
+    const Bar& bar = answer.bar;
+    std::optional<NetworkSweep> several;
+    std::optional<SweepBody> body;
+    if (network != nullptr) {
+        body = several.emplace(NetworkSweep{*network, bar, answer.range}).body();
+    }
     std::vector<SweepDirection> directions;
     if (given.has("--up") || !given.has("--down")) {
         directions.push_back(SweepDirection::up);
@@ -184,34 +265,34 @@ ExitStatus runSweep(const Given& given)
         directions.push_back(SweepDirection::down);
     }
     Outputs outputs(given, {"--csv", "--figure", "--bifurcation"});
+    std::optional<Journal> journal;
     {
         const Interrupt interrupt;
-        Progress progress(!common.quiet, "values");
-        answer.points = sweep(
-            answer.range, directions, interrupt.cancel(),
-            [&progress](double done, double total) { progress.show(done, total); },
-            [&common](std::size_t count, const auto& serve) {
-                shareWork(count, common.threads, serve, {});
-            });
+        if (given.has("--csv")) {
+            journal.emplace(given.text("--csv"), questionOf(answer), given.has("--resume"));
+        }
+        Progress progress(!common.quiet, "values", common.progressFile);
+        answer.points = sweepThrough(
+            answer.range, body ? &*body : nullptr, directions, journal ? &*journal : nullptr,
+            common.threads,
+            {.cancel = interrupt.cancel(),
+             .show = [&progress](double done, double total) { progress.show(done, total); }});
     }
     answer.isComplete =
         answer.points.size() == directions.size() * static_cast<std::size_t>(answer.range.points);
     if (answer.isComplete) {
-        outputs.put("--csv", [&](const std::string& path) { writeSweepCsv(path, answer); });
-        outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(sweepFigure(answer.points, answer.range, bar, exactUnder(answer.range)),
-                       figureFormat(given.text("--figure")), path);
-        });
-        outputs.put("--bifurcation", [&](const std::string& path) {
-            drawFigure(bifurcationFigure(answer.points, answer.range, bar),
-                       figureFormat(given.text("--bifurcation")), path);
-        });
+        write(answer, network, outputs);
         outputs.commit();
+        if (journal) {
+            journal->remove();
+        }
     } else if (!common.quiet) {
-        tell("signorini sweep: interrupted; the list is not complete, and no file was written\n");
+        tell(
+            fmt::format("signorini sweep: interrupted; the list is not complete, and no file was "
+                        "written{}\n",
+                        journal ? "; the same call with --resume goes on" : ""));
     }
-    writeOut(common.wantsJson ? asJson(answer)
-                              : common.restated({}, call.force.ratio) + asText(answer));
+    writeOut(report(answer, network));
     return answer.isComplete ? exitFound : exitUndecided;
 }
 

@@ -4,7 +4,6 @@
 #include <functional>
 #include <map>
 
-#include "json.hpp"
 #include "signorini/output.hpp"
 #include "text.hpp"
 
@@ -191,11 +190,6 @@ std::string asText(const SweepAnswer& answer)
         addWorst(answer, text);
     }
     return fmt::to_string(text);
-}
-
-std::string asJson(const SweepAnswer& answer)
-{
-    return asLine(wholeJsonOf(answer));
 }
 
 void writeSweepCsv(const std::string& path, const SweepAnswer& answer)

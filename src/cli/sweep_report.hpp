@@ -13,9 +13,6 @@ using answers::SweepAnswer;
 /// Several lines for people, with a final newline: what it settles on where, and the worst values.
 [[nodiscard]] std::string asText(const SweepAnswer& answer);
 
-/// The JSON of the contract, with a final newline.
-[[nodiscard]] std::string asJson(const SweepAnswer& answer);
-
 /// A row for each value and direction. \throws FileError.
 void writeSweepCsv(const std::string& path, const SweepAnswer& answer);
 

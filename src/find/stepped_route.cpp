@@ -11,6 +11,7 @@
 #include "energy_floor.hpp"
 #include "faults.hpp"
 #include "infeasibility.hpp"
+#include "one_material.hpp"
 #include "request.hpp"
 #include "stepped_check.hpp"
 #include "stepped_existence.hpp"
@@ -321,9 +322,8 @@ private:
                 result_.how.route, seen.residuals.worst(), options_.tolerance);
             return;
         }
-        Bar bar = firstMaterial(options_.scene);
+        const Bar bar = unitsOfBar(options_.scene);
         const double unit = scales(bar).energy;
-        bar.young.reset();  // it is known of the first segment only
         result_.status = Status::found;
         result_.detail.clear();
         result_.motion =

@@ -7,33 +7,6 @@
 
 namespace signorini {
 
-namespace {
-
-constexpr double longestBase = 256.0;  // [h, for each cell], after which times are counted anew
-
-}  // namespace
-
-void NetworkSimulation::Channel::push(const Front& front)
-{
-    if (count == ring.size()) {
-        std::vector<Front> wider(2 * ring.size());
-        for (std::size_t k = 0; k < count; ++k) {
-            wider[k] = at(k);
-        }
-        ring = std::move(wider);
-        head = 0;
-    }
-    ++count;
-    at(count - 1) = front;
-}
-
-void NetworkSimulation::Channel::pop()
-{
-    now = at(0).value;
-    head = (head + 1) & (ring.size() - 1);
-    --count;
-}
-
 void NetworkSimulation::Sum::add(double term)
 {
     const double sum = value + term;
@@ -289,6 +262,7 @@ void NetworkSimulation::setPush(std::size_t contact, double push)
         pressed_ += touch.event.impulse == 0.0 ? 1 : 0;
         impulse_.add(touch.push * lasted);
         touch.event.impulse += touch.push * lasted;
+        touch.pushed += touch.push * lasted;
         touch.event.peakForce = std::max(touch.event.peakForce, touch.push);
         touch.event.end = time();
         const ContactKind kind = network_.contacts[contact].kind;
@@ -313,6 +287,7 @@ void NetworkSimulation::predict(std::size_t contact)
                                  : here - nodes_[place.node + 1].velocity;
         const double left = distance(contact);
         touches_[contact].isNear = left <= close_[contact];
+        touches_[contact].nearest = std::min(touches_[contact].nearest, left);
         if (speed > slow_) {
             due = now_ + std::max(left, 0.0) / speed;
         }
@@ -384,58 +359,6 @@ void NetworkSimulation::setPowers(std::size_t number)
         } else if (channels_[k].sign < 0.0) {
             node.external += pull;
         }
-    }
-}
-
-void NetworkSimulation::send(std::size_t number, double value)
-{
-    Channel& channel = channels_[number];
-    const double arrival = now_ + channel.delay;
-    if (channel.count > 0 && channel.at(channel.count - 1).time >= arrival - same_) {
-        --channel.count;  // what was sent at this very instant is sent anew
-    }
-    if (value != channel.last()) {
-        if (channel.count >= 2) {
-            Front& before = channel.at(channel.count - 2);
-            const Front& last = channel.at(channel.count - 1);
-            const double jump = std::abs(last.value - before.value);
-            if (jump <= options_.mergeBelow) {
-                const double duration = arrival - last.time;
-                const double earlier = last.time - before.time;
-                before.value =
-                    (before.value * earlier + last.value * duration) / (earlier + duration);
-                merged_ += jump * duration;
-                --channel.count;
-            }
-        }
-        channel.push({arrival, value});
-    }
-    due_[number] = channel.due();
-}
-
-/// Times are counted from a later instant, by whole steps, so that they keep their digits: what
-/// they are rounded by stays far below `same_`, so that fronts that meet do so for ever.
-void NetworkSimulation::rebase()
-{
-    if (now_ < longestBase * static_cast<double>(network_.cells())) {
-        return;
-    }
-    const double shift = std::floor(now_);
-    base_ += shift;
-    now_ -= shift;
-    for (Channel& channel : channels_) {
-        for (std::size_t k = 0; k < channel.count; ++k) {
-            channel.at(k).time -= shift;
-        }
-    }
-    for (Node& node : nodes_) {
-        node.since -= shift;
-    }
-    for (Touch& touch : touches_) {
-        touch.since -= shift;
-    }
-    for (double& due : due_) {
-        due -= shift;
     }
 }
 

@@ -26,7 +26,13 @@ namespace signorini {
 struct NetworkStart {
     std::vector<double> waves;          ///< in the order of Network::waves
     std::vector<double> displacements;  ///< of the nodes
+    /// Off the grid, in place of `waves`: of each channel, in the order of arrival.
+    std::vector<std::vector<Piece>> pieces = {};
 };
+
+/// The waves of a start, piece by piece.
+[[nodiscard]] std::vector<std::vector<Piece>> piecesOf(const Network& network,
+                                                       const NetworkStart& start);
 
 /// At rest under its constant forces. \throws as restOf.
 [[nodiscard]] NetworkStart startAtRest(const Network& network);
@@ -113,8 +119,16 @@ public:
     /// Of all contacts so far, those that last included.
     [[nodiscard]] double impulse() const;
     [[nodiscard]] const std::vector<std::vector<NodePoint>>& paths() const { return paths_; }
-    /// Averages over the cells, in the order of Network::waves; exact on a grid. O(fronts + M).
+    /// Whole; `waves` are averages over the cells, exact on a grid. O(fronts + M).
     [[nodiscard]] NetworkStart state() const;
+    /// What one contact has pushed until now [Z_1 delta].
+    [[nodiscard]] double impulseAt(std::size_t contact) const
+    {
+        const Touch& touch = touches_[contact];
+        return touch.pushed + touch.push * (now_ - touch.since);
+    }
+    /// Least distance of a contact at all events at which it was open.
+    [[nodiscard]] double nearest(std::size_t contact) const { return touches_[contact].nearest; }
     /// Sum of Z w^2. O(fronts).
     [[nodiscard]] double energy() const;
     [[nodiscard]] NetworkBalance balance() const;
@@ -174,6 +188,8 @@ private:
         double since = 0.0;
         bool lasts = false;   ///< an event is under way
         bool isNear = false;  ///< open, without distance
+        double nearest = infinity;
+        double pushed = 0.0;
         NetworkContactEvent event = {};
     };
     struct Sum {  ///< Neumaier
@@ -189,8 +205,9 @@ private:
         std::size_t last;
     };
 
-    void place(const NetworkStart& start);
-    void setScale(const NetworkStart& start);
+    void place(const std::vector<std::vector<Piece>>& pieces,
+               const std::vector<double>& displacements);
+    void setScale(const std::vector<std::vector<Piece>>& pieces);
     void advanceTo(double end);
     void takeEvent(std::size_t which);
     void takeClock();
@@ -207,6 +224,7 @@ private:
     void setPush(std::size_t contact, double push);
     void predict(std::size_t contact);
     void send(std::size_t number, double value);
+    bool joins(Channel& channel, const Front& next);
     void rebase();
     void recordPath(std::size_t node);
     [[nodiscard]] const Law& lawOf(ContactSet closed);
@@ -230,11 +248,13 @@ private:
     double baseVelocity_ = 0.0;
     std::int64_t driveStep_ = 0;
     double now_ = 0.0;
-    double base_ = 0.0;  ///< whole; times are counted from it
+    double base_ = 0.0;                           ///< whole; times are counted from it
+    static constexpr double longestBase = 256.0;  ///< [h, for each cell], then times count anew
     static constexpr std::size_t none = ~std::size_t{0};
     std::size_t meeting_ = none;  ///< the contact whose distance has come to its end just now
     std::vector<double> close_;   ///< by contact: distances below it are rounding
     double same_;                 ///< instants that differ by less are one
+    double together_;             ///< fronts that follow each other closer become one
     double slow_ = 0.0;           ///< velocities below it are rounding
     double small_ = 0.0;          ///< pushes below it are rounding
     std::int64_t events_ = 0;

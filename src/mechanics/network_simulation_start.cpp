@@ -10,8 +10,56 @@ namespace signorini {
 namespace {
 
 constexpr double sameSize = 1e-12;
+constexpr double fewRoundings = 1e-10;  // of an instant, after thousands of bounces
+
+void requirePieces(Faults& faults, const Network& network, const NetworkStart& start)
+{
+    if (!start.pieces.empty() && start.pieces.size() != network.channels()) {
+        faults.add("waves of the start", start.pieces.size(),
+                   fmt::format("{}, one for each direction of a bar", network.channels()));
+        return;
+    }
+    for (std::size_t k = 0; k < start.pieces.size(); ++k) {
+        const double delay =
+            k < 2 * network.rows.size() ? static_cast<double>(network.rows[k / 2].cells) : 1.0;
+        double total = 0.0;
+        for (const Piece& piece : start.pieces[k]) {
+            total += piece.duration > 0.0 && std::isfinite(piece.value) ? piece.duration : infinity;
+        }
+        if (!(std::abs(total - delay) <= 1e-9 * delay)) {
+            faults.add(fmt::format("wave {} of the start", k + 1), total,
+                       fmt::format("finite values for durations > 0, {} [h] in all", delay));
+        }
+    }
+}
 
 }  // namespace
+
+std::vector<std::vector<Piece>> piecesOf(const Network& network, const NetworkStart& start)
+{
+    if (!start.pieces.empty()) {
+        return start.pieces;
+    }
+    const std::size_t rows = network.rows.size();
+    std::vector<std::vector<Piece>> pieces(network.channels());
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        if (k >= 2 * rows) {
+            pieces[k] = {{1.0, start.waves[network.firstWave(rows) + k - 2 * rows]}};
+            continue;
+        }
+        const auto size = static_cast<std::size_t>(network.rows[k / 2].cells);
+        const std::size_t first = network.firstWave(k / 2) + (k % 2) * size;
+        for (std::size_t order = 0; order < size; ++order) {
+            const double value = start.waves[first + (k % 2 == 0 ? size - 1 - order : order)];
+            if (order > 0 && value == pieces[k].back().value) {
+                pieces[k].back().duration += 1.0;
+            } else {
+                pieces[k].push_back({1.0, value});
+            }
+        }
+    }
+    return pieces;
+}
 
 NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart& start,
                                      const NetworkDrive& drive, const NetworkOptions& options)
@@ -30,10 +78,12 @@ NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart&
     const auto areFinite = [](const std::vector<double>& values) {
         return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
     };
-    if (start.waves.size() != network.waves() || !areFinite(start.waves)) {
+    if (start.pieces.empty() &&
+        (start.waves.size() != network.waves() || !areFinite(start.waves))) {
         faults.add("waves of the start", start.waves.size(),
                    fmt::format("{}, all finite", network.waves()));
     }
+    requirePieces(faults, network, start);
     if (start.displacements.size() != nodes_.size() || !areFinite(start.displacements)) {
         faults.add("displacements of the start", start.displacements.size(),
                    fmt::format("{}, all finite", nodes_.size()));
@@ -43,17 +93,20 @@ NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart&
         faults.add("excitation", drive.step, "finite values and a step > 0 [h]");
     }
     faults.throwIfAny();
-    setScale(start);
-    place(start);
+    const std::vector<std::vector<Piece>> pieces = piecesOf(network_, start);
+    setScale(pieces);
+    place(pieces, start.displacements);
     startEnergy_ = energy();
     startMomentum_ = momentum();
 }
 
-void NetworkSimulation::setScale(const NetworkStart& start)
+void NetworkSimulation::setScale(const std::vector<std::vector<Piece>>& pieces)
 {
     double speed = 0.0;
-    for (const double wave : start.waves) {
-        speed = std::max(speed, std::abs(wave));
+    for (const std::vector<Piece>& channel : pieces) {
+        for (const Piece& piece : channel) {
+            speed = std::max(speed, std::abs(piece.value));
+        }
     }
     double least = infinity;
     double most = 0.0;
@@ -71,11 +124,13 @@ void NetworkSimulation::setScale(const NetworkStart& start)
         speed = std::max(speed, std::abs(velocity));
     }
     same_ = sameSize * static_cast<double>(network_.cells());
+    together_ = fewRoundings * static_cast<double>(network_.cells());
     slow_ = sameSize * speed;
     small_ = slow_ * most;
 }
 
-void NetworkSimulation::place(const NetworkStart& start)
+void NetworkSimulation::place(const std::vector<std::vector<Piece>>& pieces,
+                              const std::vector<double>& displacements)
 {
     const std::size_t rows = network_.rows.size();
     for (std::size_t k = 0; k < channels_.size(); ++k) {
@@ -84,28 +139,21 @@ void NetworkSimulation::place(const NetworkStart& start)
         channel.node = network_.nodeOf(k);
         channel.sign = network_.sign(k);
         nodes_[channel.node].channels.push_back(k);
-        if (k >= 2 * rows) {
-            channel.now = start.waves[network_.firstWave(rows) + k - 2 * rows];
-        } else {
-            const auto size = static_cast<std::size_t>(network_.rows[k / 2].cells);
-            const std::size_t first = network_.firstWave(k / 2) + (k % 2) * size;
-            const auto value = [&](std::size_t order) {
-                return start.waves[first + (k % 2 == 0 ? size - 1 - order : order)];
-            };
-            channel.delay = static_cast<double>(size);
-            channel.now = value(0);
-            for (std::size_t order = 1; order < size; ++order) {
-                if (value(order) != channel.last()) {
-                    channel.push({static_cast<double>(order), value(order)});
-                }
+        channel.delay = k < 2 * rows ? static_cast<double>(network_.rows[k / 2].cells) : 1.0;
+        channel.now = pieces[k].front().value;
+        double begin = 0.0;
+        for (const Piece& piece : pieces[k]) {
+            if (piece.value != channel.last()) {
+                channel.push({begin, piece.value});
             }
+            begin += piece.duration;
         }
         arriving_[k] = channel.now;
         due_[k] = channel.due();
     }
     for (std::size_t node = 0; node < nodes_.size(); ++node) {
         const NetworkNode& given = network_.nodes[node];
-        nodes_[node].displacement = start.displacements[node];
+        nodes_[node].displacement = displacements[node];
         nodes_[node].isActed =
             given.isClamped || given.isDriven || given.dashpot != 0.0 || given.force != 0.0 ||
             std::any_of(nodes_[node].channels.begin(), nodes_[node].channels.end(),

@@ -205,7 +205,11 @@ NetworkStart NetworkSimulation::state() const
         const std::size_t first = isStub ? network_.firstWave(rows) + k - 2 * rows
                                          : network_.firstWave(k / 2) + (k % 2) * size;
         double begin = 0.0;
+        std::vector<Piece>& pieces = state.pieces.emplace_back();
         forEachPiece(channels_[k], now_, [&](double duration, double value) {
+            if (duration > 0.0) {
+                pieces.push_back({duration, value});
+            }
             const double end = begin + duration;
             for (auto cell = static_cast<std::size_t>(begin); cell < size; ++cell) {
                 const auto left = static_cast<double>(cell);

@@ -62,27 +62,74 @@ double squaresBetween(const std::vector<Piece>& one, const std::vector<Piece>& o
     return sum;
 }
 
-/// sqrt(E/E_1) of the difference of two states.
-double distance(const Waves& one, const Waves& other, const std::vector<Segment>& segments)
+/// The root of the energy of the difference of two states.
+double distance(const std::vector<Piece>& one, const std::vector<Piece>& other,
+                const std::vector<Piece>& weights)
 {
-    std::vector<Piece> weights{{one.crossing, 1.0}};
-    if (!segments.empty()) {
-        weights.clear();
-        for (const Segment& segment : steppedBar(segments).segments) {
-            weights.push_back({static_cast<double>(segment.cells), segment.impedance});
-        }
-    }
-    double squares = squaresBetween(one.b, other.b, weights);
-    std::reverse(weights.begin(), weights.end());
-    squares += squaresBetween(one.a, other.a, weights);
-    return std::sqrt(2.0 * squares / one.crossing);
+    return std::sqrt(squaresBetween(one, other, weights));
 }
 
-Waves restOf(const BarSimulation& simulation, double crossing)
-{
-    return simulation.segments().empty() ? wavesAtRest(crossing, simulation.stops())
-                                         : wavesAtRest(simulation.segments(), simulation.stops());
-}
+/// A bar; its energy in E_1.
+class WatchedBar : public Watched {
+public:
+    explicit WatchedBar(BarSimulation& simulation) : simulation_(simulation), seen_(simulation) {}
+    explicit WatchedBar(const BarSimulation& simulation) : seen_(simulation) {}
+
+    void advance(double duration) override { simulation_->get().advance(duration); }
+    [[nodiscard]] std::int64_t contacts() const override
+    {
+        return static_cast<std::int64_t>(seen_.contacts().size());
+    }
+    [[nodiscard]] double impulse() const override { return seen_.impulse(); }
+    [[nodiscard]] std::int64_t pieces() const override { return seen_.pieces(); }
+    [[nodiscard]] std::vector<Piece> state() const override { return joined(seen_.waves()); }
+    [[nodiscard]] std::vector<Piece> rest() const override
+    {
+        return joined(seen_.segments().empty() ? wavesAtRest(crossing(), seen_.stops())
+                                               : wavesAtRest(seen_.segments(), seen_.stops()));
+    }
+    [[nodiscard]] std::vector<Piece> weights() const override
+    {
+        const double unit = 2.0 / crossing();
+        std::vector<Piece> weights{{2.0 * crossing(), unit}};
+        if (!seen_.segments().empty()) {
+            weights.clear();
+            for (const Segment& segment : steppedBar(seen_.segments()).segments) {
+                weights.push_back({static_cast<double>(segment.cells), segment.impedance * unit});
+            }
+            std::vector<Piece> back = weights;
+            std::reverse(weights.begin(), weights.end());
+            weights.insert(weights.end(), back.begin(), back.end());
+        }
+        return weights;
+    }
+    /// |u(L)| <= g sqrt(E/E_1).
+    [[nodiscard]] double clearance(double duration) const override
+    {
+        BarSimulation next = seen_.fork(true);
+        next.advance(duration);
+        const Stops& stops = seen_.stops();
+        double room = infinity;
+        for (const TipPoint& point : next.tipPath()) {
+            room = std::min(room, stops.right - point.displacement);
+            if (stops.left) {
+                room = std::min(room, point.displacement + stops.left->value());
+            }
+        }
+        return room;
+    }
+
+private:
+    [[nodiscard]] double crossing() const { return seen_.waves().crossing; }
+    static std::vector<Piece> joined(Waves waves)
+    {
+        waves.a.insert(waves.a.end(), waves.b.begin(), waves.b.end());
+        return std::move(waves.a);
+    }
+
+    std::optional<std::reference_wrapper<BarSimulation>> simulation_;
+    const BarSimulation& seen_;
+};
 
 }  // namespace
 
@@ -104,40 +151,43 @@ bool SettlingWatch::isKept(std::int64_t period) const
 
 void SettlingWatch::see(const BarSimulation& simulation)
 {
+    see(WatchedBar(simulation));
+}
+
+void SettlingWatch::see(const Watched& simulation)
+{
     ++seen_;
-    counted_.push_back(
-        {static_cast<std::int64_t>(simulation.contacts().size()), simulation.impulse()});
+    counted_.push_back({simulation.contacts(), simulation.impulse()});
     constexpr std::size_t most = 3 * mostPeriods + 1;
     if (counted_.size() > most) {
         counted_.pop_front();
     }
     if (kept_.empty()) {
-        segments_ = simulation.segments();
+        weights_ = simulation.weights();
         longest_ = std::clamp<std::int64_t>(
             mostPeriods * mostPieces / std::max<std::int64_t>(simulation.pieces(), 1), 1,
             mostPeriods);
     }
     if (isKept(seen_)) {
-        kept_.push_back({seen_, simulation.waves()});
+        kept_.push_back({seen_, simulation.state()});
     }
 }
 
-const Waves* SettlingWatch::stateBefore(std::int64_t periods) const
+const std::vector<Piece>* SettlingWatch::stateBefore(std::int64_t periods) const
 {
     const std::int64_t period = seen_ - periods;
     const auto found = std::lower_bound(
         kept_.begin(), kept_.end(), period,
         [](const Kept& kept, std::int64_t wanted) { return kept.period < wanted; });
-    return found != kept_.end() && found->period == period ? &found->waves : nullptr;
+    return found != kept_.end() && found->period == period ? &found->state : nullptr;
 }
 
 /// The distance of two ends of periods, so many before the last, in the size of the last.
 double SettlingWatch::apart(std::int64_t late, std::int64_t early) const
 {
-    const Waves* one = stateBefore(late);
-    const Waves* other = stateBefore(early);
-    return one == nullptr || other == nullptr ? infinity
-                                              : distance(*one, *other, segments_) / size_;
+    const std::vector<Piece>* one = stateBefore(late);
+    const std::vector<Piece>* other = stateBefore(early);
+    return one == nullptr || other == nullptr ? infinity : distance(*one, *other, weights_) / size_;
 }
 
 /// How far the state gets in ten times as long a run, by what it differs from those up to `lag`
@@ -239,28 +289,17 @@ std::string SettlingWatch::whyNot(const std::vector<Comparison>& all) const
         all.back().length, closest.length, closest.change);
 }
 
-/// How near the tip comes to a stop in so many units [g].
-double SettlingWatch::clearance(const BarSimulation& simulation, double duration)
-{
-    BarSimulation next = simulation.fork(true);
-    next.advance(duration);
-    const Stops& stops = simulation.stops();
-    double room = infinity;
-    for (const TipPoint& point : next.tipPath()) {
-        room = std::min(room, stops.right - point.displacement);
-        if (stops.left) {
-            room = std::min(room, point.displacement + stops.left->value());
-        }
-    }
-    return room;
-}
-
 Settling SettlingWatch::settling(const BarSimulation& simulation, double period)
 {
-    const Waves* last = stateBefore(0);
+    return settling(WatchedBar(simulation), period);
+}
+
+Settling SettlingWatch::settling(const Watched& simulation, double period)
+{
+    const std::vector<Piece>* last = stateBefore(0);
     std::vector<Comparison> all;
     if (last != nullptr) {
-        size_ = distance(*last, restOf(simulation, last->crossing), segments_);
+        size_ = distance(*last, simulation.rest(), weights_);
         size_ = size_ > 0.0 ? size_ : 1.0;
         for (std::int64_t length = 1; length <= longest_ && stateBefore(length) != nullptr;
              ++length) {
@@ -292,7 +331,7 @@ Settling SettlingWatch::settling(const BarSimulation& simulation, double period)
     if (settled.contacts == 0 && settled.residual > 0.0) {
         // |u(L)| <= g sqrt(E/E_1): the tip comes nearer by no more than the residual.
         const double room =
-            clearance(simulation, period * static_cast<double>(settled.periods)) / size_;
+            simulation.clearance(period * static_cast<double>(settled.periods)) / size_;
         if (room <= settled.residual) {
             return {{},
                     fmt::format("no contact so far, but the tip stays clear of a stop by {:.2g} "
@@ -311,6 +350,13 @@ double stretchOf(const Excitation& excitation, double crossing)
 }
 
 Followed follow(BarSimulation& simulation, double stretch, double total, const Cancel& cancel,
+                const std::function<void(double, double)>& show)
+{
+    WatchedBar watched(simulation);
+    return follow(watched, stretch, total, cancel, show);
+}
+
+Followed follow(Watched& simulation, double stretch, double total, const Cancel& cancel,
                 const std::function<void(double, double)>& show)
 {
     SettlingWatch watch(static_cast<std::int64_t>(total));

@@ -89,7 +89,7 @@ double mergedBelow(const Waves& start, const Damping& damping, const Excitation&
 /// How far start and stops reach [g].
 double reachOf(const Waves& start, const Excitation& excitation, const Stops& stops)
 {
-    double reach = std::abs(excitation.baseDisplacement(0));
+    double reach = std::abs(start.base.value_or(excitation.baseDisplacement(0)));
     for (const auto* wave : {&start.a, &start.b}) {
         for (const Piece& piece : *wave) {
             reach += piece.duration / start.crossing * std::abs(piece.value);
@@ -99,6 +99,19 @@ double reachOf(const Waves& start, const Excitation& excitation, const Stops& st
     return std::max({reach, left, std::abs(static_cast<double>(stops.right))});
 }
 
+/// From where the excitation has the base to where it is [g]; 0 where that is rounding.
+double leadOf(const Waves& start, const Excitation& excitation)
+{
+    constexpr double rounding = 1e-9;
+    const double there = excitation.baseDisplacement(0);
+    const double here = start.base.value_or(there);
+    double reach = std::abs(here);
+    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+        reach = std::max(reach, std::abs(excitation.baseDisplacement(m)));
+    }
+    return std::abs(here - there) <= rounding * reach ? 0.0 : here - there;
+}
+
 }  // namespace
 
 void BarSimulation::Clock::pass(double duration, double same)
@@ -106,7 +119,7 @@ void BarSimulation::Clock::pass(double duration, double same)
     left -= duration;
     if (left <= same) {
         value = values[next];
-        next = next + 1 == values.size() ? 0 : next + 1;
+        next = next + 1 == values.size() ? first : next + 1;
         left += step;
     }
 }
@@ -139,6 +152,7 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
         rho_ = (impedance_ - eta_) / (impedance_ + eta_);
         admittance_ = 1.0 / (impedance_ + eta_);
     }
+    lead_ = leadOf(start, excitation_);
     setClocks();
     place(start);
     const double room = opening_.total() / crossing_;
@@ -179,6 +193,11 @@ void BarSimulation::setClocks()
     const bool isForce = excitation_.place == Excited::tip;
     Clock& clock = isForce ? force_ : base_;
     clock.step = crossing_ / excitation_.stepsPerCrossing;
+    const double slope = lead_ * excitation_.stepsPerCrossing / static_cast<double>(steps);
+    for (std::int64_t m = 0; m < steps && !isForce && lead_ != 0.0; ++m) {
+        clock.values.push_back(excitation_.baseVelocity(m) - slope);
+    }
+    clock.first = clock.values.size();
     for (std::int64_t m = 0; m < steps; ++m) {
         clock.values.push_back(isForce ? excitation_.force(m) : excitation_.baseVelocity(m));
     }
@@ -197,7 +216,7 @@ void BarSimulation::place(const Waves& start)
         way_ = crossing_ * (stops_.right + static_cast<double>(left.numerator) /
                                                static_cast<double>(left.denominator));
     }
-    opening_.add(crossing_ * (stops_.right - excitation_.baseDisplacement(0)));
+    opening_.add(crossing_ * (stops_.right - base()));
     for (const Piece& piece : start.a) {
         opening_.add(piece.duration * piece.value);
     }
@@ -225,6 +244,7 @@ BarSimulation BarSimulation::fork(bool recordsTip) const
     other.contact_ = {};
     other.impulse_ = 0.0;
     other.events_ = 0;
+    other.lead_ = 0.0;
     other.time_ = {};
     other.start_ = other.storedSquares();
     other.work_ = {};
@@ -403,8 +423,11 @@ double BarSimulation::base() const
     const double steps = time() * excitation_.stepsPerCrossing;
     const double whole = std::floor(steps);
     const auto m = static_cast<std::int64_t>(whole);
-    return std::lerp(excitation_.baseDisplacement(m), excitation_.baseDisplacement(m + 1),
-                     steps - whole);
+    const double passed = excitation_.place == Excited::base && excitation_.steps() > 0
+                              ? std::min(steps / static_cast<double>(excitation_.steps()), 1.0)
+                              : 0.0;
+    return lead_ * (1.0 - passed) + std::lerp(excitation_.baseDisplacement(m),
+                                              excitation_.baseDisplacement(m + 1), steps - whole);
 }
 
 }  // namespace signorini

@@ -12,7 +12,9 @@ namespace signorini {
 
 Waves BarSimulation::waves() const
 {
-    return segments_.empty() ? wavesOfEcho() : segments_.front().waves();
+    Waves waves = segments_.empty() ? wavesOfEcho() : segments_.front().waves();
+    waves.base = base();
+    return waves;
 }
 
 Waves BarSimulation::wavesOfEcho() const

@@ -9,6 +9,7 @@
 
 #include "echo.hpp"
 #include "faults.hpp"
+#include "one_material.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"
@@ -143,6 +144,18 @@ Bar firstMaterial(const Scene& scene)
     }
     Bar bar = scene.bar;
     bar.length *= cells > 0.0 ? cells / length : 1.0;
+    return bar;
+}
+
+Bar unitsOfBar(const Scene& scene)
+{
+    Bar bar = firstMaterial(scene);
+    const auto isFirst = [&scene](const Segment& segment) {
+        return segment.speed == scene.segments.front().speed;
+    };
+    if (!std::all_of(scene.segments.begin(), scene.segments.end(), isFirst)) {
+        bar.young.reset();
+    }
     return bar;
 }
 

@@ -115,19 +115,38 @@ Number sumOf(const std::vector<Number>& all)
     return std::accumulate(all.begin(), all.end(), Number());
 }
 
-/// Goes on for a period. \return the largest strain in it; 0 for a bar that is not uniform.
+/// The largest strain in a period of one segment, `begin` cells of the bar being before it.
+double strainIn(BarSimulation simulation, double period, double begin, const Segment& segment)
+{
+    const auto crossing = static_cast<double>(segment.cells);
+    std::vector<Waves> states{partOf(simulation.waves(), begin, crossing)};
+    for (; period > crossing; period -= crossing) {
+        simulation.advance(crossing);
+        states.push_back(partOf(simulation.waves(), begin, crossing));
+    }
+    return largestStrain(states) / segment.speed;
+}
+
+/// Goes on for a period. \return the largest strain in it.
 double advanced(BarSimulation& simulation, double period, double crossing)
 {
-    std::vector<Waves> states;
     if (simulation.segments().empty()) {
-        states.push_back(simulation.waves());
+        std::vector<Waves> states{simulation.waves()};
         for (; period > crossing; period -= crossing) {
             simulation.advance(crossing);
             states.push_back(simulation.waves());
         }
+        simulation.advance(period);
+        return largestStrain(states);
+    }
+    double strain = 0.0;
+    double begin = 0.0;
+    for (const Segment& segment : steppedBar(simulation.segments()).segments) {
+        strain = std::max(strain, strainIn(simulation, period, begin, segment));
+        begin += static_cast<double>(segment.cells);
     }
     simulation.advance(period);
-    return largestStrain(states);
+    return strain;
 }
 
 /// Follows the bar for the periods that are reported, and one before them: contacts that are under
@@ -145,9 +164,7 @@ void measure(const BarSimulation& simulation, double period, double gap, SweepPo
         const double pushed = seen.impulse();
         const auto before = static_cast<std::int64_t>(seen.contacts().size());
         const double strain = advanced(seen, period, waves.crossing);
-        if (seen.segments().empty()) {
-            point.strain = std::max(point.strain.value_or(0.0), gap * strain);
-        }
+        point.strain = std::max(point.strain.value_or(0.0), gap * strain);
         if (k == 0) {
             begin = seen.time();
         } else {
@@ -173,22 +190,119 @@ void measure(const BarSimulation& simulation, double period, double gap, SweepPo
     waves = seen.waves();
 }
 
-/// A sweep with the state carried over.
-void follow(const SweepRange& range, const std::vector<double>& values, SweepDirection direction,
-            const Cancel& cancel, const std::function<void()>& done, std::vector<SweepPoint>& seen)
-{
-    Waves waves = atRest(range);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        const double value =
-            direction == SweepDirection::up ? values[k] : values[values.size() - 1 - k];
-        std::optional<SweepPoint> point = settleAt(range, value, direction, waves, cancel);
-        if (!point) {
-            return;
-        }
-        seen.push_back(std::move(*point));
-        done();
+/// One call: what is known already, and what is told as it goes on.
+class Sweeping {
+public:
+    Sweeping(const SweepRange& range, const SweepBody& body,
+             const std::vector<SweepDirection>& directions, const SweepControl& control)
+        : range_(range),
+          body_(body),
+          directions_(directions),
+          control_(control),
+          values_(valuesOf(range)),
+          seen_(range.isCarried ? directions.size() : directions.size() * values_.size())
+    {
     }
-}
+
+    [[nodiscard]] std::vector<SweepPoint> run()
+    {
+        const auto serve = [this](std::size_t k) {
+            range_.isCarried ? follow(k) : settle(k);
+            return !isRequested(control_.cancel);
+        };
+        if (control_.share) {
+            control_.share(seen_.size(), serve);
+        } else {
+            for (std::size_t k = 0; k < seen_.size() && serve(k); ++k) {
+            }
+        }
+        std::vector<SweepPoint> all;
+        for (std::vector<SweepPoint>& part : seen_) {
+            std::move(part.begin(), part.end(), std::back_inserter(all));
+        }
+        return all;
+    }
+
+private:
+    /// One direction, step by step, from where an earlier call was left.
+    void follow(std::size_t which)
+    {
+        const SweepDirection direction = directions_[which];
+        Waves waves = body_.atRest();
+        for (std::size_t k = 0; k < values_.size(); ++k) {
+            const double value =
+                direction == SweepDirection::up ? values_[k] : values_[values_.size() - 1 - k];
+            if (!stepTo(value, direction, knownOf(direction, k), waves, seen_[which])) {
+                return;
+            }
+        }
+    }
+
+    /// One value, from rest.
+    void settle(std::size_t k)
+    {
+        const double value = values_[k % values_.size()];
+        const SweepDirection direction = directions_[k / values_.size()];
+        const auto known =
+            std::find_if(control_.known.begin(), control_.known.end(), [&](const SweepStep& step) {
+                return step.point.value == value && step.point.direction == direction;
+            });
+        Waves waves = body_.atRest();
+        (void)stepTo(value, direction, known == control_.known.end() ? nullptr : &*known, waves,
+                     seen_[k]);
+    }
+
+    /// What an earlier call did at the k-th value of a direction, if it came so far.
+    [[nodiscard]] const SweepStep* knownOf(SweepDirection direction, std::size_t k) const
+    {
+        for (const SweepStep& step : control_.known) {
+            if (step.point.direction == direction && k-- == 0) {
+                return &step;
+            }
+        }
+        return nullptr;
+    }
+
+    bool stepTo(double value, SweepDirection direction, const SweepStep* known, Waves& waves,
+                std::vector<SweepPoint>& seen)
+    {
+        if (known != nullptr) {
+            seen.push_back(known->point);
+            waves = known->waves;
+            tell(nullptr);
+            return true;
+        }
+        std::optional<SweepPoint> point = body_.settle(value, direction, waves, control_.cancel);
+        if (!point) {
+            return false;
+        }
+        const SweepStep step{std::move(*point), control_.keep ? waves : Waves{}};
+        seen.push_back(step.point);
+        tell(&step);
+        return true;
+    }
+
+    void tell(const SweepStep* isNew)
+    {
+        const std::lock_guard lock(mutex_);
+        done_ += 1.0;
+        if (isNew != nullptr && control_.keep) {
+            control_.keep(*isNew);
+        }
+        if (control_.show) {
+            control_.show(done_, static_cast<double>(directions_.size() * values_.size()));
+        }
+    }
+
+    const SweepRange& range_;
+    const SweepBody& body_;
+    const std::vector<SweepDirection>& directions_;
+    const SweepControl& control_;
+    std::vector<double> values_;
+    std::vector<std::vector<SweepPoint>> seen_;
+    std::mutex mutex_;
+    double done_ = 0.0;
+};
 
 }  // namespace
 
@@ -276,46 +390,22 @@ std::optional<SweepPoint> settleAt(const SweepRange& range, double value, SweepD
 }
 
 std::vector<SweepPoint> sweep(const SweepRange& range,
-                              const std::vector<SweepDirection>& directions, const Cancel& cancel,
-                              const SweepListener& show, const Sharing& share)
+                              const std::vector<SweepDirection>& directions,
+                              const SweepControl& control)
 {
-    const std::vector<double> values = valuesOf(range);
-    const std::size_t count = directions.size() * values.size();
-    std::mutex mutex;
-    double done = 0.0;
-    const auto tell = [&] {
-        const std::lock_guard lock(mutex);
-        done += 1.0;
-        if (show) {
-            show(done, static_cast<double>(count));
-        }
-    };
-    std::vector<std::vector<SweepPoint>> seen(range.isCarried ? directions.size() : count);
-    const auto serve = [&](std::size_t k) {
-        if (range.isCarried) {
-            follow(range, values, directions[k], cancel, tell, seen[k]);
-        } else {
-            Waves waves = atRest(range);
-            std::optional<SweepPoint> point = settleAt(
-                range, values[k % values.size()], directions[k / values.size()], waves, cancel);
-            if (point) {
-                seen[k].push_back(std::move(*point));
-                tell();
-            }
-        }
-        return !isRequested(cancel);
-    };
-    if (share) {
-        share(seen.size(), serve);
-    } else {
-        for (std::size_t k = 0; k < seen.size() && serve(k); ++k) {
-        }
-    }
-    std::vector<SweepPoint> all;
-    for (std::vector<SweepPoint>& part : seen) {
-        std::move(part.begin(), part.end(), std::back_inserter(all));
-    }
-    return all;
+    const SweepBody bar{
+        [&range] { return atRest(range); },
+        [&range](double value, SweepDirection direction, Waves& waves, const Cancel& cancel) {
+            return settleAt(range, value, direction, waves, cancel);
+        }};
+    return sweep(range, bar, directions, control);
+}
+
+std::vector<SweepPoint> sweep(const SweepRange& range, const SweepBody& body,
+                              const std::vector<SweepDirection>& directions,
+                              const SweepControl& control)
+{
+    return Sweeping(range, body, directions, control).run();
 }
 
 }  // namespace signorini

@@ -61,4 +61,30 @@ double largestStrain(const std::vector<Waves>& states)
     return worst;
 }
 
+namespace {
+
+/// What of a wave lies between two times of arrival.
+std::vector<Piece> between(const std::vector<Piece>& wave, double from, double to)
+{
+    std::vector<Piece> part;
+    double at = 0.0;
+    for (const Piece& piece : wave) {
+        const double lasts = std::min(at + piece.duration, to) - std::max(at, from);
+        if (lasts > 0.0) {
+            part.push_back({lasts, piece.value});
+        }
+        at += piece.duration;
+    }
+    return part;
+}
+
+}  // namespace
+
+Waves partOf(const Waves& waves, double begin, double crossing)
+{
+    const double before = waves.crossing - begin - crossing;  // towards the tip
+    return {crossing, between(waves.a, before, before + crossing),
+            between(waves.b, begin, begin + crossing)};
+}
+
 }  // namespace signorini

@@ -11,4 +11,7 @@ namespace signorini {
 /// are those at the beginning, and after each crossing. O(pieces).
 [[nodiscard]] double largestStrain(const std::vector<Waves>& states);
 
+/// The waves in a stretch of the bar of so many units, `begin` of them before it from the base.
+[[nodiscard]] Waves partOf(const Waves& waves, double begin, double crossing);
+
 }  // namespace signorini

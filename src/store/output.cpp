@@ -88,7 +88,7 @@ void TextFile::fail(const char* action) const
     throw FileError(path_, fmt::format("cannot {}: {}", action, reasonOf(errno)));
 }
 
-void writeStateCsv(const std::string& path, const State& state, const Bar& bar)
+void writeStateCsv(const std::string& path, const State& state, const Bar& bar, double base)
 {
     const Scales unit = scales(bar);
     const Eigen::VectorXd v = velocity(state);
@@ -101,7 +101,7 @@ void writeStateCsv(const std::string& path, const State& state, const Bar& bar)
         print(file, "{},{},{},{},{},{}\n", static_cast<double>(i + 1) * cellLength,
               inUnit(state.a[i], unit.strain), inUnit(state.b[i], unit.strain),
               inUnit(v[i], unit.velocity), inUnit(s[i], unit.strain),
-              inUnit(u[i], unit.displacement));
+              inUnit(base + u[i], unit.displacement));
     }
     file.close();
 }

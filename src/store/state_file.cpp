@@ -4,6 +4,7 @@
 
 #include "measurements.hpp"
 #include "signorini/output.hpp"
+#include "state_table.hpp"
 #include "table.hpp"
 
 namespace signorini {
@@ -11,8 +12,10 @@ namespace signorini {
 namespace {
 
 /// Columns a and b: one row per cell.
-StateReading readWaves(Table& table, double unit, std::int64_t mostCells)
+StateReading readCells(Table& table, const Bar& bar, std::int64_t mostCells)
 {
+    const double unit = scales(bar).strain;
+    std::optional<double> first;  // u(x_1)
     const std::size_t atA = table.columnOf("a");
     const std::size_t atB = table.columnOf("b");
     std::vector<double> a;
@@ -21,6 +24,9 @@ StateReading readWaves(Table& table, double unit, std::int64_t mostCells)
         if (static_cast<std::int64_t>(a.size()) == mostCells) {
             table.refuse(fmt::format("allowed at most {} rows, one per cell", mostCells));
         }
+        if (a.empty() && table.has("displacement")) {
+            first = table.numberAt(table.columnOf("displacement")) / scales(bar).displacement;
+        }
         a.push_back(table.numberAt(atA) / unit);
         b.push_back(table.numberAt(atB) / unit);
     }
@@ -28,10 +34,14 @@ StateReading readWaves(Table& table, double unit, std::int64_t mostCells)
         table.refuse("no rows: allowed one per cell");
     }
     const auto size = static_cast<Eigen::Index>(a.size());
+    if (first) {
+        *first -= (b[0] - a[0]) / static_cast<double>(size);
+    }
     return {{Eigen::Map<const Eigen::VectorXd>(a.data(), size),
              Eigen::Map<const Eigen::VectorXd>(b.data(), size)},
             size,
-            fmt::format("waves a, b in {} rows, one per cell", size)};
+            fmt::format("waves a, b in {} rows, one per cell", size),
+            first};
 }
 
 /// The longer name of a quantity if the header has it, else the shorter one; not both.
@@ -98,10 +108,16 @@ StateReading readState(const std::string& path, const Bar& bar, std::int64_t cel
                        std::optional<std::int64_t> mostCells)
 {
     Table table(path);
+    return readState(table, bar, cells, mostCells);
+}
+
+StateReading readState(Table& table, const Bar& bar, std::int64_t cells,
+                       std::optional<std::int64_t> mostCells)
+{
     const bool isMeasured = !table.has("a") && !table.has("b") && table.has("x") &&
                             (table.has("velocity") || table.has("v"));
     return isMeasured ? readMeasurements(table, bar, cells)
-                      : readWaves(table, scales(bar).strain, mostCells.value_or(cells));
+                      : readCells(table, bar, mostCells.value_or(cells));
 }
 
 }  // namespace signorini

@@ -13,6 +13,7 @@
 #include "question_answer.hpp"
 #include "response_answer.hpp"
 #include "simulation_answer.hpp"
+#include "study_answer.hpp"
 #include "sweep_answer.hpp"
 
 namespace signorini::answers {
@@ -157,7 +158,8 @@ int main()
         {"response", nameOf<ResponseAnswer>()},   {"simulate", nameOf<SimulationAnswer>()},
         {"sweep", nameOf<SweepAnswer>()},         {"atlas", nameOf<AtlasBuilt>()},
         {"atlas-query", nameOf<AtlasAnswer>()},   {"find-harmonic", nameOf<HarmonicAnswer>()},
-        {"response-exact", nameOf<ExactAnswer>()}};
+        {"response-exact", nameOf<ExactAnswer>()},
+        {"study", nameOf<StudyAnswer>()}};
     (void)nameOf<PolytopeAnswer>();  // of Python alone
     std::cout << Json{{"files", files}, {"records", records()}}.dump(1) << '\n';
 }

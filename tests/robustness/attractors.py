@@ -7,15 +7,21 @@ import math
 from campaign import FOUND, arguments, campaign
 
 PERIODS = 400
+WILD_PERIODS = 100  # whose waves have very many pieces
 
 
-def asked(draw):
-    """A bar, what moves it, and a frequency that its grid has: 4N/n."""
-    cells = draw.randint(20, 60)
-    steps = draw.randint(math.ceil(4 * cells / 1.5), math.floor(4 * cells / 0.7))
+def asked(draw, is_wild):
+    """A bar, what moves it, and a frequency that its grid has: 4N/n.
+
+    Wild ones have little damping and a frequency just above the first one, where many do not repeat themselves.
+    """
+    cells = draw.randint(20, 30 if is_wild else 60)
+    low, high = (1.0, 1.06) if is_wild else (0.7, 1.5)
+    steps = draw.randint(math.ceil(4 * cells / high), math.floor(4 * cells / low))
     place = draw.choice(["tip", "base"])
     size = draw.uniform(0.2, 1.0) if place == "tip" else draw.uniform(0.1, 0.6)
-    words = ["--cells", str(cells), "--damping", repr(draw.uniform(0.02, 0.1)), "--force", place,
+    damping = draw.uniform(0.01, 0.025) if is_wild else draw.uniform(0.02, 0.1)
+    words = ["--cells", str(cells), "--damping", repr(damping), "--force", place,
              "--amplitude", repr(1e-3 * size), "--quiet", "--format", "json"]
     return cells, repr(4 * cells / steps), words
 
@@ -33,17 +39,22 @@ def is_near(one, other, tolerance):
 
 
 def judge(case):
-    cells, frequency, words = asked(case.random)
-    sweep = ["sweep", "--from", frequency, "--to", frequency, "--points", "1", "--up", "--periods", str(PERIODS),
+    is_wild = case.number % 2 == 1
+    cells, frequency, words = asked(case.random, is_wild)
+    periods = WILD_PERIODS if is_wild else PERIODS
+    sweep = ["sweep", "--from", frequency, "--to", frequency, "--points", "1", "--up", "--periods", str(periods),
              *words]
     longer = ["simulate", "--rest", "--frequency", frequency, "--phase", repr(math.pi / 2),
-              "--periods", str(10 * PERIODS), *words]
+              "--periods", str(10 * periods), *words]
     seen, run = answer_of(case, sweep), answer_of(case, longer)
     if seen is None or run is None:
         return "no answer"
     point = seen["points"][0]
     settled = run["settled"]
     if point["periods"] is None:
+        # Said to go on without end, and not only to be on its way: then it does.
+        if settled and point["why"].startswith("does not repeat"):
+            case.fault(sweep, f"{point['why']}, followed longer {settled}")
         return "settled later" if settled else "does not repeat itself"
     if not settled or settled["periods"] != point["periods"]:
         case.fault(sweep, f"repeats after {point['periods']}, followed longer: {settled or run['why']}")
@@ -66,7 +77,7 @@ def judge(case):
 
 def main():
     given = arguments(__doc__, 100)
-    campaign(given, "attractors", judge, ["one contact", "no contact"])
+    campaign(given, "attractors", judge, ["one contact", "no contact", "does not repeat itself"])
 
 
 if __name__ == "__main__":

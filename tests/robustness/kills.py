@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""An atlas killed at random moments and resumed has the rows of one that nobody disturbed."""
+"""Atlases, sweeps and studies killed at random moments and resumed have the rows of undisturbed ones."""
 
 import signal
 import sqlite3
@@ -60,6 +60,52 @@ def judge(case, program, whole, longest):
     return "killed" if kills else "not killed"
 
 
+SWEEP = ["sweep", "--damping", "0.02", "--force", "tip", "--amplitude", "2e-4", "--from", "0.9", "--to", "1.3",
+         "--points", "25", "--cells", "40", "--periods", "200", "--csv", "t.csv"]
+STUDY = ["study", "q.toml", "--csv", "t.csv"]
+QUESTION = """force = "base"
+gap = ["0.05mm", 1e-4]      # metres where nothing is said
+damping = [0.03, "10%"]
+amplitude = [1e-5, 2e-5, 4e-5]
+young = "210GPa"
+density = 7850
+area = "1cm2"
+from = 0.9
+to = 1.3
+points = 6
+cells = 20
+periods = 200
+"""
+
+
+def judge_table(case, program, words, whole, longest):
+    """The table of a long run: the same to the last byte, and nothing beside it."""
+    (case.folder / "q.toml").write_text(QUESTION)
+    kills = 0
+    for _ in range(case.random.randint(1, MOST_KILLS)):
+        if not kill_later(case, program, [*words, "--resume", "--quiet"], longest):
+            break
+        kills += 1
+        for staged in case.folder.glob(".signorini*"):
+            staged.unlink()
+    if case.run([*words, "--resume", "--quiet"]).status != FOUND:
+        case.fault(words, f"not finished after {kills} kills")
+        return "unfinished"
+    if (case.folder / "t.csv").read_bytes() != whole:
+        case.fault(words, "the table is not that of an unbroken run")
+    left = sorted(path.name for path in case.folder.iterdir())
+    if left != ["q.toml", "t.csv"]:
+        case.fault(words, f"files left: {left}")
+    return f"{words[0]} killed" if kills else f"{words[0]} not killed"
+
+
+def unbroken(program, words, folder):
+    """The table of a run that nobody disturbs, and how long it took."""
+    start = time.monotonic()
+    subprocess.run([program, *words, "--quiet"], check=True, capture_output=True, cwd=folder)
+    return (Path(folder) / "t.csv").read_bytes(), time.monotonic() - start
+
+
 def main():
     given = arguments(__doc__, 100)
     with tempfile.TemporaryDirectory() as folder:
@@ -69,8 +115,16 @@ def main():
                        capture_output=True)
         longest = time.monotonic() - start
         whole = contents(path)
-    campaign(given, "broken atlases",
-             lambda case: judge(case, given.program, whole, longest), ["killed"])
+        (Path(folder) / "q.toml").write_text(QUESTION)
+        tables = [(words, *unbroken(given.program, words, folder)) for words in (SWEEP, STUDY)]
+
+    def judge_one(case):
+        if case.number % 3 == 0:
+            return judge(case, given.program, whole, longest)
+        words, table, time_of = tables[case.number % 3 - 1]
+        return judge_table(case, given.program, words, table, time_of)
+
+    campaign(given, "broken runs", judge_one, ["killed", "sweep killed", "study killed"])
 
 
 if __name__ == "__main__":

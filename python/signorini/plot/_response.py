@@ -12,7 +12,7 @@ from ._style import axes_of, colour_map, unit_for
 
 if TYPE_CHECKING:
     from .._forced import Response
-    from .._study import StudyPoint
+    from .._core import StudyPoint
     from .._tables import Table
 
 

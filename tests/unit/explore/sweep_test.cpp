@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "catch.hpp"
+#include "network_sweep.hpp"
 #include "signorini/response.hpp"
 #include "support.hpp"
 
@@ -93,7 +94,7 @@ TEST_CASE("sweep: without a wall in reach it is the linear response, from rest a
             range.place = place;
             range.amplitude = 0.01;
             range.isCarried = isCarried;
-            for (const SweepPoint& point : sweep(range, both, {}, {}, backward)) {
+            for (const SweepPoint& point : sweep(range, both, {.share = backward})) {
                 REQUIRE(point.settling.settled);
                 CHECK(point.settling.settled->contacts == 0);
                 CHECK(point.tip[1] == Approx(exactAt(range, point).linearPeak).epsilon(5e-3));
@@ -198,7 +199,7 @@ TEST_CASE("sweep: what was done stays where it is cancelled, and no range is ref
 {
     SweepRange range = section15();
     int looks = 0;
-    const auto points = sweep(range, both, [&looks] { return ++looks > 1050; });
+    const auto points = sweep(range, both, {.cancel = [&looks] { return ++looks > 1050; }});
     CHECK(!points.empty());
     CHECK(points.size() < 14);
     const auto refused = [&](auto change) {
@@ -217,4 +218,53 @@ TEST_CASE("sweep: what was done stays where it is cancelled, and no range is ref
         r.over = Swept::gap;
         r.stops.right = 0;
     });
+}
+
+TEST_CASE("sweep: a bar as a network does what the bar does, whole or in parts")
+{
+    SweepRange range = section15();
+    range.least = 1.1;
+    range.points = 4;
+    const Bar bar;
+    const Network network = networkOf(Scene(bar), 30, range.damping);
+    const NetworkSweep several{network, bar, range};
+    const SweepBody body = several.body();
+    std::vector<SweepStep> kept;
+    const std::vector<SweepPoint> alike = sweep(
+        range, body, both, {.keep = [&kept](const SweepStep& step) { kept.push_back(step); }});
+    const std::vector<SweepPoint> own = sweep(range, both);
+    REQUIRE(alike.size() == own.size());
+    int touching = 0;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+        // Steps of the excitation are others, and contacts that are apart by less than one are one.
+        INFO(own[k].value);
+        REQUIRE(alike[k].settling.settled);
+        CHECK(alike[k].settling.settled->periods == own[k].settling.settled->periods);
+        CHECK(alike[k].contacts == own[k].contacts);
+        CHECK(alike[k].meanImpulse == Approx(own[k].meanImpulse).epsilon(0.03).margin(1e-9));
+        CHECK(alike[k].tip[0] == Approx(own[k].tip[0]).epsilon(0.03));
+        CHECK(alike[k].meanForce == Approx(own[k].meanForce).epsilon(0.1).margin(1e-9));
+        touching += own[k].meanImpulse > 0.0 ? 1 : 0;
+    }
+    CHECK(touching > 2);
+    kept.resize(3);
+    const std::vector<SweepPoint> resumed = sweep(range, body, both, {.known = kept});
+    for (std::size_t k = 0; k < resumed.size(); ++k) {
+        CHECK(resumed[k].meanImpulse == alike[k].meanImpulse);
+        CHECK(resumed[k].settling.settled->residual == alike[k].settling.settled->residual);
+    }
+}
+
+TEST_CASE("sweep: the largest strain of several segments is that of the uniform bar they are")
+{
+    SweepRange range = section15();
+    range.least = 0.8;
+    range.most = 0.9;
+    range.points = 3;
+    const std::vector<SweepPoint> one = sweep(range, {SweepDirection::up});
+    range.segments = {{.cells = 11}, {.cells = 12, .dashpot = 1e-12}, {.cells = 7}};
+    const std::vector<SweepPoint> parts = sweep(range, {SweepDirection::up});
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        CHECK(*parts[k].strain == Approx(*one[k].strain).epsilon(0.02));
+    }
 }

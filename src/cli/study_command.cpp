@@ -1,0 +1,161 @@
+#include "commands.hpp"
+
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "faults.hpp"
+#include "files.hpp"
+#include "given.hpp"
+#include "interrupt.hpp"
+#include "journal.hpp"
+#include "json.hpp"
+#include "progress.hpp"
+#include "ranks.hpp"
+#include "signorini/figures.hpp"
+#include "signorini/output.hpp"
+#include "study_figure.hpp"
+#include "study_file.hpp"
+#include "text.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+using answers::StudyAnswer;
+using answers::StudyPoint;
+
+std::string tomlOf(const std::string& path)
+{
+    constexpr std::size_t most = 10'000'000;
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    if (!file || text.str().size() > most) {
+        throw FileError(path, file ? "it is no question: too long" : "cannot read it");
+    }
+    return text.str();
+}
+
+/// The row of a case, or nothing if it was cancelled.
+RowOf rowsOf(const StudyQuestion& question, const Cancel& cancel)
+{
+    return [&question, cancel](std::size_t k) -> std::optional<std::string> {
+        const std::optional<StudyPoint> point = answers::studyAt(question.cases[k], cancel);
+        return point ? std::optional(answers::rowOf(*point)) : std::nullopt;
+    };
+}
+
+std::string asText(const StudyAnswer& answer)
+{
+    Text text;
+    print(text, "{} sweeps of frequency, {}{}\n", answer.points.size(),
+          answer.place == Excited::tip ? "force on the tip" : "base moving",
+          answer.isComplete ? "" : ": interrupted, the list is not complete");
+    const std::string unit = amplitudeUnitName(answer.place, answer.derivative);
+    print(text, "{:>12} {:>9} {:>12} {:>12} {:>10} {:>12} {:>12}  {}\n", "gap [m]", "damping",
+          "size [" + unit + "]", "impulse [Ns]", "at [Hz]", "force [N]", "stress [Pa]",
+          "rattles [Hz]");
+    const StudyPoint* worst = nullptr;
+    for (const StudyPoint& p : answer.points) {
+        print(text, "{:>12.5g} {:>9.4g} {:>12.5g} {:>12.5g} {:>10.5g} {:>12.5g} {:>12}  {}\n",
+              p.gap, p.damping, p.amplitude, p.impulse, p.frequency, p.meanForce,
+              p.stress ? fmt::format("{:.5g}", *p.stress) : "-",
+              p.from ? fmt::format("{:.5g} … {:.5g}", *p.from, *p.to) : "nowhere");
+        worst = worst == nullptr || p.impulse > worst->impulse ? &p : worst;
+    }
+    if (worst != nullptr) {
+        print(text,
+              "worst       {:.6g} N s per period at {:.6g} Hz: gap {:.5g} m, ζ = {:.4g}, "
+              "amplitude {:.5g} {}\n",
+              worst->impulse, worst->frequency, worst->gap, worst->damping, worst->amplitude, unit);
+    }
+    return fmt::to_string(text);
+}
+
+/// All rows, those of a run before too.
+StudyAnswer answerOf(const Given& given, const StudyQuestion& question, const DealRows& deal)
+{
+    const std::string csvFile = given.text("--csv");
+    Progress progress(!given.has("--quiet"), "sweeps", given.text("--progress"));
+    RowTable table{.file = csvFile,
+                   .question = question.text,
+                   .header = answers::studyHeader(),
+                   .keys = {},
+                   .resumes = given.has("--resume"),
+                   .deal = deal,
+                   .show = [&progress](double done, double total) { progress.show(done, total); }};
+    for (const answers::StudyCase& one : question.cases) {
+        table.keys.push_back(answers::keyOf(one));
+    }
+    StudyAnswer answer;
+    answer.place = question.cases.front().sweep.range.place;
+    answer.derivative = question.cases.front().sweep.range.derivative;
+    const auto rows = csvFile.empty() ? tabulated(table)
+                                      : forFile("--csv", csvFile, [&] { return tabulated(table); });
+    for (const std::string& row : rows) {
+        if (!row.empty()) {
+            answer.points.push_back(answers::studyPointOf(row));
+        }
+    }
+    answer.isComplete = answer.points.size() == question.cases.size();
+    return answer;
+}
+
+}  // namespace
+
+ExitStatus runStudy(const Given& given)
+{
+    const std::int64_t threads = given.whole("--threads").value_or(1);
+    const std::string csvFile = given.text("--csv");
+    std::optional<Interrupt> interrupt(std::in_place);
+    std::unique_ptr<Ranks> ranks;
+    if (Ranks::areLaunched()) {
+        ranks = std::make_unique<Ranks>();
+        if (ranks->rank() != 0) {
+            StudyQuestion question;
+            const auto rows = [&](const std::string& text) {
+                question = studyQuestionOf(text);
+                return rowsOf(question, interrupt->cancel());
+            };
+            return ranks->serveRows(rows, threads) ? exitFound : exitUndecided;
+        }
+    }
+    if (given.words().empty()) {
+        throw std::invalid_argument("FILE.toml is missing: allowed the name of a question");
+    }
+    if (given.has("--resume") && csvFile.empty()) {
+        throw std::invalid_argument("--resume: allowed only together with --csv");
+    }
+    const std::string& path = given.words().front();
+    if (given.words().size() > 1) {
+        throw std::invalid_argument(
+            fmt::format("{} is not expected; see signorini --help", shortened(given.words()[1])));
+    }
+    const std::string text = tomlOf(path);
+    StudyQuestion question;
+    try {
+        question = studyQuestionOf(text);
+    } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(fmt::format("{}: {}", path, error.what()));
+    }
+    validateOutputs({{"--csv", csvFile}, {"--figure", given.text("--figure")}});
+    Outputs outputs(given, {"--figure"}, {{"--csv", csvFile}});
+    const RowOf row = rowsOf(question, interrupt->cancel());
+    const StudyAnswer answer = answerOf(
+        given, question, ranks ? ranks->dealt(text, row, threads) : byThreads(row, threads));
+    interrupt.reset();
+    if (answer.isComplete) {
+        outputs.put("--figure", [&](const std::string& file) {
+            drawFigure(studyFigure(answer), figureFormat(given.text("--figure")), file);
+        });
+        outputs.commit();
+    } else if (!given.has("--quiet")) {
+        tell(fmt::format("signorini study: interrupted; the list is not complete{}\n",
+                         csvFile.empty() ? "" : "; the same call with --resume goes on"));
+    }
+    writeOut(given.text("--format") == "json" ? asLine(wholeJsonOf(answer)) : asText(answer));
+    return answer.isComplete ? exitFound : exitUndecided;
+}
+
+}  // namespace signorini::cli

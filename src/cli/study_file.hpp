@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// The question of a study as a TOML file: its keys are the options of `sweep` without their two
+/// hyphens, and gap, damping and the amplitude may be lists of values.
+
+#include <string>
+
+#include "study_answer.hpp"
+
+namespace signorini::cli {
+
+/// What a study asks.
+struct StudyQuestion {
+    std::string text;  ///< all on one line but gap, damping and amplitude, whose values may grow
+    std::vector<answers::StudyCase> cases;
+};
+
+/// \throws std::invalid_argument naming the place or the key, and what is allowed.
+[[nodiscard]] StudyQuestion studyQuestionOf(const std::string& toml);
+
+}  // namespace signorini::cli

@@ -1,0 +1,254 @@
+#include "network_sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "excited_amplitude.hpp"
+#include "faults.hpp"
+#include "infinity.hpp"
+#include "network_watched.hpp"
+
+namespace signorini {
+
+HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplitude, double omega,
+                            double phase)
+{
+    const double exact = 2.0 * std::numbers::pi / omega;
+    const double steps = std::round(exact);
+    if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
+        Faults faults;
+        faults.add("frequency", omega / (2.0 * std::numbers::pi) / network.scales.time,
+                   fmt::format("periods of 3..{} steps of {:.6g} s [Hz]", maxExcitationSteps,
+                               network.scales.time));
+        faults.throwIfAny();
+    }
+    const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
+    HarmonicDrive harmonic;
+    harmonic.drive.step = isWhole ? 1.0 : exact / steps;
+    harmonic.period = harmonic.drive.step * steps;
+    const Excitation excitation = excitationOf({.place = place,
+                                                .amplitude = amplitude,
+                                                .phase = phase,
+                                                .steps = static_cast<std::int64_t>(steps),
+                                                .stepsPerCrossing = 1.0 / harmonic.drive.step});
+    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
+        if (place == Excited::tip) {
+            harmonic.drive.forces.push_back(excitation.force(m));
+        } else {
+            harmonic.drive.velocities.push_back(excitation.baseVelocity(m));
+        }
+    }
+    return harmonic;
+}
+
+namespace {
+
+/// The state of a network between two values: all channels in `a`, displacements in `b`.
+Waves packed(const Network& network, const NetworkStart& state)
+{
+    Waves waves;
+    for (const std::vector<Piece>& channel : piecesOf(network, state)) {
+        waves.a.insert(waves.a.end(), channel.begin(), channel.end());
+        waves.b.push_back({static_cast<double>(channel.size()), 0.0});
+    }
+    for (const double displacement : state.displacements) {
+        waves.b.push_back({1.0, displacement});
+    }
+    return waves;
+}
+
+NetworkStart unpacked(const Network& network, const Waves& waves)
+{
+    NetworkStart state;
+    auto next = waves.a.begin();
+    for (std::size_t k = 0; k < network.channels(); ++k) {
+        const auto end = next + static_cast<std::ptrdiff_t>(waves.b[k].duration);
+        state.pieces.emplace_back(next, end);
+        next = end;
+    }
+    for (std::size_t k = network.channels(); k < waves.b.size(); ++k) {
+        state.displacements.push_back(waves.b[k].value);
+    }
+    return state;
+}
+
+/// One value of a sweep of a network.
+class NetworkValue {
+public:
+    NetworkValue(const NetworkSweep& sweep, double value) : sweep_(sweep), network_(sweep.network)
+    {
+        const SweepRange& range = sweep.range;
+        const bool isFrequency = range.over == Swept::frequency;
+        ratio_ = isFrequency ? value : range.frequencyRatio;
+        const double size =
+            isFrequency ? displacementOf(range.amplitude, range.derivative, ratio_) : value;
+        const Scales unit = scales(sweep.bar);
+        const NetworkScales& scale = network_.scales;
+        force_ = sweep.bar.axialStiffness * unit.strain / scale.force();
+        displacement_ = unit.displacement / scale.displacement;
+        impulse_ = force_ * unit.time / scale.time;
+        resolution_ = range.resolution > 0.0 ? range.resolution * unit.time / scale.time : 1.0;
+        drive_ = harmonicDrive(
+            network_, range.place, size * (range.place == Excited::tip ? force_ : displacement_),
+            0.5 * std::numbers::pi * ratio_ * scale.time / unit.time, std::numbers::pi / 2.0);
+    }
+
+    [[nodiscard]] std::optional<SweepPoint> settle(double value, SweepDirection direction,
+                                                   Waves& waves, const Cancel& cancel) const
+    {
+        constexpr std::int64_t firstLook = 50;  // [periods]
+        const std::int64_t periods = sweep_.range.periods;
+        NetworkSimulation simulation(network_, unpacked(network_, waves), drive_.drive,
+                                     {.mergeBelow = mergeBelow(waves)});
+        WatchedNetwork watched(simulation, drive_.drive);
+        SweepPoint point{.value = value, .frequencyRatio = ratio_, .direction = direction};
+        for (std::int64_t look = std::min(firstLook, periods);;
+             look = std::min(2 * look, periods - point.watched)) {
+            Followed followed = follow(watched, drive_.period, static_cast<double>(look), cancel);
+            if (!followed.isComplete) {
+                return std::nullopt;
+            }
+            point.watched += look;
+            point.settling = std::move(followed.settling);
+            if (point.settling.settled || point.watched == periods) {
+                break;
+            }
+        }
+        measure(simulation.state(), point, waves);
+        return point;
+    }
+
+private:
+    [[nodiscard]] double mergeBelow(const Waves& waves) const
+    {
+        double size = 0.0;
+        for (const Piece& piece : waves.a) {
+            size = std::max(size, std::abs(piece.value));
+        }
+        for (const auto* values : {&drive_.drive.forces, &drive_.drive.velocities}) {
+            for (const double one : *values) {
+                size = std::max(size, std::abs(one));
+            }
+        }
+        return 1e-11 * size;
+    }
+
+    /// A period, resolution by resolution. \return what all contacts pushed in it.
+    double advance(NetworkSimulation& seen, SweepPoint& point) const
+    {
+        const std::size_t count = network_.contacts.size();
+        std::vector<double> before(count);
+        double sum = 0.0;
+        for (std::size_t j = 0; j < count; ++j) {
+            before[j] = seen.impulseAt(j);
+            sum -= before[j];
+        }
+        for (double left = drive_.period; left > 0.0; left -= resolution_) {
+            seen.advance(std::min(left, resolution_));
+            for (std::size_t j = 0; j < count; ++j) {
+                const double now = seen.impulseAt(j);
+                point.meanForce =
+                    std::max(point.meanForce, (now - before[j]) / resolution_ / force_);
+                before[j] = now;
+            }
+        }
+        for (const double now : before) {
+            sum += now;
+        }
+        return sum / impulse_;
+    }
+
+    void measure(const NetworkStart& state, SweepPoint& point, Waves& waves) const
+    {
+        const std::int64_t repeats =
+            point.settling.settled ? point.settling.settled->periods : mostPeriods;
+        NetworkSimulation seen(network_, state, drive_.drive,
+                               {.mergeBelow = mergeBelow(waves), .recordsPaths = true});
+        SweepPoint ignored;
+        (void)advance(seen, ignored);
+        const double begin = seen.time();
+        std::vector<double> impulses;
+        for (std::int64_t k = 0; k < repeats; ++k) {
+            impulses.push_back(advance(seen, point));
+        }
+        std::vector<std::int64_t> contacts(static_cast<std::size_t>(repeats));
+        for (const NetworkContactEvent& event : merged(seen.contacts())) {
+            if (event.start >= begin) {
+                const auto at = static_cast<std::size_t>((event.start - begin) / drive_.period);
+                ++contacts[std::min(at, contacts.size() - 1)];
+                point.impulses.push_back(event.impulse / impulse_);
+            }
+        }
+        const auto [fewest, most] = std::minmax_element(contacts.begin(), contacts.end());
+        const auto [least, largest] = std::minmax_element(impulses.begin(), impulses.end());
+        point.contacts = {*fewest, *most};
+        point.impulse = {*least, *largest};
+        const auto count = static_cast<double>(repeats);
+        for (std::size_t k = 0; k < contacts.size(); ++k) {
+            point.meanContacts += static_cast<double>(contacts[k]) / count;
+            point.meanImpulse += impulses[k] / count;
+        }
+        if (point.settling.settled) {
+            point.settling.settled->contacts = static_cast<std::int64_t>(point.impulses.size());
+            point.settling.settled->impulse = point.meanImpulse * count;
+        }
+        point.tip = tipRange(seen, begin);
+        waves = packed(network_, seen.state());
+    }
+
+    /// Contacts of one place no further apart than the resolution are one.
+    [[nodiscard]] std::vector<NetworkContactEvent> merged(
+        std::vector<NetworkContactEvent> events) const
+    {
+        std::stable_sort(events.begin(), events.end(), [](const auto& one, const auto& other) {
+            return one.contact < other.contact;
+        });
+        std::vector<NetworkContactEvent> all;
+        for (const NetworkContactEvent& event : events) {
+            if (!all.empty() && all.back().contact == event.contact &&
+                event.start - all.back().end <= resolution_) {
+                all.back().end = event.end;
+                all.back().impulse += event.impulse;
+            } else if (event.impulse > 0.0) {
+                all.push_back(event);
+            }
+        }
+        return all;
+    }
+
+    [[nodiscard]] std::array<double, 2> tipRange(const NetworkSimulation& seen, double begin) const
+    {
+        const std::size_t node = network_.contacts.front().node;
+        std::array range{infinity, -infinity};
+        for (const NodePoint& point : seen.paths()[node]) {
+            if (point.time >= begin) {
+                const double u = (point.displacement + network_.nodes[node].rest) / displacement_;
+                range = {std::min(range[0], u), std::max(range[1], u)};
+            }
+        }
+        const double last = (seen.displacement(node) + network_.nodes[node].rest) / displacement_;
+        return {std::min(range[0], last), std::max(range[1], last)};
+    }
+
+    const NetworkSweep& sweep_;
+    const Network& network_;
+    HarmonicDrive drive_;
+    double ratio_ = 1.0;
+    double force_ = 1.0;  ///< units of the bar in those of the network
+    double displacement_ = 1.0;
+    double impulse_ = 1.0;
+    double resolution_ = 1.0;  ///< [h]
+};
+
+}  // namespace
+
+SweepBody NetworkSweep::body() const
+{
+    return {[this] { return packed(network, startAtRest(network)); },
+            [this](double value, SweepDirection direction, Waves& waves, const Cancel& cancel) {
+                return NetworkValue(*this, value).settle(value, direction, waves, cancel);
+            }};
+}
+
+}  // namespace signorini

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// What moves a network harmonically, and a sweep of it. docs/theory.md, sections 16 and 20.
+
+#include "network_simulation.hpp"
+#include "signorini/sweep.hpp"
+
+namespace signorini {
+
+/// A harmonic force or base, constant in each of the whole steps nearest to h that make a period.
+struct HarmonicDrive {
+    NetworkDrive drive;
+    double period = 0.0;  ///< [h]
+};
+
+/// cos(omega t - phase) with omega in 1/h, the amplitude in units of the network.
+/// \throws std::invalid_argument where a period has fewer than 3 steps, or too many.
+[[nodiscard]] HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplitude,
+                                          double omega, double phase);
+
+/// A sweep of a network over the frequency or the amplitude: as that of a bar (signorini/sweep.hpp)
+/// from rest or with the state carried over. Numbers of the range and of the points are in units of
+/// `bar`, whose first frequency is that of the network; the tip is the node of the first contact,
+/// contacts and forces are those of all contacts, and there is no strain.
+struct NetworkSweep {
+    const Network& network;
+    const Bar& bar;
+    const SweepRange& range;
+
+    /// The body that `sweep` follows. Refers to all of this.
+    [[nodiscard]] SweepBody body() const;
+};
+
+}  // namespace signorini
