@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <numeric>
 
@@ -12,9 +13,9 @@ namespace signorini {
 
 namespace {
 
-constexpr double boxRadii[] = {1e-9, 1e-8, 1e-7};  // L/c, and rad of the phase
-constexpr double angleError = 8e-15;               // of an angle below 4 pi and its sine and cosine
-constexpr double wholeWithin = 1e-6;               // cells: a travel is whole cells
+constexpr std::array boxRadii{1e-9, 1e-8, 1e-7};  // L/c, and rad of the phase
+constexpr double angleError = 8e-15;              // of an angle below 4 pi and its sine and cosine
+constexpr double wholeWithin = 1e-6;              // cells: a travel is whole cells
 constexpr double relativeError = 1e-15;
 
 /// Of a beginning or release: a place within a cell, and the cell.
@@ -131,7 +132,7 @@ private:
     {
         const auto cells = static_cast<double>(given_.cells);
         const auto cycles = static_cast<double>(given_.cycles);
-        const double part = static_cast<double>((m * given_.cycles) % given_.cells);
+        const auto part = static_cast<double>((m * given_.cycles) % given_.cells);
         const double angle = 2.0 * std::numbers::pi * ((part + cycles * sigma) / cells);
         return {turned(angle), angleError + 7.0 * cycles / cells * within};
     }

@@ -81,7 +81,7 @@ std::optional<HarmonicMotion> aroundFold(const HarmonicCase& given, const Harmon
             length = std::min(2.0 * length, arcOfFold);
             // Back at the amplitude from the side on which it was left.
             if (k > 0 && (before - given.amplitude) * (there.amplitude - given.amplitude) <= 0.0) {
-                const auto other = harmonicNear(given, {next.phase, next.contacts});
+                auto other = harmonicNear(given, {next.phase, next.contacts});
                 if (other && distance(*other, motion) > otherSheet) {
                     return other;
                 }
@@ -293,9 +293,9 @@ HarmonicBranch wholeOf(HarmonicBranch first, HarmonicBranch second)
     HarmonicBranch whole;
     std::reverse(first.points.begin(), first.points.end());
     const std::size_t offset = first.points.size() - 1;
-    for (auto mark = first.marks.rbegin(); mark != first.marks.rend(); ++mark) {
-        BranchMark turned = *mark;
-        turned.after = offset - mark->after - (mark->after < offset ? 1 : 0);
+    std::reverse(first.marks.begin(), first.marks.end());
+    for (BranchMark turned : first.marks) {
+        turned.after = offset - turned.after - (turned.after < offset ? 1 : 0);
         if (turned.event == BranchEvent::newContact || turned.event == BranchEvent::lostContact) {
             turned.event = turned.event == BranchEvent::newContact ? BranchEvent::lostContact
                                                                    : BranchEvent::newContact;

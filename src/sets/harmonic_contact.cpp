@@ -31,7 +31,7 @@ struct Chain {
 /// its law in O(log nu).
 class ChainTree {
 public:
-    ChainTree(std::int64_t cells) : size_(1)
+    ChainTree(std::int64_t cells)
     {
         while (size_ < static_cast<std::size_t>(cells)) {
             size_ *= 2;
@@ -76,7 +76,7 @@ private:
         Complex weight;
         Complex sum;
     };
-    std::size_t size_;  ///< a power of two; cells beyond do nothing
+    std::size_t size_ = 1;  ///< a power of two; cells beyond do nothing
     std::vector<Node> nodes_;
 };
 

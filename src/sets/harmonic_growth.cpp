@@ -206,12 +206,19 @@ private:
         const std::size_t count = contacts_.size();
         const std::size_t all = scale.size();
         const auto at = [&](std::size_t n) { return late[n * count]; };
-        double xx = 0.0, xy = 0.0, yy = 0.0, xz = 0.0, yz = 0.0, zz = 0.0;
+        double xx = 0.0;
+        double xy = 0.0;
+        double yy = 0.0;
+        double xz = 0.0;
+        double yz = 0.0;
+        double zz = 0.0;
         for (std::size_t n = all - 20; n + 1 < all; ++n) {
             if (scale[n - 1] != scale[all - 1]) {
                 continue;
             }
-            const double x = at(n), y = at(n - 1), z = at(n + 1);
+            const double x = at(n);
+            const double y = at(n - 1);
+            const double z = at(n + 1);
             xx += x * x;
             xy += x * y;
             yy += y * y;
@@ -239,9 +246,11 @@ private:
             }
             return 0.5 * portable::log(sum) + scale[n - 1];
         };
-        const double third = static_cast<double>(all / 3);
-        const double early = portable::exp((size(2 * all / 3) - size(all / 3)) / third);
-        const double last = portable::exp((size(all) - size(2 * all / 3)) / third);
+        const std::size_t third = all / 3;
+        const double early =
+            portable::exp((size(2 * all / 3) - size(third)) / static_cast<double>(third));
+        const double last =
+            portable::exp((size(all) - size(2 * all / 3)) / static_cast<double>(third));
         return std::abs(early - last) <= sameGrowth * last ? std::optional(last) : std::nullopt;
     }
 

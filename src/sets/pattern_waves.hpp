@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -213,7 +214,8 @@ private:
     }
     [[nodiscard]] double timeAt(std::size_t i) const
     {
-        return (static_cast<double>(i / places()) + places_[order_[i % places()]]) * given_.step;
+        const std::size_t cell = i / places();
+        return (static_cast<double>(cell) + places_[order_[i % places()]]) * given_.step;
     }
     /// kappa at the end of the piece before.
     [[nodiscard]] Complex before(std::size_t i) const
@@ -225,8 +227,8 @@ private:
     [[nodiscard]] bool setChain(std::size_t p)
     {
         const Complex back = given_.inCells(-given_.back);
-        const Complex source[2] = {back * given_.after(0.0, false), back * given_.after(0.0, true)};
-        const Complex factor[2] = {-given_.rho * back, back};
+        const std::array source{back * given_.after(0.0, false), back * given_.after(0.0, true)};
+        const std::array factor{-given_.rho * back, back};
         std::int64_t flights = 0;
         const auto goRound = [&](Complex wave) {
             std::int64_t m = 0;
@@ -290,7 +292,8 @@ private:
     [[nodiscard]] Complex sumTo(std::size_t i) const
     {
         const std::size_t n = waves_.size();
-        return static_cast<double>(i / n) * sums_[n] + sums_[i % n];
+        const std::size_t rounds = i / n;
+        return static_cast<double>(rounds) * sums_[n] + sums_[i % n];
     }
     /// r before less r after the beginning of piece i.
     [[nodiscard]] Complex jumpAt(std::size_t i) const
@@ -304,7 +307,8 @@ private:
         const std::size_t rank = rank_[place];
         const std::size_t left = i % n;
         const std::size_t cells = left / places() + (left % places() > rank ? 1 : 0);
-        return static_cast<double>(i / n) * jumps_[n + rank] + jumps_[cells * places() + rank];
+        const std::size_t rounds = i / n;
+        return static_cast<double>(rounds) * jumps_[n + rank] + jumps_[cells * places() + rank];
     }
 
     static void setRow(Eigen::Index row, Complex q, Eigen::MatrixXd& slope)

@@ -23,7 +23,7 @@ json parsed(const CommandLine& program, const std::string& words)
     return json::parse(outcome.out);
 }
 
-void write(const CommandLine& program, const char* name, const std::string& text)
+void placeFile(const CommandLine& program, const char* name, const std::string& text)
 {
     std::ofstream(program.file(name)) << text;
 }
@@ -127,7 +127,7 @@ TEST_CASE("cli study: each row is the worst of a sweep, and a list may grow")
         "# units as on the command line\nforce = \"base\"\ndamping = [0.03, \"10%\"]\n"
         "gap = [\"0.1mm\", 2e-4]\namplitude = {}\nyoung = \"210GPa\"\ndensity = 7850\n"
         "area = \"1cm2\"\nfrom = 0.9\nto = 1.3\npoints = 4\ncells = 20\nperiods = 200\n";
-    write(program, "q.toml", fmt::format(fmt::runtime(question), "[\"20um\"]"));
+    placeFile(program, "q.toml", fmt::format(fmt::runtime(question), "[\"20um\"]"));
     const json first = parsed(program, "study q.toml --csv s.csv");
     REQUIRE(first["points"].size() == 4);
     const json& point = first["points"][1];  // gap slowest, amplitude fastest
@@ -145,7 +145,7 @@ TEST_CASE("cli study: each row is the worst of a sweep, and a list may grow")
     }
     CHECK(point["impulse"] == worst);
     CHECK(point["peak_stress"] == stress);
-    write(program, "q.toml", fmt::format(fmt::runtime(question), "[\"20um\", 3e-5]"));
+    placeFile(program, "q.toml", fmt::format(fmt::runtime(question), "[\"20um\", 3e-5]"));
     const json more = parsed(program, "study q.toml --csv s.csv --resume --threads 2");
     REQUIRE(more["points"].size() == 8);
     CHECK(more["points"][2] == point);
@@ -155,7 +155,7 @@ TEST_CASE("cli study: each row is the worst of a sweep, and a list may grow")
           std::pair("gaps = 1e-3", "--gaps 0.001 is not expected"),
           std::pair("cells = [20, 30]", "cells = [...]"), std::pair("csv = \"a\"", "csv: allowed"),
           std::pair("gap = -1e-3\nforce = \"rope\"", "--force")}) {
-        write(program, "wrong.toml", text);
+        placeFile(program, "wrong.toml", text);
         const auto outcome = program.run("study wrong.toml");
         INFO(text << "\n" << outcome.err);
         CHECK(outcome.status == 2);
