@@ -104,7 +104,7 @@ std::string asText(const answers::HarmonicAnswer& answer)
         const auto& contacts = motion.value.contacts;
         for (const HarmonicContact& one : contacts) {
             print(text, "{:<12}contact of {:.10g} L/c{}, {}{}",
-                  &one == &contacts[0] ? "motion" : "", one.end - one.begin,
+                  &one == contacts.data() ? "motion" : "", one.end - one.begin,
                   contacts.size() == 1 ? "" : fmt::format(" from {:.10g} L/c", one.begin),
                   one.isPinned ? "ended by a wave front" : "ended smoothly",
                   &one == &contacts.back() ? "; " : "\n");

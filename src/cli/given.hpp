@@ -20,7 +20,7 @@ struct Usage {
     unsigned questions;         ///< of the table
     std::string_view words;     ///< those that belong to no option: "NC NF ..."; empty: none
     std::string_view ofWords;   ///< a sentence about them
-    std::string_view footer = "";
+    std::string_view footer = {};
 };
 
 /// The options and words of one call, each checked as far as its row of the table says.
@@ -57,7 +57,7 @@ public:
     [[nodiscard]] std::string inOptions(const std::string& message) const;
 
 private:
-    const answers::Option& row(std::string_view option) const;
+    [[nodiscard]] const answers::Option& row(std::string_view option) const;
     void take(const answers::Option& option, std::vector<std::string> values);
     void requireOnce() const;
     [[noreturn]] void refuseUnknown(const std::vector<std::string>& words) const;

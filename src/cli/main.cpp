@@ -205,11 +205,12 @@ int run(const std::vector<std::string>& words)
         writeOut(first == "--version" ? versionText() : helpText());
         return exitFound;
     }
-    const auto called = std::find_if(commands.begin(), commands.end(), [&](const Command& command) {
-        return command.usage.command == first;
-    });
+    const auto* const called =
+        std::find_if(commands.begin(), commands.end(),
+                     [&](const Command& command) { return command.usage.command == first; });
     if (called == commands.end()) {
         std::vector<std::string> names;
+        names.reserve(commands.size());
         for (const Command& command : commands) {
             names.emplace_back(command.usage.command);
         }

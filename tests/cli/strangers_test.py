@@ -19,6 +19,12 @@ from fractions import Fraction
 ROUNDING = 1e-12
 
 
+def in_cells(pieces, count):
+    """The velocities of a wave cell by cell; pieces last whole cells."""
+    cell = sum(duration for duration, _ in pieces) / count
+    return [velocity for duration, velocity in pieces for _ in range(round(duration / cell))]
+
+
 class Run:
     """One simulation: its answer, contacts, path of the contact's node and final state."""
 
@@ -34,8 +40,15 @@ class Run:
              for row in csv.DictReader((folder / name).read_text().splitlines())]
             for name in ("events.csv", "tip.csv"))
         state = (folder / "state.csv").read_text().splitlines()
-        rows = [row for row in csv.DictReader(state) if row["part"] == "cell"]
-        self.speeds = [float(row["right"]) + float(row["left"]) for row in rows]
+        waves = {}
+        for row in csv.DictReader(state):
+            waves.setdefault(int(row["wave"]), []).append((float(row["duration"]), float(row["velocity"])))
+        self.speeds = []
+        counts = [int(word.split(":")[0]) for word in scene.split() if word[0].isdigit()]
+        for bar, count in enumerate(counts):
+            # In the order of arrival at the right, and at the left.
+            right, left = (in_cells(waves[2 * bar + side], count) for side in (1, 2))
+            self.speeds += [r + l for r, l in zip(reversed(right), left)]
 
     def place(self, time):
         """Where the node is at a time: it moves in straight lines between the rows of its path."""
