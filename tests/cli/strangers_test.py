@@ -25,6 +25,17 @@ def in_cells(pieces, count):
     return [velocity for duration, velocity in pieces for _ in range(round(duration / cell))]
 
 
+def waves_of(text):
+    """Displacements of nodes, and the pieces of each wave, of a state file."""
+    nodes, waves = [], {}
+    for row in csv.DictReader(text.splitlines()):
+        if row["wave"] == "0":
+            nodes.append(float(row["displacement"]))
+        else:
+            waves.setdefault(int(row["wave"]), []).append((float(row["duration"]), float(row["velocity"])))
+    return nodes, waves
+
+
 class Run:
     """One simulation: its answer, contacts, path of the contact's node and final state."""
 
@@ -39,16 +50,14 @@ class Run:
             [{name: float(value) for name, value in row.items()}
              for row in csv.DictReader((folder / name).read_text().splitlines())]
             for name in ("events.csv", "tip.csv"))
-        state = (folder / "state.csv").read_text().splitlines()
-        waves = {}
-        for row in csv.DictReader(state):
-            waves.setdefault(int(row["wave"]), []).append((float(row["duration"]), float(row["velocity"])))
-        self.speeds = []
+        _, waves = waves_of((folder / "state.csv").read_text())
+        self.waves = []
         counts = [int(word.split(":")[0]) for word in scene.split() if word[0].isdigit()]
         for bar, count in enumerate(counts):
             # In the order of arrival at the right, and at the left.
             right, left = (in_cells(waves[2 * bar + side], count) for side in (1, 2))
-            self.speeds += [r + l for r, l in zip(reversed(right), left)]
+            self.waves += list(zip(reversed(right), left))
+        self.speeds = [right + left for right, left in self.waves]
 
     def place(self, time):
         """Where the node is at a time: it moves in straight lines between the rows of its path."""
@@ -139,28 +148,30 @@ def bouncing_schedule(folder):
         call = [PROGRAM, "simulate", "--scene", f"{cells} stop=5", *words, "--state"]
         subprocess.run([*call, str(begin), "--velocity", "0", "--time", repr(5 / 3)], stdout=subprocess.DEVNULL,
                        check=True)
-        published = list(csv.DictReader(begin.read_text().splitlines()))
+        published = None
         for trial in range(20 if cells > 1 else 1):
             added = [draw.uniform(-0.4, 0.4) if trial else 0.0 for _ in range(2 * cells)]
             mean = sum(added) / len(added)
             added = [value - mean for value in added]
-            rows = ["part,number,right,left,displacement"]
-            for row in published:
-                if row["part"] == "cell":
-                    i = 2 * (int(row["number"]) - 1)
-                    row = {**row, "right": repr(float(row["right"]) + added[i]),
-                           "left": repr(float(row["left"]) + added[i + 1])}
-                rows.append(",".join(row[name] for name in ("part", "number", "right", "left", "displacement")))
+            nodes, waves = waves_of(begin.read_text()) if trial == 0 else published
+            published = nodes, waves
+            rows = ["node,displacement,wave,duration,velocity"] + [f"{i + 1},{u!r},0,0,0" for i, u in enumerate(nodes)]
+            for wave, pieces in waves.items():
+                velocities = in_cells(pieces, cells)
+                rows += [f"0,0,{wave},{1 / 3 / cells!r},{velocity + added[2 * i + wave - 1]!r}"
+                         for i, velocity in enumerate(velocities)]
             begin.write_text("\n".join(rows) + "\n")
             done = subprocess.run([*call, str(end), "--from", str(begin), "--time", repr(10 * 16 / 3)],
                                   stdout=subprocess.PIPE, check=True)
             contact = json.loads(done.stdout)["contacts"][0]
             require(contact["count"] == 20, f"{contact['count']} bounces in ten periods")
             near(contact["impulse"], 10000 * Fraction(16, 30), "impulse of ten periods")
-            for row, other in zip(csv.DictReader(begin.read_text().splitlines()),
-                                  csv.DictReader(end.read_text().splitlines())):
-                for name in ("right", "left") if row["part"] == "cell" else ("displacement",):
-                    near(float(other[name]), float(row[name]), f"ten periods of neighbour {trial}: {name}", 1e-9)
+            (nodes, waves), (others, ends) = waves_of(begin.read_text()), waves_of(end.read_text())
+            for one, other in zip(nodes, others):
+                near(other, one, f"ten periods of neighbour {trial}: displacement", 1e-9)
+            for wave in waves:
+                for one, other in zip(in_cells(waves[wave], cells), in_cells(ends[wave], cells)):
+                    near(other, one, f"ten periods of neighbour {trial}: wave {wave}", 1e-9)
     return "bouncing bar as a schedule: found, and 38 neighbours on two grids that repeat themselves ten times"
 
 
@@ -321,8 +332,7 @@ def pile(folder):
         arriving, moves, states = impedance / (impedance + 1), [], {}
         for time in (0.5, 1.5, 2.5):
             run = Run(folder, scene, "--length", 5, "--velocity", "1,0", "--time", time)
-            states[time] = [(float(row["right"]), float(row["left"])) for row in csv.DictReader(
-                (folder / "state.csv").read_text().splitlines()) if row["part"] == "cell"][-cells:]
+            states[time] = run.waves[-cells:]
             moves.append(run.speeds[-1])
         toe = max(0.0, (2 * arriving - static) / (1 + dashpot))
         near(moves[1], toe, f"the toe moves, Z = {impedance}, R = {static}, J = {dashpot}")
