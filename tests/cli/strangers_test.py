@@ -276,9 +276,9 @@ def string(folder):
     """Cabannes: string over a point obstacle, periodic for rational h, with the period (3 - h)/2."""
     cells, begin, compared = 6, folder / "begin.csv", 0
     for height in (Fraction(1, 2), Fraction(1, 3), Fraction(1, 4), Fraction(2, 3), Fraction(3, 8)):
-        rows = ["part,number,right,left,displacement"]  # to the obstacle is to the right: u = -w
-        rows += [f"cell,{i + 1},{1 if i < cells else -1},{-1 if i < cells else 1}," for i in range(2 * cells)]
-        rows += ["node,1,,,0", "node,2,,,-1", "node,3,,,0"]
+        # To the obstacle is to the right: u = -w.
+        rows = ["node,displacement,wave,duration,velocity", "1,0,0,0,0", "2,-1,0,0,0", "3,0,0,0,0"]
+        rows += [f"0,0,{wave + 1},0.5,{velocity}" for wave, velocity in enumerate((1, -1, -1, 1))]
         begin.write_text("\n".join(rows) + "\n")
         period = (3 - height) / 2
         run = Run(folder, f"clamp {cells} stop=right:{-float(height)!r} {cells} clamp", "--length", 1,
