@@ -150,7 +150,8 @@ TEST_CASE(
     std::istringstream table(contentOf(program.file("r.csv")));
     std::string row;
     std::getline(table, row);
-    CHECK(row.ends_with(",contact_time,approach_speed,peak_compression,peak_tension,peak_stress"));
+    CHECK(row.ends_with(
+        ",contact_time,approach_speed,peak_compression,peak_tension,peak_stress,cells"));
     while (std::getline(table, row)) {
         const std::vector<std::string> cells = cellsOf(row);
         if (!cells[5].empty()) {
