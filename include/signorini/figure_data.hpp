@@ -85,7 +85,7 @@ struct Series {
     void add(double fromX, double fromY, double toX, double toY);
     void add(double atX, double atY, std::string text);
     void addStep(double from, double to, double value);  ///< constant from x to x
-    void breakOff();  ///< what follows is another line
+    void breakOff();                                     ///< what follows is another line
 
     /// The same with words in the legend, or drawn another way.
     [[nodiscard]] Series named(std::string said) const;

@@ -16,8 +16,9 @@
 namespace signorini {
 
 /// Enters `periodicity`, or adds to what is there, where places and pushes are given. Displacements
-/// of bars that drift are left out to the last bit: places change by rounding; their ways stay. O(steps (n channels + steps waves)). \pre their contacts and steps exist.
-/// `wanted`: waves x, so that eta is near Z x; none: near 0.
+/// of bars that drift are left out to the last bit: places change by rounding; their ways stay.
+/// O(steps (n channels + steps waves)). \pre their contacts and steps exist. `wanted`: waves x, so
+/// that eta is near Z x; none: near 0.
 void completeFloor(EnergyFloor& floor, const Network& network,
                    std::span<const ContactSpan> schedule, const Cancel& cancel = {},
                    std::span<const double> wanted = {});

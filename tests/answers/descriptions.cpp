@@ -6,8 +6,8 @@
 
 #include "atlas_answer.hpp"
 #include "continuum_answer.hpp"
-#include "forced_answer.hpp"
 #include "exact_answer.hpp"
+#include "forced_answer.hpp"
 #include "harmonic_answer.hpp"
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
@@ -150,16 +150,22 @@ Json typeOf()
 int main()
 {
     using namespace signorini::answers;
-    Json files{
-        {"find", nameOf<FindAnswer>()},           {"find-question", nameOf<QuestionAnswer>()},
-        {"find-forced", nameOf<ForcedAnswer>()},  {"continuum", nameOf<ContinuumAnswer>()},
-        {"families", nameOf<FamilyList>()},       {"modes", nameOf<ModeList>()},
-        {"modes-phases", nameOf<PolytopeList>()}, {"mode", nameOf<ModeAnswer>()},
-        {"response", nameOf<ResponseAnswer>()},   {"simulate", nameOf<SimulationAnswer>()},
-        {"sweep", nameOf<SweepAnswer>()},         {"atlas", nameOf<AtlasBuilt>()},
-        {"atlas-query", nameOf<AtlasAnswer>()},   {"find-harmonic", nameOf<HarmonicAnswer>()},
-        {"response-exact", nameOf<ExactAnswer>()},
-        {"study", nameOf<StudyAnswer>()}};
+    Json files{{"find", nameOf<FindAnswer>()},
+               {"find-question", nameOf<QuestionAnswer>()},
+               {"find-forced", nameOf<ForcedAnswer>()},
+               {"continuum", nameOf<ContinuumAnswer>()},
+               {"families", nameOf<FamilyList>()},
+               {"modes", nameOf<ModeList>()},
+               {"modes-phases", nameOf<PolytopeList>()},
+               {"mode", nameOf<ModeAnswer>()},
+               {"response", nameOf<ResponseAnswer>()},
+               {"simulate", nameOf<SimulationAnswer>()},
+               {"sweep", nameOf<SweepAnswer>()},
+               {"atlas", nameOf<AtlasBuilt>()},
+               {"atlas-query", nameOf<AtlasAnswer>()},
+               {"find-harmonic", nameOf<HarmonicAnswer>()},
+               {"response-exact", nameOf<ExactAnswer>()},
+               {"study", nameOf<StudyAnswer>()}};
     (void)nameOf<PolytopeAnswer>();  // of Python alone
     std::cout << Json{{"files", files}, {"records", records()}}.dump(1) << '\n';
 }
