@@ -156,7 +156,7 @@ public:
     MotionSamples(const ModeMotion& motion, const Bar& bar, std::int64_t cells,
                   std::int64_t mostInstants = maxMotionInstants);
     /// The same of a motion under an exact harmonic.
-    MotionSamples(const HarmonicField& motion, const Scene& scene, std::int64_t cells,
+    MotionSamples(const HarmonicField& motion, Scene scene, std::int64_t cells,
                   std::int64_t mostInstants = maxMotionInstants);
 
     [[nodiscard]] std::size_t nodes() const { return x_.size(); }

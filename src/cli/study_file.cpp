@@ -123,10 +123,10 @@ StudyQuestion studyQuestionOf(const std::string& toml)
     for (std::size_t k = 0; k < count; ++k) {
         std::vector<std::string> words;
         std::size_t left = k;
-        for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-            words.push_back(entry->option);
-            if (const std::size_t size = entry->values.size(); size > 0) {
-                words.push_back(entry->values[left % size]);
+        for (std::size_t i = entries.size(); i-- > 0;) {
+            words.push_back(entries[i].option);
+            if (const std::size_t size = entries[i].values.size(); size > 0) {
+                words.push_back(entries[i].values[left % size]);
                 left /= size;
             }
         }

@@ -82,7 +82,7 @@ public:
         }
     }
 
-    FigureData figure() const
+    [[nodiscard]] FigureData figure() const
     {
         const Bar& bar = curve_.scene.bar;
         FigureData figure{.width = 18.0, .height = 18.0};

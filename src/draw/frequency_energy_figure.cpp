@@ -174,7 +174,7 @@ public:
         }
     }
 
-    FigureData figure() const
+    [[nodiscard]] FigureData figure() const
     {
         FigureData figure{.width = 18.0};
         if (options_.leastFrequencyRatio) {
@@ -191,8 +191,9 @@ public:
                 said.back().x = said.back().y = {};
             }
         }
-        const auto rows = static_cast<double>((said.size() + 1) / 2);
-        const double words = 0.52 * rows + (plot_.families.empty() ? 0.3 : 1.5);  // [cm]
+        const std::size_t rows = (said.size() + 1) / 2;
+        const double words =
+            0.52 * static_cast<double>(rows) + (plot_.families.empty() ? 0.3 : 1.5);  // [cm]
         figure.height = 15.6 + words;
         const auto placed = [&figure](double bottom, double top) {
             return Place{0.09, 0.97, bottom / figure.height, top / figure.height};

@@ -94,7 +94,7 @@ public:
         place_ = axisUnit(scale_.displacement, reach, "m");
     }
 
-    FigureData figure() const
+    [[nodiscard]] FigureData figure() const
     {
         FigureData figure{.width = 18.0, .height = 16.0};
         figure.title = describe(subject_.schedule);

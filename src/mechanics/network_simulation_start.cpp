@@ -20,8 +20,7 @@ void requirePieces(Faults& faults, const Network& network, const NetworkStart& s
         return;
     }
     for (std::size_t k = 0; k < start.pieces.size(); ++k) {
-        const double delay =
-            k < 2 * network.rows.size() ? static_cast<double>(network.rows[k / 2].cells) : 1.0;
+        const auto delay = static_cast<double>(lengthOf(network, k));
         double total = 0.0;
         for (const Piece& piece : start.pieces[k]) {
             total += piece.duration > 0.0 && std::isfinite(piece.value) ? piece.duration : infinity;
@@ -139,7 +138,7 @@ void NetworkSimulation::place(const std::vector<std::vector<Piece>>& pieces,
         channel.node = network_.nodeOf(k);
         channel.sign = network_.sign(k);
         nodes_[channel.node].channels.push_back(k);
-        channel.delay = k < 2 * rows ? static_cast<double>(network_.rows[k / 2].cells) : 1.0;
+        channel.delay = static_cast<double>(lengthOf(network_, k));
         channel.now = pieces[k].front().value;
         double begin = 0.0;
         for (const Piece& piece : pieces[k]) {

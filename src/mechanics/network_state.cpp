@@ -201,7 +201,7 @@ NetworkStart NetworkSimulation::state() const
     const std::size_t rows = network_.rows.size();
     for (std::size_t k = 0; k < channels_.size(); ++k) {
         const bool isStub = k >= 2 * rows;
-        const std::size_t size = isStub ? 1 : static_cast<std::size_t>(network_.rows[k / 2].cells);
+        const auto size = static_cast<std::size_t>(lengthOf(network_, k));
         const std::size_t first = isStub ? network_.firstWave(rows) + k - 2 * rows
                                          : network_.firstWave(k / 2) + (k % 2) * size;
         double begin = 0.0;

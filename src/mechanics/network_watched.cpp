@@ -49,8 +49,7 @@ std::vector<Piece> WatchedNetwork::weights() const
     const Network& network = simulation_.network();
     std::vector<Piece> weights;
     for (std::size_t k = 0; k < network.channels(); ++k) {
-        const double delay =
-            k < 2 * network.rows.size() ? static_cast<double>(network.rows[k / 2].cells) : 1.0;
+        const auto delay = static_cast<double>(lengthOf(network, k));
         weights.push_back({delay, network.impedanceOf(k)});
     }
     for (const NetworkBar& bar : network.bars) {

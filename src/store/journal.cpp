@@ -191,7 +191,7 @@ public:
         return value;
     }
     std::int64_t whole() { return static_cast<std::int64_t>(next()); }
-    std::string rest() const { return *at_ == ' ' ? at_ + 1 : at_; }
+    [[nodiscard]] std::string rest() const { return *at_ == ' ' ? at_ + 1 : at_; }
 
 private:
     const char* at_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "harmonic_field.hpp"
 #include "printing.hpp"
@@ -242,9 +243,9 @@ MotionSamples::MotionSamples(const ModeMotion& motion, const Bar& bar, std::int6
     sample(motion, cells, mostInstants);
 }
 
-MotionSamples::MotionSamples(const HarmonicField& motion, const Scene& scene, std::int64_t cells,
+MotionSamples::MotionSamples(const HarmonicField& motion, Scene scene, std::int64_t cells,
                              std::int64_t mostInstants)
-    : scene_(scene)
+    : scene_(std::move(scene))
 {
     sample(motion, cells, mostInstants);
 }
