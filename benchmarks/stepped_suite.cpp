@@ -74,13 +74,11 @@ public:
             for (const double tolerance : isFull_ ? std::vector<double>{1e-4, 1e-6, 1e-8, 1e-10}
                                                   : std::vector<double>{1e-8}) {
                 for (const char* solver : {"ipopt", "nlopt-slsqp"}) {
-                    for (const Formulation form : {Formulation::kernel, Formulation::joints}) {
-                        add("F", cells, whole,
-                            {.solver = solver,
-                             .formulation = form,
-                             .objective = Objective::minEnergy,
-                             .tolerance = tolerance});
-                    }
+                    add("F", cells, whole,
+                        {.solver = solver,
+                         .formulation = Formulation::kernel,
+                         .objective = Objective::minEnergy,
+                         .tolerance = tolerance});
                 }
             }
             // Hardly anything in common with the cells: no blocks to speak of.

@@ -42,10 +42,11 @@ template <>
 struct Members<Simulated> {
     using T = Simulated;
     static constexpr auto list =
-        std::tuple{&T::scene,    &T::damping,    &T::drive,       &T::cells,        &T::resolution,
-                   &T::settling, &T::isComplete, &T::time,        &T::contactCount, &T::impulse,
-                   &T::tip,      &T::isHeld,     &T::energyRatio, &T::balance,      &T::events,
-                   &T::pieces,   &T::merged,     &T::waves,       &T::contacts,     &T::path};
+        std::tuple{&T::scene,    &T::damping,    &T::drive,  &T::cells,        &T::resolution,
+                   &T::settling, &T::isComplete, &T::time,   &T::contactCount, &T::impulse,
+                   &T::tip,      &T::isHeld,     &T::heldAt, &T::energyRatio,  &T::balance,
+                   &T::events,   &T::pieces,     &T::merged, &T::waves,        &T::contacts,
+                   &T::path};
 };
 
 namespace {

@@ -28,6 +28,7 @@ void SimulationAnswer::see(const BarSimulation& simulation)
     impulse = simulation.impulse();
     tip = simulation.tip();
     isHeld = simulation.isHeld();
+    heldAt = simulation.stop();
     energyRatio = simulation.energyRatio();
     balance = simulation.balance();
     events = simulation.events();

@@ -40,6 +40,7 @@ struct SimulationAnswer {
     double impulse = 0.0;
     double tip = 0.0;
     bool isHeld = false;
+    Stop heldAt = Stop::right;  ///< if it is
     double energyRatio = 0.0;
     EnergyBalance balance = {};
     std::int64_t events = 0;

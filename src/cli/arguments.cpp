@@ -89,6 +89,11 @@ ExitStatus exitStatusOf(Status status)
     throw std::logic_error("unnamed Status");
 }
 
+ExitStatus exitStatusOf(answers::Ending ending)
+{
+    return ending == answers::Ending::done ? exitFound : exitUndecided;
+}
+
 void writeOut(std::string_view text)
 {
     const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
@@ -101,16 +106,6 @@ void writeOut(std::string_view text)
 void tell(std::string_view text) noexcept
 {
     (void)std::fwrite(text.data(), 1, text.size(), stderr);
-}
-
-void warnUnlessAdmissible(std::string_view command, const Physical& physical)
-{
-    if (!physical.isAdmissible()) {
-        tell(
-            fmt::format("signorini {}: not admissible: the strain reaches {:.6g}, and the paper "
-                        "demands s > -1 everywhere\n",
-                        command, -physical.peakCompression));
-    }
 }
 
 void removeOnSignal(const std::string& path)
@@ -184,7 +179,8 @@ ExactPeriod parseFraction(std::string_view name, std::string_view text, std::str
 }
 
 CommonOptions::CommonOptions(const Given& given)
-    : cells(given.whole("--cells")),
+    : command(given.command()),
+      cells(given.whole("--cells")),
       choosesCells(given.text("--cells") == "auto"),
       wantsJson(given.text("--format") == "json"),
       quiet(given.has("--quiet")),
@@ -342,10 +338,27 @@ std::string CommonOptions::restated(std::optional<std::int64_t> grid,
     return text;
 }
 
-void CommonOptions::useOneThread(std::string_view command) const
+void CommonOptions::say(std::string_view what) const
 {
-    if (threads > 1 && !quiet) {
-        tell(fmt::format("signorini {}: one thread is used\n", command));
+    if (!quiet) {
+        tell(fmt::format("signorini {}: {}\n", command, what));
+    }
+}
+
+void CommonOptions::warnUnlessAdmissible(const Physical& physical) const
+{
+    if (!physical.isAdmissible()) {
+        say(
+            fmt::format("not admissible: the strain reaches {:.6g}, and the paper demands s > -1 "
+                        "everywhere",
+                        -physical.peakCompression));
+    }
+}
+
+void CommonOptions::useOneThread() const
+{
+    if (threads > 1) {
+        say("one thread is used");
     }
 }
 

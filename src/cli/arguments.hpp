@@ -19,6 +19,7 @@
 #include "signorini/bar_pieces.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/schedule.hpp"
+#include "simulation_answer.hpp"
 
 namespace signorini::cli {
 
@@ -33,17 +34,15 @@ enum ExitStatus : int {
     exitUnavailable = 4,  ///< a file, database or back end could not be used
 };
 
-/// The exit status that tells a verdict.
+/// The exit status that tells a verdict, or whether work came to its end.
 [[nodiscard]] ExitStatus exitStatusOf(Status status);
+[[nodiscard]] ExitStatus exitStatusOf(answers::Ending ending);
 
 /// Writes to standard output, whole or with an error. \throws FileError.
 void writeOut(std::string_view text);
 
 /// Words for people, to standard error. Where they cannot be written they are lost, not the work.
 void tell(std::string_view text) noexcept;
-
-/// Says on stderr that a motion breaks the paper's condition, if it does.
-void warnUnlessAdmissible(std::string_view command, const Physical& physical);
 
 /// Stops the removal of temporary files from being skipped when a signal ends the program: files
 /// staged later under `path` are removed by the handlers of SIGINT, SIGTERM and SIGHUP.
@@ -83,6 +82,7 @@ struct GivenNumber {
 struct CommonOptions {
     explicit CommonOptions(const Given& given);
 
+    std::string_view command;
     std::optional<std::int64_t> cells;
     bool choosesCells;  ///< --cells auto
     bool wantsJson;
@@ -117,9 +117,13 @@ struct CommonOptions {
     /// forgotten option is seen. With cells and damping where they are part of the question.
     [[nodiscard]] std::string restated(std::optional<std::int64_t> grid = {},
                                        std::optional<double> damping = {}) const;
+    /// Words for people, to standard error, unless they are not wanted.
+    void say(std::string_view what) const;
+    /// Says that a motion breaks the paper's condition, if it does.
+    void warnUnlessAdmissible(const Physical& physical) const;
     /// For a command that works on one thread: says so where more were allowed. Said last, so that
     /// a wrong call stays one line.
-    void useOneThread(std::string_view command) const;
+    void useOneThread() const;
 
 private:
     [[nodiscard]] Bar givenBar() const;

@@ -204,15 +204,11 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
         throw std::invalid_argument(
             "--figure, --csv: allowed for the atlas of a uniform bar, whose families they show");
     }
-    outputs.put("--figure", [&](const std::string& path) {
-        drawFigure(frequencyEnergyFigure(atlas, cells, {.maxFrequencyRatio = {}, .bar = bar()}),
-                   figureFormat(given.text("--figure")), path);
+    outputs.draw("--figure", [&] {
+        return frequencyEnergyFigure(atlas, cells, {.maxFrequencyRatio = {}, .bar = bar()});
     });
-    outputs.put("--map", [&](const std::string& path) {
-        drawFigure(existenceFigure(atlas, cells), figureFormat(given.text("--map")), path);
-    });
-    outputs.put("--csv",
-                [&](const std::string& path) { writeAtlasCsv(path, atlas, cells, bar()); });
+    outputs.draw("--map", [&] { return existenceFigure(atlas, cells); });
+    outputs.put("--csv", writeAtlasCsv, atlas, cells, bar());
     outputs.commit();
 }
 
@@ -231,11 +227,11 @@ ExitStatus AtlasCommand::answer() const
     const std::string gaps = coverage.gaps();
     answer.runs = coverage.runs();
     answer.isComplete = gaps.empty();
-    if (!gaps.empty() && !common.quiet) {
-        tell(fmt::format("signorini atlas: {}\n", gaps));
+    if (!gaps.empty()) {
+        common.say(gaps);
     }
     if (isQuery()) {
-        writeOut(common.wantsJson ? asJson(answer) : common.restated() + asText(answer));
+        report(common, answer);
         return answer.isEmpty() && !coverage.isDecided() ? exitUndecided : exitFound;
     }
     return exitFound;
@@ -253,9 +249,9 @@ void AtlasCommand::fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks,
         return;
     }
     LocalBatches source(run.range, options.threads, options.cancel, run.nextBatch);
-    if (source.threads() < options.threads && !common.quiet) {
-        tell(fmt::format("signorini atlas: {} of {} threads could start; they do the work\n",
-                         source.threads(), options.threads));
+    if (source.threads() < options.threads) {
+        common.say(fmt::format("{} of {} threads could start; they do the work", source.threads(),
+                               options.threads));
     }
     fillAtlas(atlas, run, source, fmt::format("{} threads", source.threads()), options);
 }
@@ -322,15 +318,11 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (run.isFinished()) {
         draw(*atlas, range.cells, drawing);
     }
-    const AtlasBuilt built{run, database, common.scene()};
-    writeOut(common.wantsJson ? asJson(built) : common.restated() + asText(built));
+    report(common, AtlasBuilt{run, database, common.scene()});
     if (!run.isFinished()) {
-        if (!common.quiet) {
-            tell(
-                fmt::format("signorini atlas: interrupted after {} of {} batches; the same call "
-                            "with --resume goes on\n",
-                            run.nextBatch, run.batches));
-        }
+        common.say(
+            fmt::format("interrupted after {} of {} batches; the same call with --resume goes on",
+                        run.nextBatch, run.batches));
         return exitUndecided;
     }
     return exitFound;

@@ -8,10 +8,10 @@
 
 #include "arguments.hpp"
 #include "atlas_coverage.hpp"
-#include "atlas_report.hpp"
 #include "files.hpp"
 #include "interrupt.hpp"
 #include "ranks.hpp"
+#include "reports.hpp"
 #include "signorini/atlas_database.hpp"
 #include "signorini/output.hpp"
 

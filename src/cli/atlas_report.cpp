@@ -1,12 +1,11 @@
-#include "atlas_report.hpp"
+#include "reports.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "atlas_coverage.hpp"
-#include "json.hpp"
-#include "signorini/output.hpp"
+#include "printing.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {
@@ -132,11 +131,6 @@ std::string asText(const AtlasAnswer& answer)
     return text;
 }
 
-std::string asJson(const AtlasAnswer& answer)
-{
-    return asLine(wholeJsonOf(answer));
-}
-
 std::string asText(const AtlasBuilt& built)
 {
     const AtlasRun& run = built.run;
@@ -151,32 +145,26 @@ std::string asText(const AtlasBuilt& built)
         tally.refuted, tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
 }
 
-std::string asJson(const AtlasBuilt& built)
-{
-    return asLine(wholeJsonOf(built));
-}
-
 void writeAtlasCsv(const std::string& path, const AtlasDatabase& atlas,
                    std::optional<std::int64_t> cells, const Bar& bar)
 {
-    const Scales unit = scales(bar);
-    TextFile file(path);
-    file.write(
+    constexpr std::string_view header =
         "cells,order,nu,contact_blocks,contact,contact_steps,free_steps,period_ratio,"
         "frequency_ratio,period,frequency,kind,dimension,energy_ratio_min,energy_ratio_max,"
-        "energy_min,energy_max,schedules\n");
-    atlas.forEachFamily(cells, [&](const AtlasFamily& all) {
-        const double time = period(all) * unit.time;
-        file.write(fmt::format(
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", all.cells,
-            all.family ? fmt::format("{},{},{}", all.family->order, all.family->blocks,
-                                     all.family->contactBlocks)
-                       : ",,",
-            name(all.contact()), all.top.contact, all.top.free, period(all), frequencyRatio(all),
-            time, 1.0 / time, name(all.kind), all.dimension, all.energy.least, all.energy.most,
-            all.energy.least * unit.energy, all.energy.most * unit.energy, all.schedules));
+        "energy_min,energy_max,schedules";
+    const Scales unit = scales(bar);
+    writeCsv(path, header, [&](CsvRows& row) {
+        atlas.forEachFamily(cells, [&](const AtlasFamily& all) {
+            const double time = period(all) * unit.time;
+            row(all.cells,
+                all.family ? fmt::format("{},{},{}", all.family->order, all.family->blocks,
+                                         all.family->contactBlocks)
+                           : ",,",
+                all.contact(), all.top.contact, all.top.free, period(all), frequencyRatio(all),
+                time, 1.0 / time, all.kind, all.dimension, all.energy.least, all.energy.most,
+                all.energy.least * unit.energy, all.energy.most * unit.energy, all.schedules);
+        });
     });
-    file.close();
 }
 
 }  // namespace signorini::cli

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "energy_bound.hpp"
+#include "network_route.hpp"
 #include "proofs.hpp"
 #include "stepped_bar.hpp"
-#include "stepped_route.hpp"
 
 namespace signorini::cli {
 
@@ -67,7 +67,7 @@ Json stateAsJson(const State& state)
 }
 
 /// That a stepped bar has no motion of less energy than the one found, but for the tolerance.
-std::optional<Json> steppedCertificate(const PeriodicResult& result, const FindOptions& options)
+std::optional<Json> segmentsCertificate(const PeriodicResult& result, const FindOptions& options)
 {
     const auto agrees = [&](double energyRatio) {
         return std::abs(result.motion->energyRatio / energyRatio - 1.0) <= options.tolerance;
@@ -128,6 +128,11 @@ Json claimOf(const Json& answer, const std::optional<Json>& energies)
         claim[key] = answer.at(key);
     }
     if (!energies) {
+        const auto reason = answer.find("reason");
+        if (reason != answer.end() && *reason == name(Reason::constraints) &&
+            answer.at("segments").size() > 1) {
+            claim["reason"] = *reason;  // an energy to hold is excluded, not all
+        }
         return claim;
     }
     claim["certificate"] = *energies;
@@ -161,8 +166,8 @@ void writeAnswer(const Json& answer, const PeriodicResult& result, const WriteTe
 
 std::optional<Json> energyCertificate(const PeriodicResult& result, const FindOptions& options)
 {
-    if (result.motion && result.how.objective == Objective::minEnergy && isStepped(options)) {
-        return steppedCertificate(result, options);
+    if (result.motion && result.how.objective == Objective::minEnergy && asksOfJoints(options)) {
+        return segmentsCertificate(result, options);
     }
     const auto* exclusion =
         result.absence ? std::get_if<EnergyExclusion>(&result.absence->proof) : nullptr;

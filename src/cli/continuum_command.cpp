@@ -5,14 +5,13 @@
 #include <optional>
 #include <utility>
 
-#include "continuum_report.hpp"
 #include "engine_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
 #include "given.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
-#include "report.hpp"
+#include "reports.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
@@ -85,14 +84,14 @@ ContinuumOptions optionsOf(const Given& given, const CommonOptions& common)
 }
 
 /// Of the member that is compressed most.
-void warnOfWorst(const Continuum& curve)
+void warnOfWorst(const CommonOptions& common, const Continuum& curve)
 {
     const auto worst = std::max_element(
         curve.points.begin(), curve.points.end(),
         [](const auto& one, const auto& other) { return one.peakStrain < other.peakStrain; });
     if (worst != curve.points.end()) {
-        warnUnlessAdmissible("continuum",
-                             physicalOf(extremesOf(worst->state, curve.schedule), curve.scene.bar));
+        common.warnUnlessAdmissible(
+            physicalOf(extremesOf(worst->state, curve.schedule), curve.scene.bar));
     }
 }
 
@@ -111,37 +110,30 @@ ExitStatus runContinuum(const Given& given)
     }
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
 
-    std::optional<Interrupt> interrupt(std::in_place);
-    request.cancel = interrupt->cancel();
-    std::optional<Progress> progress(std::in_place, !common.quiet, "tracing", common.progressFile);
-    request.progress = [&progress](double done, double total) { progress->show(done, total); };
-    const Continuum curve = traceContinuum(schedule, ratio, request);
-    progress.reset();
-    interrupt.reset();
-    std::optional<Member> chosen;
+    answers::ContinuumAnswer answer;
+    watched(common, "tracing", [&](const Cancel& cancel, const auto& show) {
+        request.cancel = cancel;
+        request.progress = show;
+        answer.curve = std::make_shared<const Continuum>(traceContinuum(schedule, ratio, request));
+    });
+    const Continuum& curve = *answer.curve;
     if (!curve.points.empty()) {
         if (const auto member = given.number("--member")) {
-            chosen = memberAt(curve, *member);
+            answer.asked = memberAt(curve, *member);
         }
         outputs.put("--state", [&](const std::string& path) {
-            writeStateCsv(path, chosen->point.state, request.scene.bar);
+            writeStateCsv(path, answer.asked->point.state, request.scene.bar);
         });
-        outputs.put("--csv", [&](const std::string& path) { writeContinuumCsv(path, curve); });
-        outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(continuumFigure(curve), figureFormat(given.text("--figure")), path);
-        });
-        outputs.put("--animate", [&](const std::string& path) {
-            drawFigures(continuumFrames(curve), animationFormat(given.text("--animate")), path);
-        });
+        outputs.put("--csv", writeContinuumCsv, curve);
+        outputs.draw("--figure", [&] { return continuumFigure(curve); });
+        outputs.draw("--animate", [&] { return continuumFrames(curve); });
         outputs.commit();
-    } else if (outputs.areWanted() && !common.quiet) {
-        tell("signorini continuum: no motion to write, so no file was written\n");
+    } else if (outputs.areWanted()) {
+        common.say("no motion to write, so no file was written");
     }
-    writeOut(common.wantsJson ? asJson(curve, chosen) : common.restated() + asText(curve, chosen));
-    if (!common.quiet) {
-        warnOfWorst(curve);
-    }
-    common.useOneThread("continuum");
+    report(common, answer);
+    warnOfWorst(common, curve);
+    common.useOneThread();
     return exitStatusOf(curve.status);
 }
 

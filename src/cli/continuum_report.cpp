@@ -1,13 +1,8 @@
-#include "continuum_report.hpp"
+#include "reports.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
-
-#include "continuum_answer.hpp"
-#include "json.hpp"
-#include "report.hpp"
 
 namespace signorini::cli {
 
@@ -45,8 +40,9 @@ const char* unitOf(const Continuum& curve)
 
 }  // namespace
 
-std::string asText(const Continuum& curve, const std::optional<Member>& member)
+std::string asText(const answers::ContinuumAnswer& answer)
 {
+    const Continuum& curve = *answer.curve;
     const std::string energy =
         hasUnit(curve) ? fmt::format("{:.10g} E₁", curve.energyRatio)
                        : fmt::format("{:.10g} J", answers::joules(curve.energyRatio, curve));
@@ -87,7 +83,7 @@ std::string asText(const Continuum& curve, const std::optional<Member>& member)
                             most);
         text += fmt::format("residuals   at most {:.3g}\n", residual);
     }
-    if (member) {
+    if (const auto& member = answer.asked) {
         text += fmt::format(
             "member      λ = {:.10g}, {}; {:.6g} in compression\n", member->point.lambda,
             member->isExact ? "exactly the one asked for" : "the nearest point of the curve",
@@ -98,12 +94,6 @@ std::string asText(const Continuum& curve, const std::optional<Member>& member)
             fmt::format("{:<12}{}\n", curve.status == Status::found ? "note" : "why", curve.detail);
     }
     return text;
-}
-
-std::string asJson(const Continuum& curve, const std::optional<Member>& member)
-{
-    const std::shared_ptr<const Continuum> seen(std::shared_ptr<void>(), &curve);
-    return asLine(wholeJsonOf(answers::ContinuumAnswer{seen, member}));
 }
 
 }  // namespace signorini::cli

@@ -1,10 +1,8 @@
-#include "exact_report.hpp"
+#include "reports.hpp"
 
 #include <algorithm>
 
-#include "report.hpp"
-#include "signorini/output.hpp"
-#include "text.hpp"
+#include "printing.hpp"
 
 namespace signorini::cli {
 
@@ -76,41 +74,32 @@ std::string asText(const ExactAnswer& answer)
 
 void writeExactCsv(const std::string& path, const ExactAnswer& answer)
 {
-    const double time = scales(answer.bar).time;
-    TextFile file(path);
-    file.write(
+    constexpr std::string_view header =
         "steps,frequency_ratio,frequency,touches,linear_peak,motion,contacts,cycles,contact,"
-        "begin,end,stop,release,impulse,peak_force,speed,phase,growth,attracts,residual\n");
-    for (const answers::ExactFrequencyOf& at : answer.listed()) {
-        const ExactFrequency& value = at.value;
-        const std::string begin =
-            fmt::format("{},{},{},{},{}", value.steps, value.frequencyRatio,
-                        answers::hertzOf(value.frequencyRatio, answer.bar), value.touches ? 1 : 0,
-                        value.linearPeak * scales(answer.bar).displacement);
-        if (value.motions.empty()) {
-            file.write(begin + ",,,,,,,,,,,,,,,\n");
-        }
-        for (std::size_t k = 0; k < value.motions.size(); ++k) {
-            const ExactMotion& one = value.motions[k];
-            for (std::size_t c = 0; c < one.motion.contacts.size(); ++c) {
-                const answers::HarmonicContactOf contact{one.motion.contacts[c], answer.bar};
-                const HarmonicContact& raw = contact.value;
-                file.write(fmt::format(
-                    "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", begin, k,
-                    one.motion.contacts.size(), one.given.cycles, c, raw.begin * time,
-                    raw.end * time, name(raw.stop), contact.release(),
-                    raw.impulse * answers::impulseUnit(answer.bar),
-                    raw.peakForce * answers::forceUnit(answer.bar),
-                    raw.speed * scales(answer.bar).velocity, one.motion.phase,
-                    one.stability.growth ? fmt::format("{}", *one.stability.growth) : "",
-                    !one.stability.attracts   ? ""
-                    : *one.stability.attracts ? "1"
-                                              : "0",
-                    one.motion.residual));
+        "begin,end,stop,release,impulse,peak_force,speed,phase,growth,attracts,residual";
+    const Scales unit = scales(answer.bar);
+    writeCsv(path, header, [&](CsvRows& row) {
+        for (const ExactFrequency& at : answer.frequencies) {
+            const std::string begin = fmt::format("{},{},{},{:d},{}", at.steps, at.frequencyRatio,
+                                                  answers::hertzOf(at.frequencyRatio, answer.bar),
+                                                  at.touches, at.linearPeak * unit.displacement);
+            if (at.motions.empty()) {
+                row(begin, ",,,,,,,,,,,,,,");
+            }
+            for (std::size_t k = 0; k < at.motions.size(); ++k) {
+                const auto& [given, motion, stability] = at.motions[k];
+                for (std::size_t c = 0; c < motion.contacts.size(); ++c) {
+                    const HarmonicContact& one = motion.contacts[c];
+                    row(begin, k, motion.contacts.size(), given.cycles, c, one.begin * unit.time,
+                        one.end * unit.time, one.stop,
+                        answers::HarmonicContactOf{one, answer.bar}.release(),
+                        one.impulse * answers::impulseUnit(answer.bar),
+                        one.peakForce * answers::forceUnit(answer.bar), one.speed * unit.velocity,
+                        motion.phase, stability.growth, stability.attracts, motion.residual);
+                }
             }
         }
-    }
-    file.close();
+    });
 }
 
 }  // namespace signorini::cli

@@ -2,24 +2,20 @@
 
 #include <fmt/format.h>
 
-#include "families_report.hpp"
 #include "files.hpp"
 #include "given.hpp"
-#include "interrupt.hpp"
 #include "progress.hpp"
-#include "signorini/figures.hpp"
+#include "reports.hpp"
 
 namespace signorini::cli {
 
 namespace {
 
 /// The families, or those found until a signal came or the list was full.
-void fill(answers::FamilyList& list, FamilyBounds bounds, const Stops& stops,
-          const CommonOptions& common)
+template <typename Show>
+void fill(answers::FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
+          const Show& show)
 {
-    const Interrupt interrupt;
-    Progress progress(!common.quiet, "listing families", common.progressFile);
-    bounds.cancel = interrupt.cancel();
     const auto last = static_cast<double>(list.maxOrder);
     std::int64_t order = 0;
     const bool isWhole = forEachFamily(list.maxOrder, bounds, [&](const Family& family) {
@@ -27,7 +23,7 @@ void fill(answers::FamilyList& list, FamilyBounds bounds, const Stops& stops,
             order = family.order;
             // The work up to an order grows with its square.
             const auto done = static_cast<double>(order - 1);
-            progress.show(done * done, last * last);
+            show(done * done, last * last);
         }
         if (!staysClear(family, stops)) {
             return true;
@@ -66,18 +62,17 @@ ExitStatus runFamilies(const Given& given)
             "--figure: allowed only with a gap: without one families have every energy");
     }
     bounds.gapSign = stops.right;
-    fill(list, bounds, stops, common);
-    if (!list.isComplete() && !common.quiet) {
-        tell(fmt::format("signorini families: {}; the list is not complete{}\n", list.ended,
-                         outputs.areWanted() ? ", so no file was written" : ""));
-    }
+    watched(common, "listing families", [&](const Cancel& cancel, const auto& show) {
+        bounds.cancel = cancel;
+        fill(list, bounds, stops, show);
+    });
     if (list.isComplete()) {
-        outputs.put("--csv", [&](const std::string& path) { writeFamiliesCsv(path, list); });
-        outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(familiesFigure(list.families, list.maxOrder),
-                       figureFormat(given.text("--figure")), path);
-        });
+        outputs.put("--csv", writeFamiliesCsv, list);
+        outputs.draw("--figure", [&] { return familiesFigure(list.families, list.maxOrder); });
         outputs.commit();
+    } else {
+        common.say(fmt::format("{}; the list is not complete{}", list.ended,
+                               outputs.areWanted() ? ", so no file was written" : ""));
     }
     if (common.wantsJson) {
         writeJson(list, writeOut);
@@ -85,7 +80,7 @@ ExitStatus runFamilies(const Given& given)
         writeOut(common.restated());
         writeText(list, writeOut);
     }
-    common.useOneThread("families");
+    common.useOneThread();
     return list.isComplete() ? exitFound : exitUndecided;
 }
 

@@ -1,15 +1,10 @@
-#include "families_report.hpp"
+#include "reports.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "json.hpp"
-#include "mode_report.hpp"
-#include "report.hpp"
-#include "signorini/modes.hpp"
-#include "signorini/output.hpp"
-#include "text.hpp"
+#include "printing.hpp"
 
 namespace signorini::cli {
 
@@ -20,7 +15,6 @@ constexpr std::size_t pieceSize = std::size_t{1} << 16;
 /// What people ask of a family, in the units of a bar.
 struct FamilyNumbers {
     double periodRatio;        ///< [L/c]
-    double contactRatio;       ///< [L/c]
     double frequencyRatio;     ///< [-], omega/omega_1
     double period;             ///< [s]
     double frequency;          ///< [Hz]
@@ -34,7 +28,6 @@ FamilyNumbers numbersOf(const Family& family, const Scales& unit)
     const double ratio = exactPeriod(family).value();
     const double energy = leastEnergy(family).value();
     return {.periodRatio = ratio,
-            .contactRatio = longestContact(family).value(),
             .frequencyRatio = 4.0 / ratio,
             .period = ratio * unit.time,
             .frequency = 1.0 / (ratio * unit.time),
@@ -111,24 +104,18 @@ void writeJson(const answers::FamilyList& list, const Write& write)
 
 void writeFamiliesCsv(const std::string& path, const answers::FamilyList& list)
 {
-    const Scales unit = scales(list.bar);
-    TextFile file(path);
-    file.write(
+    constexpr std::string_view header =
         "order,nu,contact_blocks,period_ratio,contact_ratio,frequency_ratio,least_energy_ratio,"
-        "period,frequency,least_energy,mode_contact,mode_turns\n");
-    inPieces(
-        list.families,
-        [&unit](Text& text, const Family& family) {
-            const FamilyNumbers numbers = numbersOf(family, unit);
-            const std::string mode =
-                numbers.mode ? fmt::format("{},{}", 4 * numbers.mode->a, numbers.mode->b) : ",";
-            print(text, "{},{},{},{},{},{},{},{},{},{},{}\n", family.order, family.blocks,
-                  family.contactBlocks, numbers.periodRatio, numbers.contactRatio,
-                  numbers.frequencyRatio, numbers.energyRatio, numbers.period, numbers.frequency,
-                  numbers.energy, mode);
-        },
-        [&file](std::string_view piece) { file.write(piece); });
-    file.close();
+        "period,frequency,least_energy,mode_contact,mode_turns";
+    writeCsv(path, header, [&list](CsvRows& row) {
+        for (const Family& family : list.families) {
+            const FamilyNumbers numbers = numbersOf(family, scales(list.bar));
+            row(family.order, family.blocks, family.contactBlocks, numbers.periodRatio,
+                longestContact(family).value(), numbers.frequencyRatio, numbers.energyRatio,
+                numbers.period, numbers.frequency, numbers.energy,
+                numbers.mode ? fmt::format("{},{}", 4 * numbers.mode->a, numbers.mode->b) : ",");
+        }
+    });
 }
 
 }  // namespace signorini::cli

@@ -6,7 +6,6 @@
 #include "arguments.hpp"
 #include "faults.hpp"
 #include "given.hpp"
-#include "signorini/figures.hpp"
 
 namespace signorini::cli {
 

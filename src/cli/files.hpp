@@ -7,8 +7,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::cli {
@@ -61,13 +63,29 @@ public:
 
     [[nodiscard]] bool areWanted() const { return !entries_.empty(); }
 
-    /// Calls write(name to write to) if the option was given.
-    template <typename Write>
-    void put(std::string_view option, Write write)
+    /// Calls write(name to write to, what) if the option was given.
+    template <typename Write, typename... What>
+    void put(std::string_view option, Write write, const What&... what)
     {
         for (const Entry& entry : entries_) {
             if (entry.option == option) {
-                forFile(entry.option, entry.path, [&] { return write(entry.staged); });
+                forFile(entry.option, entry.path, [&] { return write(entry.staged, what...); });
+            }
+        }
+    }
+    /// Draws what make() makes, a figure or moving pictures, if the option was given.
+    template <typename Make>
+    void draw(std::string_view option, Make make)
+    {
+        for (const Entry& entry : entries_) {
+            if (entry.option == option) {
+                forFile(entry.option, entry.path, [&] {
+                    if constexpr (std::is_same_v<std::invoke_result_t<Make>, FigureData>) {
+                        drawFigure(make(), figureFormat(entry.path), entry.staged);
+                    } else {
+                        drawFigures(make(), animationFormat(entry.path), entry.staged);
+                    }
+                });
             }
         }
     }

@@ -13,13 +13,11 @@
 #include "forced_find.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
-#include "report.hpp"
+#include "reports.hpp"
 #include "scene_find.hpp"
 #include "scene_options.hpp"
-#include "signorini/figures.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
-#include "signorini/output.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::cli {
@@ -72,15 +70,15 @@ FindRequest completed(const FindCommand& call)
 answers::FindAnswer search(const Schedule& schedule, const FindRequest& request,
                            const CommonOptions& common)
 {
-    const Interrupt interrupt;
-    const Progress progress(!common.quiet, "finding a motion", common.progressFile);
     FindOptions options = request.options;
-    options.cancel = interrupt.cancel();
-    PeriodicResult result = findPeriodic(schedule, options);
-    if (result.status == Status::undecided && isRequested(options.cancel) && !common.quiet) {
-        tell("signorini find: interrupted\n");
-    }
-    return answers::answerOf(std::move(result), options, request.reading);
+    return watched(common, "finding a motion", [&](const Cancel& cancel, const auto&) {
+        options.cancel = cancel;
+        PeriodicResult result = findPeriodic(schedule, options);
+        if (result.status == Status::undecided && isRequested(cancel)) {
+            common.say("interrupted");
+        }
+        return answers::answerOf(std::move(result), options, request.reading);
+    });
 }
 
 constexpr std::int64_t maxStableSteps = 1'000'000;
@@ -114,9 +112,7 @@ void writeFiles(FindOutputs& files, const FindOptions& options, const PeriodicRe
     if (result.motion) {
         files.writeMotion({result.motion->state, result.scene, result.scene.bar,
                            signorini::steps(result.schedule), [&] { return fieldOf(result); },
-                           [&](FigureFormat format, const std::string& path) {
-                               drawFigure(motionFigure(result), format, path);
-                           }});
+                           [&] { return motionFigure(result); }});
     } else {
         files.lackMotion();
     }
@@ -161,15 +157,10 @@ FindCommand::FindCommand(const Given& words)
 
 void FindCommand::warn(const Physical& physical) const
 {
-    if (common.quiet) {
-        return;
-    }
-    warnUnlessAdmissible("find", physical);
+    common.warnUnlessAdmissible(physical);
     if (yieldStress && *physical.peakStress > *yieldStress) {
-        tell(fmt::format(
-            "signorini find: the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} "
-            "Pa\n",
-            *physical.peakStress, *yieldStress));
+        common.say(fmt::format("the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} Pa",
+                               *physical.peakStress, *yieldStress));
     }
 }
 
@@ -219,7 +210,7 @@ ExitStatus FindCommand::run() const
         status = asked == asks::forced ? answerForced(*this, schedule)
                                        : answerSchedule(schedule, completed(*this));
     }
-    common.useOneThread("find");
+    common.useOneThread();
     return status;
 }
 

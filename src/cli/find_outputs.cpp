@@ -30,24 +30,17 @@ FindOutputs::FindOutputs(const FindCommand& words)
 {
 }
 
-void FindOutputs::say(std::string_view what) const
-{
-    if (!words_.common.quiet) {
-        tell(fmt::format("signorini find: {}\n", what));
-    }
-}
-
 void FindOutputs::lackMotion() const
 {
     if (motion_.areWanted()) {
-        say("no motion to write, so no file was written");
+        words_.common.say("no motion to write, so no file was written");
     }
 }
 
 void FindOutputs::lackProof() const
 {
     if (proof_.areWanted()) {
-        say("no proof to write, so --certificate was not written");
+        words_.common.say("no proof to write, so --certificate was not written");
     }
 }
 
@@ -66,9 +59,7 @@ void FindOutputs::writeMotion(const WrittenMotion& motion)
     motion_.put("--state", [&](const std::string& path) {
         writeStateCsv(path, motion.state, motion.bar, motion.base);
     });
-    motion_.put("--figure", [&](const std::string& path) {
-        motion.draw(figureFormat(words_.given.text("--figure")), path);
-    });
+    motion_.draw("--figure", motion.figure);
     if (words_.motionFile.isWanted() || words_.given.has("--animate")) {
         writeField(motion);
     }
@@ -77,13 +68,8 @@ void FindOutputs::writeMotion(const WrittenMotion& motion)
 
 void FindOutputs::writeHarmonic(const HarmonicField& field, const Scene& scene, std::int64_t cells)
 {
-    motion_.put("--figure", [&](const std::string& path) {
-        drawFigure(harmonicFigure(field, scene), figureFormat(words_.given.text("--figure")), path);
-    });
-    motion_.put("--animate", [&](const std::string& path) {
-        drawFigures(motionFrames(MotionSamples(field, scene, cells)),
-                    animationFormat(words_.given.text("--animate")), path);
-    });
+    motion_.draw("--figure", [&] { return harmonicFigure(field, scene); });
+    motion_.draw("--animate", [&] { return motionFrames(MotionSamples(field, scene, cells)); });
     words_.motionFile.write(
         motion_, [&](std::int64_t most) { return MotionSamples(field, scene, cells, most); });
     motion_.commit();
@@ -92,12 +78,10 @@ void FindOutputs::writeHarmonic(const HarmonicField& field, const Scene& scene, 
 void FindOutputs::writeField(const WrittenMotion& motion)
 {
     const Motion field = motion.field();
-    motion_.put("--animate", [&](const std::string& path) {
-        drawFigures(motionFrames(MotionSamples(field, motion.scene)),
-                    animationFormat(words_.given.text("--animate")), path);
-    });
+    motion_.draw("--animate", [&] { return motionFrames(MotionSamples(field, motion.scene)); });
     if (words_.motionFile.isWanted() && field.steps() < motion.steps) {
-        say(fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",
+        words_.common.say(
+            fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",
                         field.steps(), motion.steps));
     }
     words_.motionFile.write(

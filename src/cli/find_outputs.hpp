@@ -24,7 +24,7 @@ struct WrittenMotion {
     const Bar& bar;      ///< whose scales the state has
     std::int64_t steps;  ///< of its schedule
     std::function<Motion()> field;
-    std::function<void(FigureFormat, const std::string&)> draw;
+    std::function<FigureData()> figure;
     double base = 0.0;  ///< [g], where the base stands
 };
 
@@ -44,7 +44,6 @@ public:
     void lackProof() const;
 
 private:
-    void say(std::string_view what) const;
     void writeField(const WrittenMotion& motion);
 
     const FindCommand& words_;

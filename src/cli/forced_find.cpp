@@ -4,10 +4,8 @@
 
 #include "find_command.hpp"
 #include "find_outputs.hpp"
-#include "forced_report.hpp"
 #include "interrupt.hpp"
-#include "json.hpp"
-#include "report.hpp"
+#include "reports.hpp"
 #include "stepped_bar.hpp"
 #include "stops.hpp"
 
@@ -64,9 +62,7 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
                           last.damping, last.excitation);
         };
         files.writeMotion({last.state, answer.scene, answer.bar, steps(last.schedule), field,
-                           [&](FigureFormat format, const std::string& path) {
-                               drawFigure(motionFigure(last, answer.scene), format, path);
-                           },
+                           [&] { return motionFigure(last, answer.scene); },
                            last.excitation.baseDisplacement(0)});
     }
     if (answer.status() == Status::none) {
@@ -105,8 +101,7 @@ ExitStatus answerHarmonic(const FindCommand& call)
         const HarmonicField field(answer.given(), answer.motions.back().value);
         files.writeHarmonic(field, scene, common.usualCells());
     }
-    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : common.restated({}, force.ratio) + asText(answer));
+    report(common, answer, {}, force.ratio);
     for (const answers::HarmonicMotionOf& motion : answer.motions) {
         call.warn(motion.physical());
     }
@@ -135,8 +130,7 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
         tryStability(answer);
     }
     writeFiles(files, answer);
-    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : common.restated({}, force.ratio) + asText(answer));
+    report(common, answer, {}, force.ratio);
     for (const answers::ForcedMotionOf& motion : answer.motions) {
         call.warn(motion.physical());
     }

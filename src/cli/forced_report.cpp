@@ -1,6 +1,5 @@
-#include "forced_report.hpp"
+#include "reports.hpp"
 
-#include "report.hpp"
 #include "text.hpp"
 
 namespace signorini::cli {

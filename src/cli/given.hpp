@@ -29,6 +29,7 @@ public:
     /// \param asked the words behind the command. \throws std::invalid_argument with one line.
     Given(const Usage& usage, const std::vector<std::string>& asked);
 
+    [[nodiscard]] std::string_view command() const { return usage_.command; }
     [[nodiscard]] bool wantsHelp() const { return wantsHelp_; }
     [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 

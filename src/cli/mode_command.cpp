@@ -5,12 +5,9 @@
 
 #include "files.hpp"
 #include "given.hpp"
-#include "json.hpp"
-#include "mode_report.hpp"
 #include "motion_file.hpp"
 #include "rational.hpp"
-#include "report.hpp"
-#include "signorini/figures.hpp"
+#include "reports.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/modes.hpp"
 #include "text.hpp"
@@ -101,19 +98,18 @@ std::string writeState(const std::string& path, const Mode& mode, const ModeMoti
                        cells);
 }
 
-/// The motion on a grid that nearly has its period, and a line that says how nearly.
-std::string draw(const std::string& path, FigureFormat format, const Mode& mode, double period,
-                 std::int64_t usualCells, const Bar& bar)
+/// The motion on a grid that nearly has its period; adds a line that says how nearly.
+FigureData drawn(const Mode& mode, double period, std::int64_t usualCells, const Bar& bar,
+                 std::string& notes)
 {
     const Schedule schedule = nearestSchedule(mode, period, usualCells);
     FindOptions options;
     options.scene = bar;
-    drawFigure(motionFigure(findPeriodic(schedule, options)), format, path);
-    const double shown = signorini::period(schedule);
-    return shown == period
-               ? ""
-               : fmt::format("figure      shows T = {:.10g} L/c, {:.1e} from the one asked for\n",
+    if (const double shown = signorini::period(schedule); shown != period) {
+        notes += fmt::format("figure      shows T = {:.10g} L/c, {:.1e} from the one asked for\n",
                              shown, std::abs(shown - period));
+    }
+    return motionFigure(findPeriodic(schedule, options));
 }
 
 }  // namespace
@@ -139,29 +135,19 @@ ExitStatus runMode(const Given& given)
     outputs.put("--state", [&](const std::string& path) {
         notes += writeState(path, mode, motion, cells, stepsOn(cells, period), bar);
     });
-    outputs.put("--figure", [&](const std::string& path) {
-        notes +=
-            draw(path, figureFormat(given.text("--figure")), mode, motion.period(), cells, bar);
-    });
-    outputs.put("--animate", [&](const std::string& path) {
-        drawFigures(motionFrames(MotionSamples(motion, bar, cells)),
-                    animationFormat(given.text("--animate")), path);
-    });
+    outputs.draw("--figure", [&] { return drawn(mode, motion.period(), cells, bar, notes); });
+    outputs.draw("--animate", [&] { return motionFrames(MotionSamples(motion, bar, cells)); });
     motionFile.write(outputs,
                      [&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
     outputs.commit();
-    if (!common.quiet) {
-        warnUnlessAdmissible("mode", physicalOf(motion.extremes(), bar));
+    common.warnUnlessAdmissible(physicalOf(motion.extremes(), bar));
+    report(common, answers::ModeAnswer{mode, bar, motion});
+    if (!common.wantsJson) {
+        writeOut(notes);
+    } else if (!common.quiet) {
+        tell(notes);
     }
-    if (common.wantsJson) {
-        writeOut(asLine(wholeJsonOf(answers::ModeAnswer{mode, bar, motion})));
-        if (!common.quiet) {
-            tell(notes);
-        }
-    } else {
-        writeOut(common.restated() + asText(answers::ModeAnswer{mode, bar, motion}) + notes);
-    }
-    common.useOneThread("mode");
+    common.useOneThread();
     return exitFound;
 }
 

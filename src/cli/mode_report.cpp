@@ -1,9 +1,12 @@
-#include "mode_report.hpp"
+#include "reports.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "faults.hpp"
-#include "report.hpp"
+#include "printing.hpp"
 
 namespace signorini::cli {
 
@@ -13,6 +16,18 @@ namespace {
 std::string timesT(std::int64_t factor)
 {
     return factor == 1 ? "T" : fmt::format("{}T", factor);
+}
+
+/// The periods of a mode with E/E_1 <= most: |kappa T - mu| >= 1/sqrt(most).
+std::pair<double, double> periodsUpTo(const Mode& mode, double most)
+{
+    double low = mode.lowest.value();
+    double high = mode.highest.value();
+    const double end = (static_cast<double>(mode.mu) + mode.gapSign / std::sqrt(most)) /
+                       static_cast<double>(mode.kappa);
+    const bool isFromBelow = mode.gapSign * mode.kappa > 0;
+    (isFromBelow ? low : high) = isFromBelow ? std::max(low, end) : std::min(high, end);
+    return {low, high};
 }
 
 }  // namespace
@@ -67,6 +82,53 @@ std::string asText(const answers::ModeAnswer& answer)
                motion.contactTime() * unit.time, motion.contactTime(), energy * unit.energy, energy,
                rootAsText(mode), motion.amplitude(), motion.jumpTimes().size()) +
            asText(physical);
+}
+
+std::string asText(const answers::ModeList& listing)
+{
+    std::string text = fmt::format(
+        "{} modes with |b| ≤ {}, T ≤ {} L/c, E ≤ {} E₁{}\n", listing.modes.size(),
+        listing.bounds.maxOrder, listing.bounds.maxPeriod, listing.bounds.maxEnergyRatio,
+        listing.isComplete ? "" : ": interrupted, the list is not complete");
+    if (listing.modes.empty()) {
+        return text;
+    }
+    const Scales unit = scales(listing.bar);
+    const auto hertz = [&unit](const ExactPeriod& period) {
+        return 1.0 / (period.value() * unit.time);
+    };
+    text += fmt::format("\n{:<14}{:<18}{:<20}{:<24}{:<14}{:<22}{:<26}{:<17}{}\n", "t_c [L/c]",
+                        "T in [L/c]", "ω/ω₁ in", "frequency in [Hz]", "1/√(E/E₁)", "E/E₁ in",
+                        "energy in [J]", "lowest T", "family");
+    for (const Mode& mode : listing.modes) {
+        const EnergyRange energy = energyRange(mode);
+        text += fmt::format(
+            "{:<14}{:<18}{:<20}{:<24}{:<14}{:<22}{:<26}{:<17}{}\n", contactAsText(mode),
+            fmt::format("]{}, {}[", fractionAsText(mode.lowest), fractionAsText(mode.highest)),
+            fmt::format("]{:.6g}, {:.6g}[", 4.0 / mode.highest.value(), 4.0 / mode.lowest.value()),
+            fmt::format("]{:.6g}, {:.6g}[", hertz(mode.highest), hertz(mode.lowest)),
+            rootAsText(mode), fmt::format("]{:.6g}, {:.6g}[", energy.least, energy.most),
+            fmt::format("]{:.6g}, {:.6g}[", energy.least * unit.energy, energy.most * unit.energy),
+            name(mode.lowestEnd), familyName(mode));
+    }
+    return text;
+}
+
+void writeModesCsv(const std::string& path, const answers::ModeList& listing)
+{
+    constexpr int motions = 100;
+    constexpr std::string_view header =
+        "a4,b,period_ratio,frequency_ratio,contact_time_ratio,energy_ratio";
+    writeCsv(path, header, [&listing](CsvRows& row) {
+        for (const Mode& mode : listing.modes) {
+            const auto [low, high] = periodsUpTo(mode, listing.bounds.maxEnergyRatio);
+            for (int k = 0; k < motions; ++k) {
+                const double period = low + (k + 0.5) / motions * (high - low);
+                row(4 * mode.a, mode.b, period, 4.0 / period, contactTime(mode, period),
+                    energyRatio(mode, period));
+            }
+        }
+    });
 }
 
 }  // namespace signorini::cli

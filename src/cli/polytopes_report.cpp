@@ -1,12 +1,10 @@
-#include "polytopes_report.hpp"
+#include "reports.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
-#include "files.hpp"
-#include "mode_report.hpp"
-#include "report.hpp"
+#include "printing.hpp"
 
 namespace signorini::cli {
 
@@ -71,31 +69,29 @@ std::string asText(const answers::PolytopeList& listing)
     return text;
 }
 
-void writePolytopes(const std::string& path, const answers::PolytopeList& listing)
+void writePolytopesCsv(const std::string& path, const answers::PolytopeList& listing)
 {
     constexpr int periods = 20;
-    TextFile file(path);
-    std::string head = "type,free_times,period_ratio,frequency_ratio,energy_ratio";
+    std::string header = "type,free_times,period_ratio,frequency_ratio,energy_ratio";
     for (std::int64_t l = 1; l <= listing.phases; ++l) {
-        head += fmt::format(",contact_{}_ratio,flight_{}_ratio", l, l);
+        header += fmt::format(",contact_{}_ratio,flight_{}_ratio", l, l);
     }
-    file.write(head + "\n");
-    for (const ModePolytope& polytope : listing.polytopes) {
-        for (int k = 0; k < periods; ++k) {
-            const double period =
-                std::lerp(polytope.lowest.value(), polytope.highest.value(), (k + 0.5) / periods);
-            for (const ModePoint& corner : slice(polytope, period)) {
-                std::string row =
-                    fmt::format("{},{},{},{},{}", chainsAsText(polytope.chains), polytope.dimension,
-                                period, 4.0 / period, energyRatio(polytope, period));
-                for (const double time : stretches(polytope, corner)) {
-                    row += fmt::format(",{}", std::max(time, 0.0));  // 0 but for rounding
+    writeCsv(path, header, [&](CsvRows& row) {
+        for (const ModePolytope& polytope : listing.polytopes) {
+            for (int k = 0; k < periods; ++k) {
+                const double period = std::lerp(polytope.lowest.value(), polytope.highest.value(),
+                                                (k + 0.5) / periods);
+                for (const ModePoint& corner : slice(polytope, period)) {
+                    std::vector<double> times = stretches(polytope, corner);
+                    for (double& time : times) {
+                        time = std::max(time, 0.0);  // 0 but for rounding
+                    }
+                    row(chainsAsText(polytope.chains), polytope.dimension, period, 4.0 / period,
+                        energyRatio(polytope, period), fmt::format("{}", fmt::join(times, ",")));
                 }
-                file.write(row + "\n");
             }
         }
-    }
-    file.close();
+    });
 }
 
 }  // namespace signorini::cli

@@ -9,6 +9,9 @@
 #include <string>
 #include <thread>
 
+#include "arguments.hpp"
+#include "interrupt.hpp"
+
 namespace signorini::cli {
 
 /// "12 s", "3 min", "1.5 h".
@@ -51,5 +54,16 @@ private:
     Clock::time_point start_ = Clock::now();
     std::thread writer_;
 };
+
+/// Work that signals end, and of which it is said how far it has come: work(cancel, show), show as
+/// Progress has it.
+template <typename Work>
+auto watched(const CommonOptions& common, const char* words, Work work)
+{
+    const Interrupt interrupt;
+    Progress progress(!common.quiet, words, common.progressFile);
+    return work(interrupt.cancel(),
+                [&progress](double done, double total) { progress.show(done, total); });
+}
 
 }  // namespace signorini::cli

@@ -9,7 +9,7 @@
 #include "given.hpp"
 #include "harmonic_contact.hpp"
 #include "hints.hpp"
-#include "report.hpp"
+#include "reports.hpp"
 #include "signorini/modes.hpp"
 
 namespace signorini::cli {

@@ -1,4 +1,4 @@
-#include "report.hpp"
+#include "reports.hpp"
 
 #include <fmt/format.h>
 

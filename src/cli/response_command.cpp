@@ -6,20 +6,14 @@
 #include <cmath>
 
 #include "exact_figure.hpp"
-#include "exact_report.hpp"
 #include "files.hpp"
 #include "force_options.hpp"
 #include "given.hpp"
 #include "hints.hpp"
-#include "interrupt.hpp"
-#include "json.hpp"
 #include "progress.hpp"
 #include "refined_response.hpp"
-#include "report.hpp"
-#include "response_report.hpp"
-#include "response_tables.hpp"
+#include "reports.hpp"
 #include "share_work.hpp"
-#include "signorini/figures.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::cli {
@@ -51,7 +45,7 @@ struct Worker {
     const CommonOptions& common;
     bool wantsStability;
     const Cancel& cancel;
-    Progress& progress;
+    const std::function<void(double, double)>& show;
     bool isComplete = true;
 
     /// Shares the n of a range among threads; those that were done are kept.
@@ -67,8 +61,7 @@ struct Worker {
         };
         estimate(range, steps, serve);
         // The largest n takes longest and goes first.
-        shareWork(steps.size(), common.threads, serve,
-                  [this](double done, double total) { progress.show(done, total); });
+        shareWork(steps.size(), common.threads, serve, show);
         std::vector<FrequencyResponse> all;
         for (std::optional<FrequencyResponse>& response : responses) {
             if (response) {
@@ -100,10 +93,10 @@ struct Worker {
         }
         const double seconds = one * all / static_cast<double>(common.threads);
         if (seconds > isLong) {
-            tell(fmt::format("signorini response: {} frequencies, about {} on {} thread{}{}\n",
-                             steps.size(), timeAsText(seconds), common.threads,
-                             common.threads > 1 ? "s" : "",
-                             common.choosesCells ? "" : "; --cells auto is quicker"));
+            common.say(fmt::format("{} frequencies, about {} on {} thread{}{}", steps.size(),
+                                   timeAsText(seconds), common.threads,
+                                   common.threads > 1 ? "s" : "",
+                                   common.choosesCells ? "" : "; --cells auto is quicker"));
         }
     }
 };
@@ -142,35 +135,30 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
     Outputs outputs(given, {"--csv", "--figure"});
     const std::vector<std::int64_t> steps = stepsOf(asked);
     std::vector<std::optional<ExactFrequency>> found(steps.size());
-    {
-        const Interrupt interrupt;
-        Progress progress(!common.quiet, "frequencies", common.progressFile);
+    watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
         shareWork(
             steps.size(), common.threads,
             [&](std::size_t at) {
-                found[at] = exactAt(asked, steps[at], interrupt.cancel());
+                found[at] = exactAt(asked, steps[at], cancel);
                 return found[at].has_value();
             },
-            [&progress](double done, double total) { progress.show(done, total); });
+            show);
         for (std::optional<ExactFrequency>& at : found) {
             if (at) {
                 answer.frequencies.push_back(std::move(*at));
             }
         }
-        answer.branches = exactBranches(asked, answer.frequencies, interrupt.cancel());
-        answer.isComplete =
-            answer.frequencies.size() == steps.size() && !isRequested(interrupt.cancel());
-    }
+        answer.branches = exactBranches(asked, answer.frequencies, cancel);
+        answer.isComplete = answer.frequencies.size() == steps.size() && !isRequested(cancel);
+    });
     if (answer.isComplete) {
-        outputs.put("--csv", [&](const std::string& path) { writeExactCsv(path, answer); });
-        outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(exactFigure(answer.frequencies, answer.branches, asked, answer.bar),
-                       figureFormat(given.text("--figure")), path);
+        outputs.put("--csv", writeExactCsv, answer);
+        outputs.draw("--figure", [&] {
+            return exactFigure(answer.frequencies, answer.branches, asked, answer.bar);
         });
         outputs.commit();
     }
-    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : common.restated({}, force.ratio) + cli::asText(answer));
+    report(common, answer, {}, force.ratio);
     return exitStatusOf(answer.status());
 }
 
@@ -250,38 +238,28 @@ ExitStatus runResponse(const Given& given)
         return runExact(given, common, force, answer.range, scene);
     }
     Outputs outputs(given, {"--csv", "--map-csv", "--backbone-csv", "--figure", "--map"});
-    {
-        const Interrupt interrupt;
-        const Cancel cancel = interrupt.cancel();
-        Progress progress(!common.quiet, "frequencies", common.progressFile);
-        Worker worker{common, given.has("--stability"), cancel, progress};
+    watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
+        Worker worker{common, given.has("--stability"), cancel, show};
         const auto work = [&worker](const ResponseRange& one) { return worker.work(one); };
         answer.frequencies =
             common.choosesCells ? refinedResponse(answer.range, work) : work(answer.range);
         answer.isComplete = worker.isComplete;
-    }
-    if (!answer.isComplete && !common.quiet) {
-        tell("signorini response: interrupted; the list is not complete\n");
-    }
+    });
     if (answer.isComplete) {
-        outputs.put("--csv", [&](const std::string& path) { writeResponseCsv(path, answer); });
-        outputs.put("--map-csv",
-                    [&](const std::string& path) { writeResponseMapCsv(path, answer); });
-        outputs.put("--backbone-csv",
-                    [&](const std::string& path) { writeBackboneCsv(path, answer); });
-        outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(responseFigure(answer.frequencies, answer.range, answer.bar),
-                       figureFormat(given.text("--figure")), path);
-        });
-        outputs.put("--map", [&](const std::string& path) {
-            drawFigure(responseMapFigure(answer.frequencies, answer.range, answer.bar),
-                       figureFormat(given.text("--map")), path);
+        outputs.put("--csv", writeResponseCsv, answer);
+        outputs.put("--map-csv", writeResponseMapCsv, answer);
+        outputs.put("--backbone-csv", writeBackboneCsv, answer);
+        outputs.draw("--figure",
+                     [&] { return responseFigure(answer.frequencies, answer.range, answer.bar); });
+        outputs.draw("--map", [&] {
+            return responseMapFigure(answer.frequencies, answer.range, answer.bar);
         });
         outputs.commit();
+    } else {
+        common.say("interrupted; the list is not complete");
     }
-    const Status status = answer.status();
-    writeOut(common.wantsJson ? asJson(answer) : common.restated({}, force.ratio) + asText(answer));
-    return exitStatusOf(status);
+    report(common, answer, {}, force.ratio);
+    return exitStatusOf(answer.status());
 }
 
 }  // namespace signorini::cli

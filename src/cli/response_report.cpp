@@ -1,10 +1,8 @@
-#include "response_report.hpp"
+#include "reports.hpp"
 
 #include <fmt/format.h>
 
-#include "json.hpp"
-#include "report.hpp"
-#include "signorini/output.hpp"
+#include "printing.hpp"
 
 namespace signorini::cli {
 
@@ -17,56 +15,48 @@ std::string_view word(const ForcedMotion& motion)
 
 }  // namespace
 
-std::string asJson(const ResponseAnswer& answer)
-{
-    return asLine(wholeJsonOf(answer));
-}
-
 void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
 {
-    const Scales unit = scales(answer.bar);
-    TextFile file(path);
-    file.write(
+    constexpr std::string_view header =
         "steps,frequency_ratio,frequency,touches,linear_peak,contact,free,phase,impulse,"
         "peak_force,tip_lowest,stability,amplitude,second_contact,second_free,stop,undecided,"
-        "contact_time,approach_speed,peak_compression,peak_tension,peak_stress,cells\n");
-    for (const answers::FrequencyOf& at : answer.listed()) {
-        const FrequencyResponse& response = at.value;
-        const std::string begin =
-            fmt::format("{},{},{},{},{}", response.steps, response.frequencyRatio,
-                        response.frequencyRatio / 4.0 / unit.time, response.touches ? 1 : 0,
-                        response.linearPeak * unit.displacement);
-        const auto end = [&](const Physical* p) {
-            return p == nullptr
-                       ? fmt::format(",{},,,,,,{}\n", response.undecided, at.cells())
-                       : fmt::format(",{},{},{},{},{},{},{}\n", response.undecided, p->contactTime,
-                                     p->approachSpeed, p->peakCompression, p->peakTension,
-                                     p->peakStress ? fmt::format("{}", *p->peakStress) : "",
-                                     at.cells());
-        };
-        if (const auto& held = response.permanent) {
-            const Physical p = physicalOf(held->extremes, answer.bar);
-            file.write(fmt::format("{},{},0,0,{},{},{},,{},,,right{}", begin, response.steps,
-                                   p.impulse, p.peakForce, p.tipLowest,
-                                   answer.amplitudeAt(response), end(&p)));
-        } else if (response.motions.empty()) {
-            file.write(fmt::format("{},,,,,,,,,,,{}", begin, end(nullptr)));
+        "contact_time,approach_speed,peak_compression,peak_tension,peak_stress,cells";
+    const Scales unit = scales(answer.bar);
+    writeCsv(path, header, [&](CsvRows& row) {
+        for (const answers::FrequencyOf& at : answer.listed()) {
+            const FrequencyResponse& response = at.value;
+            // Contact and flight, phase, amplitude, second contact and flight, stop.
+            const auto put = [&](const auto& first, const auto& phase, std::string_view stability,
+                                 double amplitude, const auto& second, std::string_view stop,
+                                 const Physical& p) {
+                row(response.steps, response.frequencyRatio,
+                    response.frequencyRatio / 4.0 / unit.time, response.touches,
+                    response.linearPeak * unit.displacement, first, phase, p.impulse, p.peakForce,
+                    p.tipLowest, stability, amplitude, second, stop, response.undecided,
+                    p.contactTime, p.approachSpeed, p.peakCompression, p.peakTension, p.peakStress,
+                    at.cells());
+            };
+            if (const auto& held = response.permanent) {
+                put(fmt::format("{},0", response.steps), 0, "", answer.amplitudeAt(response), ",",
+                    "right", physicalOf(held->extremes, answer.bar));
+            } else if (response.motions.empty()) {
+                row(response.steps, response.frequencyRatio,
+                    response.frequencyRatio / 4.0 / unit.time, response.touches,
+                    response.linearPeak * unit.displacement, ",,,,,,,,,,", response.undecided,
+                    ",,,,", at.cells());
+            }
+            for (const ForcedMotion& motion : response.motions) {
+                const std::vector<Phase>& phases = motion.schedule.phases;
+                const Phase& first = phases.front();
+                put(fmt::format("{},{}", first.contact, first.free), motion.phase, word(motion),
+                    motion.amplitude * amplitudeUnit(answer.range.place, answer.bar),
+                    phases.size() > 1 ? fmt::format("{},{}", phases[1].contact, phases[1].free)
+                                      : ",",
+                    first.stop != phases.back().stop ? "both" : name(first.stop),
+                    physicalOf(motion.extremes, answer.bar));
+            }
         }
-        for (const ForcedMotion& motion : response.motions) {
-            const std::vector<Phase>& phases = motion.schedule.phases;
-            const Phase& first = phases.front();
-            const bool isOnBoth = first.stop != phases.back().stop;
-            const Physical p = physicalOf(motion.extremes, answer.bar);
-            file.write(fmt::format(
-                "{},{},{},{},{},{},{},{},{},{},{}{}", begin, first.contact, first.free,
-                motion.phase, p.impulse, p.peakForce, p.tipLowest, word(motion),
-                motion.amplitude * amplitudeUnit(answer.range.place, answer.bar),
-                phases.size() > 1 ? fmt::format("{},{}", phases[1].contact, phases[1].free)
-                                  : std::string(","),
-                isOnBoth ? "both" : name(first.stop), end(&p)));
-        }
-    }
-    file.close();
+    });
 }
 
 }  // namespace signorini::cli

@@ -4,7 +4,7 @@
 #include <array>
 #include <functional>
 
-#include "response_report.hpp"
+#include "reports.hpp"
 #include "segments_text.hpp"
 #include "text.hpp"
 

@@ -47,9 +47,7 @@ ExitStatus runScene(const Given& given)
     const Assembly& assembly = common.assembly();
     const Network network = networkOf(assembly);
     Outputs outputs(given, {"--figure"});
-    outputs.put("--figure", [&](const std::string& path) {
-        drawFigure(sceneFigure(assembly), figureFormat(given.text("--figure")), path);
-    });
+    outputs.draw("--figure", [&] { return sceneFigure(assembly); });
     outputs.commit();
     if (common.wantsJson) {
         Json json = newAnswer();
@@ -62,7 +60,7 @@ ExitStatus runScene(const Given& given)
     } else {
         writeOut(asText(assembly, network));
     }
-    common.useOneThread("scene");
+    common.useOneThread();
     return exitFound;
 }
 

@@ -203,8 +203,8 @@ ExitStatus findInScene(const FindCommand& command)
                             {answer.motions.motion->waves, answer.motions.motion->displacements});
         });
         states.commit();
-    } else if (states.areWanted() && !command.common.quiet) {
-        tell("signorini find: no motion to write, so no file was written\n");
+    } else if (states.areWanted()) {
+        command.common.say("no motion to write, so no file was written");
     }
     const std::string json = asLine(asJson(answer));
     if (answer.motions.status != Status::undecided) {
@@ -216,7 +216,7 @@ ExitStatus findInScene(const FindCommand& command)
         proofs.commit();
     }
     writeOut(command.common.wantsJson ? json : asText(answer));
-    command.common.useOneThread("find");
+    command.common.useOneThread();
     return exitStatusOf(answer.motions.status);
 }
 

@@ -204,8 +204,8 @@ ExitStatus findForcedInScene(const FindCommand& command)
             writeStateTable(path, answer.network, {last.waves, last.displacements});
         });
         states.commit();
-    } else if (states.areWanted() && !command.common.quiet) {
-        tell("signorini find: no motion to write, so no file was written\n");
+    } else if (states.areWanted()) {
+        command.common.say("no motion to write, so no file was written");
     }
     const std::string json = asLine(asJson(answer));
     if (answer.status() == Status::none) {
@@ -217,7 +217,7 @@ ExitStatus findForcedInScene(const FindCommand& command)
         proofs.commit();
     }
     writeOut(command.common.wantsJson ? json : asText(answer));
-    command.common.useOneThread("find");
+    command.common.useOneThread();
     return exitStatusOf(answer.status());
 }
 

@@ -80,7 +80,7 @@ ExitStatus reportReach(const SimulateCommand& command)
         json["closes"] = *reach.closes + 1;
     }
     writeOut(command.common.wantsJson ? asLine(json) : text);
-    command.common.useOneThread("simulate");
+    command.common.useOneThread();
     return exitFound;
 }
 

@@ -8,16 +8,15 @@
 
 #include "excited_amplitude.hpp"
 #include "files.hpp"
-#include "interrupt.hpp"
 #include "network_watched.hpp"
+#include "printing.hpp"
 #include "progress.hpp"
+#include "reports.hpp"
 #include "scene_figures.hpp"
 #include "scene_options.hpp"
 #include "scene_reach.hpp"
 #include "scene_report.hpp"
-#include "signorini/output.hpp"
 #include "simulate_command.hpp"
-#include "simulation_report.hpp"
 #include "state_table.hpp"
 
 namespace signorini::cli {
@@ -297,21 +296,19 @@ std::string asJson(const SimulateCommand& command, const SceneAnswer& answer)
     return asLine(json);
 }
 
-void writeEvents(const std::string& path, const NetworkSimulation& simulation)
+void writeEventsOf(const std::string& path, const NetworkSimulation& simulation)
 {
     const NetworkScales& scales = simulation.network().scales;
-    TextFile file(path);
-    file.write("contact,start,end,impulse,peak_force,speed\n");
-    for (const NetworkContactEvent& event : simulation.contacts()) {
-        file.write(fmt::format("{},{},{},{},{},{}\n", event.contact + 1, event.start * scales.time,
-                               event.end * scales.time,
-                               event.impulse * scales.force() * scales.time,
-                               event.peakForce * scales.force(), event.speed * scales.velocity()));
-    }
-    file.close();
+    writeCsv(path, "contact,start,end,impulse,peak_force,speed", [&](CsvRows& row) {
+        for (const NetworkContactEvent& event : simulation.contacts()) {
+            row(event.contact + 1, event.start * scales.time, event.end * scales.time,
+                event.impulse * scales.force() * scales.time, event.peakForce * scales.force(),
+                event.speed * scales.velocity());
+        }
+    });
 }
 
-void writeStatistics(const std::string& path, const NetworkSimulation& simulation)
+void writeStatisticsOf(const std::string& path, const NetworkSimulation& simulation)
 {
     const NetworkScales& scales = simulation.network().scales;
     std::vector<Impacts> all(simulation.network().contacts.size());
@@ -322,43 +319,40 @@ void writeStatistics(const std::string& path, const NetworkSimulation& simulatio
         all[event.contact].impulse.push_back(event.impulse * scales.force() * scales.time);
         all[event.contact].speed.push_back(event.speed * scales.velocity());
     }
-    writeStatistics(path, all, simulation.time() * scales.time);
+    writeImpacts(path, all, simulation.time() * scales.time);
 }
 
 void writePaths(const std::string& path, const NetworkSimulation& simulation)
 {
     const NetworkScales& scales = simulation.network().scales;
-    TextFile file(path);
-    file.write("node,time,displacement\n");
-    for (std::size_t node = 0; node < simulation.paths().size(); ++node) {
-        // Displacements are counted from the shape at rest, which comes back here.
-        const double rest = simulation.network().nodes[node].rest;
-        const auto put = [&](const NodePoint& point) {
-            file.write(fmt::format("{},{},{}\n", node + 1, point.time * scales.time,
-                                   (point.displacement + rest) * scales.displacement));
-        };
-        const std::vector<NodePoint>& points = simulation.paths()[node];
-        std::for_each(points.begin(), points.end(), put);
-        if (!points.empty() && points.back().time < simulation.time()) {
-            put({simulation.time(), simulation.displacement(node)});
+    writeCsv(path, "node,time,displacement", [&](CsvRows& row) {
+        for (std::size_t node = 0; node < simulation.paths().size(); ++node) {
+            std::vector<NodePoint> points = simulation.paths()[node];
+            if (!points.empty() && points.back().time < simulation.time()) {
+                points.push_back({simulation.time(), simulation.displacement(node)});
+            }
+            // Displacements are counted from the shape at rest, which comes back here.
+            const double rest = simulation.network().nodes[node].rest;
+            for (const NodePoint& point : points) {
+                row(node + 1, point.time * scales.time,
+                    (point.displacement + rest) * scales.displacement);
+            }
         }
-    }
-    file.close();
+    });
 }
 
 /// Until its end, or a signal.
 void goOn(NetworkSimulation& simulation, const Question& question, const CommonOptions& common,
           SceneAnswer& answer)
 {
-    const Interrupt interrupt;
-    Progress progress(!common.quiet, "simulating", common.progressFile);
     const double stretch = question.period > 0.0
                                ? question.period
                                : 16.0 * static_cast<double>(simulation.network().cells());
-    WatchedNetwork watched(simulation, question.drive);
+    WatchedNetwork seen(simulation, question.drive);
     const Followed followed =
-        follow(watched, stretch, question.duration / stretch, interrupt.cancel(),
-               [&progress](double done, double all) { progress.show(done, all); });
+        watched(common, "simulating", [&](const Cancel& cancel, const auto& show) {
+            return follow(seen, stretch, question.duration / stretch, cancel, show);
+        });
     answer.isComplete = followed.isComplete;
     answer.settling = question.period > 0.0 ? followed.settling : Settling{};
 }
@@ -384,23 +378,19 @@ ExitStatus simulateScene(const SimulateCommand& command)
     SceneAnswer answer{.question = question, .simulation = simulation};
     goOn(simulation, question, command.common, answer);
     if (answer.isComplete) {
-        outputs.put("--events", [&](const std::string& path) { writeEvents(path, simulation); });
-        outputs.put("--statistics",
-                    [&](const std::string& path) { writeStatistics(path, simulation); });
-        outputs.put("--tip", [&](const std::string& path) { writePaths(path, simulation); });
+        outputs.put("--events", writeEventsOf, simulation);
+        outputs.put("--statistics", writeStatisticsOf, simulation);
+        outputs.put("--tip", writePaths, simulation);
         outputs.put("--state", [&](const std::string& path) {
             writeStateTable(path, simulation.network(), simulation.state());
         });
-        outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(simulationFigure(simulation), figureFormat(command.given.text("--figure")),
-                       path);
-        });
+        outputs.draw("--figure", [&] { return simulationFigure(simulation); });
         outputs.commit();
-    } else if (!command.common.quiet) {
-        tell("signorini simulate: interrupted; no file was written\n");
+    } else {
+        command.common.say("interrupted; no file was written");
     }
     writeOut(command.common.wantsJson ? asJson(command, answer) : asText(answer));
-    command.common.useOneThread("simulate");
+    command.common.useOneThread();
     return answer.isComplete ? exitFound : exitUndecided;
 }
 

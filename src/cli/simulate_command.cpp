@@ -6,12 +6,10 @@
 
 #include "files.hpp"
 #include "force_history.hpp"
-#include "interrupt.hpp"
 #include "progress.hpp"
+#include "reports.hpp"
 #include "scene_simulation.hpp"
-#include "signorini/figures.hpp"
 #include "signorini/settling.hpp"
-#include "simulation_report.hpp"
 #include "state_table.hpp"
 #include "stepped_bar.hpp"
 #include "table.hpp"
@@ -189,40 +187,33 @@ ExitStatus SimulateCommand::run() const
                               .resolution = answer.resolution});
     const double stretch = stretchOf(force.place ? driving : Excitation{}, waves.crossing);
     const double total = stretches(stretch, waves.crossing, bar);
-    {
-        const Interrupt interrupt;
-        Progress progress(!common.quiet, "simulating", common.progressFile);
-        const Followed followed =
-            follow(simulation, stretch, total, interrupt.cancel(),
-                   [&progress](double done, double all) { progress.show(done, all); });
-        answer.isComplete = followed.isComplete;
-        answer.settling = answer.drive ? followed.settling : Settling{};
-    }
+    const Followed followed =
+        watched(common, "simulating", [&](const Cancel& cancel, const auto& show) {
+            return follow(simulation, stretch, total, cancel, show);
+        });
+    answer.isComplete = followed.isComplete;
+    answer.settling = answer.drive ? followed.settling : Settling{};
     if (!std::isfinite(simulation.energyRatio() * scales(bar).energy)) {
         throw std::overflow_error("the energy [J] is beyond the range of numbers");
     }
     if (answer.isComplete) {
-        outputs.put("--events",
-                    [&](const std::string& path) { writeEvents(path, simulation, bar); });
-        outputs.put("--statistics",
-                    [&](const std::string& path) { writeStatistics(path, simulation, bar); });
-        outputs.put("--tip", [&](const std::string& path) { writeTip(path, simulation, bar); });
+        outputs.put("--events", writeEvents, simulation, bar);
+        outputs.put("--statistics", writeStatistics, simulation, bar);
+        outputs.put("--tip", writeTip, simulation, bar);
         outputs.put("--state", [&](const std::string& path) {
             writeStateTable(path, simulation.waves(), simulation.tip(), bar);
         });
-        outputs.put("--figure", [&](const std::string& path) {
-            drawFigure(simulationFigure(simulation, force.place ? driving : Excitation{}, bar),
-                       figureFormat(given.text("--figure")), path);
+        outputs.draw("--figure", [&] {
+            return simulationFigure(simulation, force.place ? driving : Excitation{}, bar);
         });
         outputs.commit();
-    } else if (!common.quiet) {
-        tell("signorini simulate: interrupted; no file was written\n");
+    } else {
+        common.say("interrupted; no file was written");
     }
-    writeOut(common.wantsJson
-                 ? asJson(answer, simulation)
-                 : common.restated(answer.cells, force.ratio) + asText(answer, simulation));
-    common.useOneThread("simulate");
-    return answer.isComplete ? exitFound : exitUndecided;
+    answer.see(simulation);
+    report(common, answer, answer.cells, force.ratio);
+    common.useOneThread();
+    return exitStatusOf(answer.status());
 }
 
 ExitStatus runSimulate(const Given& given)

@@ -1,28 +1,25 @@
-#include "simulation_report.hpp"
+#include "reports.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <tuple>
 #include <utility>
 
-#include "json.hpp"
-#include "signorini/output.hpp"
+#include "printing.hpp"
 #include "spread.hpp"
 
 namespace signorini::cli {
 
-std::string asText(const SimulationAnswer& answer, const BarSimulation& simulation)
+std::string asText(const SimulationAnswer& answer)
 {
     const Bar bar = answer.bar();
     const Scales unit = scales(bar);
-    const EnergyBalance balance = simulation.balance();
-    const double energy = simulation.energyRatio();
-    std::string text = fmt::format(
-        "{:<12}{:.6g} s ({:.6g} L/c), {} events\n", answer.isComplete ? "simulated" : "interrupted",
-        simulation.time() * unit.time, simulation.time(), simulation.events());
-    text += fmt::format("contacts    {}, impulse {:.6g} N s in all\n", simulation.contacts().size(),
-                        simulation.impulse() * answers::impulseUnit(bar));
+    const EnergyBalance& balance = answer.balance;
+    std::string text = fmt::format("{:<12}{:.6g} s ({:.6g} L/c), {} events\n",
+                                   answer.isComplete ? "simulated" : "interrupted",
+                                   answer.time * unit.time, answer.time, answer.events);
+    text += fmt::format("contacts    {}, impulse {:.6g} N s in all\n", answer.contactCount,
+                        answer.impulse * answers::impulseUnit(bar));
     if (answer.settling.settled) {
         const Settled& settled = *answer.settling.settled;
         text += fmt::format(
@@ -34,47 +31,42 @@ std::string asText(const SimulationAnswer& answer, const BarSimulation& simulati
     } else if (answer.drive) {
         text += fmt::format("settled     no: {}\n", answer.settling.why);
     }
-    text += fmt::format(
-        "tip         u = {:.10g} m at the end{}\n", simulation.tip() * unit.displacement,
-        simulation.isHeld()
-            ? simulation.stop() == Stop::right ? ", at the wall" : ", at the second stop"
-            : "");
+    text += fmt::format("tip         u = {:.10g} m at the end{}\n", answer.tip * unit.displacement,
+                        !answer.isHeld                 ? ""
+                        : answer.heldAt == Stop::right ? ", at the wall"
+                                                       : ", at the second stop");
     text += fmt::format(
         "energy      {:.10g} J{}; work {:.6g} J, dissipated {:.6g} J, "
         "balance off by {:.3g} of the largest\n",
-        energy * unit.energy, bar.gap == 0.0 ? "" : fmt::format(" = {:.10g} E₁", energy),
+        answer.energyRatio * unit.energy,
+        bar.gap == 0.0 ? "" : fmt::format(" = {:.10g} E₁", answer.energyRatio),
         balance.work * unit.energy, balance.dissipated * unit.energy,
         balance.size > 0.0 ? std::abs(balance.error) / balance.size : 0.0);
-    if (simulation.merged() > 0.0) {
+    if (answer.merged > 0.0) {
         text += fmt::format("merged      faded jumps, at most {:.3g} m of displacement in all\n",
-                            simulation.merged() * unit.displacement);
+                            answer.merged * unit.displacement);
     }
     return text;
 }
 
-std::string asJson(SimulationAnswer answer, const BarSimulation& simulation)
-{
-    answer.see(simulation);
-    return asLine(wholeJsonOf(answer));
-}
-
 void writeEvents(const std::string& path, const BarSimulation& simulation, const Bar& bar)
 {
-    const double second = scales(bar).time;
+    const Scales unit = scales(bar);
     const bool hasTwo = simulation.stops().left.has_value();
-    TextFile file(path);
-    file.write(fmt::format("start,end,impulse,peak_force{},mean_force,speed,energy\n",
-                           hasTwo ? ",stop" : ""));
-    for (const ContactEvent& contact : simulation.contacts()) {
-        file.write(fmt::format("{},{},{},{}{},{},{},{}\n", contact.start * second,
-                               contact.end * second, contact.impulse * answers::impulseUnit(bar),
-                               contact.peakForce * answers::forceUnit(bar),
-                               hasTwo ? fmt::format(",{}", name(contact.stop)) : "",
-                               contact.meanForce * answers::forceUnit(bar),
-                               contact.speed * scales(bar).velocity,
-                               contact.energy * scales(bar).energy));
-    }
-    file.close();
+    writeCsv(path,
+             fmt::format("start,end,impulse,peak_force{},mean_force,speed,energy",
+                         hasTwo ? ",stop" : ""),
+             [&](CsvRows& row) {
+                 for (const ContactEvent& contact : simulation.contacts()) {
+                     const auto push =
+                         fmt::format("{}{}{}", contact.peakForce * answers::forceUnit(bar),
+                                     hasTwo ? "," : "", hasTwo ? name(contact.stop) : "");
+                     row(contact.start * unit.time, contact.end * unit.time,
+                         contact.impulse * answers::impulseUnit(bar), push,
+                         contact.meanForce * answers::forceUnit(bar), contact.speed * unit.velocity,
+                         contact.energy * unit.energy);
+                 }
+             });
 }
 
 void writeStatistics(const std::string& path, const BarSimulation& simulation, const Bar& bar)
@@ -93,51 +85,44 @@ void writeStatistics(const std::string& path, const BarSimulation& simulation, c
             }
         }
     }
-    writeStatistics(path, all, simulation.time() * scales(bar).time);
+    writeImpacts(path, all, simulation.time() * scales(bar).time);
 }
 
-void writeStatistics(const std::string& path, std::span<const Impacts> all, double duration)
+void writeImpacts(const std::string& path, std::span<const Impacts> all, double duration)
 {
-    TextFile file(path);
-    file.write("contact,quantity,unit,statistic,from,to,value\n");
-    for (const Impacts& impacts : all) {
-        const auto count = static_cast<double>(impacts.impulse.size());
-        file.write(fmt::format("{0},impacts,-,count,,,{1}\n{0},impacts,1/s,rate,,,{2}\n",
-                               impacts.contact, impacts.impulse.size(),
-                               duration > 0.0 ? count / duration : 0.0));
-        for (const auto& [quantity, unit, values] : {std::tuple{"impulse", "N s", &impacts.impulse},
-                                                     std::tuple{"speed", "m/s", &impacts.speed},
-                                                     std::tuple{"energy", "J", &impacts.energy}}) {
-            const Spread spread = spreadOf(*values);
-            const std::string row = fmt::format("{},{},{},", impacts.contact, quantity, unit);
-            if (spread.count == 0) {
-                continue;
-            }
-            for (const auto& [statistic, value] :
-                 {std::pair{"mean", spread.mean}, std::pair{"least", spread.least},
-                  std::pair{"most", spread.most}, std::pair{"total", spread.total}}) {
-                file.write(fmt::format("{}{},,,{}\n", row, statistic, value));
-            }
-            const double part = spread.most / static_cast<double>(spread.histogram.size());
-            for (std::size_t k = 0; k < spread.histogram.size(); ++k) {
-                file.write(fmt::format("{}histogram,{},{},{}\n", row, static_cast<double>(k) * part,
-                                       static_cast<double>(k + 1) * part, spread.histogram[k]));
+    writeCsv(path, "contact,quantity,unit,statistic,from,to,value", [&](CsvRows& row) {
+        for (const auto& [contact, impulses, speeds, energies] : all) {
+            const auto count = static_cast<double>(impulses.size());
+            row(contact, "impacts,-,count,,", impulses.size());
+            row(contact, "impacts,1/s,rate,,", duration > 0.0 ? count / duration : 0.0);
+            for (const auto& [quantity, values] :
+                 {std::pair{"impulse,N s", &impulses}, std::pair{"speed,m/s", &speeds},
+                  std::pair{"energy,J", &energies}}) {
+                const Spread spread = spreadOf(*values);
+                if (spread.count == 0) {
+                    continue;
+                }
+                row(contact, quantity, "mean,,", spread.mean);
+                row(contact, quantity, "least,,", spread.least);
+                row(contact, quantity, "most,,", spread.most);
+                row(contact, quantity, "total,,", spread.total);
+                const double part = spread.most / static_cast<double>(spread.histogram.size());
+                for (std::size_t k = 0; k < spread.histogram.size(); ++k) {
+                    row(contact, quantity, "histogram", static_cast<double>(k) * part,
+                        static_cast<double>(k + 1) * part, spread.histogram[k]);
+                }
             }
         }
-    }
-    file.close();
+    });
 }
 
 void writeTip(const std::string& path, const BarSimulation& simulation, const Bar& bar)
 {
-    const Scales unit = scales(bar);
-    TextFile file(path);
-    file.write("time,displacement\n");
-    for (const TipPoint& point : simulation.tipPath()) {
-        file.write(
-            fmt::format("{},{}\n", point.time * unit.time, point.displacement * unit.displacement));
-    }
-    file.close();
+    writeCsv(path, "time,displacement", [&](CsvRows& row) {
+        for (const TipPoint& point : simulation.tipPath()) {
+            row(point.time * scales(bar).time, point.displacement * scales(bar).displacement);
+        }
+    });
 }
 
 }  // namespace signorini::cli

@@ -12,7 +12,6 @@
 #include "json.hpp"
 #include "progress.hpp"
 #include "ranks.hpp"
-#include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 #include "study_figure.hpp"
 #include "study_file.hpp"
@@ -146,16 +145,14 @@ ExitStatus runStudy(const Given& given)
         given, question, ranks ? ranks->dealt(text, row, threads) : byThreads(row, threads));
     interrupt.reset();
     if (answer.isComplete) {
-        outputs.put("--figure", [&](const std::string& file) {
-            drawFigure(studyFigure(answer), figureFormat(given.text("--figure")), file);
-        });
+        outputs.draw("--figure", [&] { return studyFigure(answer); });
         outputs.commit();
     } else if (!given.has("--quiet")) {
         tell(fmt::format("signorini study: interrupted; the list is not complete{}\n",
                          csvFile.empty() ? "" : "; the same call with --resume goes on"));
     }
     writeOut(given.text("--format") == "json" ? asLine(wholeJsonOf(answer)) : asText(answer));
-    return answer.isComplete ? exitFound : exitUndecided;
+    return exitStatusOf(answer.status());
 }
 
 }  // namespace signorini::cli

@@ -6,15 +6,12 @@
 
 #include "commands.hpp"
 #include "excited_names.hpp"
-#include "interrupt.hpp"
 #include "journal.hpp"
-#include "json.hpp"
 #include "network_sweep.hpp"
 #include "progress.hpp"
+#include "reports.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
-#include "signorini/figures.hpp"
-#include "sweep_report.hpp"
 
 namespace signorini::cli {
 
@@ -200,17 +197,6 @@ SweepAnswer SweepCommand::question(const Network& network) const
     return {range(bar, bar), bar, bar, {}, true, {}};
 }
 
-std::string SweepCommand::report(const SweepAnswer& answer, const Network* network) const
-{
-    if (common.wantsJson) {
-        const Json json = wholeJsonOf(answer);
-        return asLine(network != nullptr ? withScene(json, common.assembly(), *network) : json);
-    }
-    return (network != nullptr ? headline(common.assembly(), *network)
-                               : common.restated({}, force.ratio)) +
-           asText(answer);
-}
-
 std::string SweepCommand::questionOf(const SweepAnswer& answer) const
 {
     SweepAnswer asked = answer;
@@ -236,17 +222,14 @@ ExitStatus SweepCommand::run() const
 void SweepCommand::write(const SweepAnswer& answer, const Network* network, Outputs& outputs) const
 {
     const Bar& bar = answer.bar;
-    outputs.put("--csv", [&](const std::string& path) { writeSweepCsv(path, answer); });
-    outputs.put("--figure", [&](const std::string& path) {
-        drawFigure(sweepFigure(answer.points, answer.range, bar,
-                               network != nullptr ? std::vector<FrequencyResponse>{}
-                                                  : exactUnder(answer.range)),
-                   figureFormat(given.text("--figure")), path);
+    outputs.put("--csv", writeSweepCsv, answer);
+    outputs.draw("--figure", [&] {
+        return sweepFigure(
+            answer.points, answer.range, bar,
+            network != nullptr ? std::vector<FrequencyResponse>{} : exactUnder(answer.range));
     });
-    outputs.put("--bifurcation", [&](const std::string& path) {
-        drawFigure(bifurcationFigure(answer.points, answer.range, bar),
-                   figureFormat(given.text("--bifurcation")), path);
-    });
+    outputs.draw("--bifurcation",
+                 [&] { return bifurcationFigure(answer.points, answer.range, bar); });
 }
 
 ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
@@ -266,18 +249,14 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
     }
     Outputs outputs(given, {"--csv", "--figure", "--bifurcation"});
     std::optional<Journal> journal;
-    {
-        const Interrupt interrupt;
+    watched(common, "values", [&](const Cancel& cancel, const auto& show) {
         if (given.has("--csv")) {
             journal.emplace(given.text("--csv"), questionOf(answer), given.has("--resume"));
         }
-        Progress progress(!common.quiet, "values", common.progressFile);
-        answer.points = sweepThrough(
-            answer.range, body ? &*body : nullptr, directions, journal ? &*journal : nullptr,
-            common.threads,
-            {.cancel = interrupt.cancel(),
-             .show = [&progress](double done, double total) { progress.show(done, total); }});
-    }
+        answer.points = sweepThrough(answer.range, body ? &*body : nullptr, directions,
+                                     journal ? &*journal : nullptr, common.threads,
+                                     {.cancel = cancel, .show = show});
+    });
     answer.isComplete =
         answer.points.size() == directions.size() * static_cast<std::size_t>(answer.range.points);
     if (answer.isComplete) {
@@ -286,14 +265,18 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
         if (journal) {
             journal->remove();
         }
-    } else if (!common.quiet) {
-        tell(
-            fmt::format("signorini sweep: interrupted; the list is not complete, and no file was "
-                        "written{}\n",
-                        journal ? "; the same call with --resume goes on" : ""));
+    } else {
+        common.say(fmt::format("interrupted; the list is not complete, and no file was written{}",
+                               journal ? "; the same call with --resume goes on" : ""));
     }
-    writeOut(report(answer, network));
-    return answer.isComplete ? exitFound : exitUndecided;
+    if (network == nullptr) {
+        report(common, answer, {}, force.ratio);
+    } else {
+        writeOut(common.wantsJson
+                     ? asLine(withScene(wholeJsonOf(answer), common.assembly(), *network))
+                     : headline(common.assembly(), *network) + asText(answer));
+    }
+    return exitStatusOf(answer.status());
 }
 
 }  // namespace signorini::cli

@@ -37,8 +37,6 @@ private:
     void write(const answers::SweepAnswer& answer, const Network* network, Outputs& outputs) const;
     /// What a run that is resumed must have asked, on one line.
     [[nodiscard]] std::string questionOf(const answers::SweepAnswer& answer) const;
-    [[nodiscard]] std::string report(const answers::SweepAnswer& answer,
-                                     const Network* network) const;
     /// In units of the bar.
     [[nodiscard]] SweepRange range(const Scene& scene, const Bar& bar) const;
     /// One end of it.

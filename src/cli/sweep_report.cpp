@@ -1,11 +1,10 @@
-#include "sweep_report.hpp"
+#include "reports.hpp"
 
 #include <algorithm>
 #include <functional>
 #include <map>
 
-#include "signorini/output.hpp"
-#include "text.hpp"
+#include "printing.hpp"
 
 namespace signorini::cli {
 
@@ -194,28 +193,26 @@ std::string asText(const SweepAnswer& answer)
 
 void writeSweepCsv(const std::string& path, const SweepAnswer& answer)
 {
-    const auto maybe = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
-    TextFile file(path);
-    file.write(
+    constexpr std::string_view header =
         "value,frequency,direction,periods,residual,watched,contacts,contacts_least,"
         "contacts_most,impulse,impulse_least,impulse_most,mean_force,tip_lowest,tip_highest,"
-        "peak_strain,peak_stress\n");
-    for (const SweepPointOf& at : answer.listed()) {
-        const SweepPoint& p = at.value;
-        const Scales unit = scales(at.bar);
-        const double impulse = answers::impulseUnit(at.bar);
-        const std::optional<Settled>& settled = p.settling.settled;
-        file.write(fmt::format(
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", at.given(),
-            p.frequencyRatio / 4.0 / unit.time, name(p.direction),
-            settled ? fmt::format("{}", settled->periods) : "",
-            settled ? fmt::format("{}", settled->residual) : "", p.watched, p.meanContacts,
-            p.contacts[0], p.contacts[1], p.meanImpulse * impulse, p.impulse[0] * impulse,
-            p.impulse[1] * impulse, p.meanForce * answers::forceUnit(at.bar),
-            p.tip[0] * unit.displacement, p.tip[1] * unit.displacement,
-            p.strain ? fmt::format("{}", *p.strain * unit.strain) : "", maybe(at.stress())));
-    }
-    file.close();
+        "peak_strain,peak_stress";
+    const Scales unit = scales(answer.bar);
+    const double impulse = answers::impulseUnit(answer.bar);
+    writeCsv(path, header, [&](CsvRows& row) {
+        for (const SweepPointOf& at : answer.listed()) {
+            const SweepPoint& p = at.value;
+            const std::optional<Settled>& settled = p.settling.settled;
+            row(at.given(), p.frequencyRatio / 4.0 / unit.time, p.direction,
+                settled ? std::optional(settled->periods) : std::nullopt,
+                settled ? std::optional(settled->residual) : std::nullopt, p.watched,
+                p.meanContacts, p.contacts[0], p.contacts[1], p.meanImpulse * impulse,
+                p.impulse[0] * impulse, p.impulse[1] * impulse,
+                p.meanForce * answers::forceUnit(answer.bar), p.tip[0] * unit.displacement,
+                p.tip[1] * unit.displacement,
+                p.strain ? std::optional(*p.strain * unit.strain) : std::nullopt, at.stress());
+        }
+    });
 }
 
 }  // namespace signorini::cli

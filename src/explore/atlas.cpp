@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "contact_spans.hpp"
 #include "faults.hpp"
 #include "segments_text.hpp"
 #include "stepped_bar.hpp"
-#include "stepped_blocks.hpp"
 #include "text.hpp"
 
 namespace signorini {
@@ -88,7 +88,7 @@ void validate(const AtlasRange& range)
             faults.add("second stop", range.secondStop->value(),
                        "none for a bar of several segments");
         }
-        const std::int64_t most = maxSteppedSteps / maxAtlasPhases;
+        const std::int64_t most = maxNetworkSteps / maxAtlasPhases;
         if (range.maxContact + range.maxFree > most) {
             faults.add("max contact + max free", range.maxContact + range.maxFree,
                        fmt::format("at most {} for a bar of several segments", most));

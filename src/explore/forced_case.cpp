@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bar_check.hpp"
 #include "echo.hpp"
 #include "portable.hpp"
 
@@ -81,21 +82,36 @@ std::optional<PermanentContact> permanentContact(const ResponseRange& range, std
     return contact;
 }
 
+ForcedMotion drivenMotion(const Schedule& schedule, const Damping& damping,
+                          std::span<const Excitation> shapes, Plane place)
+{
+    const bool isHarmonic = shapes.size() > 1;
+    ForcedMotion motion;
+    motion.schedule = schedule;
+    motion.damping = damping;
+    motion.amplitude = portable::hypot(place.c, place.s);
+    motion.phase = isHarmonic ? portable::atan2(place.s, place.c) : 0.0;
+    motion.excitation = shapes.front();
+    for (std::size_t m = 0; m < motion.excitation.values.size(); ++m) {
+        motion.excitation.values[m] =
+            place.dot({shapes.front().values[m], isHarmonic ? shapes.back().values[m] : 0.0});
+    }
+    return motion;
+}
+
+void enterState(ForcedMotion& motion, std::span<const Segment> segments, State state)
+{
+    motion.state = std::move(state);
+    const auto [seen, extremes] = verifyBar(motion.state, motion.schedule, segments,
+                                            forcedTolerance, motion.damping, motion.excitation);
+    motion.extremes = extremes;
+    motion.residual = seen.residuals.worst();
+}
+
 ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const double> free)
 {
     const std::int64_t cells = all.schedule.cells;
-    ForcedMotion motion;
-    motion.schedule = all.schedule;
-    motion.damping = all.damping;
-    motion.amplitude = portable::hypot(place.c, place.s);
-    const auto value = [place](Plane x) { return x.dot(place); };
-    motion.excitation = {all.shapes.front().place, {}, static_cast<double>(cells)};
-    const bool isHarmonic = all.shapes.size() > 1;
-    for (std::size_t m = 0; m < all.shapes.front().values.size(); ++m) {
-        motion.excitation.values.push_back(
-            value({all.shapes.front().values[m], isHarmonic ? all.shapes.back().values[m] : 0.0}));
-    }
-    motion.phase = isHarmonic ? portable::atan2(place.s, place.c) : 0.0;
+    ForcedMotion motion = drivenMotion(all.schedule, all.damping, all.shapes, place);
     const std::int64_t n = motion.excitation.steps();
     std::vector<double> amplitudes(static_cast<std::size_t>(all.waves.classes()), 0.0);
     const std::vector<std::int64_t> undamped = all.waves.freeClasses();
@@ -105,7 +121,7 @@ ForcedMotion forcedMotion(const ForcedCase& all, Plane place, std::span<const do
     motion.state = stateOfWaves(cells, [&](std::int64_t m) {
         const std::int64_t at = m % n;
         const double own = amplitudes[static_cast<std::size_t>(at % all.waves.classes())];
-        return value(all.waves.wave(at)) + (own != 0.0 ? own * all.waves.sign(at) : 0.0);
+        return all.waves.wave(at).dot(place) + (own != 0.0 ? own * all.waves.sign(at) : 0.0);
     });
     for (std::int64_t i = 0; i < cells; ++i) {
         motion.state.b[i] += motion.excitation.baseVelocity(i);

@@ -38,6 +38,15 @@ struct ForcedCase {
 [[nodiscard]] std::optional<PermanentContact> permanentContact(const ResponseRange& range,
                                                                std::int64_t steps);
 
+/// A motion at a place of the plane, its state still to be found.
+[[nodiscard]] ForcedMotion drivenMotion(const Schedule& schedule, const Damping& damping,
+                                        std::span<const Excitation> shapes, Plane place);
+
+/// Enters the state of a bar of segments, what it reaches over the period, and how far it breaks
+/// what a walk along the schedule and a march that decides contact by itself ask for. O(n segments
+/// + N).
+void enterState(ForcedMotion& motion, std::span<const Segment> segments, State state);
+
 /// The motion at a place of the plane, with the amplitudes of the waves that nothing damps, walked
 /// and marched. O(n).
 [[nodiscard]] ForcedMotion forcedMotion(const ForcedCase& all, Plane place,

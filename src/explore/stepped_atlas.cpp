@@ -1,6 +1,7 @@
 #include "stepped_atlas.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <utility>
 #include <variant>
@@ -21,6 +22,20 @@ std::string textOf(const RationalProof& proof)
         return text;
     };
     return listed(proof.equalities) + "; " + listed(proof.inequalities);
+}
+
+std::string textOf(const EnergyFloor& proof)
+{
+    const auto listed = [](const std::vector<ContactMultiplier>& conditions) {
+        std::string text;
+        for (const ContactMultiplier& m : conditions) {
+            text +=
+                fmt::format("{}{}:{}:{}", text.empty() ? "" : " ", m.contact + 1, m.step, m.value);
+        }
+        return text;
+    };
+    return fmt::format("{}; {}; {}", fmt::join(proof.periodicity, " "), listed(proof.places),
+                       listed(proof.pushes));
 }
 
 }  // namespace
@@ -46,8 +61,10 @@ std::optional<SteppedRow> decideStepped(const AtlasRange& range, std::int64_t nu
     row.steps = steps(schedule);
     if (result.absence) {
         row.reason = result.absence->reason;
-        if (const auto* proof = std::get_if<SteppedProof>(&result.absence->proof)) {
-            answer.proof = AtlasProof{number, textOf(proof->multipliers)};
+        if (const auto* exact = std::get_if<SteppedProof>(&result.absence->proof)) {
+            answer.proof = AtlasProof{number, textOf(exact->multipliers)};
+        } else if (const auto* floor = std::get_if<EnergyFloorProof>(&result.absence->proof)) {
+            answer.proof = AtlasProof{number, textOf(floor->multipliers)};
         }
     }
     if (result.motion) {

@@ -11,8 +11,6 @@
 #include "infinity.hpp"
 #include "network_find.hpp"
 #include "signorini/find_periodic.hpp"
-#include "stepped_blocks.hpp"
-#include "stepped_walk.hpp"
 #include "stops.hpp"
 
 namespace signorini {
@@ -36,9 +34,9 @@ SteppedBar checkedBar(const ForcedSet& set)
     if (bar.cells > maxForcedCells) {
         faults.add("cells", bar.cells, fmt::format("at most {}{}", maxForcedCells, where));
     }
-    if (steps(set.schedule) > maxSteppedSteps) {
+    if (steps(set.schedule) > maxNetworkSteps) {
         faults.add("steps", steps(set.schedule),
-                   fmt::format("at most {}{}", maxSteppedSteps, where));
+                   fmt::format("at most {}{}", maxNetworkSteps, where));
     }
     faults.throwIfAny();
     return bar;
@@ -128,10 +126,7 @@ MotionAt SteppedForced::motionAt() const
         const std::vector<double> all = waves_.waves(place, free);
         if (!bar_) {
             const std::vector<double> places = waves_.displacements(place, free);
-            ForcedMotion motion;
-            motion.excitation = combined(shapes_, place);
-            motion.amplitude = std::hypot(place.c, place.s);
-            motion.phase = std::atan2(place.s, place.c);
+            ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
             motion.state.a = Eigen::Map<const Eigen::VectorXd>(
                 all.data(), static_cast<Eigen::Index>(all.size()));
             motion.state.b = Eigen::Map<const Eigen::VectorXd>(
@@ -142,18 +137,9 @@ MotionAt SteppedForced::motionAt() const
                 std::accumulate(residuals.impulses.begin(), residuals.impulses.end(), 0.0);
             return motion;
         }
-        State state{Eigen::VectorXd(bar_->cells), Eigen::VectorXd(bar_->cells)};
-        Eigen::Index first = 0;
-        const double* next = all.data();
-        for (const Segment& segment : bar_->segments) {
-            state.a.segment(first, segment.cells) =
-                Eigen::Map<const Eigen::VectorXd>(next, segment.cells);
-            state.b.segment(first, segment.cells) =
-                Eigen::Map<const Eigen::VectorXd>(next + segment.cells, segment.cells);
-            first += segment.cells;
-            next += 2 * segment.cells;
-        }
-        return steppedMotion({*bar_, schedule_, damping_, shapes_}, place, std::move(state));
+        ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
+        enterState(motion, bar_->segments, stateOf(waves_.network(), all));
+        return motion;
     };
 }
 

@@ -17,7 +17,7 @@ class SteppedForced {
 public:
     /// Of a set's schedule, damping, forcing and segments, which are kept. O(N^3 + n N).
     /// \throws std::invalid_argument on segments that are none or have other cells, a limit, a
-    /// shape, more than maxForcedCells cells or maxSteppedSteps steps.
+    /// shape, more than maxForcedCells cells or maxNetworkSteps steps.
     explicit SteppedForced(const ForcedSet& set);
     /// Of any network, with its forces on driven nodes or its shaken clamps; `usualEnergy`: motions
     /// of `hugeEnergyRatio` times as much are not looked for. \throws std::invalid_argument as

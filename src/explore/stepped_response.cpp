@@ -8,7 +8,6 @@
 #include "forced_case.hpp"
 #include "forced_polytope.hpp"
 #include "growing_contact.hpp"
-#include "stepped_walk.hpp"
 
 namespace signorini {
 
@@ -109,14 +108,15 @@ private:
 
     [[nodiscard]] ForcedMotion motionAt(Plane place, std::span<const double> free) const
     {
-        return steppedMotion({bar_, schedule_, range_.damping, shapes_}, place,
-                             stateAt(place, free));
+        ForcedMotion motion = drivenMotion(schedule_, range_.damping, shapes_, place);
+        enterState(motion, bar_.segments, stateAt(motion.excitation, place, free));
+        return motion;
     }
 
     /// From what the tip does in a period inwards, joint by joint.
-    [[nodiscard]] State stateAt(Plane place, std::span<const double> free) const
+    [[nodiscard]] State stateAt(const Excitation& excitation, Plane place,
+                                std::span<const double> free) const
     {
-        const Excitation excitation = combined(shapes_, place);
         const double z = bar_.segments.back().impedance;
         const double eta = range_.damping.eta();
         RightEnd end;

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bar_check.hpp"
 #include "energy_bound.hpp"
 #include "energy_section.hpp"
-#include "stepped_route.hpp"
+#include "network_route.hpp"
+#include "one_material.hpp"
+#include "stepped_bar.hpp"
 #include "stops.hpp"
 #include "tolerated.hpp"
 
@@ -75,17 +78,36 @@ public:
     void operator()(State& state) const
     {
         const double tolerance = request_.options.tolerance;
-        Verification seen = verify(state, request_.schedule, tolerance);
-        seen.residuals.demands = violation(request_.demands, state, request_.schedule);
+        const Scene& scene = request_.options.scene;
+        const Demands& demands = request_.demands;
+        Verification seen;
+        Extremes extremes;
+        if (isNetwork_) {
+            auto all = verifyBar(state, request_.schedule, scene.segments, tolerance);
+            seen = std::move(all.seen);
+            extremes = all.extremes;
+        } else {
+            seen = verify(state, request_.schedule, tolerance);
+        }
+        const double energy = energyRatio(state, scene.segments);
+        if (!isNetwork_) {
+            seen.residuals.demands = violation(demands, state, request_.schedule);
+        } else if (demands.areLimits()) {  // on the tip and the energy alone
+            seen.residuals.demands = std::max(
+                {0.0, demands.tipFloor - extremes.lowestTip,
+                 demands.energyRatio ? std::abs(energy / *demands.energyRatio - 1.0) : 0.0});
+        }
         if (!(seen.residuals.worst() <= tolerance)) {
             result_.detail = fmt::format(
                 "{} returned a motion with a residual of {:.3g}, more than the tolerance {:.3g}",
                 result_.how.route, seen.residuals.worst(), tolerance);
             return;
         }
-        const Scales unit = scales(request_.options.scene.bar);
-        const double energy = energyRatio(state);
-        const Extremes extremes = extremesOf(state, request_.schedule, seen.repetitions);
+        const Bar bar = unitsOfBar(scene);
+        const Scales unit = scales(bar);
+        if (!isNetwork_) {
+            extremes = extremesOf(state, request_.schedule, seen.repetitions);
+        }
         result_.status = Status::found;
         if (request_.demands.energyRatio && request_.known.onePhase) {
             result_.set.held = heldEnergyOf(request_);
@@ -99,7 +121,7 @@ public:
                         .isSymmetric = seen.isSymmetric,
                         .energy = energy * unit.energy,
                         .energyRatio = energy,
-                        .physical = physicalOf(extremes, request_.options.scene.bar),
+                        .physical = physicalOf(extremes, bar),
                         .residuals = seen.residuals};
     }
 
@@ -127,6 +149,7 @@ public:
 private:
     const Request& request_;
     PeriodicResult& result_;
+    bool isNetwork_ = asksOfJoints(request_.options);
 };
 
 }  // namespace
@@ -137,7 +160,7 @@ PeriodicResult accept(const Request& request, Claim claim)
     result.detail.clear();
     result.schedule = request.schedule;
     result.scene = request.options.scene;
-    result.period = period(request.schedule) * scales(result.scene.bar).time;
+    result.period = period(request.schedule) * scales(firstMaterial(result.scene)).time;
     result.frequencyRatio = frequencyRatio(request.schedule);
     result.set = request.known.set;
     result.how = std::move(claim.how);

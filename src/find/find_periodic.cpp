@@ -9,18 +9,15 @@
 
 #include "accept.hpp"
 #include "faults.hpp"
+#include "network_route.hpp"
 #include "routes.hpp"
 #include "stepped_bar.hpp"
-#include "stepped_route.hpp"
 
 namespace signorini {
 
 PeriodicResult findPeriodic(const Schedule& schedule, const FindOptions& options)
 {
-    if (isStepped(options)) {
-        return findStepped(schedule, options);
-    }
-    if (!options.scene.segments.empty()) {
+    if (!options.scene.segments.empty() && !asksOfJoints(options)) {
         requireCells(steppedBar(options.scene.segments), schedule.cells);
         FindOptions alike = options;
         alike.scene.segments.clear();
@@ -32,6 +29,10 @@ PeriodicResult findPeriodic(const Schedule& schedule, const FindOptions& options
     constexpr std::array<Route, 5> routes{refuseRoute, closedFormRoute, sumsRoute, programRoute,
                                           heldEnergyRoute};
     Request request = checked(schedule, options);
+    if (asksOfJoints(options)) {
+        Claim claim = networkRoute(request);
+        return accept(request, std::move(claim));
+    }
     for (const Route route : routes) {
         if (auto claim = route(request)) {
             return accept(request, std::move(*claim));

@@ -5,6 +5,7 @@
 
 #include "backend_choice.hpp"
 #include "faults.hpp"
+#include "network_route.hpp"
 #include "stops.hpp"
 
 namespace signorini {
@@ -198,6 +199,11 @@ Request checked(const Schedule& schedule, const FindOptions& options)
     placed.stops = stopsOf(options.scene);
     signorini::validate(placed);
     Request request{std::move(placed), options, demandsOf(options), {}};
+    if (asksOfJoints(options)) {
+        requireKnownOfJoints(request.schedule, options);
+        validate(request.demands, request.schedule);
+        return request;
+    }
     requireSize(request);
     if (!request.isOfAnySize() || options.objective != Objective::maxImpulse) {
         validate(request.demands, request.schedule);

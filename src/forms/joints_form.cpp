@@ -20,7 +20,6 @@ public:
     {
         result_.program = emptyProgram(layout_.unknowns());
         result_.energyWeights.setZero(layout_.unknowns());
-        result_.impulse.setZero(layout_.unknowns());
     }
 
     SteppedProgram build()
@@ -38,7 +37,6 @@ public:
         }
         addTip();
         addGap();
-        addReading();
         Program& program = result_.program;
         equal_.moveTo(program.equalities, program.equalityRhs, program.variables());
         below_.moveTo(program.inequalities, program.inequalityRhs, program.variables());
@@ -110,8 +108,6 @@ private:
     {
         Program& program = result_.program;
         const std::size_t tip = blocks_.bar.joints.size();
-        const double force =
-            2.0 * blocks_.bar.segments.back().impedance / static_cast<double>(blocks_.bar.cells);
         std::int64_t flown = 0;
         bool begins = true;
         for (std::size_t number = 0; number < blocks_.blocks.size(); ++number) {
@@ -121,7 +117,6 @@ private:
                 const auto sign = static_cast<double>(block.push);
                 below_.add({{p, -sign}}, 0.0);
                 result_.conditions.push_back({SteppedRule::push, number});
-                result_.impulse[p] += sign * force;
                 begins = true;
                 continue;
             }
@@ -165,24 +160,6 @@ private:
         equal_.add(row, -blocks_.startPlace() * static_cast<double>(bar.cells));
     }
 
-    void addReading()
-    {
-        const auto columns = static_cast<Eigen::Index>(blocks_.types.size()) *
-                             static_cast<Eigen::Index>(blocks_.turns);
-        for (std::size_t j = 0; j < blocks_.bar.segments.size(); ++j) {
-            std::vector<Eigen::Triplet<double>> entries;
-            for (std::size_t t = 0; t < blocks_.types.size(); ++t) {
-                for (std::int64_t k = 0; k < blocks_.turns; ++k) {
-                    entries.emplace_back(
-                        static_cast<int>(static_cast<std::int64_t>(t) * blocks_.turns + k),
-                        static_cast<int>(layout_.arrival(j, t, k)), 1.0);
-                }
-            }
-            SparseRows& reading = result_.reading.emplace_back(columns, layout_.unknowns());
-            reading.setFromTriplets(entries.begin(), entries.end());
-        }
-    }
-
     const SteppedBlocks& blocks_;
     JointsLayout layout_;
     SteppedProgram result_;
@@ -218,17 +195,6 @@ Eigen::Index JointsLayout::between(std::size_t joint, std::size_t type, std::int
 SteppedProgram jointsForm(const SteppedBlocks& blocks)
 {
     return Builder(blocks).build();
-}
-
-ArrivalSums sumsOf(const SteppedProgram& posed, const SteppedBlocks& blocks,
-                   const Eigen::VectorXd& x)
-{
-    ArrivalSums sums(static_cast<Eigen::Index>(posed.reading.size()),
-                     static_cast<Eigen::Index>(blocks.types.size()) * blocks.turns);
-    for (std::size_t j = 0; j < posed.reading.size(); ++j) {
-        sums.row(static_cast<Eigen::Index>(j)) = (posed.reading[j] * x).transpose();
-    }
-    return sums;
 }
 
 }  // namespace signorini

@@ -148,23 +148,27 @@ public:
     /// Takes away what earlier vectors make, and gives it length 1. Returns the length it had.
     double enter(Eigen::VectorXd& vector)
     {
-        for (int twice = 0; twice < 2; ++twice) {
-            for (const Eigen::VectorXd& other : vectors_) {
-                vector -= other.dot(vector) * other;
-            }
+        for (int twice = 0; twice < 2 && count_ > 0; ++twice) {
+            const auto used = columns_.leftCols(count_);
+            const Eigen::VectorXd parts = used.transpose() * vector;
+            vector -= used * parts;
         }
         const double length = vector.norm();
         if (length > 0.0) {
             vector /= length;
         }
-        if (static_cast<std::int64_t>(vectors_.size() + 1) * vector.size() <= mostKept) {
-            vectors_.push_back(vector);
+        if ((count_ + 1) * vector.size() <= mostKept) {
+            if (count_ == columns_.cols()) {
+                columns_.conservativeResize(vector.size(), 2 * count_ + 8);
+            }
+            columns_.col(count_++) = vector;
         }
         return length;
     }
 
 private:
-    std::vector<Eigen::VectorXd> vectors_;
+    Eigen::MatrixXd columns_;
+    Eigen::Index count_ = 0;
 };
 
 /// x that makes |A x - b| least, A the backwards operator.

@@ -2,14 +2,8 @@
 /// \file
 /// A schedule of a stepped bar, in blocks of steps that may be taken for one.
 ///
-/// Let the clock of each joint run ahead of the tip's by the travel time between them. Then what a
-/// joint sends to the left arrives in the same step, and what it sends to the right through segment
-/// i arrives 2 N_i steps later: steps m and m' have to do with each other only if they differ by a
-/// multiple of G = gcd(2 N_1, ..., 2 N_s, n). The residues mod G obey equations of their own, those
-/// between two switches of the schedule the same ones. Their mean obeys them, too; its prefix sums
-/// run straight between those at the ends of a block, its energy is no larger. So a block of d
-/// residues is as good as one of them whose sum is S: what exists, and what has the least energy,
-/// is decided on n/G steps for each block. docs/theory.md, section 19.
+/// The blocks are those of network_blocks.hpp, in the order of the tip's time; of d residues the
+/// sum is taken.
 ///
 /// With r^j the wave that arrives at joint j (the tip being the last, p = r^s) in blocks of M_i =
 /// 2 N_i/G steps:
@@ -21,17 +15,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "network_blocks.hpp"
 #include "signorini/schedule.hpp"
 #include "stepped_bar.hpp"
 #include "stops.hpp"
 
 namespace signorini {
-
-/// Residues with the same switches.
-struct ResidueType {
-    std::int64_t first = 0;  ///< residue
-    std::int64_t width = 1;  ///< d
-};
 
 /// One type in one stretch of G steps.
 struct StepBlock {
@@ -70,19 +59,9 @@ struct SteppedBlocks {
     }
 };
 
-/// Most steps of one period of a stepped bar, joints times steps being what a program is made of.
-inline constexpr std::int64_t maxSteppedSteps = 1'000'000;
-
-/// `tipFloor` [g]: the tip may not be lower. `lumps`: whether blocks of several residues are made;
-/// else each residue is a block. O(blocks). \throws std::invalid_argument if the cells of segments
-/// and schedule differ, or for too many steps.
+/// `tipFloor` [g]: the tip may not be lower. O(blocks). \throws std::invalid_argument if the cells
+/// of segments and schedule differ.
 [[nodiscard]] SteppedBlocks blocksOf(const SteppedBar& bar, const Schedule& schedule,
-                                     double tipFloor, bool lumps);
-
-/// r^j of a motion, as sums over blocks: column type * turns + k, row j.
-using ArrivalSums = Eigen::MatrixXd;
-
-/// The state at t = 0. O(n joints).
-[[nodiscard]] State stateOf(const SteppedBlocks& blocks, const ArrivalSums& sums);
+                                     double tipFloor);
 
 }  // namespace signorini

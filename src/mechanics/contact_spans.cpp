@@ -37,6 +37,36 @@ StepDrive driveOf(const Excitation& excitation)
     return drive;
 }
 
+std::vector<double> wavesOf(const Network& network, const State& state)
+{
+    std::vector<double> waves;
+    waves.reserve(network.waves());
+    const double* a = state.a.data();
+    const double* b = state.b.data();
+    for (const CellRow& row : network.rows) {
+        waves.insert(waves.end(), a, a + row.cells);
+        waves.insert(waves.end(), b, b + row.cells);
+        a += row.cells;
+        b += row.cells;
+    }
+    return waves;
+}
+
+State stateOf(const Network& network, std::span<const double> waves)
+{
+    State state{Eigen::VectorXd(network.cells()), Eigen::VectorXd(network.cells())};
+    Eigen::Index first = 0;
+    const double* next = waves.data();
+    for (const CellRow& row : network.rows) {
+        state.a.segment(first, row.cells) = Eigen::Map<const Eigen::VectorXd>(next, row.cells);
+        next += row.cells;
+        state.b.segment(first, row.cells) = Eigen::Map<const Eigen::VectorXd>(next, row.cells);
+        next += row.cells;
+        first += row.cells;
+    }
+    return state;
+}
+
 double addDistance(std::span<double> derivatives, const Network& network, std::size_t contact,
                    double factor)
 {

@@ -9,8 +9,12 @@
 #include <vector>
 
 #include "network.hpp"
+#include "signorini/motion.hpp"
 
 namespace signorini {
+
+/// Most steps of a period of a network, nodes times steps being what its programs are made of.
+inline constexpr std::int64_t maxNetworkSteps = 1'000'000;
 
 /// Steps in which the same contacts are closed.
 struct ContactSpan {
@@ -41,6 +45,11 @@ struct StepDrive {
 
 /// One period of an excitation of the tip or the base of a bar, in units of its network.
 [[nodiscard]] StepDrive driveOf(const Excitation& excitation);
+
+/// The waves of a bar's state as those of its network, and back: a cell's a is what runs to the
+/// right. O(M). \pre one bar of as many cells, without stubs.
+[[nodiscard]] std::vector<double> wavesOf(const Network& network, const State& state);
+[[nodiscard]] State stateOf(const Network& network, std::span<const double> waves);
 
 /// Adds factor times the derivatives of the distance at a contact by the waves (`Network::waves`).
 /// Returns that by the place of the shaken clamps. O(cells of its bars).

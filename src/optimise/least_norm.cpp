@@ -11,21 +11,29 @@ namespace signorini {
 
 namespace {
 
-constexpr double dependent = 1e-10;  // part of a row of length 1 that rows in force do not make
+using std::abs;
 
+/// Part of a row of length 1 that rows in force do not make.
+template <typename Number>
+constexpr double dependent = isFine<Number> ? 1e-30 : 1e-10;
+
+template <typename Number>
 class ActiveSet {
+    using Vector = VectorOf<Number>;
+    using Matrix = MatrixOf<Number>;
+
 public:
-    ActiveSet(const RowSystem& system, double tolerance, double largest)
+    ActiveSet(const RowSystemOf<Number>& system, double tolerance, double largest)
         : system_(system),
           tolerance_(tolerance),
           largest_(largest),
           lengths_(system.rows.rowwise().norm()),
-          z_(Eigen::VectorXd::Zero(system.rows.cols())),
-          u_(Eigen::VectorXd::Zero(system.rows.rows()))
+          z_(Vector::Zero(system.rows.cols())),
+          u_(Vector::Zero(system.rows.rows()))
     {
     }
 
-    LeastNorm run(const Cancel& cancel)
+    LeastNormOf<Number> run(const Cancel& cancel)
     {
         const std::int64_t most = 50 + 10 * (system_.rows.cols() + system_.rows.rows());
         while (steps_ < most && !isRequested(cancel)) {
@@ -46,9 +54,12 @@ private:
         double sign;  ///< -1 where an equality is exceeded
     };
 
-    [[nodiscard]] LeastNorm ended(LeastNormEnd end) const { return {end, z_, u_, steps_}; }
+    [[nodiscard]] LeastNormOf<Number> ended(LeastNormEnd end) const
+    {
+        return {end, z_, u_, steps_};
+    }
 
-    [[nodiscard]] double slack(Eigen::Index row) const
+    [[nodiscard]] Number slack(Eigen::Index row) const
     {
         return system_.rows.row(row).dot(z_) - system_.rhs[row];
     }
@@ -57,8 +68,8 @@ private:
     [[nodiscard]] std::optional<Broken> mostBroken() const
     {
         std::optional<Broken> worst;
-        const double size = z_.norm();
-        double most = tolerance_;
+        const Number size = z_.norm();
+        Number most = tolerance_;
         for (Eigen::Index row = 0; row < system_.rows.rows(); ++row) {
             if (row == system_.equalities && worst) {
                 return worst;
@@ -66,10 +77,10 @@ private:
             if (std::find(active_.begin(), active_.end(), row) != active_.end()) {
                 continue;
             }
-            const double by = slack(row);
-            const double length = lengths_[row] * size + std::abs(system_.rhs[row]);
-            const double broken =
-                (row < system_.equalities ? std::abs(by) : -by) / (length > 0.0 ? length : 1.0);
+            const Number by = slack(row);
+            const Number length = lengths_[row] * size + abs(system_.rhs[row]);
+            const Number missing = row < system_.equalities ? Number(abs(by)) : Number(-by);
+            const Number broken = length > 0.0 ? Number(missing / length) : missing;
             if (broken > most) {
                 most = broken;
                 worst = Broken{row, by > 0.0 ? -1.0 : 1.0};
@@ -79,33 +90,33 @@ private:
     }
 
     /// Multipliers of rows in force that come nearest to `normal`.
-    [[nodiscard]] Eigen::VectorXd madeOf(const Eigen::VectorXd& normal) const
+    [[nodiscard]] Vector madeOf(const Vector& normal) const
     {
         if (active_.empty()) {
             return {};
         }
-        const Eigen::MatrixXd columns = system_.rows(active_, Eigen::all).transpose();
-        return Eigen::HouseholderQR<Eigen::MatrixXd>(columns).solve(normal);
+        const Matrix columns = system_.rows(active_, Eigen::all).transpose();
+        return Eigen::HouseholderQR<Matrix>(columns).solve(normal);
     }
 
     /// Moves until the row is met. False if it contradicts those in force.
     bool enforce(const Broken& broken, std::int64_t most)
     {
-        const Eigen::VectorXd normal = broken.sign * system_.rows.row(broken.row).transpose();
-        double taken = 0.0;  // multiplier of the new row
+        const Vector normal = broken.sign * system_.rows.row(broken.row).transpose();
+        Number taken = 0.0;  // multiplier of the new row
         while (steps_++ < most) {
-            const Eigen::VectorXd r = madeOf(normal);
-            Eigen::VectorXd way = normal;
+            const Vector r = madeOf(normal);
+            Vector way = normal;
             if (!active_.empty()) {
                 way -= system_.rows(active_, Eigen::all).transpose() * r;
             }
-            const double square = way.squaredNorm();
-            const bool isFree = way.norm() > dependent * lengths_[broken.row];
-            const double missing = -broken.sign * slack(broken.row);
-            const double full = isFree ? missing / square : std::numeric_limits<double>::infinity();
+            const Number square = way.squaredNorm();
+            const bool isFree = way.norm() > dependent<Number> * lengths_[broken.row];
+            const Number missing = -broken.sign * slack(broken.row);
+            const Number full = isFree ? Number(missing / square) : never;
             const auto [leaving, part] = firstToLeave(r);
-            const double step = std::min(full, part);
-            if (!std::isfinite(step) || (isFree && (z_ + step * way).norm() > largest_)) {
+            const Number step = std::min(full, part);
+            if (!(step < never) || (isFree && (z_ + step * way).norm() > largest_)) {
                 contradict(broken, r);
                 return false;
             }
@@ -129,49 +140,57 @@ private:
 
     struct Leaving {
         std::size_t index = 0;
-        double step = std::numeric_limits<double>::infinity();
+        Number step = never;
     };
 
     /// The inequality in force whose multiplier vanishes first.
-    [[nodiscard]] Leaving firstToLeave(const Eigen::VectorXd& r) const
+    [[nodiscard]] Leaving firstToLeave(const Vector& r) const
     {
         Leaving first;
         for (std::size_t k = 0; k < active_.size(); ++k) {
-            const double rate = r[static_cast<Eigen::Index>(k)];
+            const Number rate = r[static_cast<Eigen::Index>(k)];
             if (active_[k] >= system_.equalities && rate > 0.0 &&
                 u_[active_[k]] / rate < first.step) {
-                first = {k, std::max(0.0, u_[active_[k]]) / rate};
+                first = {k, std::max(Number(0), u_[active_[k]]) / rate};
             }
         }
         return first;
     }
 
     /// The row is made of others in force, which ask for less.
-    void contradict(const Broken& broken, const Eigen::VectorXd& r)
+    void contradict(const Broken& broken, const Vector& r)
     {
         u_.setZero();
         u_[broken.row] = broken.sign;
         for (std::size_t k = 0; k < active_.size(); ++k) {
-            const double value = -r[static_cast<Eigen::Index>(k)];
-            u_[active_[k]] = active_[k] < system_.equalities ? value : std::max(0.0, value);
+            const Number value = -r[static_cast<Eigen::Index>(k)];
+            u_[active_[k]] = active_[k] < system_.equalities ? value : std::max(Number(0), value);
         }
     }
 
-    const RowSystem& system_;
+    inline static const Number never = std::numeric_limits<Number>::infinity();
+
+    const RowSystemOf<Number>& system_;
     double tolerance_;
     double largest_;
-    Eigen::VectorXd lengths_;
-    Eigen::VectorXd z_;
-    Eigen::VectorXd u_;
+    Vector lengths_;
+    Vector z_;
+    Vector u_;
     std::vector<Eigen::Index> active_;
     std::int64_t steps_ = 0;
 };
 
 }  // namespace
 
-LeastNorm leastNorm(const RowSystem& system, double tolerance, double largest, const Cancel& cancel)
+template <typename Number>
+LeastNormOf<Number> leastNorm(const RowSystemOf<Number>& system, double tolerance, double largest,
+                              const Cancel& cancel)
 {
-    return ActiveSet(system, tolerance, largest).run(cancel);
+    return ActiveSet<Number>(system, tolerance, largest).run(cancel);
 }
+
+template LeastNormOf<double> leastNorm(const RowSystemOf<double>&, double, double, const Cancel&);
+template LeastNormOf<FineNumber> leastNorm(const RowSystemOf<FineNumber>&, double, double,
+                                           const Cancel&);
 
 }  // namespace signorini

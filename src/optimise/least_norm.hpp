@@ -14,18 +14,35 @@
 /// 0 < sum u_i b_i; then these u are returned.
 
 #include <Eigen/Core>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
 #include <cstdint>
+#include <type_traits>
 
 #include "signorini/control.hpp"
 
 namespace signorini {
 
+/// Numbers of 50 digits, for the few systems that doubles do not decide.
+using FineNumber = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                                 boost::multiprecision::et_off>;
+
+template <typename Number>
+inline constexpr bool isFine = std::is_same_v<Number, FineNumber>;
+
+template <typename Number>
+using MatrixOf = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+template <typename Number>
+using VectorOf = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
+
 /// Rows a_i and numbers b_i, equalities first.
-struct RowSystem {
-    Eigen::MatrixXd rows;
-    Eigen::VectorXd rhs;
+template <typename Number>
+struct RowSystemOf {
+    MatrixOf<Number> rows;
+    VectorOf<Number> rhs;
     Eigen::Index equalities = 0;
 };
+using RowSystem = RowSystemOf<double>;
 
 /// How a search for the least norm ended.
 enum class LeastNormEnd {
@@ -35,17 +52,21 @@ enum class LeastNormEnd {
 };
 
 /// z and the multipliers of the rows, those of inequalities >= 0.
-struct LeastNorm {
+template <typename Number>
+struct LeastNormOf {
     LeastNormEnd end = LeastNormEnd::stopped;
-    Eigen::VectorXd z;
-    Eigen::VectorXd multipliers;
+    VectorOf<Number> z;
+    VectorOf<Number> multipliers;
     std::int64_t steps = 0;
 };
+using LeastNorm = LeastNormOf<double>;
 
 /// `tolerance`: a row broken by less than this times |a_i| |z| is met. Above `largest` the norm is
 /// taken for infinite. Rows of which only rounding is left have to be 0. O(rows d + d^3) a step for
-/// d unknowns, and about as many steps as rows are in force at the end.
-[[nodiscard]] LeastNorm leastNorm(const RowSystem& system, double tolerance, double largest,
-                                  const Cancel& cancel = {});
+/// d unknowns, and about as many steps as rows are in force at the end. `Number`: double or
+/// FineNumber.
+template <typename Number>
+[[nodiscard]] LeastNormOf<Number> leastNorm(const RowSystemOf<Number>& system, double tolerance,
+                                            double largest, const Cancel& cancel = {});
 
 }  // namespace signorini

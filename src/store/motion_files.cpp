@@ -273,16 +273,14 @@ double MotionSamples::strain(std::size_t node, std::size_t instant) const
 
 void writeMotionCsv(const std::string& path, const MotionSamples& samples)
 {
-    TextFile file(path);
-    file.write("time,x,displacement,velocity,strain,x_cell\n");
-    for (std::size_t m = 0; m < samples.instants(); ++m) {
-        for (std::size_t i = 0; i < samples.nodes(); ++i) {
-            print(file, "{},{},{},{},{},{}\n", samples.time(m), samples.x(i),
-                  samples.displacement(i, m), samples.velocity(i, m), samples.strain(i, m),
-                  samples.xCell(i));
+    writeCsv(path, "time,x,displacement,velocity,strain,x_cell", [&samples](CsvRows& row) {
+        for (std::size_t m = 0; m < samples.instants(); ++m) {
+            for (std::size_t i = 0; i < samples.nodes(); ++i) {
+                row(samples.time(m), samples.x(i), samples.displacement(i, m),
+                    samples.velocity(i, m), samples.strain(i, m), samples.xCell(i));
+            }
         }
-    }
-    file.close();
+    });
 }
 
 void writeMotionVtk(const std::string& path, const MotionSamples& samples)

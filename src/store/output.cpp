@@ -95,15 +95,13 @@ void writeStateCsv(const std::string& path, const State& state, const Bar& bar, 
     const Eigen::VectorXd s = strain(state);
     const Eigen::VectorXd u = displacement(state);
     const double cellLength = bar.length / static_cast<double>(state.cells());
-    TextFile file(path);
-    file.write("x,a,b,velocity,strain,displacement\n");
-    for (Eigen::Index i = 0; i < state.cells(); ++i) {
-        print(file, "{},{},{},{},{},{}\n", static_cast<double>(i + 1) * cellLength,
-              inUnit(state.a[i], unit.strain), inUnit(state.b[i], unit.strain),
-              inUnit(v[i], unit.velocity), inUnit(s[i], unit.strain),
-              inUnit(base + u[i], unit.displacement));
-    }
-    file.close();
+    writeCsv(path, "x,a,b,velocity,strain,displacement", [&](CsvRows& row) {
+        for (Eigen::Index i = 0; i < state.cells(); ++i) {
+            row(static_cast<double>(i + 1) * cellLength, inUnit(state.a[i], unit.strain),
+                inUnit(state.b[i], unit.strain), inUnit(v[i], unit.velocity),
+                inUnit(s[i], unit.strain), inUnit(base + u[i], unit.displacement));
+        }
+    });
 }
 
 }  // namespace signorini

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "printing.hpp"
 #include "table.hpp"
 
 namespace signorini {
@@ -29,18 +30,16 @@ StateUnits unitsOf(const Bar& bar, double crossing)
 
 void write(const std::string& path, const NetworkStart& state, const StateUnits& unit)
 {
-    TextFile file(path);
-    file.write("node,displacement,wave,duration,velocity\n");
-    for (std::size_t node = 0; node < state.displacements.size(); ++node) {
-        file.write(fmt::format("{},{},0,0,0\n", node + 1, state.displacements[node] * unit.metre));
-    }
-    for (std::size_t wave = 0; wave < state.pieces.size(); ++wave) {
-        for (const Piece& piece : state.pieces[wave]) {
-            file.write(fmt::format("0,0,{},{},{}\n", wave + 1, piece.duration * unit.second,
-                                   piece.value * unit.velocity));
+    writeCsv(path, "node,displacement,wave,duration,velocity", [&](CsvRows& row) {
+        for (std::size_t node = 0; node < state.displacements.size(); ++node) {
+            row(node + 1, state.displacements[node] * unit.metre, 0, 0, 0);
         }
-    }
-    file.close();
+        for (std::size_t wave = 0; wave < state.pieces.size(); ++wave) {
+            for (const Piece& piece : state.pieces[wave]) {
+                row(0, 0, wave + 1, piece.duration * unit.second, piece.value * unit.velocity);
+            }
+        }
+    });
 }
 
 /// A duration that is whole but for the rounding of units is whole.

@@ -121,7 +121,8 @@ class Range:
         if list(self.where.values()) not in ([1], [-1]):
             raise NoProof(f"run {self.id}: segments with a second stop, or without a gap, are not known to "
                           "this checker")
-        return SteppedVerdict(JointRows(self.scene(phases)))
+        scene = self.scene(phases)
+        return SteppedVerdict(JointRows(scene), scene)
 
     def scene_key(self):
         """What its verdicts depend on."""

@@ -5,8 +5,9 @@ import re
 from fractions import Fraction
 
 from .energies import Energies
+from .floor import HUGE, Floor
 from .quadratic import least_energy
-from .reading import NoProof, shown
+from .reading import NoProof, shown, told
 from .segments import contradiction
 from .sums import Sums
 from .whole import combination, dot, null_space, rank, reduced
@@ -285,8 +286,8 @@ class SteppedVerdict:
     is_stepped = True
     unknown = canonical = kind = dimension = family = None  # not decided here
 
-    def __init__(self, rows):
-        self.rows, self.steps = rows, rows.turns * rows.unit
+    def __init__(self, rows, scene):
+        self.rows, self.scene, self.steps = rows, scene, rows.turns * rows.unit
         self.waves = waves = Waves(rows)
         self.kernel, self.energy = waves.kernel, waves.energy()
         point = least_energy(self.energy, waves.starts() + waves.contacts() + waves.flights())
@@ -319,8 +320,21 @@ class SteppedVerdict:
                             waves.flights(TOLERANCE)) is not None
 
     def check_proof(self, text):
-        """The multipliers that a row holds, "row:multiplier ...; ..." of equalities and inequalities,
-        prove its verdict by themselves."""
+        """The multipliers that a row holds prove its verdict by themselves: "wave ...; contact:step:multiplier
+        ...; ..." of periodicity, distances and pushes; in older files "row:multiplier ...; ..." of equalities
+        and inequalities."""
+        parts = str(text).split(";")
+        if len(parts) == 3:
+            try:
+                waves = [float(value) for value in parts[0].split()]
+                places, pushes = ([[int(contact), int(step), float(value)] for contact, step, value in
+                                   (entry.split(":") for entry in part.split())] for part in parts[1:])
+            except ValueError:
+                raise NoProof(f"{shown(text)} is no list of multipliers") from None
+            least = Floor(self.scene, {"periodicity": waves, "places": places, "pushes": pushes}).least()
+            if least < HUGE:
+                raise NoProof(f"{shown(text)}: only {told(least)} E_1 is proved")
+            return
         lists = [[re.fullmatch("([0-9]{1,9}):([-0-9/]+)", pair) for pair in part.split()]
                  for part in str(text).split(";")]
         if len(lists) != 2 or not all(itertools.chain(*lists)):

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mode_report.hpp"
-#include "polytopes_report.hpp"
-#include "report.hpp"
+#include "reports.hpp"
 #include "text_of.hpp"
 #include "views.hpp"
 
@@ -167,7 +165,8 @@ std::string polygonsJson(const Request& request)
 
 std::string polygonsTable(const Request& request)
 {
-    return textOf([&](const std::string& path) { cli::writePolytopes(path, listingOf(request)); });
+    return textOf(
+        [&](const std::string& path) { cli::writePolytopesCsv(path, listingOf(request)); });
 }
 
 }  // namespace signorini::web

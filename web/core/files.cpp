@@ -4,12 +4,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "continuum_report.hpp"
-#include "families_report.hpp"
-#include "mode_report.hpp"
-#include "report.hpp"
+#include "reports.hpp"
 #include "signorini/output.hpp"
-#include "sweep_report.hpp"
 #include "text_of.hpp"
 #include "views.hpp"
 
@@ -48,7 +44,9 @@ Text scheduleJson(const Request& of)
 {
     if (isMember(of)) {
         const Continuum& curve = curveOf(of.schedule(), of.number("energy", 0.0, 1e12));
-        return cli::asJson(curve, memberOf(of, curve));
+        return cli::asLine(cli::wholeJsonOf(answers::ContinuumAnswer{
+            std::shared_ptr<const Continuum>(std::shared_ptr<void>(), &curve),
+            memberOf(of, curve)}));
     }
     return cli::asLine(cli::wholeJsonOf(answers::FindAnswer{found(of)}));
 }
@@ -133,20 +131,19 @@ const std::map<Text, std::function<Text(const Request&)>>& files()
          [](const Request& of) { return cli::asLine(cli::wholeJsonOf(forcedAnswer(of))); }},
         {"forced.state", forcedState},
         {"simulation.json",
-         [](const Request& of) {
-             const Simulated result = simulated(of);
-             return cli::asJson(result.answer, result.simulation);
-         }},
+         [](const Request& of) { return cli::asLine(cli::wholeJsonOf(simulated(of).answer)); }},
         {"simulation.start", startTable},
         {"simulation.events",
          [](const Request& of) { return simulationFile(of, cli::writeEvents); }},
         {"simulation.tip", [](const Request& of) { return simulationFile(of, cli::writeTip); }},
-        {"response.json", [](const Request& of) { return cli::asJson(responseOf(of)); }},
+        {"response.json",
+         [](const Request& of) { return cli::asLine(cli::wholeJsonOf(responseOf(of))); }},
         {"response.csv",
          [](const Request& of) {
              return textOf([&](const Text& path) { cli::writeResponseCsv(path, responseOf(of)); });
          }},
-        {"sweep.json", [](const Request& of) { return cli::asJson(sweepOf(of)); }},
+        {"sweep.json",
+         [](const Request& of) { return cli::asLine(cli::wholeJsonOf(sweepOf(of))); }},
         {"sweep.csv",
          [](const Request& of) {
              return textOf([&](const Text& path) { cli::writeSweepCsv(path, sweepOf(of)); });

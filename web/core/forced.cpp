@@ -253,6 +253,7 @@ Simulated simulated(const Request& request, bool recordsTip)
     if (isForced) {
         result.answer.settling = followed.settling;
     }
+    result.answer.see(result.simulation);
     return result;
 }
 
@@ -260,7 +261,7 @@ Reply showSimulation(const Request& request)
 {
     Reply reply;
     const Simulated whole = simulated(request);
-    reply.json["answer"] = Json::parse(cli::asJson(whole.answer, whole.simulation));
+    reply.json["answer"] = cli::wholeJsonOf(whole.answer);
     // The same once more, looked at from "from" for "span", in L/c.
     const Course course = courseOf(request);
     const auto perCrossing = static_cast<double>(course.cells);

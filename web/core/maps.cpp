@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mode_report.hpp"
+#include "reports.hpp"
 #include "signorini/atlas.hpp"
 #include "signorini/modes.hpp"
 #include "views.hpp"

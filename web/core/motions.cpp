@@ -5,8 +5,7 @@
 #include <stdexcept>
 
 #include "frames.hpp"
-#include "mode_report.hpp"
-#include "report.hpp"
+#include "reports.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/motion.hpp"
 #include "views.hpp"

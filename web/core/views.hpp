@@ -5,13 +5,9 @@
 
 #include <string>
 
-#include "continuum_report.hpp"
-#include "forced_report.hpp"
+#include "reports.hpp"
 #include "request.hpp"
-#include "response_report.hpp"
 #include "signorini/find_periodic.hpp"
-#include "simulation_report.hpp"
-#include "sweep_report.hpp"
 
 namespace signorini::web {
 

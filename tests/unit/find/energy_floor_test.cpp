@@ -6,11 +6,11 @@
 #include "../mechanics/random_network.hpp"
 #include "catch.hpp"
 #include "least_norm.hpp"
+#include "network_route.hpp"
 #include "periodic_multipliers.hpp"
 #include "rational.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/one_phase_set.hpp"
-#include "stepped_route.hpp"
 #include "support.hpp"
 
 using namespace signorini;

@@ -10,12 +10,12 @@
 #include <random>
 #include <vector>
 
+#include "bar_check.hpp"
 #include "catch.hpp"
 #include "forced_check.hpp"
 #include "march_support.hpp"
 #include "signorini/one_phase_set.hpp"
 #include "signorini/verification.hpp"
-#include "stepped_check.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -134,7 +134,7 @@ TEST_CASE("march: equal segments, checked cell by cell, are the uniform bar")
         }
         INFO("trial " << trial << ": " << describe(schedule));
         const Verification uniform = verify(state, schedule);
-        const Verification seen = verifyStepped(state, schedule, pieces(draw, cells)).seen;
+        const Verification seen = verifyBar(state, schedule, pieces(draw, cells)).seen;
         checkAlike(seen, uniform);
         if (amplitude(state) > 0.0) {
             const double tip = (state.b - state.a).mean();
@@ -166,7 +166,7 @@ TEST_CASE("march: of motions of equal segments the extremes are those of the uni
         ++motions;
         const State state = leastEnergyMotion(set);
         const Verification uniform = verify(state, schedule);
-        const auto [seen, extremes] = verifyStepped(state, schedule, pieces(draw, schedule.cells));
+        const auto [seen, extremes] = verifyBar(state, schedule, pieces(draw, schedule.cells));
         CHECK(seen.residuals.worst() < 1e-12);
         CHECK(seen.canonical == uniform.canonical);
         CHECK(seen.repetitions == uniform.repetitions);

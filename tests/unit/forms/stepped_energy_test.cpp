@@ -16,7 +16,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 std::optional<SteppedEnergyProof> proofOf(const Schedule& schedule,
                                           const std::vector<Segment>& segments)
 {
-    return leastEnergyProof(blocksOf(steppedBar(segments), schedule, -infinity, true));
+    return leastEnergyProof(blocksOf(steppedBar(segments), schedule, -infinity));
 }
 
 }  // namespace

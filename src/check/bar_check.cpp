@@ -1,0 +1,108 @@
+#include "bar_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_spans.hpp"
+#include "echo.hpp"
+#include "faults.hpp"
+#include "infinity.hpp"
+#include "marcher.hpp"
+#include "network_walk.hpp"
+
+namespace signorini {
+
+namespace {
+
+Scene sceneOf(const Stops& stops, std::span<const Segment> segments)
+{
+    Scene scene;
+    scene.bar.gap = stops.right;  // else L = 1
+    if (stops.left) {
+        scene.secondStop = stops.left->value();
+    }
+    scene.segments.assign(segments.begin(), segments.end());
+    return scene;
+}
+
+/// The phases in which a stop is pressed, from the start of one.
+std::vector<Phase> phasesOf(const std::vector<ContactSteps>& pressed)
+{
+    ContactRuns runs;
+    for (const ContactSteps& part : pressed) {
+        part.closed == 0
+            ? runs.rest(part.steps)
+            : runs.press(contains(part.closed, 0) ? Stop::right : Stop::left, part.steps);
+    }
+    return runs.phases();
+}
+
+Extremes extremesOf(const NetworkExtremes& seen, const Schedule& schedule, double times)
+{
+    const auto cells = static_cast<double>(schedule.cells);
+    Extremes all;
+    all.period = period(schedule) / times;
+    for (const ContactExtremes& contact : seen.contacts) {
+        all.contactTime += static_cast<double>(contact.pressed) / cells / times;
+        all.impulse += contact.impulse / cells / times;
+        all.peakForce = std::max(all.peakForce, contact.peakForce);
+        all.approachSpeed = std::max(all.approachSpeed, contact.approach);
+    }
+    all.peakCompression = -seen.leastStrain;
+    all.peakTension = seen.mostStrain;
+    all.lowestTip = seen.leastDisplacements.back() / cells;
+    return all;
+}
+
+}  // namespace
+
+BarVerification verifyBar(const State& state, const Schedule& schedule,
+                          std::span<const Segment> segments, double tolerance,
+                          const Damping& damping, const Excitation& excitation)
+{
+    validate(schedule);
+    requireCells(state, schedule.cells);
+    const Network network = networkOf(sceneOf(schedule.stops, segments), schedule.cells, damping);
+    const auto cells = static_cast<double>(schedule.cells);
+    const bool isDriven = !excitation.values.empty();
+    const StepDrive drive = isDriven ? driveOf(excitation) : StepDrive{};
+    NetworkClaim claim{.waves = wavesOf(network, state),
+                       .displacements = {isDriven ? drive.places.front() : 0.0},
+                       .schedule = {},
+                       .forces = drive.forces,
+                       .velocities = drive.velocities};
+    Eigen::Index next = 0;
+    for (const CellRow& row : network.rows) {
+        claim.displacements.push_back(claim.displacements.back() +
+                                      (state.b - state.a).segment(next, row.cells).sum());
+        next += row.cells;
+    }
+    for (const ContactSpan& span : spansOf(schedule)) {
+        claim.schedule.push_back({span.closed, span.steps});
+    }
+    claim.length = cells * (isDriven && schedule.stops.right == 0 ? amplitude(state) : 1.0);
+
+    const NetworkResiduals walked = walk(network, claim, tolerance);
+    const NetworkMarch own = march(network, claim, tolerance);
+    const std::int64_t count = steps(schedule);
+    BarVerification result;
+    Verification& seen = result.seen;
+    seen.residuals = {walked.periodicity, walked.gap,   walked.pressure,
+                      walked.penetration, own.residual, 0.0};
+    if (std::isinf(walked.periodicity)) {
+        seen.residuals.demands = infinity;
+        return result;
+    }
+    for (std::size_t k = 0; k < walked.pressed.size(); k += 2) {
+        seen.pressing.push_back(walked.pressed[k] != 0);
+    }
+    seen.repetitions = own.repeats > 0 ? count / own.repeats : 1;
+    seen.canonical = phasesOf(own.pressed);
+    seen.canonical.resize(seen.canonical.size() / static_cast<std::size_t>(seen.repetitions));
+    result.extremes =
+        extremesOf(own.extremes, schedule, isDriven ? 1.0 : static_cast<double>(seen.repetitions));
+    seen.peakStrain = result.extremes.peakCompression;
+    return result;
+}
+
+}  // namespace signorini

@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// Checks a motion of one bar, of one segment or several, as that of a network (network_walk.hpp).
+
+#include <span>
+
+#include "signorini/bar.hpp"
+#include "signorini/motion.hpp"
+#include "signorini/simulation.hpp"
+#include "signorini/verification.hpp"
+
+namespace signorini {
+
+/// What is seen of a state.
+struct BarVerification {
+    Verification seen;  ///< as `verify` of a uniform bar
+    Extremes extremes;  ///< over the motion's own period, or that of an excitation; forces in EA
+                        ///< g/L of the first segment
+};
+
+/// Walks a state along the schedule, and marches it, which decides contact by itself. Damping and
+/// excitation, one period of it, drive the tip or the base; without a gap a driven bar's lengths
+/// are relative to its amplitude. O(N + n segments). `tolerance` as for `march`. \throws
+/// std::invalid_argument on an invalid schedule, or unless state, segments (none: a uniform bar),
+/// schedule and excitation fit.
+[[nodiscard]] BarVerification verifyBar(const State& state, const Schedule& schedule,
+                                        std::span<const Segment> segments, double tolerance = 1e-9,
+                                        const Damping& damping = {},
+                                        const Excitation& excitation = {});
+
+}  // namespace signorini

@@ -1,0 +1,113 @@
+#pragma once
+/// \file
+/// The cells of a network, as a check moves them: the law of network.hpp written down once more.
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "network_walk.hpp"
+
+namespace signorini {
+
+/// The largest and least of the last values of a row of them. O(1) each, on average.
+class SlidingRange {
+public:
+    explicit SlidingRange(std::size_t window) : window_(window) {}
+
+    void add(double value);
+    [[nodiscard]] double most() const { return most_.front().value; }
+    [[nodiscard]] double least() const { return least_.front().value; }
+
+private:
+    struct Entry {
+        std::size_t number;
+        double value;
+    };
+
+    std::size_t window_;
+    std::size_t count_ = 0;
+    std::deque<Entry> most_;  ///< falling
+    std::deque<Entry> least_;
+};
+
+/// Waves, displacements, and what was seen of them. In each step `look`, `find` or `decide`,
+/// `take`.
+class NetworkCells {
+public:
+    /// O(M). \pre the claim's waves and displacements are those of the network.
+    NetworkCells(const Network& network, const NetworkClaim& claim, double tolerance);
+
+    /// What pulls at the nodes in a step.
+    void look(std::size_t step);
+    /// The velocities of all nodes: runs that closed gaps join have one.
+    void find(ContactSet closed);
+    /// The same, with the contacts that close by Signorini's rule, from all open.
+    [[nodiscard]] ContactSet decide();
+    /// The deepest after the step.
+    [[nodiscard]] double overlap(ContactSet closed) const;
+    /// Moves on. Returns the contacts that press.
+    ContactSet take(ContactSet closed);
+
+    [[nodiscard]] double distance(std::size_t number) const;
+    /// Change of the waves since the start, relative to the largest. O(M).
+    [[nodiscard]] double change() const;
+    /// That of the displacements of bars that drift, relative to the length.
+    [[nodiscard]] double moved() const;
+    /// Displacements against elongations and springs. O(M).
+    [[nodiscard]] double untied() const;
+
+    /// What lengths are compared with.
+    [[nodiscard]] double length() const { return length_; }
+    [[nodiscard]] const NetworkExtremes& extremes() const { return extremes_; }
+    [[nodiscard]] double deepestPull() const { return pull_; }            ///< relative
+    [[nodiscard]] double deepestOverlap() const { return penetration_; }  ///< relative
+
+private:
+    /// Two rings; what arrives next is at the head of both.
+    struct Row {
+        std::vector<double> right;
+        std::vector<double> left;
+        SlidingRange rights;  ///< those of which some still meet what enters now
+        SlidingRange lefts;
+        std::size_t head = 0;
+    };
+    /// 2 sum Z w + f and sum Z + D of a node.
+    struct Pull {
+        double force;
+        double impedance;
+    };
+
+    void compareWith();
+    void meet(Row& row, double speed, double right, double left);
+    void send();
+    [[nodiscard]] double approach(std::size_t number) const;
+    [[nodiscard]] double pushOf(ContactSet closed, std::size_t number) const;
+    [[nodiscard]] double balance(std::size_t node) const;
+    [[nodiscard]] std::optional<std::size_t> closedGap(ContactSet closed, std::size_t node,
+                                                       int side) const;
+    [[nodiscard]] std::pair<bool, double> borne(ContactSet closed, std::size_t node,
+                                                int side) const;
+
+    const Network& network_;
+    const NetworkClaim& claim_;
+    double tolerance_;
+    std::vector<Row> rows_;
+    std::vector<double> stubs_;
+    std::vector<double> displacements_;
+    std::vector<double> velocities_;
+    std::vector<Pull> pulls_;
+    std::vector<bool> isHeld_;
+    std::vector<bool> isJoined_;  ///< to the node before
+    double base_ = 0.0;
+    NetworkExtremes extremes_;
+    double pull_ = 0.0;
+    double penetration_ = 0.0;
+    double size_ = 0.0;  ///< largest wave
+    double length_ = 0.0;
+    std::vector<double> forces_;  ///< what pushes are compared with
+};
+
+}  // namespace signorini

@@ -1,0 +1,277 @@
+#include "network_motions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "energy_floor.hpp"
+#include "network_simulation.hpp"
+#include "network_walk.hpp"
+#include "periodic_multipliers.hpp"
+
+namespace signorini {
+
+namespace {
+
+template <typename Number>
+constexpr double broken = isFine<Number> ? 1e-30 : 1e-10;  // a row, of its size
+constexpr double negligibleMultiplier = 1e-9;              // of the largest
+constexpr double hugeFactor =
+    1e7;  // motions of so much more energy than is excluded are no motions
+
+/// Do waves pass a joint, or are they sent back, all but for less than rounding tells from 0?
+bool isDelicate(const Network& network)
+{
+    constexpr double near = 1e-7;
+    for (std::size_t node = 0; node < network.nodes.size(); ++node) {
+        std::vector<double> impedances;
+        for (std::size_t k = 0; k < network.channels(); ++k) {
+            if (network.nodeOf(k) == node) {
+                impedances.push_back(network.impedanceOf(k));
+            }
+        }
+        const double dashpot = network.nodes[node].dashpot;
+        const auto [least, most] = std::minmax_element(impedances.begin(), impedances.end());
+        const double rest = (*most - *least) / *most;
+        if ((rest > 0.0 && rest < near) || *least < near * *most ||
+            (dashpot > 0.0 && dashpot < near * *most)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Without waves distances are gaps.
+template <typename Number>
+LeastNormOf<Number> atRest(const RowSystemOf<Number>& system)
+{
+    LeastNormOf<Number> least;
+    least.z.resize(0);
+    least.multipliers = VectorOf<Number>::Zero(system.rhs.size());
+    least.end = LeastNormEnd::found;
+    for (Eigen::Index row = 0; row < system.rhs.size(); ++row) {
+        if (system.rhs[row] > 0 || (system.rhs[row] < 0 && row < system.equalities)) {
+            least.multipliers[row] = system.rhs[row] > 0 ? 1 : -1;
+            least.end = LeastNormEnd::empty;
+            break;
+        }
+    }
+    return least;
+}
+
+/// Is a row met, or broken, by so little that rounding may have done it, and by too much to be 0?
+bool isDoubtful(const RowSystem& system, const Eigen::VectorXd& z)
+{
+    constexpr double least = 1e-13;
+    constexpr double most = 1e-9;
+    const double size = z.norm();
+    for (Eigen::Index row = system.equalities; row < system.rhs.size(); ++row) {
+        const double slack = system.rows.row(row).dot(z) - system.rhs[row];
+        const double length = system.rows.row(row).norm() * size + std::abs(system.rhs[row]);
+        if (std::abs(slack) > least * length && std::abs(slack) < most * length) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// One request.
+class Search {
+public:
+    Search(const NetworkBlocks& blocks, const LeastDemands& demands)
+        : blocks_(blocks), demands_(demands)
+    {
+    }
+
+    LeastMotion run()
+    {
+        const bool canBeFine = blocks_.stateSize() <= mostFineState;
+        const bool isHard = isDelicate(blocks_.network());
+        bool isClear = false;
+        if (!(isHard && canBeFine)) {
+            for (const double zero : {noPivot, clearPivot}) {
+                if (attempt<double>(zero, isClear) || isClear || isRequested(demands_.cancel)) {
+                    break;
+                }
+            }
+            if (isHard) {
+                result_.kernelDimension.reset();
+            }
+        }
+        if (result_.status == Status::undecided && canBeFine && !isRequested(demands_.cancel)) {
+            attempt<FineNumber>(noPivot, isClear);
+        }
+        return std::move(result_);
+    }
+
+private:
+    /// True if that decided it.
+    template <typename Number>
+    bool attempt(double zero, bool& isClear)
+    {
+        isClear = false;
+        const auto kernel = kernelOf<Number>(blocks_, zero);
+        if (!kernel) {
+            result_.detail =
+                fmt::format("the kernel of W - 1 is out of reach: more than {} waves in a block",
+                            mostKernelState);
+            isClear = true;  // no other threshold helps
+            return false;
+        }
+        isClear = kernel->isClear;
+        if (isClear) {
+            result_.kernelDimension = kernel->dimension;
+        }
+        const NetworkRows<Number> rows = rowsOf(blocks_, *kernel);
+        RowSystemOf<Number> system = rows.system;
+        VectorOf<Number> from = VectorOf<Number>::Zero(system.rows.cols());
+        if (demands_.target) {
+            from = nearest(*kernel);
+            system.rhs -= system.rows * from;
+        }
+        const LeastNormOf<Number> least =
+            system.rows.cols() == 0
+                ? atRest(system)
+                : leastNorm(system, broken<Number>, std::sqrt(demands_.absent * hugeFactor),
+                            demands_.cancel);
+        result_.iterations += least.steps;
+        if (least.end == LeastNormEnd::stopped) {
+            result_.detail = isRequested(demands_.cancel)
+                                 ? "cancelled"
+                                 : "rounding does not tell which conditions are in force";
+            return false;
+        }
+        if constexpr (!isFine<Number>) {
+            if (least.end == LeastNormEnd::found && blocks_.stateSize() <= mostFineState &&
+                (!rows.isClear || isDoubtful(system, least.z))) {
+                result_.detail = "rounding does not tell which conditions are met";
+                isClear = true;
+                return false;
+            }
+        }
+        enterMultipliers(rows.conditions, least.multipliers.template cast<double>());
+        if (least.end == LeastNormEnd::empty) {
+            return enterAbsence();
+        }
+        return enterMotion(wavesAt(blocks_, *kernel, VectorOf<Number>(from + least.z)),
+                           static_cast<double>(least.z.squaredNorm()));
+    }
+
+    /// The coordinates of what is nearest to the target: x^T Z times it for each x of the basis.
+    template <typename Number>
+    [[nodiscard]] VectorOf<Number> nearest(const NetworkKernel<Number>& kernel) const
+    {
+        const Network& network = blocks_.network();
+        std::vector<double> weighted = *demands_.target;
+        std::size_t next = 0;
+        for (const CellRow& row : network.rows) {
+            for (std::int64_t k = 0; k < 2 * row.cells; ++k) {
+                weighted[next++] *= row.impedance;
+            }
+        }
+        for (const Stub& stub : network.stubs) {
+            weighted[next++] *= stub.impedance;
+        }
+        VectorOf<Number> z(kernel.coordinates());
+        for (Eigen::Index k = 0; k < z.size(); ++k) {
+            const std::vector<double> x =
+                wavesAt(blocks_, kernel, VectorOf<Number>(VectorOf<Number>::Unit(z.size(), k)));
+            double sum = 0.0;
+            for (std::size_t i = 0; i < x.size(); ++i) {
+                sum += x[i] * weighted[i];
+            }
+            z[k] = sum;
+        }
+        return z;
+    }
+
+    void enterMultipliers(const std::vector<BlockCondition>& conditions,
+                          const Eigen::VectorXd& values)
+    {
+        result_.unproved = conditionsOf(blocks_, conditions, values);
+        result_.conditions.clear();
+        const double least =
+            values.size() > 0 ? negligibleMultiplier * values.cwiseAbs().maxCoeff() : 0.0;
+        for (std::size_t k = 0; k < conditions.size(); ++k) {
+            if (std::abs(values[static_cast<Eigen::Index>(k)]) > least) {
+                result_.conditions.push_back(conditions[k]);
+            }
+        }
+    }
+
+    bool enterAbsence()
+    {
+        result_.isEmpty = true;
+        prove(result_, blocks_, demands_.relaxed != nullptr ? *demands_.relaxed : blocks_.network(),
+              demands_.cancel);
+        if (result_.provedEnergy >= demands_.absent) {
+            result_.status = Status::none;
+            result_.detail.clear();
+            return true;
+        }
+        result_.detail = "conditions exclude each other by no more than rounding can do";
+        return false;
+    }
+
+    bool enterMotion(std::vector<double> waves, double energy)
+    {
+        NetworkClaim claim{.waves = std::move(waves)};
+        claim.displacements = displacementsOf(blocks_.network(), claim.waves, {});
+        for (const ContactSpan& span : blocks_.schedule()) {
+            claim.schedule.push_back({span.closed, span.steps});
+        }
+        const double residual = walk(blocks_.network(), claim).worst();
+        if (!(residual <= demands_.tolerance)) {
+            result_.detail =
+                fmt::format("the motion that was found leaves a residual of {:.3g}", residual);
+            return false;
+        }
+        result_.status = Status::found;
+        result_.isEmpty = false;
+        result_.detail.clear();
+        result_.waves = std::move(claim.waves);
+        result_.energy = energy;
+        return true;
+    }
+
+    const NetworkBlocks& blocks_;
+    const LeastDemands& demands_;
+    LeastMotion result_;
+};
+
+}  // namespace
+
+LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands)
+{
+    return Search(blocks, demands).run();
+}
+
+void prove(LeastMotion& motion, const NetworkBlocks& blocks, const Network& network,
+           const Cancel& cancel)
+{
+    motion.multipliers = motion.unproved;
+    completeFloor(motion.multipliers, network, blocks.schedule(), cancel);
+    motion.provedEnergy = provedEnergy(motion.multipliers, network, blocks.schedule());
+}
+
+Reason reasonOf(const LeastMotion& motion, const NetworkBlocks& blocks)
+{
+    if (motion.kernelDimension == 0) {
+        return Reason::noLiveClass;
+    }
+    const ContactSet first = blocks.schedule().front().closed;
+    bool isOfGap = true;
+    bool isOfContact = true;
+    for (const BlockCondition& condition : motion.conditions) {
+        const bool isStart =
+            condition.kind != BlockCondition::Kind::push &&
+            (condition.kind == BlockCondition::Kind::tie || contains(first, condition.contact)) &&
+            condition.type == 0 && condition.turn == 0;
+        isOfGap = isOfGap && isStart;
+        isOfContact = isOfContact && (isStart || condition.kind == BlockCondition::Kind::push);
+    }
+    return isOfGap ? Reason::gap : isOfContact ? Reason::contactSign : Reason::penetration;
+}
+
+}  // namespace signorini

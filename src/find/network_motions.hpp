@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// Free motions of a schedule of any network: that of least energy, or a proof that there is none.
+///
+/// In coordinates of ker(W - 1) (network_kernel.hpp) the point of least norm that meets all rows,
+/// or multipliers of rows that contradict each other, come from least_norm.hpp: in doubles, and
+/// where these do not tell, and the state is small, in 50 digits. Nothing of it is believed: a
+/// motion is walked by code of its own, and absence, and that no motion has less energy, is what a
+/// march backwards makes of the multipliers. docs/theory.md, section 20.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "network_kernel.hpp"
+#include "signorini/control.hpp"
+#include "signorini/schedule.hpp"
+
+namespace signorini {
+
+/// What has to be known.
+struct LeastDemands {
+    /// Where rows contradict each other: no motion of less energy is to be proved
+    /// [Z_1 delta^2/h].
+    double absent = 0.0;
+    double tolerance = 1e-9;  ///< largest residual of a motion
+    /// What absence is to be proved of, if not of the same gaps.
+    const Network* relaxed = nullptr;
+    /// Nearest to these waves (`Network::waves`), in the norm of the energy, in place of none.
+    std::optional<std::vector<double>> target = {};
+    Cancel cancel = {};
+};
+
+/// What is known of a schedule.
+struct LeastMotion {
+    Status status = Status::undecided;
+    std::string detail = {};                           ///< why not decided
+    std::optional<std::int64_t> kernelDimension = {};  ///< if rounding does not hide it
+    bool isEmpty = false;            ///< rows contradict each other, as far as rounding tells
+    std::vector<double> waves = {};  ///< found: at the start of the schedule
+    double energy = 0.0;             ///< of it, if no target was given
+    std::int64_t iterations = 0;
+    /// Rows in force, or those that contradict each other, those of no weight left out.
+    std::vector<BlockCondition> conditions = {};
+    EnergyFloor multipliers = {};  ///< none, or after `prove`
+    double provedEnergy = 0.0;     ///< none, or after `prove`: rounded downwards
+    /// Of the conditions of the rows, all of them, as steps.
+    EnergyFloor unproved = {};
+};
+
+/// O(G-blocks of turns waves + state^3 each, and a proof where there is none). \pre a valid network
+/// without constant forces, in which no bar drifts.
+[[nodiscard]] LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands);
+
+/// Enters what the multipliers prove of all motions of a network whose gaps may be others.
+void prove(LeastMotion& motion, const NetworkBlocks& blocks, const Network& network,
+           const Cancel& cancel = {});
+
+/// Why there is no motion, from what the proof needs.
+[[nodiscard]] Reason reasonOf(const LeastMotion& motion, const NetworkBlocks& blocks);
+
+}  // namespace signorini

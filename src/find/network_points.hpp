@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// Motions of a network that are not those of least energy, by programs for back ends in
+/// coordinates of ker(W - 1) (`Formulation::kernel`).
+
+#include <string>
+
+#include "network_kernel.hpp"
+#include "program.hpp"
+#include "signorini/find_periodic.hpp"
+
+namespace signorini {
+
+/// A point of the program, or why there is none.
+struct NetworkPoint {
+    Eigen::VectorXd z = {};
+    std::string solver = {};
+    std::int64_t iterations = 0;
+    std::string detail = {};  ///< empty: z is the point
+};
+
+class NetworkPoints {
+public:
+    /// O(state^3) for each block. \pre a kernel within reach.
+    NetworkPoints(const NetworkBlocks& blocks, const FindOptions& options);
+
+    /// The motion of least energy, or of most impulse. \throws BackendUnavailable
+    [[nodiscard]] NetworkPoint extreme(Objective objective);
+    /// A motion of an energy [Z_1 delta^2/h], between that of least energy and one of more: the set
+    /// is convex and the energy grows on the way. Those of more are vertices in several directions.
+    [[nodiscard]] NetworkPoint ofEnergy(double wanted);
+    [[nodiscard]] std::vector<double> waves(const NetworkPoint& point) const;
+
+private:
+    [[nodiscard]] NetworkPoint solved(const std::string& solver) const;
+
+    const NetworkBlocks& blocks_;
+    const FindOptions& options_;
+    NetworkKernel<double> kernel_;
+    Eigen::VectorXd impulse_;
+    Program program_;
+};
+
+}  // namespace signorini
