@@ -131,7 +131,6 @@ void NetworkSimulation::setScale(const std::vector<std::vector<Piece>>& pieces)
 void NetworkSimulation::place(const std::vector<std::vector<Piece>>& pieces,
                               const std::vector<double>& displacements)
 {
-    const std::size_t rows = network_.rows.size();
     for (std::size_t k = 0; k < channels_.size(); ++k) {
         Channel& channel = channels_[k];
         channel.impedance = network_.impedanceOf(k);
