@@ -17,7 +17,7 @@ std::vector<BarPiece> readPieces(const std::string& path)
             table.refuse("columns area and diameter: allowed one of them");
         }
         const auto positive = [&table](std::size_t column, const char* unit) {
-            const double value = table.numberAt(column);
+            const double value = table.numberAt(column, unit);
             if (!(value > 0.0)) {
                 table.refuse(column, fmt::format("numbers > 0 [{}]", unit));
             }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace signorini {
 
@@ -84,6 +86,27 @@ plot::Axis axisIn(const Unit& unit, const std::string& words, double low, double
         axis.other = plot::OtherSide{.label = other, .factor = 1.0 / unit.factor};
     }
     return axis;
+}
+
+plot::Axis axisAround(const std::vector<plot::Series>& series, const std::string& label,
+                      bool isFromZero)
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const plot::Series& one : series) {
+        for (const std::vector<double>* values : {&one.y, &one.y2}) {
+            for (const double y : *values) {  // a NaN changes neither
+                low = std::min(low, y);
+                high = std::max(high, y);
+            }
+        }
+    }
+    if (!(low < high)) {
+        return {.label = label, .low = isFromZero ? std::optional(0.0) : std::nullopt};
+    }
+    low = isFromZero ? 0.0 : low;
+    const double room = 0.07 * (high - low);
+    return {.label = label, .low = isFromZero ? 0.0 : low - room, .high = high + room};
 }
 
 plot::Axis frequencyAxis(const std::string& words, double low, double high, const Bar& bar)

@@ -3,6 +3,7 @@
 /// Axes for people: engineering units and round steps.
 
 #include <string>
+#include <vector>
 
 #include "signorini/bar.hpp"
 #include "signorini/figure_data.hpp"
@@ -38,6 +39,10 @@ struct Unit {
 /// numbers themselves.
 [[nodiscard]] plot::Axis axisIn(const Unit& unit, const std::string& words, double low, double high,
                                 const std::string& other = {});
+
+/// An axis on which none of the series runs along the frame; up from 0 if `isFromZero`.
+[[nodiscard]] plot::Axis axisAround(const std::vector<plot::Series>& series,
+                                    const std::string& label, bool isFromZero = false);
 
 /// An axis of frequency ratios ω/ω_1, above it Hz.
 [[nodiscard]] plot::Axis frequencyAxis(const std::string& words, double low, double high,

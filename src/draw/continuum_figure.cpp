@@ -105,7 +105,7 @@ public:
         }
         const std::string time = labelled("time  t", second);
         const std::string position = labelled("position  x", metre);
-        add(figure, "force", 0.09, profiles[0], scale_.time * second.factor / cells, time,
+        add(figure, "force", 0.1, profiles[0], scale_.time * second.factor / cells, time,
             curve_.scene.secondStop ? "force of the stops" : "force of the wall",
             bar.axialStiffness * scale_.strain, "N");
         add(figure, "strain", 0.41, profiles[1], dx, position, "strain  s(x, 0)", scale_.strain,
@@ -180,7 +180,7 @@ private:
         for (std::size_t k = 0; k < full_.size(); ++k) {
             const ContinuumPoint& point = curve_.points[full_[k]];
             const Motion motion(point.state, curve_.schedule);
-            const double left = 0.09 + 0.265 * static_cast<double>(k);
+            const double left = 0.1 + 0.265 * static_cast<double>(k);
             Panel& panel =
                 figure.add({.name = memberNames[k], .place = {left, left + 0.24, 0.08, 0.42}});
             panel.title = fmt::format("λ = {:.4g}", point.lambda);

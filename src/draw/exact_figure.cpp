@@ -68,10 +68,14 @@ public:
                         withUnit(range_.amplitude * amplitudeUnit(range_.place, bar_, 0),
                                  amplitudeUnitName(range_.place, 0)),
                         range_.damping.ratio);
-        upper_ = {.name = "force", .place = {0.12, 0.95, 0.53, 0.83}, .legend = Legend::topLeft};
-        upper_.x = {.low = low_ * hertz_, .high = high_ * hertz_, .hasNumbers = false};
+        figure.height = 15.0;
+        upper_ = {.name = "force", .place = {0.12, 0.95, 0.58, 0.85}};
+        upper_.x = axisIn({hertz_, "Hz"}, "", low_, high_, "ω/ω_1");
+        upper_.x.label.clear();
+        upper_.x.hasNumbers = false;
         upper_.y = axisIn(forceUnit_, "largest force", 0.0, 1.15 * force_);
-        lower_ = {.name = "impulse", .place = {0.12, 0.95, 0.12, 0.48}};
+        lower_ = {.name = "impulse", .place = {0.12, 0.95, 0.27, 0.54}, .legend = Legend::below};
+        lower_.legendRows = 4;
         lower_.x = {.label = "frequency of the excitation  [Hz]",
                     .low = low_ * hertz_,
                     .high = high_ * hertz_};
@@ -127,7 +131,7 @@ private:
             breakLine(above, below, nothing);
         }
         if (std::any_of(above.y.begin(), above.y.end(), [](double y) { return y == y; })) {
-            above.legend = fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact",
+            below.legend = fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact",
                                        partSorts[kind].words);
             upper_.series.push_back(std::move(above));
             lower_.series.push_back(std::move(below));
@@ -155,7 +159,7 @@ private:
             }
         }
         if (!above.x.empty()) {
-            above.legend = "several contacts: settled on from rest";
+            below.legend = "several contacts: from rest";
             upper_.series.push_back(std::move(above));
             lower_.series.push_back(std::move(below));
         }
@@ -163,26 +167,27 @@ private:
 
     void addMarks()
     {
-        Series dots{.kind = Kind::dots, .role = Role::ink, .marker = Marker::diamond, .size = 0.7};
-        Series words{.kind = Kind::words, .size = 0.8};
-        Series below = dots;
+        Series fold{.kind = Kind::dots, .role = Role::ink, .marker = Marker::diamond, .size = 0.9};
+        Series change = fold;
+        change.marker = Marker::ring;
+        Series foldBelow = fold.named("fold");
+        Series changeBelow = change.named("a contact more or less");
         for (const ExactBranch& branch : branches_) {
             for (const BranchMark& mark : branch.curve.marks) {
                 if (mark.event == BranchEvent::end || mark.event == BranchEvent::pin ||
                     branch.curve.points.size() < 4) {
                     continue;
                 }
-                const HarmonicMotion& motion = branch.curve.points[mark.after].motion;
-                add(dots, below, mark.frequencyRatio, motion);
-                words.x.push_back(dots.x.back());
-                words.y.push_back(dots.y.back());
-                words.words.push_back(fmt::format("  {}", name(mark.event)));
+                const bool isFold = mark.event == BranchEvent::fold;
+                add(isFold ? fold : change, isFold ? foldBelow : changeBelow, mark.frequencyRatio,
+                    branch.curve.points[mark.after].motion);
             }
         }
-        if (!dots.x.empty()) {
-            upper_.series.push_back(std::move(dots));
-            upper_.series.push_back(std::move(words));
-            lower_.series.push_back(std::move(below));
+        for (Series* above : {&fold, &change}) {
+            if (!above->x.empty()) {
+                lower_.series.push_back(std::move(above == &fold ? foldBelow : changeBelow));
+                upper_.series.push_back(std::move(*above));
+            }
         }
     }
 
@@ -246,7 +251,10 @@ FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)
             field.z.push_back(motion.displacement(x, t) * place.factor);
         }
     }
-    FigureData figure{.title = "motion under an exact harmonic"};
+    const Physical physical = physicalOf(motion.motion().extremes, bar);
+    FigureData figure{.title = fmt::format("a period under an exact harmonic:  {},  {:.5g} Hz,  {}",
+                                           withUnit(1.0 / physical.frequency, "s"),
+                                           physical.frequency, withUnit(physical.impulse, "N s"))};
     Panel above{.name = "displacement", .place = {0.12, 0.86, 0.66, 0.92}};
     above.x = {.low = 0.0, .high = field.x.back(), .hasNumbers = false};
     above.y = {.label = "place  x  [m]", .low = 0.0, .high = bar.length};
@@ -256,7 +264,6 @@ FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)
     above.series.push_back(std::move(field));
     Panel middle{.name = "tip", .place = {0.12, 0.86, 0.38, 0.62}};
     middle.x = {.low = 0.0, .high = tip.x.back(), .hasNumbers = false};
-    middle.y = {.label = labelled("tip  u(L)", place)};
     const Stops stops = stopsOf(scene);
     std::vector<double> walls{static_cast<double>(stops.right)};
     if (stops.left) {
@@ -270,10 +277,11 @@ FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)
     }
     tip.legend.clear();
     middle.series.push_back(std::move(tip));
+    middle.y = axisAround(middle.series, labelled("tip  u(L)", place));
     Panel below{.name = "force", .place = {0.12, 0.86, 0.1, 0.34}};
     below.x = {.label = labelled("time  t", time), .low = 0.0, .high = force.x.back()};
-    below.y = {.label = labelled("force", push)};
     below.series.push_back(std::move(force));
+    below.y = axisAround(below.series, labelled("force", push));
     figure.panels = {std::move(above), std::move(middle), std::move(below)};
     return figure;
 }

@@ -169,7 +169,7 @@ private:
         const Place& bar = *panel_.colourBar;
         print(script_,
               "set colorbox user origin screen {:.5g},{:.5g} size screen {:.5g},{:.5g}\n"
-              "set cblabel {}\nset format cb '{}'\nset cbtics {}\n",
+              "set cblabel {} offset 0.6,0\nset format cb '{}'\nset cbtics {}\n",
               bar.left, bar.bottom, bar.right - bar.left, bar.top - bar.bottom, quoted(axis.label),
               isWide(axis) ? "10^{%L}" : "%g", ticksOf(axis));
     }

@@ -41,12 +41,12 @@ public:
             Panel& panel = figure.add({.name = fmt::format("contact {}", j + 1),
                                        .place = {0.13, 0.96, top - 3.6 * room, top}});
             panel.x = axisIn(second_, "time", begin_, end_);
-            panel.y.label = fmt::format("contact {}  [{}]", j + 1, metre_.name);
             if (j + 1 < panels) {
                 panel.x.label.clear();
                 panel.x.hasNumbers = false;
             }
             fill(panel, j);
+            panel.y = axisAround(panel.series, fmt::format("contact {}  [{}]", j + 1, metre_.name));
         }
         if (panels > 0) {
             figure.panels.front().legend = Legend::above;

@@ -57,24 +57,13 @@ private:
     std::vector<double> values_;
 };
 
-/// What a field says: its impulse, and where there is room the frequency of it.
-std::string fieldText(const StudyPoint& point, double factor, std::size_t columns)
-{
-    constexpr std::size_t roomForBoth = 8;
-    if (point.impulse == 0.0) {
-        return "–";
-    }
-    const std::string impulse = fmt::format("{:.3g}", point.impulse * factor);
-    return columns <= roomForBoth ? fmt::format("{}, {:.4g} Hz", impulse, point.frequency)
-                                  : impulse;
-}
-
 /// The fields of one damping ratio, and in them their words.
 void addFields(Panel& panel, const std::vector<StudyPoint>& points, double damping,
                const StudyAxis& gaps, const StudyAxis& amplitudes, const Unit& impulse,
                double largest)
 {
     constexpr std::size_t roomForText = 16;
+    constexpr std::size_t roomForBoth = 8;
     constexpr double isDark = 0.6;
     Series boxes{.kind = Kind::boxes};
     Series onDark{.kind = Kind::words, .role = Role::paper, .align = Align::centre};
@@ -87,9 +76,15 @@ void addFields(Panel& panel, const std::vector<StudyPoint>& points, double dampi
         const auto y = static_cast<double>(gaps.indexOf(point.gap));
         boxes.add(x - 0.48, y - 0.48, x + 0.48, y + 0.48);
         boxes.z.push_back(point.impulse * impulse.factor);
+        Series& words = point.impulse < isDark * largest ? onDark : onLight;
+        const bool hasBoth = point.impulse != 0.0 && amplitudes.size() <= roomForBoth;
         if (amplitudes.size() <= roomForText) {
-            (point.impulse < isDark * largest ? onDark : onLight)
-                .add(x, y, fieldText(point, impulse.factor, amplitudes.size()));
+            words.add(
+                x, hasBoth ? y + 0.15 : y,
+                point.impulse == 0.0 ? "–" : fmt::format("{:.3g}", point.impulse * impulse.factor));
+        }
+        if (hasBoth) {
+            words.add(x, y - 0.15, fmt::format("{:.4g} Hz", point.frequency));
         }
     }
     panel.series = {std::move(boxes), std::move(onDark), std::move(onLight)};
@@ -118,11 +113,11 @@ FigureData studyFigure(const answers::StudyAnswer& answer)
     const double height = std::clamp(1.5 * static_cast<double>(gaps.size()), 4.0, 12.0) + 3.0;
     const auto panels = static_cast<double>(dampings.size());
     FigureData figure{
-        .width = std::clamp(2.6 * static_cast<double>(amplitudes.size()), 7.0, 18.0) + 4.0,
+        .width = std::clamp(2.6 * static_cast<double>(amplitudes.size()), 7.0, 18.0) + 5.0,
         .height = height * panels};
     for (std::size_t k = 0; k < dampings.size(); ++k) {
         const double top = figure.height - static_cast<double>(k) * height;
-        const Place place{0.14, 0.76, (top - height + 1.6) / figure.height,
+        const Place place{0.14, 0.72, (top - height + 1.6) / figure.height,
                           (top - 1.0) / figure.height};
         Panel& panel = figure.add({.name = fmt::format("damping {:.4g}", dampings[k]),
                                    .place = place,
@@ -133,7 +128,7 @@ FigureData studyFigure(const answers::StudyAnswer& answer)
         panel.colour = {.label = labelled("worst impulse per period", impulse),
                         .low = 0.0,
                         .high = largest > 0.0 ? largest * impulse.factor : 1.0};
-        panel.colourBar = Place{0.79, 0.82, place.bottom, place.top};
+        panel.colourBar = Place{0.75, 0.78, place.bottom, place.top};
         addFields(panel, answer.points, dampings[k], gaps, amplitudes, impulse, largest);
     }
     return figure;

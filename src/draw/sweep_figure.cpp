@@ -59,9 +59,9 @@ std::string titleOf(const SweepRange& range, const Bar& bar)
     const Scales unit = scales(bar);
     std::string text = range.place == Excited::tip ? "force on the tip" : "base moving";
     if (range.over != Swept::amplitude) {
-        text += fmt::format(",  {:.4g} {}",
-                            range.amplitude * amplitudeUnit(range.place, bar, range.derivative),
-                            amplitudeUnitName(range.place, range.derivative));
+        text +=
+            ",  " + withUnit(range.amplitude * amplitudeUnit(range.place, bar, range.derivative),
+                             amplitudeUnitName(range.place, range.derivative));
     }
     text += range.over == Swept::frequency
                 ? ""
@@ -143,11 +143,9 @@ FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& ran
     Panel upper{.name = "impulse", .place = {0.12, 0.97, 0.52, 0.83}, .x = axisOfSwept(range, bar)};
     upper.x.label.clear();
     upper.x.hasNumbers = false;
-    upper.y = {.label = labelled("impulse a period", impulse), .low = 0.0};
     upper.legend = Legend::topLeft;
     Panel lower{.name = "tip", .place = {0.12, 0.97, 0.12, 0.47}, .x = axisOfSwept(range, bar)};
     lower.x.other.reset();
-    lower.y = {.label = labelled("swing  −min u(L)", swing), .low = 0.0};
     Series under = plot::dots(Role::faint, 0.5).named("exact motions with one contact");
     Series underSwing = under;
     underSwing.legend.clear();
@@ -168,6 +166,8 @@ FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& ran
             return std::array{-point.tip[0], -point.tip[0], -point.tip[0]};
         });
     }
+    upper.y = axisAround(upper.series, labelled("impulse a period", impulse), true);
+    lower.y = axisAround(lower.series, labelled("swing  −min u(L)", swing), true);
     figure.panels = {std::move(upper), std::move(lower)};
     return figure;
 }
@@ -182,7 +182,6 @@ FigureData bifurcationFigure(std::span<const SweepPoint> points, const SweepRang
     FigureData figure{.height = 9.0, .title = titleOf(range, bar)};
     Panel& panel = figure.add({.name = "impulse", .place = {0.12, 0.97, 0.15, 0.78}});
     panel.x = axisOfSwept(range, bar);
-    panel.y = {.label = labelled("impulse of a contact", impulse), .low = 0.0};
     panel.legend = Legend::topLeft;
     for (const SweepDirection direction : {SweepDirection::up, SweepDirection::down}) {
         Series dots = styleOf(direction);
@@ -197,6 +196,7 @@ FigureData bifurcationFigure(std::span<const SweepPoint> points, const SweepRang
         }
         panel.add(std::move(dots));
     }
+    panel.y = axisAround(panel.series, labelled("impulse of a contact", impulse), true);
     return figure;
 }
 

@@ -11,6 +11,7 @@
 
 #include "faults.hpp"
 #include "signorini/output.hpp"
+#include "units.hpp"
 
 namespace signorini {
 
@@ -147,6 +148,14 @@ double Table::numberAt(std::size_t column) const
         refuse(column, "finite numbers");
     }
     return number;
+}
+
+double Table::numberAt(std::size_t column, std::string_view unit) const
+{
+    if (const auto number = numberIn(fields_[column], unit)) {
+        return *number;
+    }
+    refuse(column, fmt::format("finite numbers [{}]", unit));
 }
 
 void Table::refuse(std::string_view fault) const

@@ -34,6 +34,9 @@ public:
     /// column if it is none, or not finite.
     [[nodiscard]] double numberAt(std::size_t column) const;
 
+    /// The same in a unit, of which a field may have a kin ("210GPa").
+    [[nodiscard]] double numberAt(std::size_t column, std::string_view unit) const;
+
     /// \throws std::invalid_argument naming file and line.
     [[noreturn]] void refuse(std::string_view fault) const;
 

@@ -401,7 +401,9 @@ TEST_CASE("cli scenes: a stepped bar from a drawing")
     CHECK(r["segments"][0]["cells"] == 12);
     CHECK(r["segments"][1]["impedance"].get<double>() == Approx(2.25));
     CHECK(r["bar"]["young"] == 210e9);
-    // The same bar in relative numbers.
+    // The same with units, and the same bar in relative numbers.
+    write("length,young,density,diameter\n1.2 m,210GPa,7850,20mm\n80cm,210e9,7.85g/cm3,0.03\n");
+    CHECK(program.find("12 68" + files + "--gap 1e-4", 0)["energy"] == r["energy"]);
     const json plain = program.find(
         "12 68 --segments 12:1,8:2.25 --gap 1e-4 --length 2 --young 210e9 --density 7850 "
         "--area 3.141592653589793e-4",
