@@ -12,6 +12,7 @@
 #include "find_outputs.hpp"
 #include "forced_find.hpp"
 #include "interrupt.hpp"
+#include "one_material.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
 #include "scene_find.hpp"
@@ -184,10 +185,7 @@ ExitStatus FindCommand::run() const
     const unsigned asked = kind();
     given.requireOnly(asked);
     const Scene bar = common.scene();
-    if (yieldStress && !bar.bar.young) {
-        throw std::invalid_argument(
-            "--yield-stress: allowed only with --young, --density and --area");
-    }
+    (void)yieldStressOf(given, unitsOfBar(bar));
     if (!haveOneSpeed(bar.segments) && FindOutputs(*this).areOfMotion()) {
         throw std::invalid_argument(
             "--state, --motion, --figure, --animate: allowed only for segments in which waves have "

@@ -37,6 +37,30 @@ ForceOptions::ForceOptions(const Given& given)
     }
 }
 
+void ForceOptions::requirePlace() const
+{
+    if (!place) {
+        refuse("--force", "missing", "tip|base");
+    }
+}
+
+void ForceOptions::requireAmplitude() const
+{
+    if (!amplitude) {
+        refuse("--amplitude", "missing", "numbers > 0 [N or m]");
+    }
+}
+
+std::optional<double> yieldStressOf(const Given& given, const Bar& bar)
+{
+    const auto yieldStress = given.number("--yield-stress");
+    if (yieldStress && !bar.young) {
+        refuse("--yield-stress", fmt::format("{}", *yieldStress),
+               "it only with --young, --density and --area, of a bar of one material");
+    }
+    return yieldStress;
+}
+
 FrequencyOption::FrequencyOption(const Given& given, const char* name, const char* twin)
     : hertz(given.number(twin))
 {

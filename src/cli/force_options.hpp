@@ -35,6 +35,9 @@ struct ForceOptions {
     ForceOptions() = default;
     explicit ForceOptions(const Given& given);
 
+    /// \throws std::invalid_argument naming the option that is missing.
+    void requirePlace() const;
+    void requireAmplitude() const;  ///< see requirePlace
     /// None without --damping.
     [[nodiscard]] Damping damping() const { return {ratio.value_or(0.0)}; }
     /// In units of EA g/L (tip) or g (c/L)^derivative (base). \pre place and amplitude were given.
@@ -42,5 +45,8 @@ struct ForceOptions {
     /// The same options with the base's displacement at so many ω/ω₁, ω₁ being so many Hz.
     [[nodiscard]] ForceOptions at(double frequencyRatio, double firstHertz) const;
 };
+
+/// --yield-stress [Pa]. \throws std::invalid_argument where strains are not known as stresses.
+[[nodiscard]] std::optional<double> yieldStressOf(const Given& given, const Bar& bar);
 
 }  // namespace signorini::cli

@@ -18,9 +18,7 @@ void requireForce(const ForceOptions& force)
     if (!force.ratio) {
         refuse("--damping", "missing", fmt::format("numbers 0..{} [-]", maxDampingRatio));
     }
-    if (!force.place) {
-        refuse("--force", "missing", "tip|base");
-    }
+    force.requirePlace();
 }
 
 void validate(const FindCommand& call, const Schedule& schedule, bool isStepped)
@@ -83,9 +81,7 @@ ExitStatus answerHarmonic(const FindCommand& call)
     if (*force.ratio == 0.0) {
         refuse("--damping", "0", fmt::format("numbers > 0, at most {} [-]", maxDampingRatio));
     }
-    if (!force.amplitude) {
-        refuse("--amplitude", "missing", "numbers > 0 [N or m]");
-    }
+    force.requireAmplitude();
     FindOutputs files(call);
     const ExactPeriod period = call.question.exactly(common.usualCells(), scene.bar, call.cycles);
     const double frequencyRatio = 4.0 * static_cast<double>(call.cycles) / period.value();

@@ -101,22 +101,27 @@ struct Worker {
     }
 };
 
-/// Frequencies are in ω₁: where the grid has none so high, hertz may have been meant.
-void requireFrequencies(const ResponseRange& range, const Bar& bar)
+/// --from to --to. Frequencies are in ω₁: where the grid has none so high, hertz may have been
+/// meant.
+void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
 {
     constexpr double high = 10.0;
-    const double unit = 4.0 * static_cast<double>(range.cells * range.cycles);
-    const double first = std::max(std::ceil(unit / range.mostFrequencyRatio),
-                                  2.0 * static_cast<double>(range.cycles));
-    if (range.leastFrequencyRatio < high || first <= std::floor(unit / range.leastFrequencyRatio)) {
-        return;
-    }
     const double hertz = firstHertz(bar);
-    refuse("--from", fmt::format("{}", range.leastFrequencyRatio),
-           fmt::format("4NK/n for some whole n, n >= 2K [ω₁]; {0:.6g} looks like Hz: ω₁ is {1:.6g} "
-                       "Hz ({2}), so it is --from {3:.6g}",
-                       range.leastFrequencyRatio, hertz, sizeOf(bar),
-                       range.leastFrequencyRatio / hertz));
+    double& least = range.leastFrequencyRatio;
+    double& most = range.mostFrequencyRatio;
+    least = FrequencyOption(given, "--from", "--from-hertz").ratioFor(hertz, least);
+    most = FrequencyOption(given, "--to", "--to-hertz").ratioFor(hertz, most);
+    if (least > most) {
+        refuse("--from", fmt::format("{}", least), fmt::format("numbers up to --to = {}", most));
+    }
+    const double unit = 4.0 * static_cast<double>(range.cells * range.cycles);
+    const double first = std::max(std::ceil(unit / most), 2.0 * static_cast<double>(range.cycles));
+    if (least >= high && first > std::floor(unit / least)) {
+        refuse("--from", fmt::format("{}", least),
+               fmt::format("4NK/n for some whole n, n >= 2K [ω₁]; {0:.6g} looks like Hz: ω₁ is "
+                           "{1:.6g} Hz ({2}), so it is --from {3:.6g}",
+                           least, hertz, sizeOf(bar), least / hertz));
+    }
 }
 
 /// The harmonic itself in place of a staircase.
@@ -162,80 +167,71 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
     return exitStatusOf(answer.status());
 }
 
+/// What does not go together.
+void requireTogether(const Given& given, const CommonOptions& common, const ForceOptions& force,
+                     const ResponseRange& range)
+{
+    const bool hasMap = given.has("--map");
+    if (force.derivative > 0 && hasMap) {
+        refuse("--map", given.text("--map"),
+               "it only with --amplitude: at each frequency another displacement is meant");
+    }
+    if (!isUniform(range.segments) && given.has("--backbone-csv")) {
+        throw std::invalid_argument(
+            "--backbone-csv: allowed only for a uniform bar: modes of several segments are not "
+            "known");
+    }
+    if (given.has("--band") && range.contacts < 2) {
+        refuse("--band", given.text("--band"), "it only together with --contacts 2");
+    }
+    if (common.choosesCells && (!isUniform(range.segments) || hasMap || given.has("--map-csv"))) {
+        throw std::invalid_argument(
+            "--cells auto: allowed for a uniform bar, and without --map and --map-csv, which "
+            "have one grid");
+    }
+}
+
+ResponseAnswer asked(const Given& given, const CommonOptions& common, const ForceOptions& force)
+{
+    const Scene scene = common.scene();
+    ResponseAnswer answer{{}, scene, answers::unitsOf(scene), 0.0, {}};
+    ResponseRange& range = answer.range;
+    range.cycles = given.whole("--cycles").value_or(range.cycles);
+    range.contacts = given.whole("--contacts").value_or(range.contacts);
+    range.band = given.number("--band").value_or(range.band);
+    range.cells = common.usualCells();
+    range.stops = stopsOf(scene);
+    range.segments = scene.segments;
+    takeFrequencies(given, range, answer.bar);
+    range.damping = force.damping();
+    if (!force.ratio || !(range.damping.rho() < 1.0)) {
+        refuse("--damping", force.ratio ? fmt::format("{}", *force.ratio) : "missing",
+               "numbers > 0 [-] with exp(-πζ) < 1");
+    }
+    force.requirePlace();
+    force.requireAmplitude();
+    range.place = *force.place;
+    range.amplitude = force.scaledAmplitude(answer.bar);
+    range.derivative = force.derivative;
+    answer.amplitude = *force.amplitude;
+    answer.yieldStress = yieldStressOf(given, answer.bar);
+    requireTogether(given, common, force, range);
+    if (common.choosesCells) {
+        range.cells = coarseResponseCells;
+    }
+    (void)stepsOf(range);
+    return answer;
+}
+
 }  // namespace
 
 ExitStatus runResponse(const Given& given)
 {
     const CommonOptions common(given);
     const ForceOptions force(given);
-    ResponseRange range;
-    range.cycles = given.whole("--cycles").value_or(range.cycles);
-    range.contacts = given.whole("--contacts").value_or(range.contacts);
-    const auto band = given.number("--band");
-    const auto yieldStress = given.number("--yield-stress");
-    const Scene scene = common.scene();
-    ResponseAnswer answer{range, scene, answers::unitsOf(scene), 0.0, {}};
-    answer.range.cells = common.usualCells();
-    answer.range.leastFrequencyRatio =
-        FrequencyOption(given, "--from", "--from-hertz")
-            .ratioFor(firstHertz(answer.bar), range.leastFrequencyRatio);
-    answer.range.mostFrequencyRatio =
-        FrequencyOption(given, "--to", "--to-hertz")
-            .ratioFor(firstHertz(answer.bar), range.mostFrequencyRatio);
-    if (answer.range.leastFrequencyRatio <= answer.range.mostFrequencyRatio) {
-        requireFrequencies(answer.range, answer.bar);
-    }
-    if (!force.ratio || !(force.damping().rho() < 1.0)) {
-        refuse("--damping", force.ratio ? fmt::format("{}", *force.ratio) : "missing",
-               "numbers > 0 [-] with exp(-πζ) < 1");
-    }
-    if (!force.place) {
-        refuse("--force", "missing", "tip|base");
-    }
-    if (!force.amplitude) {
-        refuse("--amplitude", "missing", "finite numbers > 0 [N or m]");
-    }
-    if (answer.range.leastFrequencyRatio > answer.range.mostFrequencyRatio) {
-        refuse("--from", fmt::format("{}", answer.range.leastFrequencyRatio),
-               fmt::format("numbers up to --to = {}", answer.range.mostFrequencyRatio));
-    }
-    if (yieldStress && !answer.bar.young) {
-        refuse("--yield-stress", fmt::format("{}", *yieldStress),
-               "it only with --young, --density and --area, of a bar of one material");
-    }
-    answer.yieldStress = yieldStress;
-    answer.amplitude = *force.amplitude;
-    answer.range.damping = force.damping();
-    answer.range.place = *force.place;
-    answer.range.amplitude = force.scaledAmplitude(answer.bar);
-    answer.range.derivative = force.derivative;
-    if (force.derivative > 0 && given.has("--map")) {
-        refuse("--map", given.text("--map"),
-               "it only with --amplitude: at each frequency another displacement is meant");
-    }
-    answer.range.stops = stopsOf(answer.scene);
-    answer.range.segments = scene.segments;
-    if (!isUniform(scene.segments) && given.has("--backbone-csv")) {
-        throw std::invalid_argument(
-            "--backbone-csv: allowed only for a uniform bar: modes of several segments are not "
-            "known");
-    }
-    if (band && range.contacts < 2) {
-        throw std::invalid_argument(
-            fmt::format("--band = {}: allowed only together with --contacts 2", *band));
-    }
-    answer.range.band = band.value_or(range.band);
-    if (common.choosesCells) {
-        if (!isUniform(scene.segments) || given.has("--map") || given.has("--map-csv")) {
-            throw std::invalid_argument(
-                "--cells auto: allowed for a uniform bar, and without --map and --map-csv, which "
-                "have one grid");
-        }
-        answer.range.cells = coarseResponseCells;
-    }
-    (void)stepsOf(answer.range);
+    ResponseAnswer answer = asked(given, common, force);
     if (given.has("--exact")) {
-        return runExact(given, common, force, answer.range, scene);
+        return runExact(given, common, force, answer.range, answer.scene);
     }
     Outputs outputs(given, {"--csv", "--map-csv", "--backbone-csv", "--figure", "--map"});
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {

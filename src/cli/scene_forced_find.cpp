@@ -176,9 +176,7 @@ ExitStatus findForcedInScene(const FindCommand& command)
         throw std::invalid_argument(
             "--damping clashes with --scene: allowed dash=D among its words");
     }
-    if (!force.place) {
-        refuse("--force", "missing", "tip|base");
-    }
+    force.requirePlace();
     SceneForcedAnswer answer;
     answer.assembly = command.common.assembly();
     answer.network = networkOf(answer.assembly);

@@ -106,9 +106,7 @@ double SweepCommand::end(const char* option, double otherwise, const Bar& bar) c
 
 SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
 {
-    if (!force.place) {
-        refuse("--force", "missing", "tip|base");
-    }
+    force.requirePlace();
     if (force.amplitude.has_value() == (over == Swept::amplitude)) {
         refuse("--amplitude", force.amplitude ? fmt::format("{}", *force.amplitude) : "missing",
                force.amplitude ? "it only where another number is varied"
@@ -159,12 +157,7 @@ SweepAnswer SweepCommand::question() const
 {
     const Scene scene = common.scene();
     const Bar bar = answers::unitsOf(scene);
-    const auto yieldStress = given.number("--yield-stress");
-    if (yieldStress && !bar.young) {
-        refuse("--yield-stress", fmt::format("{}", *yieldStress),
-               "it only with --young, --density and --area, of a bar of one material");
-    }
-    return {range(scene, bar), scene, bar, {}, true, yieldStress};
+    return {range(scene, bar), scene, bar, {}, true, yieldStressOf(given, bar)};
 }
 
 SweepAnswer SweepCommand::question(const Network& network) const

@@ -205,6 +205,21 @@ private:
     Panel lower_;
 };
 
+/// The tip between its stops.
+Panel tipPanel(Series tip, const Stops& stops, const Unit& place)
+{
+    const double end = tip.x.back();
+    Panel panel{.name = "tip", .place = {0.12, 0.86, 0.38, 0.62}};
+    panel.x = {.low = 0.0, .high = end, .hasNumbers = false};
+    panel.add(across(0.0, end, static_cast<double>(stops.right) * place.factor, 1.0, Dash::dotted));
+    if (stops.left) {
+        panel.add(across(0.0, end, -stops.left->value() * place.factor, 1.0, Dash::dotted));
+    }
+    panel.add(std::move(tip));
+    panel.y = axisAround(panel.series, labelled("tip  u(L)", place));
+    return panel;
+}
+
 }  // namespace
 
 FigureData exactFigure(const std::vector<ExactFrequency>& frequencies,
@@ -224,7 +239,7 @@ FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)
     const Bar& bar = scene.bar;
     const Scales unit = scales(bar);
     Series field{.kind = Kind::image};
-    Series tip{.width = 1.8, .legend = "tip"};
+    Series tip{.width = 1.8};
     Series force{.role = Role::contact, .width = 1.8};
     double pressed = 0.0;
     double swing = 1.0;
@@ -262,22 +277,7 @@ FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)
     above.colourBar = Place{0.88, 0.9, 0.66, 0.92};
     above.hasGrid = false;
     above.series.push_back(std::move(field));
-    Panel middle{.name = "tip", .place = {0.12, 0.86, 0.38, 0.62}};
-    middle.x = {.low = 0.0, .high = tip.x.back(), .hasNumbers = false};
-    const Stops stops = stopsOf(scene);
-    std::vector<double> walls{static_cast<double>(stops.right)};
-    if (stops.left) {
-        walls.push_back(-stops.left->value());
-    }
-    for (const double wall : walls) {
-        middle.series.push_back({.role = Role::faint,
-                                 .dash = Dash::dotted,
-                                 .x = {0.0, tip.x.back()},
-                                 .y = {wall * place.factor, wall * place.factor}});
-    }
-    tip.legend.clear();
-    middle.series.push_back(std::move(tip));
-    middle.y = axisAround(middle.series, labelled("tip  u(L)", place));
+    Panel middle = tipPanel(std::move(tip), stopsOf(scene), place);
     Panel below{.name = "force", .place = {0.12, 0.86, 0.1, 0.34}};
     below.x = {.label = labelled("time  t", time), .low = 0.0, .high = force.x.back()};
     below.series.push_back(std::move(force));
