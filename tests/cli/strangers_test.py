@@ -346,10 +346,66 @@ def pile(folder):
     return f"pile: {compared} blows, toe and Case formula to rounding"
 
 
+def measured_bar(folder):
+    """A Hopkinson bar in a laboratory: the test of 2006-12-01 among the examples of HopPyBar (Los Alamos National
+    Laboratory, 20061201_1148HE_CuOFE_273K.raw at commit e922e62). By its header the striker has 127 mm, of the bar's
+    own alloy and diameter, and waves pass 2 * 381 mm in 156.6 us. Read from its trace, 0.1 us a row: the incident
+    pulse is 526 rows long at half its height."""
+    speed = 2 * 0.381 / 156.6e-6
+    run = Run(folder, "20 gap=0 100", "--length", 6 * 0.127, "--wave-speed", speed, "--velocity", "10,0",
+              "--time", 1e-4)
+    require(len(run.contacts) == 1, "the striker touches once")
+    lasts = run.contacts[0]["end"] - run.contacts[0]["start"]
+    near(lasts, 2 * 0.127 / speed, "2 L/c of the striker")
+    near(lasts / 52.6e-6, 1, "the measured pulse", 0.01)
+    return f"measured Hopkinson bar: a pulse of {1e6 * lasts:.1f} us, 52.6 measured"
+
+
+def smith_toe(cells, long, impedance, static, dashpot, steps):
+    """Where the toe of a pile is after each step when a striker of `long` cells has hit it, by its waves in fractions:
+    a toe that never moves back."""
+    pile, striker = [[[Fraction(0)] * cells for _ in "du"], [[Fraction(1, 2)] * long for _ in "du"]]
+    places, apart = [Fraction(0)], Fraction(0)
+    for _ in range(steps):
+        (down, up), (ahead, behind) = pile, striker
+        free, head = 2 * ahead[-1], 2 * up[0]
+        if apart == 0 and free > head:
+            free = head = (impedance * free + head) / (impedance + 1)
+        apart += (head - free) / cells
+        require(apart >= 0, "a striker that comes back is not foreseen")
+        toe = max(Fraction(0), (2 * down[-1] - static) / (1 + dashpot))
+        places.append(places[-1] + toe / cells)
+        pile = [[head - up[0], *down[:-1]], [*up[1:], toe - down[-1]]]
+        striker = [[behind[0], *ahead[:-1]], [*behind[1:], free - ahead[-1]]]
+    return places
+
+
+def pile_that_stays(folder):
+    """The same with a toe that stays where a blow has left it: the stop is moved there, and the run goes on."""
+    cells, stays = 16, 0
+    for long, impedance, static, dashpot in ((32, 1, "1/4", "1/2"), (16, 3, "1/2", "1/4"), (16, 1, "1/8", "1")):
+        static, dashpot = Fraction(static), Fraction(dashpot)
+        places = smith_toe(cells, long, impedance, static, dashpot, 9 * cells)
+        at, before = 0, ["--velocity", "1,0"]
+        while at < len(places) - 1:
+            goes = next(k for k in range(at, len(places)) if k + 1 == len(places) or places[k + 1] > places[k])
+            rests = next(k for k in range(goes, len(places)) if k + 1 == len(places) or places[k + 1] == places[k])
+            scene = (f"{long}:{impedance} gap=0 {cells} stop=left:{-float(places[at])!r} force={float(-static)} "
+                     f"dash={float(dashpot)}")
+            run = Run(folder, scene, "--length", Fraction(long + cells, cells), *before,
+                      "--time", Fraction(rests - at, cells))
+            run.path = [row for row in run.path if row["node"] == 4]
+            for k in range(at, rests + 1):
+                near(run.place((k - at) / cells), places[k], f"toe of a pile after {k} steps")
+            (folder / "from.csv").write_bytes((folder / "state.csv").read_bytes())
+            at, before, stays = rests, ["--from", folder / "from.csv"], stays + 1
+    return f"pile: a toe that stays, {stays} times, by its waves in fractions"
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         for case in (bouncing_bar, bouncing_schedule, two_bars, driven_bar, rigid_wall, stepped_load, any_load, string,
-                     striker, pile):
+                     striker, measured_bar, pile, pile_that_stays):
             print(case(pathlib.Path(name)), flush=True)
 
 
