@@ -76,6 +76,20 @@ void refuse(std::string_view name, std::string_view text, std::string_view allow
     throw std::logic_error("a fault was added");
 }
 
+void refuseIf(bool isWrong, std::string_view name, std::string_view text, std::string_view allowed)
+{
+    if (isWrong) {
+        refuse(name, text, allowed);
+    }
+}
+
+void refuseIf(bool isWrong, std::string_view sentence)
+{
+    if (isWrong) {
+        throw std::invalid_argument(std::string(sentence));
+    }
+}
+
 ExitStatus exitStatusOf(Status status)
 {
     switch (status) {
@@ -126,9 +140,7 @@ std::int64_t parseWhole(std::string_view name, std::string_view text, std::int64
                         std::int64_t high)
 {
     const auto value = wholeIn(text, low, high);
-    if (!value) {
-        refuse(name, text, fmt::format("whole numbers {}..{}", low, high));
-    }
+    refuseIf(!value, name, text, fmt::format("whole numbers {}..{}", low, high));
     return *value;
 }
 
@@ -209,9 +221,8 @@ CommonOptions::CommonOptions(const Given& given)
 
 void CommonOptions::takeArea(double area)
 {
-    if (std::exchange(area_, area)) {
-        throw std::invalid_argument("--area clashes with --diameter: allowed one of them");
-    }
+    refuseIf(std::exchange(area_, area).has_value(),
+             "--area clashes with --diameter: allowed one of them");
 }
 
 std::int64_t CommonOptions::usualCells() const
@@ -247,21 +258,17 @@ Bar CommonOptions::bar() const
 Bar CommonOptions::barOfAnyGap() const
 {
     const Scene scene = sceneOfOneBar();
-    if (scene.secondStop) {
-        throw std::invalid_argument(
-            "--second-stop: allowed with find, continuum, simulate, response, families and atlas; "
-            "modes are curves of one wall, and families lists what of them a second stop leaves");
-    }
+    refuseIf(scene.secondStop.has_value(),
+             "--second-stop: allowed with find, continuum, simulate, response, families and atlas; "
+             "modes are curves of one wall, and families lists what of them a second stop leaves");
     return scene.bar;
 }
 
 Scene CommonOptions::sceneOfOneBar() const
 {
     Scene one = scene();
-    if (!one.segments.empty()) {
-        throw std::invalid_argument(
-            "--segments: allowed with find, simulate, response and atlas only");
-    }
+    refuseIf(!one.segments.empty(),
+             "--segments: allowed with find, simulate, response and atlas only");
     return one;
 }
 
@@ -285,13 +292,10 @@ Bar CommonOptions::givenBar() const
         validate(bar);
         return bar;
     }
-    if (waveSpeed_ || axialStiffness_) {
-        throw std::invalid_argument(
-            "--young/--density/--area clash with --wave-speed/--axial-stiffness: allowed one set");
-    }
-    if (!young_ || !density_ || !area_) {
-        throw std::invalid_argument("--young, --density, --area: allowed only all three together");
-    }
+    refuseIf(waveSpeed_ || axialStiffness_,
+             "--young/--density/--area clash with --wave-speed/--axial-stiffness: allowed one set");
+    refuseIf(!young_ || !density_ || !area_,
+             "--young, --density, --area: allowed only all three together");
     return barOfMaterial(bar_.length, *young_, *density_, *area_, bar_.gap);
 }
 
@@ -394,15 +398,12 @@ std::vector<Segment> parseSegments(std::string_view name, std::string_view text)
 
 std::vector<Phase> parsePhases(const std::vector<std::string>& words)
 {
-    if (words.empty()) {
-        throw std::invalid_argument(
-            "NC NF is missing: allowed contact and free steps, as in 150 900; find takes --period, "
-            "--frequency or --hertz in their place");
-    }
-    if (words.size() % 2 != 0) {
-        refuse("NC NF ...", fmt::format("{} step counts", words.size()),
-               "pairs of contact and free steps: an even number of them, at least 2");
-    }
+    refuseIf(
+        words.empty(),
+        "NC NF is missing: allowed contact and free steps, as in 150 900; find takes --period, "
+        "--frequency or --hertz in their place");
+    refuseIf(words.size() % 2 != 0, "NC NF ...", fmt::format("{} step counts", words.size()),
+             "pairs of contact and free steps: an even number of them, at least 2");
     std::vector<Phase> phases;
     for (std::size_t k = 0; k < words.size(); k += 2) {
         const std::size_t number = k / 2 + 1;

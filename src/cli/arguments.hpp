@@ -50,6 +50,10 @@ void removeOnSignal(const std::string& path);
 
 /// Says that a value cannot be. \throws std::invalid_argument naming argument, value and range.
 [[noreturn]] void refuse(std::string_view name, std::string_view text, std::string_view allowed);
+/// The same if it is so.
+void refuseIf(bool isWrong, std::string_view name, std::string_view text, std::string_view allowed);
+/// Says that a call cannot be, in a sentence, if it is so. \throws std::invalid_argument.
+void refuseIf(bool isWrong, std::string_view sentence);
 
 /// A number > 0 as people give it: 22/7, 3.14, 3.
 struct GivenNumber {

@@ -1,4 +1,3 @@
-#include "atlas_command.hpp"
 #include "commands.hpp"
 
 #include <algorithm>
@@ -6,13 +5,17 @@
 #include <filesystem>
 #include <optional>
 
+#include "arguments.hpp"
+#include "atlas_coverage.hpp"
 #include "faults.hpp"
 #include "files.hpp"
 #include "given.hpp"
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "ranks.hpp"
+#include "reports.hpp"
 #include "segments_text.hpp"
+#include "signorini/atlas_database.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 #include "stepped_bar.hpp"
@@ -31,7 +34,37 @@ double parseRatio(const char* name, const std::string& text, const char* unit)
                                                : parseFraction(name, text, unit).value();
 }
 
-}  // namespace
+/// One call.
+struct AtlasCommand {
+    const Given& given;
+    CommonOptions common;
+    std::string database;
+    std::optional<ExactPeriod> period;
+
+    explicit AtlasCommand(const Given& words);
+
+    /// Decides the range, or answers a query; the report goes to stdout. SIGINT and SIGTERM end
+    /// the work after the batch in flight. Exceptions are for `main` to translate.
+    [[nodiscard]] ExitStatus run() const;
+
+private:
+    [[nodiscard]] bool isQuery() const;
+    [[nodiscard]] AtlasRange range() const;
+    /// Of a bar that is not uniform.
+    [[nodiscard]] std::vector<Segment> segments() const;
+    /// Whose scales the answers have.
+    [[nodiscard]] Bar bar() const;
+    void checkQuery() const;
+    [[nodiscard]] std::optional<answers::AtlasPoint> point() const;
+    [[nodiscard]] AtlasQuestion question() const;
+    [[nodiscard]] AtlasAnswer ask(const AtlasDatabase& atlas) const;
+    [[nodiscard]] ExitStatus answer() const;
+    [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,
+                                   std::optional<Interrupt>& interrupt) const;
+    void fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks, const AtlasOptions& options) const;
+    void draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
+              Outputs& outputs) const;
+};
 
 AtlasCommand::AtlasCommand(const Given& words)
     : given(words), common(words), database(words.text("--database"))
@@ -59,9 +92,8 @@ AtlasRange AtlasCommand::range() const
     range.gapSign = stops.right;
     range.secondStop = stops.left;
     range.segments = segments();
-    if (range.keepsRefuted && range.familiesOnly) {
-        throw std::invalid_argument("--all, --families-only: allowed one of them");
-    }
+    refuseIf(range.keepsRefuted && range.familiesOnly,
+             "--all, --families-only: allowed one of them");
     validate(range);
     return range;
 }
@@ -72,9 +104,7 @@ std::vector<Segment> AtlasCommand::segments() const
     if (isUniform(scene.segments)) {
         return {};
     }
-    if (scene.secondStop) {
-        throw std::invalid_argument("--second-stop: allowed for a uniform bar");
-    }
+    refuseIf(scene.secondStop.has_value(), "--second-stop: allowed for a uniform bar");
     return scene.segments;
 }
 
@@ -94,19 +124,12 @@ ExitStatus AtlasCommand::run() const
         ranks = std::make_unique<Ranks>();
     }
     try {
-        if (database.empty()) {
-            throw std::invalid_argument(
-                "--database is missing: allowed the name of an SQLite file");
-        }
-        if (stopsOf(common.scene()) != Stops{} && given.has("--figure")) {
-            throw std::invalid_argument(
-                "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds the "
-                "families");
-        }
-        if (!segments().empty() && (given.has("--figure") || given.has("--csv"))) {
-            throw std::invalid_argument(
-                "--figure, --csv: allowed for a uniform bar, whose families they show");
-        }
+        refuseIf(database.empty(), "--database is missing: allowed the name of an SQLite file");
+        refuseIf(stopsOf(common.scene()) != Stops{} && given.has("--figure"),
+                 "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds the "
+                 "families");
+        refuseIf(!segments().empty() && (given.has("--figure") || given.has("--csv")),
+                 "--figure, --csv: allowed for a uniform bar, whose families they show");
         validateOutputs({{"--database", database},
                          {"--figure", given.text("--figure")},
                          {"--map", given.text("--map")},
@@ -132,16 +155,11 @@ void AtlasCommand::checkQuery() const
 {
     const bool near = given.has("--near");
     const int queries = (near ? 1 : 0) + (period ? 1 : 0) + (given.has("--twins") ? 1 : 0);
-    if (queries > 1) {
-        throw std::invalid_argument("--near, --period, --twins: allowed one of them");
-    }
+    refuseIf(queries > 1, "--near, --period, --twins: allowed one of them");
     given.requireOnly(answers::asks::atlasQuery);
-    if (given.has("--within") && !near) {
-        throw std::invalid_argument("--within: allowed only together with --near");
-    }
-    if (given.has("--schedules") && !near && !period) {
-        throw std::invalid_argument("--schedules: allowed only together with --near or --period");
-    }
+    refuseIf(given.has("--within") && !near, "--within: allowed only together with --near");
+    refuseIf(given.has("--schedules") && !near && !period,
+             "--schedules: allowed only together with --near or --period");
     (void)point();
 }
 
@@ -260,10 +278,8 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
                                std::optional<Interrupt>& interrupt) const
 {
     given.requireOnly(answers::asks::atlas);
-    if (range.familiesOnly && given.has("--map")) {
-        throw std::invalid_argument(
-            "--map draws schedules, which --families-only leaves out: allowed one of them");
-    }
+    refuseIf(range.familiesOnly && given.has("--map"),
+             "--map draws schedules, which --families-only leaves out: allowed one of them");
     AtlasOptions options;
     options.threads = common.threads;
     options.resume = given.has("--resume");
@@ -327,6 +343,8 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     }
     return exitFound;
 }
+
+}  // namespace
 
 ExitStatus runAtlas(const Given& given)
 {

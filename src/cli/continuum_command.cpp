@@ -27,23 +27,17 @@ double energyOf(const Given& given, const Bar& bar)
 {
     const auto energy = given.number("--energy");
     const auto energyRatio = given.number("--energy-ratio");
-    if (energy && energyRatio) {
-        throw std::invalid_argument("--energy clashes with --energy-ratio: allowed one of them");
-    }
-    if (!energy && !energyRatio) {
-        throw std::invalid_argument(
-            "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
-    }
+    refuseIf(energy && energyRatio, "--energy clashes with --energy-ratio: allowed one of them");
+    refuseIf(!energy && !energyRatio,
+             "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
     return energy ? *energy / scales(bar).energy : *energyRatio;
 }
 
 Trace traceOf(const Given& given, const Bar& bar, std::int64_t cells)
 {
     const int ends = (given.has("--to") ? 1 : 0) + (given.has("--direction") ? 1 : 0);
-    if ((given.has("--from") ? 1 : 0) != ends) {
-        throw std::invalid_argument(
-            "--from: allowed only together with one of --to and --direction");
-    }
+    refuseIf((given.has("--from") ? 1 : 0) != ends,
+             "--from: allowed only together with one of --to and --direction");
     const std::optional<std::int64_t> seed = given.whole("--seed");
     const auto seedOr = [&seed](std::uint64_t usual) {
         return seed ? static_cast<std::uint64_t>(*seed) : usual;
@@ -53,9 +47,8 @@ Trace traceOf(const Given& given, const Bar& bar, std::int64_t cells)
                : seed                ? Trace(trace::RandomPath{seedOr(0)})
                                      : Trace(trace::SplitPulse{});
     }
-    if (seed || given.has("--sample")) {
-        throw std::invalid_argument("--seed and --sample clash with --from: allowed one of them");
-    }
+    refuseIf(seed || given.has("--sample"),
+             "--seed and --sample clash with --from: allowed one of them");
     const auto read = [&](const char* option) {
         const std::string path = given.text(option);
         return forFile(option, path, [&] { return readState(path, bar, cells).state; });
@@ -105,9 +98,8 @@ ExitStatus runContinuum(const Given& given)
     const double ratio = energyOf(given, request.scene.bar);
     schedule.stops = stopsOf(request.scene);
     validate(schedule);
-    if (given.has("--member") != given.has("--state")) {
-        throw std::invalid_argument("--member and --state: allowed both or neither");
-    }
+    refuseIf(given.has("--member") != given.has("--state"),
+             "--member and --state: allowed both or neither");
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
 
     answers::ContinuumAnswer answer;

@@ -3,6 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <filesystem>
+
 #include "arguments.hpp"
 #include "faults.hpp"
 #include "given.hpp"
@@ -17,6 +19,16 @@ bool isStandardOutput(const std::string& path)
     struct stat out = {};
     return stat(path.c_str(), &file) == 0 && fstat(STDOUT_FILENO, &out) == 0 &&
            file.st_dev == out.st_dev && file.st_ino == out.st_ino;
+}
+
+/// The folder of a time series, an output like its file; without a name if there is none.
+OutputOption folderOf(const OutputOption& file)
+{
+    constexpr std::string_view ending = ".pvd";
+    const bool isSeries =
+        file.option == std::string_view("--motion") && file.path.ends_with(ending);
+    return {file.option,
+            isSeries ? file.path.substr(0, file.path.size() - ending.size()) + "_files" : ""};
 }
 
 std::vector<OutputOption> outputOptions(const Given& given,
@@ -76,6 +88,9 @@ Outputs::Outputs(const std::vector<OutputOption>& outputs, const std::vector<Out
 {
     std::vector<OutputOption> all = outputs;
     all.insert(all.end(), taken.begin(), taken.end());
+    for (std::size_t k = all.size(); k-- > 0;) {
+        all.push_back(folderOf(all[k]));
+    }
     validateOutputs(all);
     for (const auto& [option, path] : outputs) {
         if (path.empty()) {
@@ -96,12 +111,28 @@ Outputs::Outputs(const Given& given, std::initializer_list<const char*> options,
 {
 }
 
-std::string Outputs::stageFolder(const OutputOption& folder, const std::string& ending)
+void Outputs::putMotion(const std::function<MotionSamples(std::int64_t most)>& sampled)
 {
-    held_.emplace();
-    return forFile(folder.option, folder.path, [&] {
-        return files_.stageFolder(folder.path, ending,
-                                  fmt::format("{} {}", folder.option, folder.path));
+    if (!has("--motion")) {
+        return;
+    }
+    const std::string path = entryOf("--motion").path;
+    const std::string folder = folderOf({"--motion", path}).path;
+    std::string members;
+    if (!folder.empty()) {
+        held_.emplace();
+        members = forFile("--motion", folder,
+                          [&] { return files_.stageFolder(folder, ".vtu", "--motion " + folder); });
+    }
+    put("--motion", [&](const std::string& staged) {
+        if (!folder.empty()) {
+            writeMotionSeries(staged, members, std::filesystem::path(folder).filename().string(),
+                              sampled(maxSeriesInstants));
+        } else if (path.ends_with(".vtk")) {
+            writeMotionVtk(staged, sampled(maxMotionInstants));
+        } else {
+            writeMotionCsv(staged, sampled(maxMotionInstants));
+        }
     });
 }
 

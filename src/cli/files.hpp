@@ -3,7 +3,9 @@
 /// Files named on the command line: checks before any work, staging, and messages that name the
 /// option.
 
+#include <algorithm>
 #include <csignal>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,7 +55,8 @@ private:
 /// a signal ends the program.
 class Outputs {
 public:
-    /// Stages those that were given. Of `taken` the names are not to be used by others.
+    /// Stages those that were given. Of `taken` the names are not to be used by others, nor is that
+    /// of the folder of a time series.
     /// \throws as `validateOutputs`, FileError if a file could not be written.
     explicit Outputs(const std::vector<OutputOption>& outputs,
                      const std::vector<OutputOption>& taken = {});
@@ -62,37 +65,38 @@ public:
             const std::vector<OutputOption>& taken = {});
 
     [[nodiscard]] bool areWanted() const { return !entries_.empty(); }
+    [[nodiscard]] bool has(std::string_view option) const
+    {
+        return std::any_of(entries_.begin(), entries_.end(),
+                           [option](const Entry& entry) { return entry.option == option; });
+    }
 
     /// Calls write(name to write to, what) if the option was given.
     template <typename Write, typename... What>
     void put(std::string_view option, Write write, const What&... what)
     {
-        for (const Entry& entry : entries_) {
-            if (entry.option == option) {
-                forFile(entry.option, entry.path, [&] { return write(entry.staged, what...); });
-            }
+        if (has(option)) {
+            const Entry& entry = entryOf(option);
+            forFile(entry.option, entry.path, [&] { return write(entry.staged, what...); });
         }
     }
     /// Draws what make() makes, a figure or moving pictures, if the option was given.
     template <typename Make>
     void draw(std::string_view option, Make make)
     {
-        for (const Entry& entry : entries_) {
-            if (entry.option == option) {
-                forFile(entry.option, entry.path, [&] {
-                    if constexpr (std::is_same_v<std::invoke_result_t<Make>, FigureData>) {
-                        drawFigure(make(), figureFormat(entry.path), entry.staged);
-                    } else {
-                        drawFigures(make(), animationFormat(entry.path), entry.staged);
-                    }
-                });
+        put(option, [&](const std::string& staged) {
+            if constexpr (std::is_same_v<std::invoke_result_t<Make>, FigureData>) {
+                drawFigure(make(), figureFormat(entryOf(option).path), staged);
+            } else {
+                drawFigures(make(), animationFormat(entryOf(option).path), staged);
             }
-        }
+        });
     }
-
-    /// A folder beside the files, replaced whole (`OutputFiles::stageFolder`). As no signal removes
-    /// a folder, signals wait from here on, until `commit` or the end of this object.
-    [[nodiscard]] std::string stageFolder(const OutputOption& folder, const std::string& ending);
+    /// Writes --motion FILE.csv|.vtk|.pvd, if it was given; sampled(most) are the samples with at
+    /// most so many instants. Last of all: beside a .pvd stands a folder, replaced whole, and as no
+    /// signal removes a folder, signals wait from here on, until `commit` or the end of this
+    /// object.
+    void putMotion(const std::function<MotionSamples(std::int64_t most)>& sampled);
 
     void commit()
     {
@@ -106,6 +110,13 @@ private:
         std::string path;
         std::string staged;
     };
+
+    /// \pre has(option).
+    [[nodiscard]] const Entry& entryOf(std::string_view option) const
+    {
+        return *std::find_if(entries_.begin(), entries_.end(),
+                             [option](const Entry& entry) { return entry.option == option; });
+    }
 
     std::optional<SignalsHeld> held_;
     OutputFiles files_;

@@ -9,13 +9,10 @@
 #include "demand_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
-#include "find_outputs.hpp"
-#include "forced_find.hpp"
 #include "interrupt.hpp"
 #include "one_material.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
-#include "scene_find.hpp"
 #include "scene_options.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
@@ -39,10 +36,8 @@ FindRequest completed(const FindCommand& call)
     FindOptions& options = request.options;
     options.scene = call.common.scene();
     if (const auto energy = call.given.number("--energy")) {
-        if (options.energyRatio) {
-            throw std::invalid_argument(
-                "--energy clashes with --energy-ratio: allowed one of them");
-        }
+        refuseIf(options.energyRatio.has_value(),
+                 "--energy clashes with --energy-ratio: allowed one of them");
         options.energyRatio = *energy / scales(firstMaterial(options.scene)).energy;
     }
     options.strainLimit /= scales(options.scene.bar).strain;
@@ -51,13 +46,11 @@ FindRequest completed(const FindCommand& call)
     }
     options.tipFloor /= scales(options.scene.bar).displacement;
     const std::string target = call.given.text("--target");
-    if (options.objective == Objective::nearest && target.empty()) {
-        throw std::invalid_argument("--target is missing: --objective nearest needs a state file");
-    }
+    refuseIf(options.objective == Objective::nearest && target.empty(),
+             "--target is missing: --objective nearest needs a state file");
     if (!target.empty()) {
-        if (options.objective != Objective::nearest) {
-            throw std::invalid_argument("--target clashes with --objective: allowed only nearest");
-        }
+        refuseIf(options.objective != Objective::nearest,
+                 "--target clashes with --objective: allowed only nearest");
         StateReading read = forFile("--target", target, [&] {
             return readState(target, options.scene.bar, call.common.usualCells());
         });
@@ -137,8 +130,7 @@ FindCommand::FindCommand(const Given& words)
       question(words),
       force(words),
       cycles(words.whole("--cycles").value_or(1)),
-      yieldStress(words.number("--yield-stress")),
-      motionFile(words)
+      yieldStress(words.number("--yield-stress"))
 {
     const auto set = [&words](const char* option, double& value) {
         value = words.number(option).value_or(value);
@@ -186,18 +178,14 @@ ExitStatus FindCommand::run() const
     given.requireOnly(asked);
     const Scene bar = common.scene();
     (void)yieldStressOf(given, unitsOfBar(bar));
-    if (!haveOneSpeed(bar.segments) && FindOutputs(*this).areOfMotion()) {
-        throw std::invalid_argument(
-            "--state, --motion, --figure, --animate: allowed only for segments in which waves have "
-            "one speed");
-    }
-    if (question.isAsked() && !given.words().empty()) {
-        throw std::invalid_argument(
-            "NC NF clash with --period, --frequency and --hertz: allowed one of them");
-    }
-    if (question.isAsked() && !isUniform(bar.segments)) {
-        throw std::invalid_argument("--segments: allowed only together with NC NF");
-    }
+    refuseIf(
+        !haveOneSpeed(bar.segments) && FindOutputs(*this).areOfMotion(),
+        "--state, --motion, --figure, --animate: allowed only for segments in which waves have "
+        "one speed");
+    refuseIf(question.isAsked() && !given.words().empty(),
+             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
+    refuseIf(question.isAsked() && !isUniform(bar.segments),
+             "--segments: allowed only together with NC NF");
     ExitStatus status = exitUndecided;
     if (asked == asks::forcedPeriod) {
         status = answerHarmonic(*this);
@@ -215,13 +203,11 @@ ExitStatus FindCommand::run() const
 /// The simulation that stability is seen in knows one bar.
 void FindCommand::requireStable(const Schedule& schedule) const
 {
-    if (given.has("--stability") && !common.scene().segments.empty()) {
-        throw std::invalid_argument("--stability: allowed without --segments");
-    }
-    if (given.has("--stability") && signorini::steps(schedule) > maxStableSteps) {
-        refuse("--stability", fmt::format("{} steps", signorini::steps(schedule)),
-               fmt::format("periods of at most {} steps", maxStableSteps));
-    }
+    refuseIf(given.has("--stability") && !common.scene().segments.empty(),
+             "--stability: allowed without --segments");
+    refuseIf(given.has("--stability") && signorini::steps(schedule) > maxStableSteps, "--stability",
+             fmt::format("{} steps", signorini::steps(schedule)),
+             fmt::format("periods of at most {} steps", maxStableSteps));
 }
 
 ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindRequest& request) const

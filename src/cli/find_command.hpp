@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "arguments.hpp"
+#include "contact_spans.hpp"
+#include "find_outputs.hpp"
 #include "force_options.hpp"
 #include "given.hpp"
-#include "motion_file.hpp"
 #include "question.hpp"
+#include "scene_report.hpp"
 #include "signorini/output.hpp"
+#include "state_table.hpp"
 
 namespace signorini::cli {
 
@@ -25,7 +28,6 @@ struct FindCommand {
     std::int64_t cycles;  ///< of the force in a period
     FindOptions options;
     std::optional<double> yieldStress;  ///< [Pa]
-    MotionFile motionFile;
 
     explicit FindCommand(const Given& words);
 
@@ -44,5 +46,47 @@ private:
     [[nodiscard]] ExitStatus answerQuestion(const answers::AskedPeriod& asked,
                                             const FindRequest& request) const;
 };
+
+/// The forced motions of a schedule: those of one amplitude if it is given, else the one of least
+/// amplitude; the last motion, which has the largest impulse, goes to the files of the call, or the
+/// answer "none" to its certificate. With a limit on strain [-], s >= -limit, only those within it.
+[[nodiscard]] ExitStatus answerForced(const FindCommand& call, const Schedule& schedule);
+
+/// All motions with one contact in a period under an exact harmonic of the amplitude given.
+[[nodiscard]] ExitStatus answerHarmonic(const FindCommand& call);
+
+/// Free motions of a schedule of a network, in SI.
+[[nodiscard]] ExitStatus findInScene(const FindCommand& call);
+
+/// The same as answerForced of any bars: `driven` and `shaken` are words of the scene, its dashpots
+/// its damping.
+[[nodiscard]] ExitStatus findForcedInScene(const FindCommand& call);
+
+/// A schedule of the bars of a scene, and the files of the call.
+struct SceneFind {
+    const FindCommand& call;
+    Assembly assembly;
+    Network network;
+    std::vector<ContactSpan> schedule;
+    FindOutputs files;
+
+    /// \throws std::invalid_argument as parseSpans; FileError.
+    explicit SceneFind(const FindCommand& of);
+
+    [[nodiscard]] double period() const { return periodOf(network, schedule); }  ///< [s]
+    /// The keys and the lines with which an answer begins.
+    [[nodiscard]] Json keys(Status status) const;
+    [[nodiscard]] std::string lines(Status status) const;
+    /// Writes the motion's state at t = 0, if there is one, a proof, if the answer is one, and the
+    /// answer.
+    [[nodiscard]] ExitStatus finish(Status status, const NetworkStart* state, bool isProof,
+                                    const Json& json, const std::string& text);
+};
+
+/// The words of a schedule: NC NF [NC NF ...] where there is one contact, else SET:STEPS ..., SET
+/// the numbers of closed contacts joined by +, or - for none.
+/// \throws std::invalid_argument naming the word and what is allowed.
+[[nodiscard]] std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words,
+                                                  std::size_t contacts);
 
 }  // namespace signorini::cli

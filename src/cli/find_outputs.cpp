@@ -7,26 +7,20 @@ namespace signorini::cli {
 
 namespace {
 
-OutputOption ofProof(const FindCommand& words)
+OutputOption named(const FindCommand& words, const char* option)
 {
-    return {"--certificate", words.given.text("--certificate")};
-}
-
-std::vector<OutputOption> ofMotion(const FindCommand& words)
-{
-    std::vector<OutputOption> outputs;
-    for (const char* option : {"--state", "--motion", "--figure", "--animate"}) {
-        outputs.push_back({option, words.given.text(option)});
-    }
-    return outputs;
+    return {option, words.given.text(option)};
 }
 
 }  // namespace
 
 FindOutputs::FindOutputs(const FindCommand& words)
     : words_(words),
-      motion_(ofMotion(words), {words.motionFile.folderOption(), ofProof(words)}),
-      proof_({ofProof(words)}, ofMotion(words))
+      motion_(words.given, {"--state", "--motion", "--figure", "--animate"},
+              {named(words, "--certificate")}),
+      proof_(words.given, {"--certificate"},
+             {named(words, "--state"), named(words, "--motion"), named(words, "--figure"),
+              named(words, "--animate")})
 {
 }
 
@@ -56,12 +50,18 @@ void FindOutputs::writeProof(const std::function<void(TextFile&)>& write)
 
 void FindOutputs::writeMotion(const WrittenMotion& motion)
 {
-    motion_.put("--state", [&](const std::string& path) {
-        writeStateCsv(path, motion.state, motion.bar, motion.base);
-    });
+    motion_.put("--state", writeStateCsv, motion.state, motion.bar, motion.base);
     motion_.draw("--figure", motion.figure);
-    if (words_.motionFile.isWanted() || words_.given.has("--animate")) {
-        writeField(motion);
+    if (motion_.has("--motion") || motion_.has("--animate")) {
+        const Motion field = motion.field();
+        motion_.draw("--animate", [&] { return motionFrames(MotionSamples(field, motion.scene)); });
+        if (motion_.has("--motion") && field.steps() < motion.steps) {
+            words_.common.say(
+                fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",
+                            field.steps(), motion.steps));
+        }
+        motion_.putMotion(
+            [&](std::int64_t most) { return MotionSamples(field, motion.scene, most); });
     }
     motion_.commit();
 }
@@ -70,22 +70,14 @@ void FindOutputs::writeHarmonic(const HarmonicField& field, const Scene& scene, 
 {
     motion_.draw("--figure", [&] { return harmonicFigure(field, scene); });
     motion_.draw("--animate", [&] { return motionFrames(MotionSamples(field, scene, cells)); });
-    words_.motionFile.write(
-        motion_, [&](std::int64_t most) { return MotionSamples(field, scene, cells, most); });
+    motion_.putMotion([&](std::int64_t most) { return MotionSamples(field, scene, cells, most); });
     motion_.commit();
 }
 
-void FindOutputs::writeField(const WrittenMotion& motion)
+void FindOutputs::writeState(const std::function<void(const std::string& path)>& write)
 {
-    const Motion field = motion.field();
-    motion_.draw("--animate", [&] { return motionFrames(MotionSamples(field, motion.scene)); });
-    if (words_.motionFile.isWanted() && field.steps() < motion.steps) {
-        words_.common.say(
-            fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",
-                        field.steps(), motion.steps));
-    }
-    words_.motionFile.write(
-        motion_, [&](std::int64_t most) { return MotionSamples(field, motion.scene, most); });
+    motion_.put("--state", write);
+    motion_.commit();
 }
 
 }  // namespace signorini::cli

@@ -4,14 +4,9 @@
 
 #include <functional>
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "files.hpp"
 #include "harmonic_field.hpp"
-#include "signorini/figures.hpp"
-#include "signorini/motion.hpp"
-#include "signorini/output.hpp"
 
 namespace signorini::cli {
 
@@ -39,13 +34,13 @@ public:
     void writeMotion(const WrittenMotion& motion);
     /// Of a motion under an exact harmonic, on no grid: files and pictures, no state.
     void writeHarmonic(const HarmonicField& field, const Scene& scene, std::int64_t cells);
+    /// Of the bars of a scene: writes the table of their state.
+    void writeState(const std::function<void(const std::string& path)>& write);
     void lackMotion() const;
     void writeProof(const std::function<void(TextFile&)>& write);
     void lackProof() const;
 
 private:
-    void writeField(const WrittenMotion& motion);
-
     const FindCommand& words_;
     Outputs motion_;
     Outputs proof_;

@@ -21,13 +21,10 @@ ForceOptions::ForceOptions(const Given& given)
 {
     for (int order = 0; const char* name : amplitudeNames) {
         if (given.has(name)) {
-            if (amplitude) {
-                refuse(name, given.text(name),
-                       "one amplitude: --amplitude, its velocity or its acceleration");
-            }
-            if (order > 0 && place == Excited::tip) {
-                refuse(name, given.text(name), "it only with --force base");
-            }
+            refuseIf(amplitude.has_value(), name, given.text(name),
+                     "one amplitude: --amplitude, its velocity or its acceleration");
+            refuseIf(order > 0 && place == Excited::tip, name, given.text(name),
+                     "it only with --force base");
             const char* unit = place ? amplitudeUnitName(*place, order) : "N or m";
             amplitude =
                 order == 0 ? parsePositive(name, given.text(name), unit) : given.number(name);
@@ -39,9 +36,7 @@ ForceOptions::ForceOptions(const Given& given)
 
 void ForceOptions::requirePlace() const
 {
-    if (!place) {
-        refuse("--force", "missing", "tip|base");
-    }
+    refuseIf(!place, "--force", "missing", "tip|base");
 }
 
 void ForceOptions::requireAmplitude() const
@@ -65,9 +60,8 @@ FrequencyOption::FrequencyOption(const Given& given, const char* name, const cha
     : hertz(given.number(twin))
 {
     const std::string text = given.text(name);
-    if (!text.empty() && hertz) {
-        refuse(name, text, fmt::format("it without {}: both are one frequency", twin));
-    }
+    refuseIf(!text.empty() && hertz, name, text,
+             fmt::format("it without {}: both are one frequency", twin));
     if (text.ends_with("Hz")) {
         hertz = parsePositive(name, text, "Hz");
     } else if (!text.empty()) {

@@ -1,9 +1,6 @@
-#include "forced_find.hpp"
-
 #include <cmath>
 
 #include "find_command.hpp"
-#include "find_outputs.hpp"
 #include "interrupt.hpp"
 #include "reports.hpp"
 #include "stepped_bar.hpp"
@@ -24,10 +21,9 @@ void requireForce(const ForceOptions& force)
 void validate(const FindCommand& call, const Schedule& schedule, bool isStepped)
 {
     requireForce(call.force);
-    if (isStepped && std::isfinite(call.options.strainLimit)) {
-        refuse("--strain-limit", fmt::format("{}", call.options.strainLimit),
-               "none for a forced bar of several segments");
-    }
+    refuseIf(isStepped && std::isfinite(call.options.strainLimit), "--strain-limit",
+             fmt::format("{}", call.options.strainLimit),
+             "none for a forced bar of several segments");
     if (canRest(schedule.phases, schedule.stops) && !call.force.amplitude) {
         refuse("--amplitude", "missing",
                "numbers > 0 [N or m]: without a gap motions are as small as one likes");

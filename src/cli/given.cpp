@@ -97,14 +97,10 @@ void Given::take(const Option& option, std::vector<std::string> values)
         if (value == "false" || value == "0") {
             return;
         }
-        if (value != "true" && value != "1") {
-            refuse(name, value, "true|false, or no value");
-        }
+        refuseIf(value != "true" && value != "1", name, value, "true|false, or no value");
         values.clear();
     } else {
-        if (values.empty() || values.front().empty()) {
-            refuse(name, "", option.allowed());
-        }
+        refuseIf(values.empty() || values.front().empty(), name, "", option.allowed());
         if (!option.fits(values.front())) {
             refuse(name, values.front(), option.allowed());
         }

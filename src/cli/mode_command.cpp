@@ -5,7 +5,6 @@
 
 #include "files.hpp"
 #include "given.hpp"
-#include "motion_file.hpp"
 #include "rational.hpp"
 #include "reports.hpp"
 #include "signorini/find_periodic.hpp"
@@ -18,19 +17,15 @@ namespace {
 
 Mode modeOf(const std::vector<std::string>& words, int gapSign)
 {
-    if (words.size() != 2) {
-        throw std::invalid_argument(
-            "mode needs two numbers A4 B: the contact time A4 + B T in L/c, as signorini modes "
-            "lists them");
-    }
+    refuseIf(words.size() != 2,
+             "mode needs two numbers A4 B: the contact time A4 + B T in L/c, as signorini modes "
+             "lists them");
     const std::int64_t a4 = parseWhole("A4", words[0], 4, 4 * maxFamilyOrder);
     const std::int64_t b = parseWhole("B", words[1], -maxFamilyOrder, -1);
     const std::optional<Mode> mode = a4 % 4 == 0 ? findMode(a4 / 4, b, gapSign) : std::nullopt;
-    if (!mode) {
-        refuse("A4 B", fmt::format("{} {}", a4, b),
-               "multiples of 4 and negative odd numbers that signorini modes lists: there is no "
-               "other mode");
-    }
+    refuseIf(!mode, "A4 B", fmt::format("{} {}", a4, b),
+             "multiples of 4 and negative odd numbers that signorini modes lists: there is no "
+             "other mode");
     return *mode;
 }
 
@@ -117,7 +112,6 @@ FigureData drawn(const Mode& mode, double period, std::int64_t usualCells, const
 ExitStatus runMode(const Given& given)
 {
     const CommonOptions common(given);
-    const MotionFile motionFile(given);
     const Bar bar = common.barOfAnyGap();
     const Mode mode = modeOf(given.words(), gapSignOfModes(bar));
     if (!given.has("--period")) {
@@ -128,8 +122,7 @@ ExitStatus runMode(const Given& given)
     const GivenNumber period = parseNumber("--period", given.text("--period"), "L/c");
     requireInside(mode, period);
     const ModeMotion motion(mode, period.value);
-    Outputs outputs(given, {"--state", "--motion", "--figure", "--animate"},
-                    {motionFile.folderOption()});
+    Outputs outputs(given, {"--state", "--motion", "--figure", "--animate"});
     const std::int64_t cells = common.usualCells();
     std::string notes;
     outputs.put("--state", [&](const std::string& path) {
@@ -137,8 +130,7 @@ ExitStatus runMode(const Given& given)
     });
     outputs.draw("--figure", [&] { return drawn(mode, motion.period(), cells, bar, notes); });
     outputs.draw("--animate", [&] { return motionFrames(MotionSamples(motion, bar, cells)); });
-    motionFile.write(outputs,
-                     [&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
+    outputs.putMotion([&](std::int64_t most) { return MotionSamples(motion, bar, cells, most); });
     outputs.commit();
     common.warnUnlessAdmissible(physicalOf(motion.extremes(), bar));
     report(common, answers::ModeAnswer{mode, bar, motion});

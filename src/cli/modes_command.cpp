@@ -45,10 +45,8 @@ ExitStatus runModes(const Given& given)
     all.gapSign = gapSignOfModes(bar);
     FrequencyEnergyOptions drawing;
     if (given.has("--figure")) {
-        if (bar.gap < 0.0) {
-            throw std::invalid_argument(
-                "--figure: allowed with a gap > 0, whose plot it is; --csv holds the curves");
-        }
+        refuseIf(bar.gap < 0.0,
+                 "--figure: allowed with a gap > 0, whose plot it is; --csv holds the curves");
         drawing.bar = bar;
         // From the lowest energy there is to where curves are upright lines.
         drawing.maxEnergyRatio = std::clamp(all.maxEnergyRatio, 2.0, 1e6);

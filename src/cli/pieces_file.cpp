@@ -47,11 +47,9 @@ const PiecedBar& CommonOptions::pieces() const
     if (!pieces_) {
         const bool isClash = !segments_.empty() || hasScene() || bar_.length != Bar{}.length ||
                              waveSpeed_ || axialStiffness_ || young_ || density_ || area_;
-        if (isClash) {
-            throw std::invalid_argument(
-                "--segments-file clashes with --scene, --segments, --length, --wave-speed, "
-                "--axial-stiffness, --young, --density, --area: the file says them");
-        }
+        refuseIf(isClash,
+                 "--segments-file clashes with --scene, --segments, --length, --wave-speed, "
+                 "--axial-stiffness, --young, --density, --area: the file says them");
         pieces_ = barOfPieces(readPieces(piecesFile_), bar_.gap, cells.value_or(300));
     }
     return *pieces_;

@@ -90,9 +90,8 @@ bool PeriodQuestion::isAsked() const
 
 void PeriodQuestion::requireOne() const
 {
-    if ((period.empty() ? 0 : 1) + (frequency.empty() ? 0 : 1) + (hertz ? 1 : 0) != 1) {
-        throw std::invalid_argument("--period, --frequency, --hertz: allowed one of them");
-    }
+    refuseIf((period.empty() ? 0 : 1) + (frequency.empty() ? 0 : 1) + (hertz ? 1 : 0) != 1,
+             "--period, --frequency, --hertz: allowed one of them");
 }
 
 ExactPeriod PeriodQuestion::exactly(std::int64_t cells, const Bar& bar, std::int64_t cycles) const
@@ -107,11 +106,10 @@ ExactPeriod PeriodQuestion::exactly(std::int64_t cells, const Bar& bar, std::int
         return exactPeriod(cycles * one.numerator, one.denominator);
     }();
     const std::int64_t common = exact.numerator % 2 == 0 ? 2 : 1;
-    if (std::max(exact.numerator, 2 * exact.denominator) / common > maxHarmonicCells) {
-        refuse("--period, --frequency, --hertz", fractionAsText(exact) + " L/c",
-               fmt::format("periods P/Q in which P and 2Q, in lowest terms, are at most {}",
-                           maxHarmonicCells));
-    }
+    refuseIf(std::max(exact.numerator, 2 * exact.denominator) / common > maxHarmonicCells,
+             "--period, --frequency, --hertz", fractionAsText(exact) + " L/c",
+             fmt::format("periods P/Q in which P and 2Q, in lowest terms, are at most {}",
+                         maxHarmonicCells));
     return exact;
 }
 

@@ -111,9 +111,8 @@ void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
     double& most = range.mostFrequencyRatio;
     least = FrequencyOption(given, "--from", "--from-hertz").ratioFor(hertz, least);
     most = FrequencyOption(given, "--to", "--to-hertz").ratioFor(hertz, most);
-    if (least > most) {
-        refuse("--from", fmt::format("{}", least), fmt::format("numbers up to --to = {}", most));
-    }
+    refuseIf(least > most, "--from", fmt::format("{}", least),
+             fmt::format("numbers up to --to = {}", most));
     const double unit = 4.0 * static_cast<double>(range.cells * range.cycles);
     const double first = std::max(std::ceil(unit / most), 2.0 * static_cast<double>(range.cycles));
     if (least >= high && first > std::floor(unit / least)) {
@@ -172,23 +171,17 @@ void requireTogether(const Given& given, const CommonOptions& common, const Forc
                      const ResponseRange& range)
 {
     const bool hasMap = given.has("--map");
-    if (force.derivative > 0 && hasMap) {
-        refuse("--map", given.text("--map"),
-               "it only with --amplitude: at each frequency another displacement is meant");
-    }
-    if (!isUniform(range.segments) && given.has("--backbone-csv")) {
-        throw std::invalid_argument(
-            "--backbone-csv: allowed only for a uniform bar: modes of several segments are not "
-            "known");
-    }
-    if (given.has("--band") && range.contacts < 2) {
-        refuse("--band", given.text("--band"), "it only together with --contacts 2");
-    }
-    if (common.choosesCells && (!isUniform(range.segments) || hasMap || given.has("--map-csv"))) {
-        throw std::invalid_argument(
-            "--cells auto: allowed for a uniform bar, and without --map and --map-csv, which "
-            "have one grid");
-    }
+    refuseIf(force.derivative > 0 && hasMap, "--map", given.text("--map"),
+             "it only with --amplitude: at each frequency another displacement is meant");
+    refuseIf(!isUniform(range.segments) && given.has("--backbone-csv"),
+             "--backbone-csv: allowed only for a uniform bar: modes of several segments are not "
+             "known");
+    refuseIf(given.has("--band") && range.contacts < 2, "--band", given.text("--band"),
+             "it only together with --contacts 2");
+    refuseIf(
+        common.choosesCells && (!isUniform(range.segments) || hasMap || given.has("--map-csv")),
+        "--cells auto: allowed for a uniform bar, and without --map and --map-csv, which "
+        "have one grid");
 }
 
 ResponseAnswer asked(const Given& given, const CommonOptions& common, const ForceOptions& force)

@@ -1,19 +1,13 @@
-#include "scene_find.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "files.hpp"
 #include "find_command.hpp"
 #include "interrupt.hpp"
 #include "network_find.hpp"
-#include "scene_forced_find.hpp"
 #include "scene_options.hpp"
-#include "scene_report.hpp"
 #include "signorini/find_periodic.hpp"
-#include "state_table.hpp"
 #include "units.hpp"
 
 namespace signorini::cli {
@@ -33,26 +27,21 @@ ContactSet setOf(std::string_view text, std::size_t contacts, const std::string&
         isLast = plus == std::string_view::npos;
         const auto number = wholeIn(text.substr(0, plus), 1, static_cast<std::int64_t>(contacts));
         const ContactSet one = number ? ContactSet{1} << (*number - 1) : 0;
-        if (!number || (closed & one) != 0) {
-            refuse(
-                "schedule", word,
-                fmt::format("SET:STEPS, SET - or different contacts 1..{} joined by +", contacts));
-        }
+        refuseIf(!number || (closed & one) != 0, "schedule", word,
+                 fmt::format("SET:STEPS, SET - or different contacts 1..{} joined by +", contacts));
         closed |= one;
         text.remove_prefix(isLast ? text.size() : plus + 1);
     }
     return closed;
 }
 
-/// A schedule and what is known of it.
-struct Answer {
-    Assembly assembly;
-    Network network;
-    std::vector<ContactSpan> schedule;
-    std::optional<double> unit = {};  ///< E_1 [Z_1 delta^2/h]
+/// What is known of a schedule.
+struct FreeAnswer {
+    const SceneFind& of;
+    std::optional<double> unit;  ///< E_1 [Z_1 delta^2/h]
     NetworkMotions motions;
 
-    [[nodiscard]] double joules(double energy) const { return energy * network.scales.energy(); }
+    [[nodiscard]] double joules(double energy) const { return energy * of.network.scales.energy(); }
     [[nodiscard]] Json ratio(double energy) const { return unit ? Json(energy / *unit) : Json(); }
     [[nodiscard]] std::string inWords(double energy) const
     {
@@ -62,7 +51,7 @@ struct Answer {
     /// Pushes on a bar that drifts balance what else acts on it, on average.
     [[nodiscard]] std::string whyGrazing() const
     {
-        return pushesBalance(network, schedule)
+        return pushesBalance(of.network, of.schedule)
                    ? ", nor does it in any other motion of this schedule: the pushes on a bar that "
                      "nothing else holds balance"
                    : "";
@@ -72,10 +61,9 @@ struct Answer {
         const auto& impulses = motions.residuals.impulses;
         return std::any_of(impulses.begin(), impulses.end(), [](double one) { return one > 1e-9; });
     }
-    [[nodiscard]] double period() const { return periodOf(network, schedule); }
 };
 
-Json certificateAsJson(const Answer& answer)
+Json certificateAsJson(const FreeAnswer& answer)
 {
     if (answer.motions.status == Status::undecided || answer.motions.provedEnergy == 0.0) {
         return nullptr;
@@ -87,19 +75,12 @@ Json certificateAsJson(const Answer& answer)
     return json;
 }
 
-Json asJson(const Answer& answer)
+Json asJson(const FreeAnswer& answer)
 {
     const NetworkMotions& motions = answer.motions;
-    const bool isFound = motions.status == Status::found;
-    Json json = newAnswer();
-    json.update(Json{{"status", name(motions.status)},
-                     {"scene", cli::asJson(answer.assembly)},
-                     {"reference", referenceAsJson(answer.network)},
-                     {"cells", answer.network.cells()},
-                     {"schedule", scheduleAsJson(answer.schedule)},
-                     {"period", answer.period()},
-                     {"kernel_dimension", motions.kernelDimension},
-                     {"contacts", contactsAsJson(answer.network, answer.assembly.length)},
+    Json json = answer.of.keys(motions.status);
+    json.update(Json{{"kernel_dimension", motions.kernelDimension},
+                     {"contacts", contactsAsJson(answer.of.network, answer.of.assembly.length)},
                      {"contact", nullptr},
                      {"energy", nullptr},
                      {"energy_ratio", nullptr},
@@ -107,7 +88,7 @@ Json asJson(const Answer& answer)
                      {"residuals", nullptr},
                      {"certificate", certificateAsJson(answer)},
                      {"detail", motions.detail}});
-    if (!isFound) {
+    if (motions.status != Status::found) {
         return json;
     }
     json["energy"] = answer.joules(motions.energy);
@@ -119,17 +100,15 @@ Json asJson(const Answer& answer)
                          {"gap", motions.residuals.gap},
                          {"pressure", motions.residuals.pressure},
                          {"penetration", motions.residuals.penetration}};
-    addForces(json["contacts"], answer.network, answer.schedule, motions.residuals);
+    addForces(json["contacts"], answer.of.network, answer.of.schedule, motions.residuals);
     return json;
 }
 
-std::string asText(const Answer& answer)
+std::string asText(const FreeAnswer& answer)
 {
     const NetworkMotions& motions = answer.motions;
-    std::string text = headline(answer.assembly, answer.network);
-    text += fmt::format("{:<12}", name(motions.status));
-    text += textOf(answer.schedule) + "\n";
-    text += fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.period());
+    std::string text = answer.of.lines(motions.status) +
+                       fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.of.period());
     if (motions.status == Status::none) {
         text += fmt::format("proof       none below {}; checked by a march backwards\n",
                             answer.inWords(motions.provedEnergy));
@@ -143,7 +122,7 @@ std::string asText(const Answer& answer)
         if (!answer.presses()) {
             text += fmt::format("contact     grazing: nothing presses{}\n", answer.whyGrazing());
         }
-        text += forcesAsText(answer.network, motions.residuals);
+        text += forcesAsText(answer.of.network, motions.residuals);
         text += fmt::format("residual    {:.2g}\n", motions.residuals.worst());
     }
     return text;
@@ -167,11 +146,8 @@ std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words, std::
             number.remove_prefix(colon == std::string::npos ? word.size() : colon + 1);
         }
         const auto steps = wholeIn(number, 1, mostSceneSteps);
-        if (!steps) {
-            refuse(
-                "schedule", word,
-                fmt::format("{}, steps 1..{}", arePairs ? "NC NF" : "SET:STEPS", mostSceneSteps));
-        }
+        refuseIf(!steps, "schedule", word,
+                 fmt::format("{}, steps 1..{}", arePairs ? "NC NF" : "SET:STEPS", mostSceneSteps));
         spans.push_back({arePairs ? (spans.size() % 2 == 0 ? 1U : 0U)
                                   : setOf(std::string_view(word).substr(0, colon), contacts, word),
                          *steps});
@@ -179,45 +155,65 @@ std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words, std::
     return spans;
 }
 
+SceneFind::SceneFind(const FindCommand& of)
+    : call(of),
+      assembly(of.common.assembly()),
+      network(networkOf(assembly)),
+      schedule(parseSpans(of.given.words(), network.contacts.size())),
+      files(of)
+{
+}
+
+Json SceneFind::keys(Status status) const
+{
+    Json json = newAnswer();
+    json.update(Json{{"status", name(status)},
+                     {"scene", cli::asJson(assembly)},
+                     {"reference", referenceAsJson(network)},
+                     {"cells", network.cells()},
+                     {"schedule", scheduleAsJson(schedule)},
+                     {"period", period()}});
+    return json;
+}
+
+std::string SceneFind::lines(Status status) const
+{
+    return headline(assembly, network) + fmt::format("{:<12}{}\n", name(status), textOf(schedule));
+}
+
+ExitStatus SceneFind::finish(Status status, const NetworkStart* state, bool isProof,
+                             const Json& json, const std::string& text)
+{
+    if (state != nullptr) {
+        files.writeState([&](const std::string& path) { writeStateTable(path, network, *state); });
+    } else {
+        files.lackMotion();
+    }
+    if (isProof) {
+        files.writeProof([&json](TextFile& file) { file.write(asLine(json)); });
+    }
+    writeOut(call.common.wantsJson ? asLine(json) : text);
+    call.common.useOneThread();
+    return exitStatusOf(status);
+}
+
 ExitStatus findInScene(const FindCommand& command)
 {
     if (command.isForced()) {
         return findForcedInScene(command);
     }
-    Answer answer;
-    answer.assembly = command.common.assembly();
-    answer.network = networkOf(answer.assembly);
-    answer.schedule = parseSpans(command.given.words(), answer.network.contacts.size());
-    answer.unit = firstEnergy(answer.network);
-    const OutputOption ofState{"--state", command.given.text("--state")};
-    const OutputOption ofProof{"--certificate", command.given.text("--certificate")};
-    Outputs states({ofState}, {ofProof});
-    Outputs proofs({ofProof}, {ofState});
+    SceneFind scene(command);
     const Interrupt interrupt;
-    answer.motions = leastMotion(answer.network, answer.schedule,
-                                 hugeEnergyRatio * usualEnergy(answer.network, answer.schedule),
-                                 interrupt.cancel());
-    if (answer.motions.motion) {
-        states.put("--state", [&](const std::string& path) {
-            writeStateTable(path, answer.network,
-                            {answer.motions.motion->waves, answer.motions.motion->displacements});
-        });
-        states.commit();
-    } else if (states.areWanted()) {
-        command.common.say("no motion to write, so no file was written");
-    }
-    const std::string json = asLine(asJson(answer));
-    if (answer.motions.status != Status::undecided) {
-        proofs.put("--certificate", [&](const std::string& path) {
-            TextFile file(path);
-            file.write(json);
-            file.close();
-        });
-        proofs.commit();
-    }
-    writeOut(command.common.wantsJson ? json : asText(answer));
-    command.common.useOneThread();
-    return exitStatusOf(answer.motions.status);
+    const FreeAnswer answer{
+        scene, firstEnergy(scene.network),
+        leastMotion(scene.network, scene.schedule,
+                    hugeEnergyRatio * usualEnergy(scene.network, scene.schedule),
+                    interrupt.cancel())};
+    const auto& motion = answer.motions.motion;
+    const NetworkStart state =
+        motion ? NetworkStart{motion->waves, motion->displacements} : NetworkStart{};
+    return scene.finish(answer.motions.status, motion ? &state : nullptr,
+                        answer.motions.status != Status::undecided, asJson(answer), asText(answer));
 }
 
 }  // namespace signorini::cli

@@ -1,17 +1,10 @@
-#include "scene_forced_find.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "files.hpp"
 #include "find_command.hpp"
-#include "scene_find.hpp"
 #include "scene_forced.hpp"
-#include "scene_options.hpp"
-#include "scene_report.hpp"
-#include "state_table.hpp"
 
 namespace signorini::cli {
 
@@ -25,10 +18,8 @@ struct Seen {
 };
 
 struct SceneForcedAnswer {
-    Assembly assembly;
-    Network network;
-    std::vector<ContactSpan> schedule;
-    ForcedSet set;
+    const SceneFind& of;
+    ForcedSet set = {};
     std::optional<double> amplitude = {};  ///< as asked, a displacement of the base [N or m]
     std::optional<AmplitudeExclusion> exclusion = {};
     std::vector<Seen> motions = {};
@@ -36,8 +27,8 @@ struct SceneForcedAnswer {
     /// [N] or [m] of an amplitude of 1.
     [[nodiscard]] double unit() const
     {
-        return set.forcing.place == Excited::tip ? network.scales.force()
-                                                 : network.scales.displacement;
+        return set.forcing.place == Excited::tip ? of.network.scales.force()
+                                                 : of.network.scales.displacement;
     }
     [[nodiscard]] const char* unitName() const
     {
@@ -45,7 +36,7 @@ struct SceneForcedAnswer {
     }
     [[nodiscard]] double hertz() const
     {
-        return static_cast<double>(set.forcing.cycles) / periodOf(network, schedule);
+        return static_cast<double>(set.forcing.cycles) / of.period();
     }
     [[nodiscard]] Status status() const
     {
@@ -82,22 +73,16 @@ Json asJson(const SceneForcedAnswer& answer)
     const bool isFound = answer.set.status == Status::found;
     Json motions = Json::array();
     for (const Seen& one : answer.motions) {
-        Json contacts = contactsAsJson(answer.network, answer.assembly.length);
-        addForces(contacts, answer.network, answer.schedule, one.residuals);
+        Json contacts = contactsAsJson(answer.of.network, answer.of.assembly.length);
+        addForces(contacts, answer.of.network, answer.of.schedule, one.residuals);
         motions.push_back({{"amplitude", one.motion.amplitude * answer.unit()},
                            {"phase", one.motion.phase},
                            {"contacts", std::move(contacts)},
                            {"residual", one.residuals.worst()}});
     }
     const double most = answer.set.mostAmplitude * answer.unit();
-    Json json = newAnswer();
-    json.update(Json{{"status", name(answer.status())},
-                     {"scene", cli::asJson(answer.assembly)},
-                     {"reference", referenceAsJson(answer.network)},
-                     {"cells", answer.network.cells()},
-                     {"schedule", scheduleAsJson(answer.schedule)},
-                     {"period", periodOf(answer.network, answer.schedule)},
-                     {"force", answer.set.forcing.place == Excited::tip ? "tip" : "base"},
+    Json json = answer.of.keys(answer.status());
+    json.update(Json{{"force", answer.set.forcing.place == Excited::tip ? "tip" : "base"},
                      {"cycles", answer.set.forcing.cycles},
                      {"frequency", answer.hertz()},
                      {"amplitude", answer.amplitude ? Json(*answer.amplitude) : Json()},
@@ -106,7 +91,7 @@ Json asJson(const SceneForcedAnswer& answer)
                      {"amplitude_range", isFound ? Json{answer.set.leastAmplitude * answer.unit(),
                                                         std::isfinite(most) ? Json(most) : Json()}
                                                  : Json()},
-                     {"contacts", contactsAsJson(answer.network, answer.assembly.length)},
+                     {"contacts", contactsAsJson(answer.of.network, answer.of.assembly.length)},
                      {"motions", std::move(motions)},
                      {"certificate", certificateAsJson(answer)},
                      {"detail", answer.detail()}});
@@ -115,8 +100,7 @@ Json asJson(const SceneForcedAnswer& answer)
 
 std::string asText(const SceneForcedAnswer& answer)
 {
-    std::string text = headline(answer.assembly, answer.network);
-    text += fmt::format("{:<12}{}\n", name(answer.status()), textOf(answer.schedule));
+    std::string text = answer.of.lines(answer.status());
     text += fmt::format("excitation  {}, {:.6g} Hz\n",
                         answer.set.forcing.place == Excited::tip ? "force on what is driven"
                                                                  : "displacement of the base",
@@ -132,7 +116,7 @@ std::string asText(const SceneForcedAnswer& answer)
         text +=
             fmt::format("motion      amplitude {:.6g} {}, phase {:.6g}\n",
                         one.motion.amplitude * answer.unit(), answer.unitName(), one.motion.phase);
-        text += forcesAsText(answer.network, one.residuals);
+        text += forcesAsText(answer.of.network, one.residuals);
         text += fmt::format("residual    {:.2g}\n", one.residuals.worst());
     }
     if (answer.status() == Status::none) {
@@ -162,7 +146,7 @@ void choose(SceneForcedAnswer& answer)
     }
     for (ForcedMotion& motion : motions) {
         NetworkClaim claim = claimOf(answer.set, motion);
-        NetworkResiduals residuals = walk(answer.network, claim);
+        NetworkResiduals residuals = walk(answer.of.network, claim);
         answer.motions.push_back({std::move(motion), std::move(claim), std::move(residuals)});
     }
 }
@@ -172,51 +156,25 @@ void choose(SceneForcedAnswer& answer)
 ExitStatus findForcedInScene(const FindCommand& command)
 {
     const ForceOptions& force = command.force;
-    if (force.ratio) {
-        throw std::invalid_argument(
-            "--damping clashes with --scene: allowed dash=D among its words");
-    }
+    refuseIf(force.ratio.has_value(),
+             "--damping clashes with --scene: allowed dash=D among its words");
     force.requirePlace();
-    SceneForcedAnswer answer;
-    answer.assembly = command.common.assembly();
-    answer.network = networkOf(answer.assembly);
-    answer.schedule = parseSpans(command.given.words(), answer.network.contacts.size());
+    SceneFind scene(command);
     const Forcing forcing{*force.place, command.cycles, {}};
-    const SceneReference reference = referenceOf(answer.network);
-    const double first = reference.frequency / (2.0 * std::numbers::pi);
-    const double hertz =
-        static_cast<double>(forcing.cycles) / periodOf(answer.network, answer.schedule);
+    SceneForcedAnswer answer{scene};
     if (force.amplitude) {
+        const double first = referenceOf(scene.network).frequency / (2.0 * std::numbers::pi);
+        const double hertz = static_cast<double>(forcing.cycles) / scene.period();
         answer.amplitude = first > 0.0 ? force.at(hertz / first, first).amplitude : force.amplitude;
     }
-    const OutputOption ofState{"--state", command.given.text("--state")};
-    const OutputOption ofProof{"--certificate", command.given.text("--certificate")};
-    Outputs states({ofState}, {ofProof});
-    Outputs proofs({ofProof}, {ofState});
-    answer.set = forcedScene(answer.network, answer.schedule, forcing,
-                             usualEnergy(answer.network, answer.schedule));
+    answer.set = forcedScene(scene.network, scene.schedule, forcing,
+                             usualEnergy(scene.network, scene.schedule));
     choose(answer);
-    if (!answer.motions.empty()) {
-        const NetworkClaim& last = answer.motions.back().claim;
-        states.put("--state", [&](const std::string& path) {
-            writeStateTable(path, answer.network, {last.waves, last.displacements});
-        });
-        states.commit();
-    } else if (states.areWanted()) {
-        command.common.say("no motion to write, so no file was written");
-    }
-    const std::string json = asLine(asJson(answer));
-    if (answer.status() == Status::none) {
-        proofs.put("--certificate", [&](const std::string& path) {
-            TextFile file(path);
-            file.write(json);
-            file.close();
-        });
-        proofs.commit();
-    }
-    writeOut(command.common.wantsJson ? json : asText(answer));
-    command.common.useOneThread();
-    return exitStatusOf(answer.status());
+    const NetworkClaim* last = answer.motions.empty() ? nullptr : &answer.motions.back().claim;
+    const NetworkStart state =
+        last != nullptr ? NetworkStart{last->waves, last->displacements} : NetworkStart{};
+    return scene.finish(answer.status(), last != nullptr ? &state : nullptr,
+                        answer.status() == Status::none, asJson(answer), asText(answer));
 }
 
 }  // namespace signorini::cli

@@ -39,9 +39,7 @@ class Entries {
 public:
     Entries(const Json& json, std::string place) : json_(json), place_(std::move(place))
     {
-        if (!json.is_object()) {
-            refuse(place_, shortened(json.dump(-1, ' ', true)), "an object {...}");
-        }
+        refuseIf(!json.is_object(), place_, shortened(json.dump(-1, ' ', true)), "an object {...}");
     }
 
     [[nodiscard]] bool has(std::string_view key) const
@@ -163,12 +161,10 @@ Assembly readAssembly(const std::string& text, const Bar& bar, double gravity)
 {
     Assembly assembly;
     if (text.ends_with(".json")) {
-        if (!(bar == Bar{}) || gravity != 0.0) {
-            throw std::invalid_argument(
-                "--scene FILE.json clashes with --length, --wave-speed, --axial-stiffness, "
-                "--young, "
-                "--density, --area, --gravity: the file says them");
-        }
+        refuseIf(!(bar == Bar{}) || gravity != 0.0,
+                 "--scene FILE.json clashes with --length, --wave-speed, --axial-stiffness, "
+                 "--young, "
+                 "--density, --area, --gravity: the file says them");
         assembly = assemblyOfJson(contentOf(text), text);
     } else {
         assembly = {.parts = partsOf(text),
@@ -301,10 +297,8 @@ Json asJson(const Assembly& assembly)
 Assembly assemblyOfJson(std::string_view text, const std::string& name)
 {
     const Json json = Json::parse(text, nullptr, false);
-    if (json.is_discarded()) {
-        refuse(shortened(name), shortened(text),
-               "JSON, as signorini scene --format json prints it");
-    }
+    refuseIf(json.is_discarded(), shortened(name), shortened(text),
+             "JSON, as signorini scene --format json prints it");
     // The answer of `scene` has it as an entry.
     Entries whole(json, "");
     const Json& inner = whole.take("scene");
@@ -332,9 +326,7 @@ Assembly assemblyOfJson(std::string_view text, const std::string& name)
 Scene CommonOptions::scene() const
 {
     if (!hasScene()) {
-        if (gravity != 0.0) {
-            throw std::invalid_argument("--gravity: allowed with --scene, and with simulate");
-        }
+        refuseIf(gravity != 0.0, "--gravity: allowed with --scene, and with simulate");
         return shortForms();
     }
     const std::optional<Scene> bar = barOf(assembly());
@@ -353,12 +345,10 @@ const Assembly& CommonOptions::assembly() const
 {
     if (!assembly_) {
         const Bar bar = givenBar();
-        if (cells || secondStop_ || !segments_.empty() || !piecesFile_.empty() ||
-            bar.gap != Bar{}.gap) {
-            throw std::invalid_argument(
-                "--scene clashes with --cells, --gap, --second-stop, --segments, --segments-file: "
-                "allowed one of them");
-        }
+        refuseIf(cells || secondStop_ || !segments_.empty() || !piecesFile_.empty() ||
+                     bar.gap != Bar{}.gap,
+                 "--scene clashes with --cells, --gap, --second-stop, --segments, --segments-file: "
+                 "allowed one of them");
         assembly_ = readAssembly(sceneText, bar, gravity);
     }
     return *assembly_;

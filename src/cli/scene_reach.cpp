@@ -1,5 +1,3 @@
-#include "scene_reach.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include "force_range.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
+#include "simulate_command.hpp"
 
 namespace signorini::cli {
 
@@ -35,11 +34,9 @@ ExitStatus reportReach(const SimulateCommand& command)
     const auto isGiven = [&command](const char* option) { return command.given.has(option); };
     constexpr std::array others{"--force-file", "--from", "--velocity", "--events",
                                 "--statistics", "--tip",  "--figure",   "--state"};
-    if (!command.time || command.force.amplitude || !command.common.hasScene() ||
-        std::any_of(others.begin(), others.end(), isGiven)) {
-        throw std::invalid_argument(
-            "--force-range: allowed only with --scene, --time and what the scene is made of");
-    }
+    refuseIf(!command.time || command.force.amplitude || !command.common.hasScene() ||
+                 std::any_of(others.begin(), others.end(), isGiven),
+             "--force-range: allowed only with --scene, --time and what the scene is made of");
     const auto [low, high] = *command.forceRange;
     const Assembly assembly = command.common.assembly();
     const Network network = networkOf(assembly);

@@ -1,5 +1,3 @@
-#include "scene_simulation.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +12,6 @@
 #include "reports.hpp"
 #include "scene_figures.hpp"
 #include "scene_options.hpp"
-#include "scene_reach.hpp"
 #include "scene_report.hpp"
 #include "simulate_command.hpp"
 #include "state_table.hpp"
@@ -48,9 +45,8 @@ bool isDriven(const Network& network)
 void setHistory(const SimulateCommand& command, Question& question)
 {
     const NetworkScales& scales = question.network.scales;
-    if (!isDriven(question.network)) {
-        refuse("--force-file", command.given.text("--force-file"), "a scene with the word driven");
-    }
+    refuseIf(!isDriven(question.network), "--force-file", command.given.text("--force-file"),
+             "a scene with the word driven");
     question.drive.forces =
         command.forceHistory(scales.time, scales.force(), *command.time / scales.time);
 }
@@ -63,17 +59,14 @@ void setDrive(const SimulateCommand& command, Question& question)
         setHistory(command, question);
         return;
     }
-    if (force.amplitude.has_value() != command.frequency.isGiven()) {
-        throw std::invalid_argument("--amplitude, --frequency: allowed only together");
-    }
+    refuseIf(force.amplitude.has_value() != command.frequency.isGiven(),
+             "--amplitude, --frequency: allowed only together");
     const auto& nodes = question.network.nodes;
     const bool isShaken = std::any_of(nodes.begin(), nodes.end(),
                                       [](const NetworkNode& node) { return node.isShaken; });
     if (!force.amplitude) {
-        if (force.place || command.periods) {
-            throw std::invalid_argument(
-                "--force, --periods: allowed only together with --amplitude and --frequency");
-        }
+        refuseIf(force.place || command.periods,
+                 "--force, --periods: allowed only together with --amplitude and --frequency");
         return;
     }
     const bool hasForce = isDriven(question.network);
@@ -90,12 +83,10 @@ void setDrive(const SimulateCommand& command, Question& question)
     const double omega = question.frequencyRatio * reference.frequency;
     const double exact = 2.0 * std::numbers::pi / (omega * question.network.scales.time);
     const double steps = std::round(exact);
-    if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
-        refuse(
-            "--frequency", fmt::format("{}", question.frequencyRatio),
-            fmt::format("periods of 3..{} steps of {:.6g} s, 1/ω₁ = {:.6g} s", maxExcitationSteps,
-                        question.network.scales.time, 1.0 / reference.frequency));
-    }
+    refuseIf(!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps)), "--frequency",
+             fmt::format("{}", question.frequencyRatio),
+             fmt::format("periods of 3..{} steps of {:.6g} s, 1/ω₁ = {:.6g} s", maxExcitationSteps,
+                         question.network.scales.time, 1.0 / reference.frequency));
     const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
     question.drive.step = isWhole ? 1.0 : exact / steps;
     question.period = question.drive.step * steps;
@@ -126,10 +117,8 @@ Question questionOf(const SimulateCommand& command)
 {
     Question question;
     if (command.common.hasScene()) {
-        if (command.force.ratio) {
-            throw std::invalid_argument(
-                "--damping clashes with --scene: allowed dash=D among its words");
-        }
+        refuseIf(command.force.ratio.has_value(),
+                 "--damping clashes with --scene: allowed dash=D among its words");
         question.assembly = command.common.assembly();
     } else {
         const Scene scene = command.common.shortForms();

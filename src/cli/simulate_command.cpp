@@ -8,7 +8,6 @@
 #include "force_history.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
-#include "scene_simulation.hpp"
 #include "signorini/settling.hpp"
 #include "state_table.hpp"
 #include "stepped_bar.hpp"
@@ -57,25 +56,19 @@ SimulateCommand::SimulateCommand(const Given& words)
 
 void SimulateCommand::requireWhole() const
 {
-    if ((given.has("--rest") ? 1 : 0) + (given.has("--from") ? 1 : 0) + (speeds.empty() ? 0 : 1) >
-        1) {
-        throw std::invalid_argument(
-            "--rest, --from, --velocity: allowed one of them: each is a start");
-    }
+    refuseIf(
+        (given.has("--rest") ? 1 : 0) + (given.has("--from") ? 1 : 0) + (speeds.empty() ? 0 : 1) >
+            1,
+        "--rest, --from, --velocity: allowed one of them: each is a start");
     const int parts =
         (force.place ? 1 : 0) + (force.amplitude ? 1 : 0) + (frequency.isGiven() ? 1 : 0);
-    if (given.has("--force-file") && (parts > 0 || periods)) {
-        throw std::invalid_argument(
-            "--force-file clashes with --force, --amplitude, --frequency and --periods: allowed a "
-            "force of one kind, and --time");
-    }
-    if (!isOfNetwork() && parts != 0 && parts != 3) {
-        throw std::invalid_argument(
-            "--force, --amplitude, --frequency: allowed only all three together");
-    }
-    if (!isOfNetwork() && periods && !force.place) {
-        throw std::invalid_argument("--periods: allowed only together with --force");
-    }
+    refuseIf(given.has("--force-file") && (parts > 0 || periods),
+             "--force-file clashes with --force, --amplitude, --frequency and --periods: allowed a "
+             "force of one kind, and --time");
+    refuseIf(!isOfNetwork() && parts != 0 && parts != 3,
+             "--force, --amplitude, --frequency: allowed only all three together");
+    refuseIf(!isOfNetwork() && periods && !force.place,
+             "--periods: allowed only together with --force");
     if (time.has_value() == periods.has_value()) {
         throw std::invalid_argument(time ? "--time clashes with --periods: allowed one of them"
                                          : "--time, --periods: missing: allowed one of them");

@@ -50,4 +50,10 @@ private:
     [[nodiscard]] Excitation excitation(const Bar& bar, double cells) const;
 };
 
+/// Any bars with any contacts, event by event: a call with --scene, --velocity or --gravity.
+[[nodiscard]] ExitStatus simulateScene(const SimulateCommand& command);
+
+/// What a force of --force-range, whatever it does between its ends, can make of the bars.
+[[nodiscard]] ExitStatus reportReach(const SimulateCommand& command);
+
 }  // namespace signorini::cli

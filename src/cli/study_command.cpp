@@ -120,12 +120,9 @@ ExitStatus runStudy(const Given& given)
             return ranks->serveRows(rows, threads) ? exitFound : exitUndecided;
         }
     }
-    if (given.words().empty()) {
-        throw std::invalid_argument("FILE.toml is missing: allowed the name of a question");
-    }
-    if (given.has("--resume") && csvFile.empty()) {
-        throw std::invalid_argument("--resume: allowed only together with --csv");
-    }
+    refuseIf(given.words().empty(), "FILE.toml is missing: allowed the name of a question");
+    refuseIf(given.has("--resume") && csvFile.empty(),
+             "--resume: allowed only together with --csv");
     const std::string& path = given.words().front();
     if (given.words().size() > 1) {
         throw std::invalid_argument(

@@ -84,9 +84,8 @@ double SweepCommand::end(const char* option, double otherwise, const Bar& bar) c
         refuse(fmt::format("{}-hertz", option), fmt::format("{}", *hertz),
                "it only with --over frequency");
     }
-    if (hertz && !text.empty()) {
-        refuse(option, text, fmt::format("it without {}-hertz: both are one frequency", option));
-    }
+    refuseIf(hertz && !text.empty(), option, text,
+             fmt::format("it without {}-hertz: both are one frequency", option));
     if (hertz) {
         return *hertz / firstHertz(bar);
     }
@@ -162,17 +161,12 @@ SweepAnswer SweepCommand::question() const
 
 SweepAnswer SweepCommand::question(const Network& network) const
 {
-    if (force.ratio) {
-        throw std::invalid_argument(
-            "--damping clashes with --scene: allowed dash=D among its words");
-    }
-    if (over == Swept::gap || over == Swept::damping) {
-        refuse("--over", name(over), "frequency|amplitude of a scene of several bars");
-    }
-    if (given.has("--yield-stress")) {
-        refuse("--yield-stress", given.text("--yield-stress"),
-               "it only of one bar: strains of several are not watched");
-    }
+    refuseIf(force.ratio.has_value(),
+             "--damping clashes with --scene: allowed dash=D among its words");
+    refuseIf(over == Swept::gap || over == Swept::damping, "--over", name(over),
+             "frequency|amplitude of a scene of several bars");
+    refuseIf(given.has("--yield-stress"), "--yield-stress", given.text("--yield-stress"),
+             "it only of one bar: strains of several are not watched");
     const bool isForce = force.place == Excited::tip;
     if (std::none_of(network.nodes.begin(), network.nodes.end(), [&](const NetworkNode& node) {
             return isForce ? node.isDriven : node.isShaken;
@@ -202,9 +196,8 @@ std::string SweepCommand::questionOf(const SweepAnswer& answer) const
 
 ExitStatus SweepCommand::run() const
 {
-    if (given.has("--resume") && !given.has("--csv")) {
-        throw std::invalid_argument("--resume: allowed only together with --csv");
-    }
+    refuseIf(given.has("--resume") && !given.has("--csv"),
+             "--resume: allowed only together with --csv");
     if (common.hasScene() && !barOf(common.assembly())) {
         const Network network = networkOf(common.assembly());
         return run(question(network), &network);
