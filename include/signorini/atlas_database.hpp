@@ -35,6 +35,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,8 @@ public:
 
     /// The next batch; nothing after the last one, or once cancelled.
     [[nodiscard]] virtual std::optional<AtlasBatch> next() = 0;
+    /// The same if it need not be waited for.
+    [[nodiscard]] virtual std::optional<AtlasBatch> ready() { return std::nullopt; }
 };
 
 /// Which rows of table `schedules` to read.
@@ -86,10 +89,11 @@ public:
     /// Enters a new run. `options` is kept as it stands, for people.
     /// \throws FileError, std::invalid_argument on an invalid range.
     [[nodiscard]] AtlasRun start(const AtlasRange& range, std::string_view options);
-    /// Writes a batch and what it means for the run, in one transaction. `seconds` is added to the
+    /// Writes batches and what they mean for the run, in one transaction. `seconds` is added to the
     /// time spent. \throws FileError, and then nothing of it was written; std::invalid_argument if
-    /// the batch is not the next one.
-    void write(AtlasRun& run, const AtlasBatch& batch, double seconds, std::string_view workers);
+    /// they are not the next ones.
+    void write(AtlasRun& run, std::span<const AtlasBatch> batches, double seconds,
+               std::string_view workers);
 
     /// Every family in the order of the table; all cells, or those of N. \throws FileError.
     void forEachFamily(std::optional<std::int64_t> cells,
@@ -131,9 +135,9 @@ private:
 struct AtlasOptions {
     std::int64_t threads = 1;  ///< [-], of this process
     bool resume = false;       ///< go on with a run that is in the database
-    Cancel cancel = {};        ///< ends after the batch being written
+    Cancel cancel = {};        ///< ends after what is being written
     std::string options = {};  ///< kept in `runs`, for people
-    std::function<void(const AtlasRun&)> progress = {};  ///< called after each batch
+    std::function<void(const AtlasRun&)> progress = {};  ///< called after each write
 };
 
 /// Decides a range into a database: on threads of this process, or from any source of batches. A

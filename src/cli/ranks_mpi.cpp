@@ -178,14 +178,12 @@ public:
         if (toDeliver_ >= end_) {
             return std::nullopt;
         }
-        const auto owner = static_cast<int>((toDeliver_ - first_) % count_);
-        if (owner == 0) {
+        if (owner() == 0) {
             ++toDeliver_;
             return own_.next();
         }
-        while (!isRequested(cancel_) && !hasEnded_[static_cast<std::size_t>(owner)]) {
-            if (std::optional<AtlasBatch> batch = receive(owner)) {
-                ++toDeliver_;
+        while (!isRequested(cancel_) && !hasEnded_[static_cast<std::size_t>(owner())]) {
+            if (std::optional<AtlasBatch> batch = ready()) {
                 return batch;
             }
             rest();
@@ -193,7 +191,20 @@ public:
         return std::nullopt;
     }
 
+    std::optional<AtlasBatch> ready() override
+    {
+        if (toDeliver_ >= end_) {
+            return std::nullopt;
+        }
+        std::optional<AtlasBatch> batch = owner() == 0 ? own_.ready() : receive(owner());
+        toDeliver_ += batch ? 1 : 0;
+        return batch;
+    }
+
 private:
+    /// Who decides the next batch.
+    [[nodiscard]] int owner() const { return static_cast<int>((toDeliver_ - first_) % count_); }
+
     /// A batch of that rank if one has arrived; notes its end.
     std::optional<AtlasBatch> receive(int rank)
     {

@@ -124,6 +124,17 @@ std::optional<AtlasBatch> LocalBatches::next()
     if (failure_) {
         std::rethrow_exception(failure_);
     }
+    return deliver(std::move(lock));
+}
+
+std::optional<AtlasBatch> LocalBatches::ready()
+{
+    std::unique_lock lock(mutex_);
+    return done_.contains(toDeliver_) ? std::optional(deliver(std::move(lock))) : std::nullopt;
+}
+
+AtlasBatch LocalBatches::deliver(std::unique_lock<std::mutex> lock)
+{
     auto node = done_.extract(toDeliver_);
     toDeliver_ += stride_;
     lock.unlock();

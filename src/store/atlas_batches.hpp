@@ -35,11 +35,13 @@ public:
 
     /// Waits for the next batch. \throws what the thread that decided it has thrown.
     [[nodiscard]] std::optional<AtlasBatch> next() override;
+    [[nodiscard]] std::optional<AtlasBatch> ready() override;
 
 private:
     void start(std::int64_t threads);
     void work();
     [[nodiscard]] std::optional<AtlasBatch> decideHere();
+    [[nodiscard]] AtlasBatch deliver(std::unique_lock<std::mutex> lock);
 
     AtlasRange range_;
     std::int64_t stride_;

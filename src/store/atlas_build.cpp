@@ -120,10 +120,16 @@ void fillAtlas(AtlasDatabase& database, AtlasRun& run, BatchSource& source,
                std::string_view workers, const AtlasOptions& options)
 {
     using Clock = std::chrono::steady_clock;
+    constexpr std::size_t most = 256;  // of batches at once
     Clock::time_point last = Clock::now();
-    while (const std::optional<AtlasBatch> batch = source.next()) {
+    while (std::optional<AtlasBatch> batch = source.next()) {
+        // To end a transaction takes as long as to write the rows of ten batches.
+        std::vector<AtlasBatch> batches;
+        for (; batch; batch = batches.size() < most ? source.ready() : std::nullopt) {
+            batches.push_back(*std::move(batch));
+        }
         const Clock::time_point here = Clock::now();
-        database.write(run, *batch, std::chrono::duration<double>(here - last).count(), workers);
+        database.write(run, batches, std::chrono::duration<double>(here - last).count(), workers);
         last = here;
         if (options.progress) {
             options.progress(run);

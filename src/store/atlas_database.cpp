@@ -153,12 +153,12 @@ public:
     }
 
     /// False if the row was not where this process left it.
-    [[nodiscard]] bool update(const AtlasRun& after, std::string_view workers)
+    [[nodiscard]] bool update(std::int64_t before, const AtlasRun& after, std::string_view workers)
     {
         return run(update_, after.nextBatch, after.tally.decided, after.tally.pressing,
                    after.tally.grazing, after.tally.refuted, after.tally.undecided,
                    after.tally.families, after.isFinished() ? std::optional(now()) : std::nullopt,
-                   after.seconds, workers, SIGNORINI_VERSION, after.id, after.nextBatch - 1) == 1;
+                   after.seconds, workers, SIGNORINI_VERSION, after.id, before) == 1;
     }
 
 private:
@@ -290,21 +290,25 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
     });
 }
 
-void AtlasDatabase::write(AtlasRun& run, const AtlasBatch& batch, double seconds,
+void AtlasDatabase::write(AtlasRun& run, std::span<const AtlasBatch> batches, double seconds,
                           std::string_view workers)
 {
-    if (batch.number != run.nextBatch || run.isFinished()) {
-        throw std::invalid_argument(fmt::format("batch = {} is out of order: allowed {} of {}",
-                                                batch.number, run.nextBatch, run.batches));
-    }
     AtlasRun after = run;
-    after.nextBatch += 1;
-    after.tally += batch.tally;
+    for (const AtlasBatch& batch : batches) {
+        if (batch.number != after.nextBatch || after.isFinished()) {
+            throw std::invalid_argument(fmt::format("batch = {} is out of order: allowed {} of {}",
+                                                    batch.number, after.nextBatch, run.batches));
+        }
+        after.nextBatch += 1;
+        after.tally += batch.tally;
+    }
     after.seconds += seconds;
     connection_->use([&](SQLite::Database& database) {
         SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
-        writer_->insert(after.range, batch);
-        if (!writer_->update(after, workers)) {
+        for (const AtlasBatch& batch : batches) {
+            writer_->insert(after.range, batch);
+        }
+        if (!writer_->update(run.nextBatch, after, workers)) {
             throw FileError("run " + std::to_string(after.id),
                             "cannot use: another process is writing the same range");
         }

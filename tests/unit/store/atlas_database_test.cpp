@@ -91,7 +91,8 @@ TEST_CASE("atlas database: interrupted at every batch and resumed, the rows are 
         run = buildAtlas(database, range, options);
         ++calls;
     } while (!run.isFinished() && calls < 100);
-    CHECK(calls == batchesOf(range));
+    CHECK(calls > 1);
+    CHECK(calls <= batchesOf(range));
     CHECK(run.tally == unbroken.tally);
     CHECK(dump(folder.file("parts.sqlite")) == dump(folder.file("whole.sqlite")));
 }
@@ -355,15 +356,15 @@ TEST_CASE("atlas database: what cannot be used is refused and left as it is")
     AtlasRun run = database.start(range, "");
     AtlasBatch batch;
     batch.number = 1;
-    CHECK_THROWS_WITH(database.write(run, batch, 0.0, ""), containsText("out of order"));
+    CHECK_THROWS_WITH(database.write(run, {&batch, 1}, 0.0, ""), containsText("out of order"));
     // Without resume an unfinished run is not touched.
     CHECK_THROWS_WITH(buildAtlas(database, range), containsText("--resume"));
     // Two processes on one range: the second sees that it is not alone.
     std::vector<std::int8_t> signs;
     AtlasRun second = run;
-    database.write(run, decideBatch(range, 0, signs).value(), 0.0, "");
+    const std::vector first{decideBatch(range, 0, signs).value()};
+    database.write(run, first, 0.0, "");
     const auto rows = dump(folder.file("a.sqlite"));
-    CHECK_THROWS_WITH(database.write(second, decideBatch(range, 0, signs).value(), 0.0, ""),
-                      containsText("another process"));
+    CHECK_THROWS_WITH(database.write(second, first, 0.0, ""), containsText("another process"));
     CHECK(dump(folder.file("a.sqlite")) == rows);
 }
