@@ -26,7 +26,6 @@ SIGNORINI_MEMBERS(HarmonicContact, &T::begin, &T::end, &T::stop, &T::isPinned, &
                   &T::travel, &T::impulse, &T::peakForce, &T::speed);
 SIGNORINI_MEMBERS(HarmonicMotion, &T::phase, &T::contacts, &T::pieces, &T::extremes, &T::residual);
 SIGNORINI_MEMBERS(HarmonicProof, &T::isProved, &T::within, &T::aloneWithin, &T::why);
-SIGNORINI_MEMBERS(HarmonicContactOf, &T::value, &T::bar);
 SIGNORINI_MEMBERS(HarmonicMotionOf, &T::value, &T::bar, &T::growth, &T::proof, &T::attracts);
 SIGNORINI_MEMBERS(HarmonicAnswer, &T::period, &T::damping, &T::place, &T::cycles, &T::amplitude,
                   &T::scene, &T::bar, &T::contacts, &T::motions, &T::settledContacts,

@@ -16,10 +16,6 @@ using answers::FrequencyOf;
 using answers::PermanentOf;
 using answers::ResponseAnswer;
 template <>
-struct Members<PermanentOf> {
-    static constexpr auto list = std::tuple{&PermanentOf::value, &PermanentOf::bar};
-};
-template <>
 struct Members<FrequencyOf> {
     static constexpr auto list = std::tuple{&FrequencyOf::value, &FrequencyOf::bar,
                                             &FrequencyOf::segments, &FrequencyOf::cycles};

@@ -158,13 +158,6 @@ void describeEnergies(D& d, Get energy, When when = When::always)
         [energy](const auto& of) { return energy(of, 1.0); }, when);
 }
 
-/// Gets what a row says, without its units.
-template <typename Get>
-[[nodiscard]] auto ofValue(Get get)
-{
-    return [get](const auto& of) { return std::invoke(get, of.value); };
-}
-
 template <typename D>
 void describe(D& d, Type<AtlasFamilyOf> type)
 {

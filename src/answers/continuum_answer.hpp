@@ -56,9 +56,7 @@ void describe(D& d, Type<PointOf>)
           [](const T& p) { return p.point->residual; });
     d.key("peak_strain", "-", "Deepest compression.",
           [](const T& p) { return p.point->peakStrain; });
-    d.key("physical", "-", "What can be measured, in SI units.", &T::physical);
-    d.key("admissible", "-", "Is s > -1 everywhere?",
-          [](const T& p) { return p.physical().isAdmissible(); });
+    describePhysical(d, &T::physical);
     d.key("exact", "-", "Of a member: is it the curve's own at this lambda, or the nearest point?",
           &T::isExact, When::any);
 }

@@ -95,6 +95,23 @@ template <typename T>
     return all;
 }
 
+/// Gets what the `value` of a record says, in SI units if one of its bar is given.
+template <typename Get>
+[[nodiscard]] auto ofValue(Get get)
+{
+    return [get](const auto& of) { return std::invoke(get, of.value); };
+}
+template <typename Get>
+[[nodiscard]] auto ofValue(Get get, double (*unit)(const Bar& bar))
+{
+    return [=](const auto& of) { return std::invoke(get, of.value) * unit(of.bar); };
+}
+template <typename Get>
+[[nodiscard]] auto ofValue(Get get, double Scales::*unit)
+{
+    return [=](const auto& of) { return std::invoke(get, of.value) * scales(of.bar).*unit; };
+}
+
 /// Nothing in place of what is not finite.
 [[nodiscard]] inline std::optional<double> known(double value)
 {

@@ -7,19 +7,9 @@
 
 namespace signorini::answers {
 
-/// All at one frequency.
-struct ExactFrequencyOf {
-    ExactFrequency value;
-    Bar bar;
-
-    [[nodiscard]] std::vector<HarmonicMotionOf> motions() const;
-};
-
-/// A named point of a curve.
-struct BranchMarkOf {
-    BranchMark value;
-    Bar bar;
-};
+using ExactFrequencyOf = Of<ExactFrequency>;
+using BranchMarkOf = Of<BranchMark>;
+using ExactBranchOf = Of<ExactBranch>;
 
 /// A point of a curve.
 struct BranchPointOf {
@@ -30,13 +20,9 @@ struct BranchPointOf {
     [[nodiscard]] Physical physical() const { return physicalOf(value.motion.extremes, bar); }
 };
 
-struct ExactBranchOf {
-    ExactBranch value;
-    Bar bar;
-
-    [[nodiscard]] std::vector<BranchPointOf> points() const;
-    [[nodiscard]] std::vector<BranchMarkOf> marks() const;
-};
+/// What each holds, and its units.
+[[nodiscard]] std::vector<HarmonicMotionOf> motionsOf(const ExactFrequencyOf& at);
+[[nodiscard]] std::vector<BranchPointOf> pointsOf(const ExactBranchOf& branch);
 
 /// The outcome of one call.
 struct ExactAnswer {
@@ -49,8 +35,6 @@ struct ExactAnswer {
     bool isComplete = true;
 
     [[nodiscard]] Status status() const { return isComplete ? Status::found : Status::undecided; }
-    [[nodiscard]] std::vector<ExactFrequencyOf> listed() const;
-    [[nodiscard]] std::vector<ExactBranchOf> curves() const;
 };
 
 /// In Hz.
@@ -62,21 +46,14 @@ struct ExactAnswer {
 template <typename D>
 void describe(D& d, Type<ExactFrequencyOf>)
 {
-    using T = ExactFrequencyOf;
     d.record("ExactFrequency", "All motions under an exact harmonic at one frequency.");
-    d.key("steps", "- >= 1", "T in L/(N c).", [](const T& f) { return f.value.steps; });
-    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.",
-          [](const T& f) { return f.value.frequencyRatio; });
-    d.key("frequency", "Hz > 0", "Of the excitation.",
-          [](const T& f) { return hertzOf(f.value.frequencyRatio, f.bar); });
-    d.key("touches", "-", "Would the bar without a wall go beyond it?",
-          [](const T& f) { return f.value.touches; });
-    d.key("linear_peak", "m >= 0", "max u(L) without a wall.",
-          [](const T& f) { return f.value.linearPeak * scales(f.bar).displacement; });
+    d.key("steps", "- >= 1", "T in L/(N c).", ofValue(&ExactFrequency::steps));
+    describeFrequency(d, &ExactFrequency::frequencyRatio);
+    describeLinear(d, &ExactFrequency::touches, &ExactFrequency::linearPeak);
     d.key("motions", "-",
           "All with one contact; where none of them is known to attract, what a bar at rest "
           "settles on.",
-          &T::motions);
+          &motionsOf);
 }
 
 template <typename D>
@@ -84,10 +61,7 @@ void describe(D& d, Type<BranchPointOf>)
 {
     using T = BranchPointOf;
     d.record("BranchPoint", "A motion on a curve of motions.");
-    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.",
-          [](const T& p) { return p.value.frequencyRatio; });
-    d.key("frequency", "Hz > 0", "Of the excitation.",
-          [](const T& p) { return hertzOf(p.value.frequencyRatio, p.bar); });
+    describeFrequency(d, &BranchPoint::frequencyRatio);
     d.key("contacts", "- >= 1", "In a period.",
           [](const T& p) { return std::ssize(p.value.motion.contacts); });
     d.key("phase", "rad", "Of the excitation at the start of the first contact.",
@@ -111,19 +85,17 @@ void describe(D& d, Type<BranchMarkOf>)
           [](const T& m) { return name(m.value.event); });
     d.key("after", "- >= 0", "The point of the curve before it.",
           [](const T& m) { return static_cast<std::int64_t>(m.value.after); });
-    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.",
-          [](const T& m) { return m.value.frequencyRatio; });
-    d.key("frequency", "Hz > 0", "Of the excitation.",
-          [](const T& m) { return hertzOf(m.value.frequencyRatio, m.bar); });
+    describeFrequency(d, &BranchMark::frequencyRatio);
 }
 
 template <typename D>
 void describe(D& d, Type<ExactBranchOf>)
 {
-    using T = ExactBranchOf;
     d.record("Branch", "A curve of motions along the frequency.");
-    d.key("points", "-", "As they follow each other.", &T::points);
-    d.key("marks", "-", "Named points.", &T::marks);
+    d.key("points", "-", "As they follow each other.", &pointsOf);
+    d.key("marks", "-", "Named points.", [](const ExactBranchOf& branch) {
+        return withUnits(branch.value.curve.marks, branch.bar);
+    });
 }
 
 template <typename D>
@@ -143,8 +115,10 @@ void describe(D& d, Type<ExactAnswer>)
     d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);
     d.key("cycles", "- >= 1", "K, of the excitation in a period.",
           [](const T& a) { return a.range.cycles; });
-    d.key("frequencies", "-", "By ascending steps.", &T::listed);
-    d.key("branches", "-", "Curves of motions.", &T::curves);
+    d.key("frequencies", "-", "By ascending steps.",
+          [](const T& a) { return withUnits(a.frequencies, a.bar); });
+    d.key("branches", "-", "Curves of motions.",
+          [](const T& a) { return withUnits(a.branches, a.bar); });
 }
 
 }  // namespace signorini::answers

@@ -120,19 +120,17 @@ void describe(D& d, Type<ForcedMotionOf>)
 {
     using T = ForcedMotionOf;
     d.record("ForcedMotion", "One forced, damped motion.");
-    d.key("schedule", "-", "Contact and flight.", [](const T& m) { return m.value.schedule; });
+    d.key("schedule", "-", "Contact and flight.", ofValue(&ForcedMotion::schedule));
     d.key("amplitude", "N or m >= 0", "Of the excitation.", &T::amplitude);
     d.key("phase", "rad", "Of the excitation at the start of contact.",
-          [](const T& m) { return m.value.phase; });
+          ofValue(&ForcedMotion::phase));
     d.key("impulse", "N s >= 0", "In a period.", [](const T& m) { return m.physical().impulse; });
     d.key("peak_force", "N >= 0", "Of the tip on the wall.",
           [](const T& m) { return m.physical().peakForce; });
     d.key("tip_lowest", "m", "min u(L, t).", [](const T& m) { return m.physical().tipLowest; });
-    d.key("physical", "-", "What can be measured, in SI units.", &T::physical);
-    d.key("admissible", "-", "Is s > -1 everywhere?",
-          [](const T& m) { return m.physical().isAdmissible(); });
+    describePhysical(d, &T::physical);
     d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
-          [](const T& m) { return m.value.residual; });
+          ofValue(&ForcedMotion::residual));
     d.key("stable", "-", "Does the bar stay near it? Nothing: not tried, or unclear.", &T::stable,
           When::any);
 }

@@ -8,15 +8,6 @@
 
 namespace signorini::answers {
 
-std::vector<HarmonicContactOf> HarmonicMotionOf::contacts() const
-{
-    std::vector<HarmonicContactOf> all;
-    for (const HarmonicContact& one : value.contacts) {
-        all.push_back({one, bar});
-    }
-    return all;
-}
-
 HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping, Excited place,
                         std::int64_t cycles, double amplitude, const Scene& scene,
                         std::int64_t contacts, const Cancel& cancel)

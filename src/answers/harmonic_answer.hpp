@@ -13,14 +13,13 @@ namespace signorini::answers {
     return value > 0.0 ? std::optional(value) : std::nullopt;
 }
 
-/// One contact, and what gives it units.
-struct HarmonicContactOf {
-    HarmonicContact value;
-    Bar bar;
+using HarmonicContactOf = Of<HarmonicContact>;
 
-    /// "pinned", or "smooth".
-    [[nodiscard]] const char* release() const { return value.isPinned ? "pinned" : "smooth"; }
-};
+/// "pinned", or "smooth".
+[[nodiscard]] inline const char* releaseOf(const HarmonicContact& contact)
+{
+    return contact.isPinned ? "pinned" : "smooth";
+}
 
 /// One motion, and what gives it units.
 struct HarmonicMotionOf {
@@ -31,7 +30,6 @@ struct HarmonicMotionOf {
     std::optional<bool> attracts = {};  ///< as growth says and as was tried
 
     [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
-    [[nodiscard]] std::vector<HarmonicContactOf> contacts() const;
 };
 
 /// All motions with one contact, or with several the one on which a bar at rest settles.
@@ -73,23 +71,20 @@ struct HarmonicAnswer {
 template <typename D>
 void describe(D& d, Type<HarmonicContactOf>)
 {
-    using T = HarmonicContactOf;
+    using C = HarmonicContact;
     d.record("HarmonicContact", "One contact under an exact harmonic.");
     d.key("begin", "s >= 0", "From the start of the first contact.",
-          [](const T& c) { return c.value.begin * scales(c.bar).time; });
-    d.key("end", "s > 0", "The release.",
-          [](const T& c) { return c.value.end * scales(c.bar).time; });
-    d.key("begin_ratio", "L/c >= 0", "The same.", [](const T& c) { return c.value.begin; });
-    d.key("end_ratio", "L/c > 0", "The same.", [](const T& c) { return c.value.end; });
-    d.key("stop", "-", R"("right", or "left".)", [](const T& c) { return c.value.stop; });
+          ofValue(&C::begin, &Scales::time));
+    d.key("end", "s > 0", "The release.", ofValue(&C::end, &Scales::time));
+    d.key("begin_ratio", "L/c >= 0", "The same.", ofValue(&C::begin));
+    d.key("end_ratio", "L/c > 0", "The same.", ofValue(&C::end));
+    d.key("stop", "-", R"("right", or "left".)", ofValue(&C::stop));
     d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
-          &T::release);
-    d.key("impulse", "N s > 0", "Of the stop on the tip.",
-          [](const T& c) { return c.value.impulse * impulseUnit(c.bar); });
-    d.key("peak_force", "N > 0", "Largest.",
-          [](const T& c) { return c.value.peakForce * forceUnit(c.bar); });
+          ofValue(&releaseOf));
+    d.key("impulse", "N s > 0", "Of the stop on the tip.", ofValue(&C::impulse, &impulseUnit));
+    d.key("peak_force", "N > 0", "Largest.", ofValue(&C::peakForce, &forceUnit));
     d.key("speed", "m/s >= 0", "Of the tip when it meets the stop.",
-          [](const T& c) { return c.value.speed * scales(c.bar).velocity; });
+          ofValue(&C::speed, &Scales::velocity));
 }
 
 template <typename D>
@@ -100,13 +95,12 @@ void describe(D& d, Type<HarmonicMotionOf>)
     d.key("contact_time_ratio", "L/c > 0", "In a period.",
           [](const T& m) { return m.value.extremes.contactTime; });
     d.key("release", "-", "Of the first contact.",
-          [](const T& m) { return m.contacts().front().release(); });
-    d.key("contacts", "-", "In a period, as they follow each other.", &T::contacts);
+          [](const T& m) { return releaseOf(m.value.contacts.front()); });
+    d.key("contacts", "-", "In a period, as they follow each other.",
+          [](const T& m) { return withUnits(m.value.contacts, m.bar); });
     d.key("phase", "rad", "Of the excitation at the start of contact.",
-          [](const T& m) { return m.value.phase; });
-    d.key("physical", "-", "What can be measured, in SI units.", &T::physical);
-    d.key("admissible", "-", "Is s > -1 everywhere?",
-          [](const T& m) { return m.physical().isAdmissible(); });
+          ofValue(&HarmonicMotion::phase));
+    describePhysical(d, &T::physical);
     d.key("growth", "- > 0",
           "Of a small disturbance in a period; nothing where fronts fade too slowly to tell.",
           &T::growth);
@@ -115,7 +109,7 @@ void describe(D& d, Type<HarmonicMotionOf>)
           "nothing where they disagree, or neither tells.",
           &T::attracts);
     d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
-          [](const T& m) { return m.value.residual; });
+          ofValue(&HarmonicMotion::residual));
     d.key("enclosed", "L/c > 0",
           "Enclosed numbers prove that there is a motion so near; nothing where they do not.",
           [](const T& m) { return positive(m.proof.within); });

@@ -185,15 +185,6 @@ void describeTimes(D& d, Type<T>, Energy energyRatio)
     d.key("energy_ratio", "E_1 > 0", "E/E_1.", energyRatio);
 }
 
-template <typename D, typename T>
-void describeMeasured(D& d, Type<T>)
-{
-    const auto physical = [](const T& m) { return physicalOf(m.motion.extremes(), m.bar); };
-    d.key("physical", "-", "What can be measured, in SI units.", physical);
-    d.key("admissible", "-", "Is s > -1 everywhere?",
-          [physical](const T& m) { return physical(m).isAdmissible(); });
-}
-
 template <typename D>
 void describe(D& d, Type<ModeAnswer> type)
 {
@@ -214,7 +205,7 @@ t = 0 is the start of contact; at jumps velocity and strain take the value right
               }
               return list;
           });
-    describeMeasured(d, type);
+    describePhysical(d, [](const auto& m) { return physicalOf(m.motion.extremes(), m.bar); });
 }
 
 template <typename D>
@@ -243,7 +234,7 @@ them.
           [contacts](const PolytopeAnswer& m) { return contacts(m, scales(m.bar).time); });
     d.key("contacts_ratio", "L/c", "[(start, end), ...].",
           [contacts](const PolytopeAnswer& m) { return contacts(m, 1.0); });
-    describeMeasured(d, type);
+    describePhysical(d, [](const auto& m) { return physicalOf(m.motion.extremes(), m.bar); });
 }
 
 template <typename D>

@@ -107,6 +107,34 @@ void describe(D& d, Type<Physical>)
     d.key("tip_lowest", "m", "min u(L, t).", &Physical::tipLowest);
 }
 
+/// Keys of what get(record) measures.
+template <typename D, typename Get>
+void describePhysical(D& d, Get get)
+{
+    d.key("physical", "-", "What can be measured, in SI units.", get);
+    d.key("admissible", "-", "Is s > -1 everywhere?",
+          [get](const auto& of) { return std::invoke(get, of).isAdmissible(); });
+}
+
+/// The frequency of the excitation that the `value` of a record has.
+template <typename D, typename Ratio>
+void describeFrequency(D& d, Ratio ratio)
+{
+    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.", ofValue(ratio));
+    d.key("frequency", "Hz > 0", "Of the excitation.", [ratio](const auto& of) {
+        return std::invoke(ratio, of.value) / 4.0 / scales(of.bar).time;
+    });
+}
+
+/// What the bar without a wall would do at that frequency.
+template <typename D, typename T>
+void describeLinear(D& d, bool T::*touches, double T::*linearPeak)
+{
+    d.key("touches", "-", "Would the bar without a wall go beyond it?", ofValue(touches));
+    d.key("linear_peak", "m >= 0", "max u(L) without a wall.",
+          ofValue(linearPeak, &Scales::displacement));
+}
+
 template <typename D>
 void describe(D& d, Type<Residuals>)
 {

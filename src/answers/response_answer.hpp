@@ -6,13 +6,7 @@
 
 namespace signorini::answers {
 
-/// The tip that never leaves the wall, and its units.
-struct PermanentOf {
-    PermanentContact value;
-    Bar bar;
-
-    [[nodiscard]] Physical physical() const { return physicalOf(value.extremes, bar); }
-};
+using PermanentOf = Of<PermanentContact>;
 
 /// All motions at one frequency.
 struct FrequencyOf {
@@ -53,18 +47,18 @@ struct ResponseAnswer {
 template <typename D>
 void describe(D& d, Type<PermanentOf>)
 {
-    using T = PermanentOf;
+    using P = PermanentContact;
+    const auto physical = [](const PermanentOf& p) { return physicalOf(p.value.extremes, p.bar); };
     d.record("PermanentContact", "The tip that never leaves the wall.");
     d.key("least_force", "N >= 0", "Of the tip on the wall, whatever the phase.",
-          [](const T& p) { return p.value.leastForce * forceUnit(p.bar); });
+          ofValue(&P::leastForce, &forceUnit));
     d.key("peak_force", "N >= 0", "Of the tip on the wall.",
-          [](const T& p) { return p.physical().peakForce; });
-    d.key("impulse", "N s >= 0", "In a period.", [](const T& p) { return p.physical().impulse; });
-    d.key("physical", "-", "What can be measured, in SI units.", &T::physical);
-    d.key("admissible", "-", "Is s > -1 everywhere?",
-          [](const T& p) { return p.physical().isAdmissible(); });
+          [physical](const PermanentOf& p) { return physical(p).peakForce; });
+    d.key("impulse", "N s >= 0", "In a period.",
+          [physical](const PermanentOf& p) { return physical(p).impulse; });
+    describePhysical(d, physical);
     d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
-          [](const T& p) { return p.value.residual; });
+          ofValue(&P::residual));
 }
 
 template <typename D>
@@ -73,18 +67,12 @@ void describe(D& d, Type<FrequencyOf>)
     using T = FrequencyOf;
     d.record("ForcedFrequency", "All motions at one frequency.");
     d.key("steps", "- >= 2", "n, of the period of the motions.",
-          [](const T& f) { return f.value.steps; });
+          ofValue(&FrequencyResponse::steps));
     d.key("cells", "- >= 1", "N of the grid, where it is chosen.", &T::cells);
-    d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.",
-          [](const T& f) { return f.value.frequencyRatio; });
-    d.key("frequency", "Hz > 0", "Of the excitation.",
-          [](const T& f) { return f.value.frequencyRatio / 4.0 / scales(f.bar).time; });
-    d.key("touches", "-", "Would the bar without a wall go beyond it?",
-          [](const T& f) { return f.value.touches; });
-    d.key("linear_peak", "m >= 0", "max u(L) without a wall.",
-          [](const T& f) { return f.value.linearPeak * scales(f.bar).displacement; });
+    describeFrequency(d, &FrequencyResponse::frequencyRatio);
+    describeLinear(d, &FrequencyResponse::touches, &FrequencyResponse::linearPeak);
     d.key("undecided", "- >= 0", "Schedules that were not decided.",
-          [](const T& f) { return f.value.undecided; });
+          ofValue(&FrequencyResponse::undecided));
     d.key("reason", "-", "Why the first of them was not.", [](const T& f) {
         return f.value.undecided > 0 ? std::optional(f.value.detail) : std::nullopt;
     });

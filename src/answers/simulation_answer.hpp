@@ -71,28 +71,24 @@ void describe(D& d, Type<Drive>)
 template <typename D>
 void describe(D& d, Type<Of<Settled>>)
 {
-    using T = Of<Settled>;
     d.record("Settled", "How a simulation repeats itself.");
     d.key("periods", "- >= 1", "Of the excitation, after which all is as before.",
-          [](const T& s) { return s.value.periods; });
+          ofValue(&Settled::periods));
     d.key("residual", "- >= 0",
           "Bound of the distance to a motion that repeats itself, in its own size.",
-          [](const T& s) { return s.value.residual; });
-    d.key("contacts", "- >= 0", "In that time.", [](const T& s) { return s.value.contacts; });
-    d.key("impulse", "N s >= 0", "In that time.",
-          [](const T& s) { return s.value.impulse * impulseUnit(s.bar); });
+          ofValue(&Settled::residual));
+    d.key("contacts", "- >= 0", "In that time.", ofValue(&Settled::contacts));
+    d.key("impulse", "N s >= 0", "In that time.", ofValue(&Settled::impulse, &impulseUnit));
 }
 
 template <typename D>
 void describe(D& d, Type<Of<EnergyBalance>>)
 {
-    const auto joules = [](double EnergyBalance::*term) {
-        return [term](const Of<EnergyBalance>& b) { return b.value.*term * scales(b.bar).energy; };
-    };
+    using B = EnergyBalance;
     d.record("EnergyBalance", "Energy that came and went.");
-    d.key("work", "J", "Done by the excitation.", joules(&EnergyBalance::work));
-    d.key("dissipated", "J", "In the dashpot.", joules(&EnergyBalance::dissipated));
-    d.key("error", "J", "What does not add up.", joules(&EnergyBalance::error));
+    d.key("work", "J", "Done by the excitation.", ofValue(&B::work, &Scales::energy));
+    d.key("dissipated", "J", "In the dashpot.", ofValue(&B::dissipated, &Scales::energy));
+    d.key("error", "J", "What does not add up.", ofValue(&B::error, &Scales::energy));
 }
 
 /// State and energy at the end.

@@ -41,53 +41,55 @@ template <typename D>
 void describe(D& d, Type<SweepPointOf>)
 {
     using T = SweepPointOf;
-    const auto newtonSeconds = [](const T& p, double impulse) {
-        return impulse * impulseUnit(p.bar);
+    using P = SweepPoint;
+    const auto ends = [](auto list, auto unit) {
+        return [=](const T& p) {
+            const auto& [low, high] = p.value.*list;
+            return std::tuple(low * unit(p.bar), high * unit(p.bar));
+        };
     };
-    const auto metres = [](const T& p, double u) { return u * scales(p.bar).displacement; };
+    const auto ifSettled = [](auto member) {
+        return [member](const T& p) {
+            const std::optional<Settled>& settled = p.value.settling.settled;
+            return settled ? std::optional(*settled.*member) : std::nullopt;
+        };
+    };
     d.record("SweepPoint", "What the bar does at one value of a sweep.");
     d.key("value", "omega_1, N, m or -", "Of what is varied.", &T::given);
-    d.key("direction", "-", R"("up" or "down".)", [](const T& p) { return p.value.direction; });
+    d.key("direction", "-", R"("up" or "down".)", ofValue(&P::direction));
     d.key("frequency", "Hz > 0", "Of the excitation.",
           [](const T& p) { return p.value.frequencyRatio / 4.0 / scales(p.bar).time; });
-    d.key("periods", "- >= 1", "Of the excitation, after which all is as before.", [](const T& p) {
-        const auto& settled = p.value.settling.settled;
-        return settled ? std::optional(settled->periods) : std::nullopt;
-    });
+    d.key("periods", "- >= 1", "Of the excitation, after which all is as before.",
+          ifSettled(&Settled::periods));
     d.key("residual", "- >= 0",
           "Bound of the distance to a motion that repeats itself, in its own size.",
-          [](const T& p) {
-              const auto& settled = p.value.settling.settled;
-              return settled ? std::optional(settled->residual) : std::nullopt;
-          });
+          ifSettled(&Settled::residual));
     d.key("why", "-", "Where it has not settled, what it does instead.", [](const T& p) {
         return p.value.settling.settled ? std::nullopt : std::optional(p.value.settling.why);
     });
     d.key("watched", "- >= 1", "Periods of the excitation that were simulated.",
-          [](const T& p) { return p.value.watched; });
+          ofValue(&P::watched));
     d.key("contacts", "- >= 0", "In a period of the excitation, on average.",
-          [](const T& p) { return p.value.meanContacts; });
+          ofValue(&P::meanContacts));
     d.key("contacts_range", "- >= 0", "Fewest and most in a period of the excitation.",
-          [](const T& p) { return std::tuple(p.value.contacts[0], p.value.contacts[1]); });
+          ends(&P::contacts, [](const Bar&) { return std::int64_t{1}; }));
     d.key("impulse", "N s >= 0", "In a period of the excitation, on average.",
-          [=](const T& p) { return newtonSeconds(p, p.value.meanImpulse); });
+          ofValue(&P::meanImpulse, &impulseUnit));
     d.key("impulse_range", "N s >= 0", "Least and most in a period of the excitation.",
-          [=](const T& p) {
-              return std::tuple(newtonSeconds(p, p.value.impulse[0]),
-                                newtonSeconds(p, p.value.impulse[1]));
-          });
-    d.key("impulses", "N s >= 0", "Of single contacts, in their order.", [=](const T& p) {
+          ends(&P::impulse, &impulseUnit));
+    d.key("impulses", "N s >= 0", "Of single contacts, in their order.", [](const T& p) {
         std::vector<double> all = p.value.impulses;
         for (double& one : all) {
-            one = newtonSeconds(p, one);
+            one *= impulseUnit(p.bar);
         }
         return all;
     });
     d.key("mean_force", "N >= 0", "Largest mean of the wall's push over the resolution.",
-          [](const T& p) { return p.value.meanForce * forceUnit(p.bar); });
-    d.key("tip_lowest", "m", "min u(L, t).", [=](const T& p) { return metres(p, p.value.tip[0]); });
+          ofValue(&P::meanForce, &forceUnit));
+    d.key("tip_lowest", "m", "min u(L, t).",
+          ofValue([](const P& p) { return p.tip[0]; }, &Scales::displacement));
     d.key("tip_highest", "m", "max u(L, t).",
-          [=](const T& p) { return metres(p, p.value.tip[1]); });
+          ofValue([](const P& p) { return p.tip[1]; }, &Scales::displacement));
     d.key("peak_strain", "- >= 0", "max |s| over all x and t, of a bar.", [](const T& p) {
         return p.value.strain ? std::optional(*p.value.strain * scales(p.bar).strain)
                               : std::nullopt;

@@ -91,8 +91,7 @@ void writeExactCsv(const std::string& path, const ExactAnswer& answer)
                 for (std::size_t c = 0; c < motion.contacts.size(); ++c) {
                     const HarmonicContact& one = motion.contacts[c];
                     row(begin, k, motion.contacts.size(), given.cycles, c, one.begin * unit.time,
-                        one.end * unit.time, one.stop,
-                        answers::HarmonicContactOf{one, answer.bar}.release(),
+                        one.end * unit.time, one.stop, answers::releaseOf(one),
                         one.impulse * answers::impulseUnit(answer.bar),
                         one.peakForce * answers::forceUnit(answer.bar), one.speed * unit.velocity,
                         motion.phase, stability.growth, stability.attracts, motion.residual);

@@ -100,16 +100,13 @@ private:
 
     void add(Series& above, Series& below, double ratio, const HarmonicMotion& motion) const
     {
-        above.x.push_back(ratio * hertz_);
-        above.y.push_back(motion.extremes.peakForce * forceUnit_.factor);
-        below.x.push_back(ratio * hertz_);
-        below.y.push_back(motion.extremes.impulse * impulseUnit_.factor);
+        above.add(ratio * hertz_, motion.extremes.peakForce * forceUnit_.factor);
+        below.add(ratio * hertz_, motion.extremes.impulse * impulseUnit_.factor);
     }
 
     /// A line goes on to the next point, whatever that does, unless curves have a gap there.
     void addCurves(std::size_t kind, bool areSeveral)
     {
-        constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
         Series above{.role = areSeveral ? Role::strain : Role::contact,
                      .width = partSorts[kind].width,
                      .dash = partSorts[kind].dash};
@@ -124,25 +121,19 @@ private:
                     add(above, below, points[k].frequencyRatio, points[k].motion);
                 }
                 if (goesOn && !isIn) {
-                    breakLine(above, below, nothing);
+                    above.breakOff();
+                    below.breakOff();
                 }
                 goesOn = isIn;
             }
-            breakLine(above, below, nothing);
+            above.breakOff();
+            below.breakOff();
         }
         if (std::any_of(above.y.begin(), above.y.end(), [](double y) { return y == y; })) {
             below.legend = fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact",
                                        partSorts[kind].words);
             upper_.series.push_back(std::move(above));
             lower_.series.push_back(std::move(below));
-        }
-    }
-
-    static void breakLine(Series& above, Series& below, double nothing)
-    {
-        for (Series* series : {&above, &below}) {
-            series->x.push_back(nothing);
-            series->y.push_back(nothing);
         }
     }
 
@@ -254,10 +245,8 @@ FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)
     const Unit push = axisUnit(bar.axialStiffness * unit.strain, pressed, "N");
     for (const double t : times) {
         field.x.push_back(t * unit.time * time.factor);
-        tip.x.push_back(field.x.back());
-        tip.y.push_back(motion.displacement(1.0, t) * place.factor);
-        force.x.push_back(field.x.back());
-        force.y.push_back(motion.push(t) * push.factor);
+        tip.add(field.x.back(), motion.displacement(1.0, t) * place.factor);
+        force.add(field.x.back(), motion.push(t) * push.factor);
     }
     for (int i = 0; i <= nodes; ++i) {
         const double x = static_cast<double>(i) / nodes;

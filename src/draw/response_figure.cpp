@@ -131,10 +131,8 @@ public:
 private:
     void add(Series& series, double frequency, double impulse, double swing, Series& below) const
     {
-        series.x.push_back(frequency);
-        series.y.push_back(impulse * impulseUnit_.factor);
-        below.x.push_back(frequency);
-        below.y.push_back(swing * swingUnit_.factor);
+        series.add(frequency, impulse * impulseUnit_.factor);
+        below.add(frequency, swing * swingUnit_.factor);
     }
 
     void push(Series series, Series below)
@@ -176,9 +174,8 @@ private:
             const bool isNear = k > 0 && frequencies_[k - 1].touches != response.touches;
             const double peak = response.linearPeak * swingUnit_.factor;
             for (Series* series : {&clear, &blocked}) {
-                series->x.push_back(response.frequencyRatio);
-                series->y.push_back(response.touches == (series == &blocked) || isNear ? peak
-                                                                                       : nothing);
+                const bool isShown = response.touches == (series == &blocked) || isNear;
+                series->add(response.frequencyRatio, isShown ? peak : nothing);
             }
         }
         for (Series& series : {std::ref(clear), std::ref(blocked)}) {
