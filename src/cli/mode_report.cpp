@@ -118,14 +118,15 @@ void writeModesCsv(const std::string& path, const answers::ModeList& listing)
 {
     constexpr int motions = 100;
     constexpr std::string_view header =
-        "a4,b,period_ratio,frequency_ratio,contact_time_ratio,energy_ratio";
-    writeCsv(path, header, [&listing](CsvRows& row) {
+        "a4,b,period_ratio,frequency_ratio,contact_time_ratio,energy_ratio,frequency";
+    const double unit = scales(listing.bar).time;
+    writeCsv(path, header, [&](CsvRows& row) {
         for (const Mode& mode : listing.modes) {
             const auto [low, high] = periodsUpTo(mode, listing.bounds.maxEnergyRatio);
             for (int k = 0; k < motions; ++k) {
                 const double period = low + (k + 0.5) / motions * (high - low);
                 row(4 * mode.a, mode.b, period, 4.0 / period, contactTime(mode, period),
-                    energyRatio(mode, period));
+                    energyRatio(mode, period), 1.0 / (period * unit));
             }
         }
     });

@@ -72,7 +72,8 @@ std::string asText(const answers::PolytopeList& listing)
 void writePolytopesCsv(const std::string& path, const answers::PolytopeList& listing)
 {
     constexpr int periods = 20;
-    std::string header = "type,free_times,period_ratio,frequency_ratio,energy_ratio";
+    std::string header = "type,free_times,period_ratio,frequency_ratio,energy_ratio,frequency";
+    const double unit = scales(listing.bar).time;
     for (std::int64_t l = 1; l <= listing.phases; ++l) {
         header += fmt::format(",contact_{}_ratio,flight_{}_ratio", l, l);
     }
@@ -87,7 +88,8 @@ void writePolytopesCsv(const std::string& path, const answers::PolytopeList& lis
                         time = std::max(time, 0.0);  // 0 but for rounding
                     }
                     row(chainsAsText(polytope.chains), polytope.dimension, period, 4.0 / period,
-                        energyRatio(polytope, period), fmt::format("{}", fmt::join(times, ",")));
+                        energyRatio(polytope, period), 1.0 / (period * unit),
+                        fmt::format("{}", fmt::join(times, ",")));
                 }
             }
         }

@@ -178,10 +178,21 @@ void addWorst(const SweepAnswer& answer, Text& text)
 std::string asText(const SweepAnswer& answer)
 {
     Text text;
-    print(text, "{:<12}{} of the {}, {} … {}, {}\n", answer.isComplete ? "sweep" : "interrupted",
-          name(answer.range.over), answer.range.place == Excited::tip ? "force on the tip" : "base",
-          valueText(answer, answer.range.least), valueText(answer, answer.range.most),
-          answer.range.isCarried ? "the state carried over" : "from rest at each value");
+    const SweepRange& range = answer.range;
+    print(text, "{:<12}{}, {} … {}, {}\n", answer.isComplete ? "sweep" : "interrupted",
+          name(range.over), valueText(answer, range.least), valueText(answer, range.most),
+          range.isCarried ? "the state carried over" : "from rest at each value");
+    print(text, "driven      {}", range.place == Excited::tip ? "tip, by a force" : "base, moving");
+    if (range.over != Swept::amplitude) {
+        print(text, ", amplitude {:.6g} {}",
+              range.amplitude * amplitudeUnit(range.place, answer.bar, range.derivative),
+              amplitudeUnitName(range.place, range.derivative));
+    }
+    if (range.over != Swept::frequency) {
+        print(text, ", {:.6g} ω₁ ({:.6g} Hz)", range.frequencyRatio,
+              range.frequencyRatio / 4.0 / scales(answer.bar).time);
+    }
+    print(text, "; N = {:.6g}\n", range.cells);
     addKinds(answer, SweepDirection::up, text);
     addKinds(answer, SweepDirection::down, text);
     addHysteresis(answer, text);

@@ -195,7 +195,7 @@ TEST_CASE("cli modes: two contacts, exact polygons in text, JSON and a table")
     std::string line;
     std::getline(lines, line);
     CHECK(line ==
-          "type,free_times,period_ratio,frequency_ratio,energy_ratio,contact_1_ratio,"
+          "type,free_times,period_ratio,frequency_ratio,energy_ratio,frequency,contact_1_ratio,"
           "flight_1_ratio,contact_2_ratio,flight_2_ratio");
     int corners = 0;
     while (std::getline(lines, line) && line.rfind("2/1→2 2/2→1,1,", 0) == 0) {
@@ -204,10 +204,11 @@ TEST_CASE("cli modes: two contacts, exact polygons in text, JSON and a table")
         for (std::string cell; std::getline(cells, cell, ',');) {
             numbers.push_back(std::atof(cell.c_str()));
         }
-        REQUIRE(numbers.size() == 9);
-        CHECK(numbers[5] + numbers[6] + numbers[7] + numbers[8] == Approx(numbers[2]));
-        CHECK(numbers[5] + numbers[7] == Approx(8.0 - 3.0 * numbers[2]));
-        CHECK(numbers[5] * numbers[7] == Approx(0.0).margin(1e-12));
+        REQUIRE(numbers.size() == 10);
+        CHECK(numbers[5] == Approx(1.0 / numbers[2]));  // L/c = 1 s
+        CHECK(numbers[6] + numbers[7] + numbers[8] + numbers[9] == Approx(numbers[2]));
+        CHECK(numbers[6] + numbers[8] == Approx(8.0 - 3.0 * numbers[2]));
+        CHECK(numbers[6] * numbers[8] == Approx(0.0).margin(1e-12));
         ++corners;
     }
     CHECK(corners == 40);
