@@ -18,6 +18,7 @@ ORDER = [
     "what_it_settles_on",
     "prestress_and_two_stops",
     "stepped_bar",
+    "string_over_obstacle",
     "atlas_with_sql",
     "back_ends",
     "animation",
