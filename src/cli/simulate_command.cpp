@@ -133,8 +133,10 @@ std::vector<double> SimulateCommand::forceHistory(double step, double newtons, d
     const std::string forceFile = given.text("--force-file");
     forFile("--force-file", forceFile, [&] {
         Table table(forceFile);
-        const std::size_t times = table.columnOf("time");
-        const std::size_t forces = table.columnOf("force");
+        constexpr std::string_view allowed = "a header with columns time [s] and force [N]";
+        const std::size_t times = table.columnOf("time", allowed);
+        const std::size_t forces =
+            table.columnOf(table.has("newtons") ? "newtons" : "force", allowed);
         while (table.next()) {
             const double at = table.numberAt(times);
             if (!points.empty() && !(at > points.back().time)) {

@@ -11,13 +11,16 @@ namespace signorini {
 
 namespace {
 
+constexpr std::string_view stateColumns =
+    "a header with columns a and b, or x, velocity and strain, or x, velocity and displacement";
+
 /// Columns a and b: one row per cell.
 StateReading readCells(Table& table, const Bar& bar, std::int64_t mostCells)
 {
     const double unit = scales(bar).strain;
     std::optional<double> first;  // u(x_1)
-    const std::size_t atA = table.columnOf("a");
-    const std::size_t atB = table.columnOf("b");
+    const std::size_t atA = table.columnOf("a", stateColumns);
+    const std::size_t atB = table.columnOf("b", stateColumns);
     std::vector<double> a;
     std::vector<double> b;
     while (table.next()) {
@@ -72,11 +75,11 @@ StateReading readMeasurements(Table& table, const Bar& bar, std::int64_t cells)
     Measurements measured;
     measured.isDisplacement =
         !table.has("strain") && !table.has("s") && (table.has("displacement") || table.has("u"));
-    const std::size_t atX = table.columnOf("x");
-    const std::size_t atVelocity = table.columnOf(nameIn(table, "velocity", "v"));
-    const std::size_t atOther =
-        table.columnOf(measured.isDisplacement ? nameIn(table, "displacement", "u")
-                                               : nameIn(table, "strain", "s"));
+    const std::size_t atX = table.columnOf("x", stateColumns);
+    const std::size_t atVelocity = table.columnOf(nameIn(table, "velocity", "v"), stateColumns);
+    const std::size_t atOther = table.columnOf(
+        measured.isDisplacement ? nameIn(table, "displacement", "u") : nameIn(table, "strain", "s"),
+        stateColumns);
     const double unitOfOther = measured.isDisplacement ? unit.displacement : unit.strain;
     constexpr double rounding = 1e-9;
     while (table.next()) {

@@ -125,14 +125,12 @@ bool Table::has(std::string_view column) const
     return std::find(header_.begin(), header_.end(), column) != header_.end();
 }
 
-std::size_t Table::columnOf(std::string_view column) const
+std::size_t Table::columnOf(std::string_view column, std::string_view allowed) const
 {
     const auto times = std::count(header_.begin(), header_.end(), column);
     if (times != 1) {
-        refuse(
-            fmt::format("{} column {}: allowed a header with columns a and b, or x, velocity "
-                        "and strain, or x, velocity and displacement, each once",
-                        times == 0 ? "no" : "more than one", column));
+        refuse(fmt::format("{} column {}: allowed {}, once", times == 0 ? "no" : "more than one",
+                           column, allowed));
     }
     return static_cast<std::size_t>(std::find(header_.begin(), header_.end(), column) -
                                     header_.begin());

@@ -27,8 +27,9 @@ public:
     /// Does the header name a column?
     [[nodiscard]] bool has(std::string_view column) const;
 
-    /// Where it does. \throws std::invalid_argument unless it does so once.
-    [[nodiscard]] std::size_t columnOf(std::string_view column) const;
+    /// Where it does. \throws std::invalid_argument, with what is allowed, unless it does so once.
+    [[nodiscard]] std::size_t columnOf(std::string_view column,
+                                       std::string_view allowed = "a header that names it") const;
 
     /// The number of the row in a column. \throws std::invalid_argument naming file, line and
     /// column if it is none, or not finite.

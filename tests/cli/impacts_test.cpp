@@ -86,7 +86,8 @@ TEST_CASE("cli impacts: a force from a file moves a tip far from the wall as the
 {
     const CommandLine program;
     // Until 2 L/c nothing comes back from the clamp: u = int F dt/(EA/c), whatever the step.
-    write(program, "f.csv", "time,force\n0,0\n1,1e-3\n1.5,1e-3\n");
+    const std::string column = GENERATE(as<std::string>{}, "force", "newtons");
+    write(program, "f.csv", "time," + column + "\n0,0\n1,1e-3\n1.5,1e-3\n");
     for (const char* bar :
          {"--cells 14 --gap 1", "--segments 7:1,7:1 --gap 1", "--cells 14 --gap 1 --state end.csv",
           "--scene 'clamp 14 driven stop=1'"}) {
@@ -118,7 +119,7 @@ TEST_CASE(
     };
     refuses("--rest --time 2 --force-file back.csv", "times that increase, in s: more than 1");
     refuses("--rest --time 2 --force-file words.csv", "strong");
-    refuses("--rest --time 2 --force-file names.csv", "time");
+    refuses("--rest --time 2 --force-file names.csv", "columns time [s] and force [N]");
     refuses("--rest --time 2 --force-file gone.csv", "--force-file", 4);
     refuses("--rest --periods 2 --force-file good.csv", "--force-file clashes");
     refuses("--rest --time 2 --force tip --amplitude 1 --frequency 1 --force-file good.csv",
