@@ -334,4 +334,30 @@ std::string asText(const answers::QuestionAnswer& answer, bool isVerbose)
     return text + found + others;
 }
 
+std::string bandsText(std::size_t count, const std::function<bool(std::size_t)>& holds,
+                      const std::function<std::string(std::size_t, std::size_t)>& called)
+{
+    constexpr int most = 4;
+    std::string text;
+    int bands = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t first = k;
+        while (k < count && holds(k)) {
+            ++k;
+        }
+        if (k > first && ++bands <= most) {
+            text += (text.empty() ? "" : ", ") + called(first, k - 1);
+        }
+    }
+    return bands > most ? text + fmt::format(" and {} more", bands - most) : text;
+}
+
+std::string yieldText(double stress, std::optional<double> limit, const char* values)
+{
+    return limit ? fmt::format(": {:.3g} % of the yield stress, {} at these {}",
+                               100.0 * stress / *limit,
+                               stress > *limit ? "the bar yields" : "no yield", values)
+                 : "";
+}
+
 }  // namespace signorini::cli

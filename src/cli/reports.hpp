@@ -64,6 +64,14 @@ void report(const CommonOptions& common, const Answer& answer,
                               : common.restated(grid, damping) + asText(answer));
 }
 
+/// The runs of neighbours 0 … count - 1 that hold, each as its first and last are called: "a … b, c
+/// and 2 more"; empty: none.
+[[nodiscard]] std::string bandsText(
+    std::size_t count, const std::function<bool(std::size_t)>& holds,
+    const std::function<std::string(std::size_t first, std::size_t last)>& called);
+/// ": 12 % of the yield stress, no yield at these values", or nothing without a limit.
+[[nodiscard]] std::string yieldText(double stress, std::optional<double> limit, const char* values);
+
 /// "7/2" or "4".
 [[nodiscard]] std::string fractionAsText(const ExactPeriod& fraction);
 /// factor T - less with its positive term first; the number alone for factor 0.

@@ -12,72 +12,30 @@ namespace signorini::cli {
 
 namespace {
 
-/// Neighbours in the list of frequencies.
-struct Band {
-    const FrequencyResponse* low;
-    const FrequencyResponse* high;
-};
+using Holds = std::function<bool(const FrequencyResponse&)>;
 
-/// Frequencies in Hz and their bands, ascending.
-class Frequencies {
-public:
-    explicit Frequencies(const ResponseAnswer& answer)
-        : answer_(answer), unit_(1.0 / 4.0 / scales(answer.bar).time)
+/// "400 … 410 Hz (0.95 … 0.98 ω₁), 530 Hz (1.26 ω₁) and 2 more"; empty: nowhere.
+std::string where(const ResponseAnswer& answer, const Holds& holds)
+{
+    // Listed with the number of steps ascending, so the highest frequency is the first.
+    const std::vector<FrequencyResponse>& all = answer.frequencies;
+    const auto at = [&all](std::size_t k) -> const auto&
     {
-    }
-
-    [[nodiscard]] double hertz(const FrequencyResponse& at) const
-    {
-        return at.frequencyRatio * unit_;
-    }
-
-    /// "400 … 410 Hz (0.95 … 0.98 ω₁), 530 Hz (1.26 ω₁) and 2 more"; empty: nowhere.
-    [[nodiscard]] std::string where(
-        const std::function<bool(const FrequencyResponse&)>& holds) const
-    {
-        constexpr std::size_t most = 4;
-        const std::vector<Band> bands = bandsWhere(holds);
-        std::string text;
-        for (std::size_t k = 0; k < std::min(most, bands.size()); ++k) {
-            text += text.empty() ? "" : ", ";
-            text += textOf(bands[k]);
-        }
-        return bands.size() > most ? text + fmt::format(" and {} more", bands.size() - most) : text;
-    }
-
-private:
-    [[nodiscard]] std::string textOf(const Band& band) const
-    {
-        const double low = band.low->frequencyRatio;
-        const double high = band.high->frequencyRatio;
-        return band.low == band.high ? fmt::format("{:.6g} Hz ({:.4g} ω₁)", low * unit_, low)
-                                     : fmt::format("{:.6g} … {:.6g} Hz ({:.4g} … {:.4g} ω₁)",
-                                                   low * unit_, high * unit_, low, high);
-    }
-
-    [[nodiscard]] std::vector<Band> bandsWhere(
-        const std::function<bool(const FrequencyResponse&)>& holds) const
-    {
-        // Listed with the number of steps ascending, so the highest frequency is the first.
-        std::vector<Band> bands;
-        bool goesOn = false;
-        for (std::size_t k = answer_.frequencies.size(); k-- > 0;) {
-            const FrequencyResponse& at = answer_.frequencies[k];
-            if (!holds(at)) {
-                goesOn = false;
-            } else if (goesOn) {
-                bands.back().high = &at;
-            } else {
-                bands.push_back({&at, &at});
-                goesOn = true;
-            }
-        }
-        return bands;
-    }
-
-    const ResponseAnswer& answer_;
-    double unit_;  ///< [Hz], omega_1
-};
+        return all[all.size() - 1 - k];
+    };
+    return bandsText(
+        all.size(), [&](std::size_t k) { return holds(at(k)); },
+        [&](std::size_t first, std::size_t last) {
+            const double low = at(first).frequencyRatio;
+            const double high = at(last).frequencyRatio;
+            const auto hertz = [&answer](double ratio) {
+                return answers::hertzOf(ratio, answer.bar);
+            };
+            return first == last ? fmt::format("{:.6g} Hz ({:.4g} ω₁)", hertz(low), low)
+                                 : fmt::format("{:.6g} … {:.6g} Hz ({:.4g} … {:.4g} ω₁)",
+                                               hertz(low), hertz(high), low, high);
+        });
+}
 
 /// The bar without stops would meet one, and does not stay at it: it has to rattle.
 bool mustRattle(const FrequencyResponse& response)
@@ -104,7 +62,7 @@ void keepLarger(Worst& worst, double value, const FrequencyResponse& at, const F
     }
 }
 
-void addWorst(const ResponseAnswer& answer, const Frequencies& frequencies, Text& text)
+void addWorst(const ResponseAnswer& answer, Text& text)
 {
     Worst force;
     Worst impulse;
@@ -125,7 +83,8 @@ void addWorst(const ResponseAnswer& answer, const Frequencies& frequencies, Text
     const auto line = [&](const char* label, const Worst& worst, const char* unit,
                           const std::string& remark = {}) {
         print(text, "{:<12}at most {:.6g} {} at {:.6g} Hz, {}{}\n", label, worst.value, unit,
-              frequencies.hertz(*worst.at), describe(worst.motion->schedule.phases), remark);
+              answers::hertzOf(worst.at->frequencyRatio, answer.bar),
+              describe(worst.motion->schedule.phases), remark);
     };
     line("force", force, "N");
     line("impulse", impulse, "N s per period");
@@ -134,20 +93,14 @@ void addWorst(const ResponseAnswer& answer, const Frequencies& frequencies, Text
         line("strain", strain, "[-]");
         return;
     }
-    std::string remark;
-    if (const auto limit = answer.yieldStress) {
-        remark =
-            fmt::format(": {:.3g} % of the yield stress, {}", 100.0 * stress.value / *limit,
-                        stress.value > *limit ? "the bar yields" : "no yield at these frequencies");
-    }
-    line("stress", stress, "Pa", remark);
+    line("stress", stress, "Pa", yieldText(stress.value, answer.yieldStress, "frequencies"));
 }
 
 /// Frequencies where the list may not be all there is.
-void addGaps(const ResponseAnswer& answer, const Frequencies& frequencies, Text& text)
+void addGaps(const ResponseAnswer& answer, Text& text)
 {
     const bool hasOne = answer.range.contacts == 1;
-    const std::string unmet = frequencies.where([](const FrequencyResponse& at) {
+    const std::string unmet = where(answer, [](const FrequencyResponse& at) {
         return at.motions.empty() && mustRattle(at) && at.undecided == 0;
     });
     if (!unmet.empty()) {
@@ -160,7 +113,7 @@ void addGaps(const ResponseAnswer& answer, const Frequencies& frequencies, Text&
             std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
                          [](const FrequencyResponse& at) { return at.undecided > 0; });
         print(text, "undecided   {} schedules: {}; the first: {}\n", answer.undecided(),
-              frequencies.where([](const FrequencyResponse& at) { return at.undecided > 0; }),
+              where(answer, [](const FrequencyResponse& at) { return at.undecided > 0; }),
               first->detail);
     }
 }
@@ -185,10 +138,10 @@ void addStability(const ResponseAnswer& answer, Text& text)
           count(Stability::repels), count(Stability::unclear));
 }
 
-void addPermanent(const ResponseAnswer& answer, const Frequencies& frequencies, Text& text)
+void addPermanent(const ResponseAnswer& answer, Text& text)
 {
     const std::string held =
-        frequencies.where([](const FrequencyResponse& at) { return at.permanent.has_value(); });
+        where(answer, [](const FrequencyResponse& at) { return at.permanent.has_value(); });
     if (held.empty()) {
         return;
     }
@@ -211,7 +164,6 @@ void addPermanent(const ResponseAnswer& answer, const Frequencies& frequencies, 
 std::string asText(const ResponseAnswer& answer)
 {
     const ResponseRange& range = answer.range;
-    const Frequencies frequencies(answer);
     Text text;
     print(
         text,
@@ -226,10 +178,9 @@ std::string asText(const ResponseAnswer& answer)
     if (!answer.scene.segments.empty()) {
         print(text, "segments    {}\n", textOf(answer.scene.segments));
     }
-    print(text, "asked       {}\n",
-          frequencies.where([](const FrequencyResponse&) { return true; }));
-    const std::string all = frequencies.where(canRattle);
-    const std::string must = frequencies.where(mustRattle);
+    print(text, "asked       {}\n", where(answer, [](const FrequencyResponse&) { return true; }));
+    const std::string all = where(answer, canRattle);
+    const std::string must = where(answer, mustRattle);
     if (all.empty()) {
         print(text, "rattles     nowhere{}\n",
               answer.undecided() > 0 ? " that was decided"
@@ -240,10 +191,10 @@ std::string asText(const ResponseAnswer& answer)
         print(text, "rattles     can: {}; must, as the linear response meets a stop: {}\n", all,
               must.empty() ? "nowhere" : must);
     }
-    addPermanent(answer, frequencies, text);
-    addGaps(answer, frequencies, text);
+    addPermanent(answer, text);
+    addGaps(answer, text);
     if (answer.motions() > 0) {
-        addWorst(answer, frequencies, text);
+        addWorst(answer, text);
         addStability(answer, text);
         print(text, "each motion --csv FILE.csv, --format json, --figure FILE.png\n");
     }

@@ -78,29 +78,15 @@ SweepCommand::SweepCommand(const Given& words)
 
 double SweepCommand::end(const char* option, double otherwise, const Bar& bar) const
 {
+    const std::string twin = fmt::format("{}-hertz", option);
+    if (over == Swept::frequency) {
+        return FrequencyOption(given, option, twin.c_str()).ratioFor(firstHertz(bar), otherwise);
+    }
+    refuseIf(given.has(twin.c_str()), twin, given.text(twin), "it only with --over frequency");
+    const char* unit = unitName(over, force.place.value());
     const std::string text = given.text(option);
-    const auto hertz = given.number(fmt::format("{}-hertz", option));
-    if (hertz && over != Swept::frequency) {
-        refuse(fmt::format("{}-hertz", option), fmt::format("{}", *hertz),
-               "it only with --over frequency");
-    }
-    refuseIf(hertz && !text.empty(), option, text,
-             fmt::format("it without {}-hertz: both are one frequency", option));
-    if (hertz) {
-        return *hertz / firstHertz(bar);
-    }
-    if (text.empty() && over != Swept::frequency) {
-        refuse(option, "missing",
-               fmt::format("numbers > 0 [{}]", unitName(over, force.place.value())));
-    }
-    if (text.empty()) {
-        return otherwise;
-    }
-    if (over == Swept::frequency && text.ends_with("Hz")) {
-        return parsePositive(option, text, "Hz") / firstHertz(bar);
-    }
-    return parsePositive(option, text, unitName(over, force.place.value())) /
-           answers::unitOf(over, force.place.value(), bar);
+    refuseIf(text.empty(), option, "missing", fmt::format("numbers > 0 [{}]", unit));
+    return parsePositive(option, text, unit) / answers::unitOf(over, force.place.value(), bar);
 }
 
 SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const

@@ -38,26 +38,15 @@ std::string valueText(const SweepAnswer& answer, double value)
 }
 
 /// "0.98 ω₁ (490 Hz) … 1.1 ω₁ (550 Hz)" of neighbours, ascending, and how many further bands.
-std::string bandsText(const SweepAnswer& answer, const std::vector<bool>& holds)
+std::string bandsOf(const SweepAnswer& answer, const std::vector<bool>& holds)
 {
-    constexpr int most = 4;
     const std::vector<double> values = valuesOf(answer.range);
-    std::string text;
-    int bands = 0;
-    for (std::size_t k = 0; k < holds.size(); ++k) {
-        if (!holds[k] || (k > 0 && holds[k - 1])) {
-            continue;
-        }
-        std::size_t last = k;
-        while (last + 1 < holds.size() && holds[last + 1]) {
-            ++last;
-        }
-        if (++bands <= most) {
-            text += (text.empty() ? "" : ", ") + valueText(answer, values[k]) +
-                    (last > k ? " … " + valueText(answer, values[last]) : "");
-        }
-    }
-    return bands > most ? text + fmt::format(" and {} more", bands - most) : text;
+    return bandsText(
+        holds.size(), [&](std::size_t k) { return holds[k]; },
+        [&](std::size_t first, std::size_t last) {
+            return valueText(answer, values[first]) +
+                   (last > first ? " … " + valueText(answer, values[last]) : "");
+        });
 }
 
 /// At which values a point of a direction is like that.
@@ -108,9 +97,9 @@ void addKinds(const SweepAnswer& answer, SweepDirection direction, Text& text)
                 : fmt::format("{} contact{} in {}", contacts, contacts == 1 ? "" : "s",
                               periods == 1 ? "a period" : fmt::format("{} periods", periods));
         print(text, "  {:<26}{:>6}  {}\n", what, count,
-              bandsText(answer, where(answer, direction, [kind = kind](const SweepPoint& point) {
-                            return kindOf(point) == kind;
-                        })));
+              bandsOf(answer, where(answer, direction, [kind = kind](const SweepPoint& point) {
+                          return kindOf(point) == kind;
+                      })));
     }
 }
 
@@ -131,7 +120,7 @@ void addHysteresis(const SweepAnswer& answer, Text& text)
                                                          points[1]->meanImpulse) > part * largest);
     }
     if (std::find(differs.begin(), differs.end(), true) != differs.end()) {
-        print(text, "hysteresis  {}: impulses up and down differ\n", bandsText(answer, differs));
+        print(text, "hysteresis  {}: impulses up and down differ\n", bandsOf(answer, differs));
     }
 }
 
@@ -164,13 +153,7 @@ void addWorst(const SweepAnswer& answer, Text& text)
         return;
     }
     const double stress = most * *answer.bar.young;
-    std::string remark;
-    if (const auto limit = answer.yieldStress) {
-        remark =
-            fmt::format(": {:.3g} % of the yield stress, {} at these values",
-                        100.0 * stress / *limit, stress > *limit ? "the bar yields" : "no yield");
-    }
-    line("stress", strain, stress, "Pa", remark);
+    line("stress", strain, stress, "Pa", yieldText(stress, answer.yieldStress, "values"));
 }
 
 }  // namespace
