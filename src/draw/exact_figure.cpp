@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "axes.hpp"
 #include "excited_amplitude.hpp"
@@ -86,7 +85,8 @@ public:
             }
         }
         addLone(frequencies);
-        addMarks();
+        addMarks(true);
+        addMarks(false);
         figure.panels = {std::move(upper_), std::move(lower_)};
         return figure;
     }
@@ -104,20 +104,27 @@ private:
         below.add(ratio * hertz_, motion.extremes.impulse * impulseUnit_.factor);
     }
 
+    void push(Series above, Series below, std::string words)
+    {
+        if (!above.x.empty()) {
+            upper_.add(std::move(above));
+            lower_.add(below.named(std::move(words)));
+        }
+    }
+
     /// A line goes on to the next point, whatever that does, unless curves have a gap there.
     void addCurves(std::size_t kind, bool areSeveral)
     {
-        Series above{.role = areSeveral ? Role::strain : Role::contact,
-                     .width = partSorts[kind].width,
-                     .dash = partSorts[kind].dash};
+        const auto [words, dash, width] = partSorts[kind];
+        Series above = line(areSeveral ? Role::strain : Role::contact, width, dash);
         Series below = above;
         for (const ExactBranch& branch : branches_) {
             const auto& points = branch.curve.points;
             bool goesOn = false;
-            for (std::size_t k = 0; k < points.size(); ++k) {
-                const bool isIn = kindOf(branch.stability[k]) == kind &&
+            for (std::size_t k = 0; k <= points.size(); ++k) {
+                const bool isIn = k < points.size() && kindOf(branch.stability[k]) == kind &&
                                   (points[k].motion.contacts.size() > 1) == areSeveral;
-                if (isIn || goesOn) {
+                if (k < points.size() && (isIn || goesOn)) {
                     add(above, below, points[k].frequencyRatio, points[k].motion);
                 }
                 if (goesOn && !isIn) {
@@ -126,21 +133,15 @@ private:
                 }
                 goesOn = isIn;
             }
-            above.breakOff();
-            below.breakOff();
         }
-        if (std::any_of(above.y.begin(), above.y.end(), [](double y) { return y == y; })) {
-            below.legend = fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact",
-                                       partSorts[kind].words);
-            upper_.series.push_back(std::move(above));
-            lower_.series.push_back(std::move(below));
-        }
+        push(std::move(above), std::move(below),
+             fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact", words));
     }
 
     /// Attractors of many contacts have curves too short to be seen.
     void addLone(const std::vector<ExactFrequency>& frequencies)
     {
-        Series above{.kind = Kind::dots, .role = Role::strain, .size = 0.5};
+        Series above = dots(Role::strain, 0.5);
         Series below = above;
         for (const ExactFrequency& at : frequencies) {
             for (const ExactMotion& one : at.motions) {
@@ -149,37 +150,25 @@ private:
                 }
             }
         }
-        if (!above.x.empty()) {
-            below.legend = "several contacts: from rest";
-            upper_.series.push_back(std::move(above));
-            lower_.series.push_back(std::move(below));
-        }
+        push(std::move(above), std::move(below), "several contacts: from rest");
     }
 
-    void addMarks()
+    /// Folds, or where a contact comes or goes.
+    void addMarks(bool areFolds)
     {
-        Series fold{.kind = Kind::dots, .role = Role::ink, .marker = Marker::diamond, .size = 0.9};
-        Series change = fold;
-        change.marker = Marker::ring;
-        Series foldBelow = fold.named("fold");
-        Series changeBelow = change.named("a contact more or less");
+        Series above = dots(Role::ink, 0.9, areFolds ? Marker::diamond : Marker::ring);
+        Series below = above;
         for (const ExactBranch& branch : branches_) {
             for (const BranchMark& mark : branch.curve.marks) {
-                if (mark.event == BranchEvent::end || mark.event == BranchEvent::pin ||
-                    branch.curve.points.size() < 4) {
-                    continue;
+                const bool isChange =
+                    mark.event == BranchEvent::newContact || mark.event == BranchEvent::lostContact;
+                if ((areFolds ? mark.event == BranchEvent::fold : isChange) &&
+                    branch.curve.points.size() >= 4) {
+                    add(above, below, mark.frequencyRatio, branch.curve.points[mark.after].motion);
                 }
-                const bool isFold = mark.event == BranchEvent::fold;
-                add(isFold ? fold : change, isFold ? foldBelow : changeBelow, mark.frequencyRatio,
-                    branch.curve.points[mark.after].motion);
             }
         }
-        for (Series* above : {&fold, &change}) {
-            if (!above->x.empty()) {
-                lower_.series.push_back(std::move(above == &fold ? foldBelow : changeBelow));
-                upper_.series.push_back(std::move(*above));
-            }
-        }
+        push(std::move(above), std::move(below), areFolds ? "fold" : "a contact more or less");
     }
 
     const std::vector<ExactBranch>& branches_;
