@@ -363,6 +363,10 @@ TEST_CASE("atlas database: what cannot be used is refused and left as it is")
     std::vector<std::int8_t> signs;
     AtlasRun second = run;
     const std::vector first{decideBatch(range, 0, signs).value()};
+    const std::vector twice{first.front(), first.front()};
+    CHECK_THROWS_WITH(database.write(run, twice, 0.0, ""), containsText("out of order"));
+    CHECK(run.nextBatch == 0);
+    CHECK(number(folder.file("a.sqlite"), "SELECT COUNT(*) FROM schedules") == 0);
     database.write(run, first, 0.0, "");
     const auto rows = dump(folder.file("a.sqlite"));
     CHECK_THROWS_WITH(database.write(second, first, 0.0, ""), containsText("another process"));

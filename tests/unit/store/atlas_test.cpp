@@ -383,6 +383,22 @@ TEST_CASE("atlas: neither the number of threads nor who takes which batch change
     CHECK(std::equal(one.rows.begin(), one.rows.end(), shared.rows.begin(), isSameRow));
 }
 
+TEST_CASE("atlas: batches that need not be waited for are those that come next")
+{
+    const AtlasRange range = smallRange(20, 40, 160);
+    LocalBatches source(range, 2);
+    std::int64_t number = 0;
+    for (auto batch = source.next(); batch; ++number) {
+        CHECK(batch->number == number);
+        batch = source.ready();
+        if (!batch) {
+            batch = source.next();
+        }
+    }
+    CHECK(number == batchesOf(range));
+    CHECK_FALSE(source.ready());
+}
+
 TEST_CASE("atlas: a cancelled source ends, however many threads wait")
 {
     std::atomic<bool> stop = false;
