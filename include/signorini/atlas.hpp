@@ -186,9 +186,11 @@ struct AtlasRun {
     [[nodiscard]] bool isFinished() const { return nextBatch == batches; }
 };
 
-/// The proof that a schedule of a bar of several segments has no motion: multipliers over the rows
-/// of the joints form, as docs/certificates.md describes them, in text: "row:value ..." of the
-/// equalities, "; ", and the same of the inequalities.
+/// The proof that a schedule of a bar of several segments has no motion, as docs/certificates.md
+/// describes its numbers, in text: multipliers over the rows of the joints form, "row:value ..." of
+/// the equalities, "; ", and the same of the inequalities; or of a march backwards (`EnergyFloor`),
+/// "y ..." of the waves, "; ", "contact:step:value ..." of distances, contacts from 1, "; ", and
+/// the same of pushes.
 struct AtlasProof {
     std::int64_t number = 0;  ///< of its row
     std::string multipliers;

@@ -84,6 +84,9 @@ void validate(const Demands& demands, const Schedule& schedule);
 /// relative to them, of the tip floor relative to the gap, of a fixed value relative to it or to
 /// g/L, whichever is larger. 0 if all are met. Independent of how the state was found. O(N + min(n,
 /// 12N)).
+[[nodiscard]] double violation(const Demands& demands, const State& state, const Extremes& seen,
+                               double energyRatio);
+/// Of a bar of one segment, measured here.
 [[nodiscard]] double violation(const Demands& demands, const State& state,
                                const Schedule& schedule);
 

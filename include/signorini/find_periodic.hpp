@@ -195,12 +195,12 @@ struct PeriodicResult {
 /// - no gap: the same sets are cones, and the motion is the one of most impulse for its energy
 /// - demands that neither can answer, or phases beyond its limits: a linear, quadratic or nonlinear
 ///   program in as few unknowns as they allow (`cheapestFormulation`), by GLPK, Ipopt or NLopt
-/// - a bar of several segments: coordinates of ker(W - 1) (`Formulation::kernel`), in which an
-///   active set method finds the motion of least energy or multipliers of a conflict; where the
-///   state of a block is large the waves at joints and tip (`Formulation::joints`) and a linear
-///   program by GLPK. A march of its own confirms a motion; rationals that there is none, or, where
-///   these would be too many, a march backwards that there is none below `hugeEnergyRatio`. Equal
-///   segments without dashpots are one bar
+/// - a bar of several segments: coordinates of ker(W - 1) (`Formulation::kernel`; `joints` asks for
+///   the same), in which an active set method finds the motion of least energy, the nearest to a
+///   target in the norm of the energy, or multipliers of a conflict, and programs find those of
+///   most impulse or of a given energy. A march of its own confirms a motion; rationals that there
+///   is none, or, where these would be too many, a march backwards that there is none below
+///   `hugeEnergyRatio`. Equal segments without dashpots are one bar
 /// - the paper's equations in a, b (`Formulation::state`) when asked for, as a witness
 /// Where a program has no solution, absence is claimed only with an exact proof.
 ///

@@ -103,7 +103,7 @@ struct ForcedCorner {
     std::vector<double> free = {};     ///< [g/L], amplitudes of the waves that nothing damps
 };
 
-class SteppedForced;
+class NetworkForced;
 
 /// All motions of one schedule. Where everything is damped (C, S) = foot + t direction, low <= t <=
 /// high; else (C, S) fills a polygon, and each of its places has motions of its own.
@@ -135,7 +135,7 @@ struct ForcedSet {
     std::int64_t freeWaves = 0;            ///< [-], classes of steps that nothing damps
     /// kind polytope: of the polygon, counterclockwise; two of a segment, one of a point.
     std::vector<ForcedCorner> corners;
-    std::shared_ptr<const SteppedForced> waves = {};  ///< of segments that differ
+    std::shared_ptr<const NetworkForced> waves = {};  ///< of segments that differ
 };
 
 /// Largest amplitude that multipliers are asked to exclude [EA g/L or g].

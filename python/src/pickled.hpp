@@ -201,8 +201,8 @@ struct Travel<std::shared_ptr<const T>> {
 
 /// What a set was decided with: it is solved for anew.
 template <>
-struct Travel<std::shared_ptr<const SteppedForced>> {
-    using T = std::shared_ptr<const SteppedForced>;
+struct Travel<std::shared_ptr<const NetworkForced>> {
+    using T = std::shared_ptr<const NetworkForced>;
     static py::object put(const T& /*value*/) { return py::none(); }
     static T get(const py::handle& /*source*/) { return {}; }
     static bool same(const T& /*one*/, const T& /*other*/) { return true; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_spans.hpp"
 #include "near_schedule.hpp"
 #include "one_material.hpp"
 #include "propagation.hpp"
@@ -89,9 +90,11 @@ std::optional<std::vector<double>> FindAnswer::approachSpeeds() const
     if (steps(walked) > Motion::maxKeptValues) {
         return std::nullopt;  // a schedule from a file can be of any length
     }
-    SteppedWaves waves(
-        steppedBar(segments.empty() ? std::vector<Segment>{{.cells = walked.cells}} : segments),
-        motion.state);
+    const Network network = networkOf(result.scene, walked.cells);
+    NetworkWaves<double> waves(network, std::span<const double>(wavesOf(network, motion.state)));
+    const NetworkLaw<double> held(network, 1);
+    const NetworkLaw<double> open(network, 0);
+    const std::size_t atTip = 2 * (network.rows.size() - 1);
     const double least = 1e-9 * amplitude(motion.state);
     const double unit = 2.0 * scales(firstMaterial(result.scene)).velocity;
     std::vector<double> speeds;
@@ -99,7 +102,7 @@ std::optional<std::vector<double>> FindAnswer::approachSpeeds() const
     bool isFromBefore = true;  // did the first contact follow a motion in the period before?
     bool wasPressed = false;
     const auto step = [&](bool isHeld) {
-        const double p = std::abs(waves.arriving());
+        const double p = std::abs(waves.arriving()[atTip]);
         const bool isPressed = isHeld && p > least;
         if (isPressed && !wasPressed) {
             speeds.push_back(unit * before);
@@ -111,7 +114,7 @@ std::optional<std::vector<double>> FindAnswer::approachSpeeds() const
             isFromBefore = isFromBefore && !speeds.empty();
         }
         wasPressed = isPressed;
-        waves.step({.reflected = isHeld ? -1.0 : 1.0});
+        waves.step(isHeld ? held : open);
     };
     for (const Phase& phase : walked.phases) {
         for (std::int64_t m = 0; m < phase.contact + phase.free; ++m) {

@@ -39,7 +39,7 @@ ContactSet setOf(std::string_view text, std::size_t contacts, const std::string&
 struct FreeAnswer {
     const SceneFind& of;
     std::optional<double> unit;  ///< E_1 [Z_1 delta^2/h]
-    NetworkMotions motions;
+    LeastMotion motions;
 
     [[nodiscard]] double joules(double energy) const { return energy * of.network.scales.energy(); }
     [[nodiscard]] Json ratio(double energy) const { return unit ? Json(energy / *unit) : Json(); }
@@ -77,9 +77,9 @@ Json certificateAsJson(const FreeAnswer& answer)
 
 Json asJson(const FreeAnswer& answer)
 {
-    const NetworkMotions& motions = answer.motions;
+    const LeastMotion& motions = answer.motions;
     Json json = answer.of.keys(motions.status);
-    json.update(Json{{"kernel_dimension", motions.kernelDimension},
+    json.update(Json{{"kernel_dimension", jsonOf(motions.kernelDimension)},
                      {"contacts", contactsAsJson(answer.of.network, answer.of.assembly.length)},
                      {"contact", nullptr},
                      {"energy", nullptr},
@@ -106,7 +106,7 @@ Json asJson(const FreeAnswer& answer)
 
 std::string asText(const FreeAnswer& answer)
 {
-    const NetworkMotions& motions = answer.motions;
+    const LeastMotion& motions = answer.motions;
     std::string text = answer.of.lines(motions.status) +
                        fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.of.period());
     if (motions.status == Status::none) {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "find_command.hpp"
-#include "scene_forced.hpp"
+#include "network_forced.hpp"
 
 namespace signorini::cli {
 

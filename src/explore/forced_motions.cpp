@@ -4,8 +4,8 @@
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "forced_set.hpp"
+#include "network_forced.hpp"
 #include "resting_tip.hpp"
-#include "stepped_forced.hpp"
 #include "stops.hpp"
 
 namespace signorini {
@@ -212,10 +212,10 @@ void decide(ForcedSet& set, Solved& solved)
 }
 
 /// Of segments that differ; where they are not kept (a set that was read from a file) anew.
-std::shared_ptr<const SteppedForced> wavesOf(const ForcedSet& set)
+std::shared_ptr<const NetworkForced> wavesOf(const ForcedSet& set)
 {
     return set.waves || isUniform(set.segments) ? set.waves
-                                                : std::make_shared<const SteppedForced>(set);
+                                                : std::make_shared<const NetworkForced>(set);
 }
 
 /// Whoever solved the waves.
@@ -247,7 +247,7 @@ ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping, const 
     set.limits = limits;
     set.segments = segments;
     if (!isUniform(segments)) {
-        set.waves = std::make_shared<const SteppedForced>(set);
+        set.waves = std::make_shared<const NetworkForced>(set);
         set.waves->decide(set);
         return set;
     }

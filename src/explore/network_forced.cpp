@@ -1,331 +1,399 @@
 #include "network_forced.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
-#include "network_simulation.hpp"
-#include "periodic_multipliers.hpp"
+#include "energy_floor.hpp"
+#include "faults.hpp"
+#include "forced_case.hpp"
+#include "forced_cut.hpp"
+#include "infinity.hpp"
+#include "network_find.hpp"
+#include "signorini/find_periodic.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
 namespace {
 
-constexpr double leastPivot = 1e-10;  // of 1 - W; below it the waves are anyone's guess
-constexpr double noPivot = 1e-12;     // that is 0 but for rounding
+constexpr double parallel = 1e-12;  // rows with a smaller part along the line do not cut it
 
-bool isInTime(NetworkCondition::Kind kind)
+SteppedBar checkedBar(const ForcedSet& set)
 {
-    return kind == NetworkCondition::Kind::place || kind == NetworkCondition::Kind::push;
+    SteppedBar bar = steppedBar(set.segments);
+    requireCells(bar, set.schedule.cells);
+    Faults faults;
+    const char* where = " for a bar of several segments";
+    if (!set.forcing.shape.empty()) {
+        faults.add("shape", set.forcing.shape.size(), std::string("a harmonic") + where);
+    }
+    if (std::isfinite(set.limits.strain)) {
+        faults.add("strain limit", set.limits.strain, std::string("none") + where);
+    }
+    if (steps(set.schedule) > maxNetworkSteps) {
+        faults.add("steps", steps(set.schedule),
+                   fmt::format("at most {}{}", maxNetworkSteps, where));
+    }
+    faults.throwIfAny();
+    return bar;
 }
 
-NetworkWaves<double> started(const Network& network, const Eigen::VectorXd& x)
+/// With |g| = 1, or L = 1 without a gap.
+Network networkOf(const ForcedSet& set)
 {
-    return {network, std::span(x.data(), static_cast<std::size_t>(x.size()))};
+    Scene scene;
+    scene.bar.gap = set.schedule.stops.right;
+    if (set.schedule.stops.left) {
+        scene.secondStop = set.schedule.stops.left->value();
+    }
+    scene.segments = set.segments;
+    return networkOf(scene, set.schedule.cells, set.damping);
+}
+
+/// Of a period. \throws as the constructor says.
+std::int64_t checkedSteps(const Network& network, const std::vector<ContactSpan>& spans,
+                          const Forcing& forcing)
+{
+    requireKnown(network, spans);
+    Faults faults;
+    std::int64_t steps = 0;
+    for (const ContactSpan& span : spans) {
+        steps += span.steps;
+    }
+    if (const std::int64_t most = (steps - 1) / 2; forcing.cycles < 1 || forcing.cycles > most) {
+        faults.add("cycles", forcing.cycles,
+                   fmt::format("whole numbers 1..{}, below half of the steps", most));
+    }
+    const bool isForce = forcing.place == Excited::tip;
+    if (std::none_of(network.nodes.begin(), network.nodes.end(),
+                     [isForce](const NetworkNode& node) {
+                         return isForce ? node.isDriven : node.isShaken;
+                     })) {
+        faults.add("force", isForce ? "tip" : "base",
+                   isForce ? "a scene with the word driven" : "a scene with the word shaken");
+    }
+    for (const NetworkBar& bar : network.bars) {
+        bool isShaken = false;
+        for (std::size_t node = bar.firstNode; node <= bar.lastNode; ++node) {
+            isShaken = isShaken || network.nodes[node].isShaken;
+        }
+        if (!isForce && isShaken && bar.clamps + bar.springs > 1) {
+            faults.add("force", "base", "a shaken bar that is held nowhere else");
+        }
+    }
+    faults.throwIfAny();
+    return steps;
+}
+
+std::vector<StepDrive> drivesOf(std::span<const Excitation> shapes)
+{
+    std::vector<StepDrive> drives;
+    for (const Excitation& shape : shapes) {
+        drives.push_back(driveOf(shape));
+    }
+    return drives;
 }
 
 }  // namespace
 
-NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> schedule,
-                             std::vector<StepDrive> shapes)
-    : network_(std::move(network)),
-      schedule_(std::move(schedule)),
-      shapes_(std::move(shapes)),
-      scale_(static_cast<Eigen::Index>(network_.waves()))
+NetworkForced::NetworkForced(const ForcedSet& set)
+    : schedule_(set.schedule),
+      damping_(set.damping),
+      bar_(checkedBar(set)),
+      shapes_(shapesOf(set.forcing, bar_->cells, steps(schedule_))),
+      waves_(networkOf(set), spansOf(schedule_), drivesOf(shapes_)),
+      canRest_(canRest(set)),
+      mostEnergy_(hugeEnergyRatio * 0.5 * static_cast<double>(bar_->cells))
 {
-    Eigen::Index next = 0;
-    for (const CellRow& row : network_.rows) {
-        scale_.segment(next, 2 * row.cells).setConstant(std::sqrt(row.impedance));
-        next += 2 * row.cells;
-    }
-    for (const Stub& stub : network_.stubs) {
-        scale_[next++] = std::sqrt(stub.impedance);
-    }
-    for (const NetworkNode& node : network_.nodes) {
-        forces_ += std::abs(node.force);
-    }
-    const Network still = withoutForces(network_);
-    for (const ContactSpan& span : schedule_) {
-        laws_.emplace_back(still, span.closed);
-        if (!(still == network_)) {
-            forcedLaws_.emplace_back(network_, span.closed);
-        }
-    }
-    list();
-    choosePivots();
-    solve();
-    if (isClear_) {
-        read();
-    }
 }
 
-Eigen::VectorXd NetworkForced::carried(const Eigen::VectorXd& x, const Laws& laws,
-                                       const StepDrive* shape) const
+NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> spans,
+                             const Forcing& forcing, double usualEnergy)
+    : shapes_(shapesOf(forcing, 1, checkedSteps(network, spans, forcing))),
+      waves_(std::move(network), std::move(spans), drivesOf(shapes_)),
+      canRest_(false),
+      mostEnergy_(hugeEnergyRatio * usualEnergy)
 {
-    NetworkWaves<double> waves = started(network_, x);
-    std::size_t m = 0;
-    for (std::size_t k = 0; k < schedule_.size(); ++k) {
-        for (const auto end = m + static_cast<std::size_t>(schedule_[k].steps); m < end; ++m) {
-            waves.step(laws[k], shape != nullptr ? shape->forces[m] : 0.0,
-                       shape != nullptr ? shape->velocities[m] : 0.0);
-        }
-    }
-    const std::vector<double> all = waves.waves();
-    return Eigen::Map<const Eigen::VectorXd>(all.data(), x.size());
 }
 
-/// In the norm of the energy.
-void NetworkForced::solve()
+MotionAt NetworkForced::motionAt() const
 {
-    const Eigen::Index size = scale_.size();
-    Eigen::MatrixXd change = Eigen::MatrixXd::Identity(size, size);
-    for (Eigen::Index k = 0; k < size; ++k) {
-        const Eigen::VectorXd unit = Eigen::VectorXd::Unit(size, k) / scale_[k];
-        change.col(k) -= carried(unit, laws_, nullptr).cwiseProduct(scale_);
-    }
-    std::vector<Eigen::VectorXd> made;
-    const Eigen::VectorXd none = Eigen::VectorXd::Zero(size);
-    for (const StepDrive& shape : shapes_) {
-        made.emplace_back(carried(none, laws_, &shape).cwiseProduct(scale_));
-    }
-    steady_ = none;
-    if (!forcedLaws_.empty()) {
-        steady_ = carried(none, forcedLaws_, nullptr).cwiseProduct(scale_);
-    }
-    kernel_.resize(size, 0);
-    // Of free waves only the kernel matters.
-    const Eigen::PartialPivLU<Eigen::MatrixXd> factors(change);
-    const Eigen::VectorXd pivots = factors.matrixLU().diagonal().cwiseAbs();
-    if (pivots.minCoeff() > leastPivot && factors.rcond() > leastPivot) {
-        for (const Eigen::VectorXd& wave : made) {
-            driven_.emplace_back(factors.solve(wave).cwiseQuotient(scale_));
+    return [this](Plane place, std::span<const double> free) {
+        const std::vector<double> all = waves_.waves(place, free);
+        if (!bar_) {
+            const std::vector<double> places = waves_.displacements(place, all);
+            ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
+            motion.state.a = Eigen::Map<const Eigen::VectorXd>(
+                all.data(), static_cast<Eigen::Index>(all.size()));
+            motion.state.b = Eigen::Map<const Eigen::VectorXd>(
+                places.data(), static_cast<Eigen::Index>(places.size()));
+            const NetworkResiduals residuals = walk(waves_.network(), claimOf(motion));
+            motion.residual = residuals.worst();
+            motion.extremes.impulse =
+                std::accumulate(residuals.impulses.begin(), residuals.impulses.end(), 0.0);
+            return motion;
         }
-        steady_ = factors.solve(steady_).cwiseQuotient(scale_);
-        return;
-    }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> ranked;
-    ranked.setThreshold(leastPivot);
-    ranked.compute(change);
-    const Eigen::Index rank = ranked.rank();
-    const auto diagonal = ranked.matrixQTZ().diagonal().cwiseAbs();
-    isClear_ = std::all_of(diagonal.begin() + rank, diagonal.end(),
-                           [](double pivot) { return pivot < noPivot; });
-    if (!isClear_) {
-        return;
-    }
-    Eigen::MatrixXd last = Eigen::MatrixXd::Zero(size, size - rank);
-    last.bottomRows(size - rank).setIdentity();
-    const Eigen::MatrixXd kernel = ranked.householderQ() * last;  // of the transpose, too
-    for (const Eigen::VectorXd& wave : made) {
-        driven_.emplace_back(ranked.solve(wave).cwiseQuotient(scale_));
-    }
-    for (Eigen::Index k = 0; k < kernel.cols(); ++k) {
-        const auto on = [&](std::size_t shape) {
-            return shape < made.size() ? kernel.col(k).dot(made[shape]) : 0.0;
-        };
-        work_.push_back({on(0), on(1)});
-    }
-    const Eigen::VectorXd work = kernel.transpose() * steady_;
-    steadyWork_.assign(work.begin(), work.end());
-    steady_ = ranked.solve(steady_).cwiseQuotient(scale_);
-    kernel_ = scale_.cwiseInverse().asDiagonal() * kernel;
-}
-
-/// Distances of open contacts, but right after a closed step, where they are 0; those that close,
-/// that of the first step in front.
-void NetworkForced::list()
-{
-    using Kind = NetworkCondition::Kind;
-    const auto isClosed = [](const ContactSpan& span, std::size_t contact) {
-        return contains(span.closed, contact);
+        ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
+        enterState(motion, bar_->segments, stateOf(waves_.network(), all));
+        return motion;
     };
-    std::int64_t step = 0;
-    for (std::size_t k = 0; k < schedule_.size(); ++k) {
-        const ContactSpan& before = schedule_[(k == 0 ? schedule_.size() : k) - 1];
-        for (std::int64_t m = 0; m < schedule_[k].steps; ++m, ++step) {
-            for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
-                const bool was = isClosed(m == 0 ? before : schedule_[k], j);
-                const bool is = isClosed(schedule_[k], j);
-                if (!was) {
-                    conditions_.push_back({Kind::place, j, step, is});
-                }
-                if (is) {
-                    conditions_.push_back({Kind::push, j, step, false});
-                }
+}
+
+NetworkClaim NetworkForced::claimOf(const ForcedMotion& motion) const
+{
+    NetworkClaim claim;
+    claim.waves.assign(motion.state.a.begin(), motion.state.a.end());
+    claim.displacements.assign(motion.state.b.begin(), motion.state.b.end());
+    for (const ContactSpan& span : waves_.schedule()) {
+        claim.schedule.push_back({span.closed, span.steps});
+    }
+    StepDrive drive = driveOf(motion.excitation);
+    claim.forces = std::move(drive.forces);
+    claim.velocities = std::move(drive.velocities);
+    return claim;
+}
+
+ForcedCondition NetworkForced::named(std::size_t row) const
+{
+    const ForcedRule rule = waves_.rows()[row].condition.rule;
+    const bool isAfter =
+        waves_.kindOf(row) == BlockCondition::Kind::place && rule != ForcedRule::gap;
+    const std::int64_t n = shapes_.front().steps();
+    const std::int64_t step = waves_.stepOf(row);
+    return {rule, isAfter ? (step + n - 1) % n : step};
+}
+
+std::vector<ForcedCondition> NetworkForced::named(std::span<const std::size_t> rows) const
+{
+    std::vector<ForcedCondition> all;
+    for (const std::size_t row : rows) {
+        if (waves_.rows()[row].condition.rule != ForcedRule::gap) {
+            all.push_back(named(row));
+        }
+    }
+    return all;
+}
+
+/// Where every wave is damped. Conditions carry the numbers of rows.
+ForcedLine NetworkForced::line() const
+{
+    const std::vector<ForcedRow>& rows = waves_.rows();
+    double scale = 0.0;
+    for (const ForcedRow& row : rows) {
+        scale = std::max(scale, size(row.plane));
+    }
+    ForcedCut cut(rows.front().plane, rows.front().limit, scale, true, canRest_);
+    if (cut.isEmpty()) {
+        return cut.result();
+    }
+    const Plane direction = cut.result().direction;
+    for (const ForcedRow& row : rows) {
+        // Flights that close by themselves leave a row along the line.
+        Plane plane = row.plane;
+        const double slope = plane.dot(direction);
+        const double missing = std::abs(plane.dot(cut.result().foot) - row.limit);
+        if (std::abs(slope) <= parallel * size(plane)) {
+            if (missing <= forcedTolerance * std::max(size(plane), std::abs(row.limit))) {
+                continue;
+            }
+            plane = plane - slope * direction;
+        }
+        row.isEquality ? cut.to(plane, row.condition, row.limit)
+                       : cut.by(plane, row.condition, row.limit);
+    }
+    return cut.result();
+}
+
+bool NetworkForced::isCertain(std::span<const EnergyFloor> cuts) const
+{
+    const auto known = cutsOf(cuts, waves_.network(), waves_.schedule(), waves_.shapes());
+    if (!canRest_) {
+        return forbidUpTo(known, mostCutAmplitude, mostEnergy_);
+    }
+    // What is touched alone scales with the excitation.
+    const bool scales = std::all_of(cuts.begin(), cuts.end(), [this](const EnergyFloor& cut) {
+        return std::all_of(cut.places.begin(), cut.places.end(), [this](const auto& place) {
+            return waves_.network().contacts[place.contact].gap == 0.0;
+        });
+    });
+    return scales && forbidJust(known, 1.0, mostEnergy_);
+}
+
+/// One for each row, and one more for each equality, negated.
+std::vector<EnergyFloor> NetworkForced::floorsOf(std::span<const std::size_t> rows) const
+{
+    std::vector<EnergyFloor> floors;
+    for (const std::size_t row : rows) {
+        const double size = 1.0 / std::max(1e-300, signorini::size(waves_.rows()[row].plane));
+        for (const double sign : {size, -size}) {
+            if (sign > 0.0 || waves_.rows()[row].isEquality) {
+                floors.push_back(waves_.floor(std::array{row}, std::array{sign}));
             }
         }
     }
-    ties_ = tiesOf(network_);
-    for (std::size_t k = 0; k < ties_.size(); ++k) {
-        conditions_.push_back({Kind::tie, 0, static_cast<std::int64_t>(k), true});
+    return floors;
+}
+
+void NetworkForced::explainAbsence(ForcedSet& set, const std::vector<std::size_t>& conflict) const
+{
+    set.detail = "conditions exclude each other by no more than rounding can do";
+    std::vector<EnergyFloor> cuts;
+    if (canRest_) {
+        cuts = floorsOf(conflict);
+    } else if (const auto multipliers = waves_.contradiction(conflict); !multipliers.empty()) {
+        cuts.push_back(waves_.floor(conflict, multipliers));
     }
-    bars_ = driftingBars(network_);
-    for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
-        driftsAt_.push_back(driftsOf(network_, j));
-    }
-    for (std::size_t k = 0; k < bars_.size(); ++k) {
-        conditions_.push_back({Kind::drift, 0, static_cast<std::int64_t>(k), true});
+    if (isCertain(cuts)) {
+        enterProof(set, conflict, std::move(cuts));
     }
 }
 
-std::vector<double> NetworkForced::watch(const Eigen::VectorXd& x, const Laws& laws,
-                                         const StepDrive* shape) const
+void NetworkForced::decide(ForcedSet& set) const
 {
-    std::vector<double> distances;
-    for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
-        std::vector<double> row(network_.waves(), 0.0);
-        const double byPlace = addDistance(row, network_, j, 1.0);
-        double sum = shape != nullptr ? byPlace * shape->places.front() : 0.0;
-        for (std::size_t k = 0; k < row.size(); ++k) {
-            sum += row[k] * x[static_cast<Eigen::Index>(k)];
-        }
-        distances.push_back(sum);
+    if (!waves_.isClear()) {
+        set.detail =
+            waves_.isWithinReach()
+                ? "hardly anything damps some waves: 1 - W is singular but for rounding"
+                : fmt::format("out of reach: more than {} waves in a block", mostDrivenState);
+        return;
     }
-    NetworkWaves<double> waves = started(network_, x);
-    std::vector<double> values;
-    values.reserve(conditions_.size());
-    std::vector<double> ways(bars_.size(), 0.0);
-    auto next = conditions_.begin();
-    std::int64_t step = 0;
-    for (std::size_t k = 0; k < schedule_.size(); ++k) {
-        const NetworkLaw<double>& law = laws[k];
-        for (std::int64_t m = 0; m < schedule_[k].steps; ++m, ++step) {
-            const auto at = static_cast<std::size_t>(step);
-            const double force = shape != nullptr ? shape->forces[at] : 0.0;
-            const double base = shape != nullptr ? shape->velocities[at] : 0.0;
-            for (; next != conditions_.end() && next->step == step && isInTime(next->kind);
-                 ++next) {
-                values.push_back(next->kind == NetworkCondition::Kind::place
-                                     ? distances[next->contact]
-                                     : law.push(next->contact).at(waves.arriving(), force, base));
+    set.freeWaves = waves_.freeWaves();
+    if (set.freeWaves > 0) {
+        decidePolytope(set);
+        return;
+    }
+    const ForcedLine line = this->line();
+    if (!line.hasLine) {
+        explainAbsence(set, {0});
+        if (set.status != Status::none) {
+            set.detail = "the excitation leaves u(L, 0) at 0, but for rounding";
+        }
+        return;
+    }
+    if (line.isEmpty()) {
+        std::vector<std::size_t> conflict{0};
+        for (const auto& row : {line.blocking, line.lowRow, line.highRow}) {
+            if (row && !(line.blocking && !(line.low > line.high) && row != line.blocking)) {
+                conflict.push_back(static_cast<std::size_t>(row->step));
             }
-            const auto speed = [&](std::size_t node) {
-                return law.velocity(node).at(waves.arriving(), force, base);
-            };
-            for (std::size_t j = 0; j < bars_.size(); ++j) {
-                ways[j] += speed(network_.bars[bars_[j]].firstNode);
+        }
+        explainAbsence(set, conflict);
+        if (set.status == Status::none || !describeTouch(set, line)) {
+            return;
+        }
+    } else {
+        describeLine(set, line);
+    }
+    believe(set, motionAt());
+}
+
+/// Four programs say that no way from C = S = 0 leads anywhere: each row that is added, C >= 1 and
+/// the like, contradicts others, whose sum is the cut C <= 0.
+void NetworkForced::explainRest(ForcedSet& set) const
+{
+    set.detail = "conditions exclude each other by no more than rounding can do";
+    std::vector<EnergyFloor> cuts;
+    std::vector<std::size_t> used;
+    for (const Plane way : {Plane{1, 0}, Plane{0, 1}, Plane{-1, 0}, Plane{0, -1}}) {
+        std::vector<ForcedRow> rows = waves_.rows();
+        rows.push_back({{ForcedRule::gap, 0}, false, way, {}, 1.0});
+        const auto found = forcedPolytope(std::move(rows), {true, waves_.freeWaves()});
+        if (!found.conflict) {
+            return;
+        }
+        std::vector<std::size_t> conflict{0};
+        for (const ForcedCondition& row : *found.conflict) {
+            conflict.push_back(static_cast<std::size_t>(row.step));
+        }
+        const auto multipliers = waves_.contradiction(conflict, way);
+        if (multipliers.empty()) {
+            return;
+        }
+        cuts.push_back(waves_.floor(conflict, multipliers));
+        used.insert(used.end(), conflict.begin(), conflict.end());
+    }
+    if (isCertain(cuts)) {
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        enterProof(set, used, std::move(cuts));
+    }
+}
+
+void NetworkForced::enterProof(ForcedSet& set, std::span<const std::size_t> conflict,
+                               std::vector<EnergyFloor> cuts) const
+{
+    set.detail.clear();
+    set.status = Status::none;
+    set.conflict = named(conflict);
+    set.reason = reasonOf(set.conflict);
+    set.cuts = std::move(cuts);
+}
+
+void NetworkForced::decidePolytope(ForcedSet& set) const
+{
+    ForcedPolytope polytope = forcedPolytope(waves_.rows(), {true, waves_.freeWaves()});
+    set.detail = polytope.detail;
+    if (polytope.conflict) {
+        std::vector<std::size_t> conflict{0};
+        for (const ForcedCondition& row : *polytope.conflict) {
+            conflict.push_back(static_cast<std::size_t>(row.step));
+        }
+        explainAbsence(set, conflict);
+    }
+    if (polytope.corners.empty()) {
+        return;
+    }
+    describePolytope(set, std::move(polytope));
+    if (canRest_ && set.mostAmplitude <= leastOfCone) {
+        set.kind = ForcedKind::empty;
+        set.corners.clear();
+        explainRest(set);
+        return;
+    }
+    believe(set, motionAt());
+}
+
+AmplitudeExclusion NetworkForced::exclusion(const ForcedSet& set, double amplitude) const
+{
+    AmplitudeExclusion exclusion{amplitude, {}, {}, false};
+    std::vector<std::size_t> rows;
+    if (set.kind == ForcedKind::polytope) {
+        for (std::size_t row = 0; row < waves_.rows().size(); ++row) {
+            if (waves_.rows()[row].condition.rule == ForcedRule::work) {
+                rows.push_back(row);
             }
-            for (std::size_t j = 0; j < distances.size(); ++j) {
-                const NetworkContact& contact = network_.contacts[j];
-                const double v = speed(contact.node);
-                distances[j] += contact.kind == ContactKind::stopLeft ? v : -v;
-                distances[j] += contact.kind == ContactKind::gap ? speed(contact.node + 1) : 0.0;
-            }
-            waves.step(law, force, base);
         }
-    }
-    for (const std::vector<double>& tie : ties_) {
-        values.push_back(Eigen::Map<const Eigen::VectorXd>(tie.data(), x.size()).dot(x));
-    }
-    values.insert(values.end(), ways.begin(), ways.end());
-    return values;
-}
-
-std::vector<double> NetworkForced::waves(Plane place, std::span<const double> free) const
-{
-    Eigen::VectorXd x = steady_;
-    for (std::size_t k = 0; k < driven_.size(); ++k) {
-        x += (k == 0 ? place.c : place.s) * driven_[k];
-    }
-    for (std::size_t k = 0; k < free.size(); ++k) {
-        x += free[k] * kernel_.col(static_cast<Eigen::Index>(k));
-    }
-    return {x.begin(), x.end()};
-}
-
-std::vector<double> NetworkForced::displacements(Plane place, std::span<const double> free) const
-{
-    Eigen::VectorXd drifts = drifts_[shapes_.size()];
-    for (std::size_t k = 0; k < shapes_.size(); ++k) {
-        drifts += (k == 0 ? place.c : place.s) * drifts_[k];
-    }
-    for (std::size_t k = 0; k < free.size(); ++k) {
-        drifts += free[k] * drifts_[shapes_.size() + 1 + k];
-    }
-    const std::vector<double> all = waves(place, free);
-    std::vector<double> places = displacementsOf(
-        network_, all, std::span(drifts.data(), static_cast<std::size_t>(drifts.size())));
-    double base = 0.0;
-    for (std::size_t k = 0; k < shapes_.size(); ++k) {
-        base += (k == 0 ? place.c : place.s) * shapes_[k].places.front();
-    }
-    for (std::size_t node = 0; node < places.size(); ++node) {
-        const auto clamp = displacementOf(network_, node).clamp;
-        places[node] += clamp && network_.nodes[*clamp].isShaken ? base : 0.0;
-    }
-    return places;
-}
-
-std::vector<double> NetworkForced::contradiction(std::span<const std::size_t> rows,
-                                                 std::optional<Plane> way) const
-{
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(3 + kernel_.cols(), count);
-    for (Eigen::Index k = 0; k < count; ++k) {
-        const ForcedRow& row = rows_[rows[static_cast<std::size_t>(k)]];
-        parts(0, k) = row.limit;
-        parts(1, k) = row.plane.c;
-        parts(2, k) = row.plane.s;
-        for (const auto& [wave, factor] : row.free) {
-            parts(3 + static_cast<Eigen::Index>(wave), k) = factor;
-        }
-    }
-    Eigen::VectorXd right = Eigen::VectorXd::Unit(parts.rows(), 0);
-    if (way) {
-        right.head(3) << 0.0, -way->c, -way->s;
-    }
-    const Eigen::VectorXd found = parts.completeOrthogonalDecomposition().solve(right);
-    if (!((parts * found - right).norm() < 1e-6)) {
-        return {};
-    }
-    std::vector<double> multipliers(found.begin(), found.end());
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        if (!rows_[rows[k]].isEquality) {
-            multipliers[k] = std::max(multipliers[k], 0.0);
-        }
-    }
-    return multipliers;
-}
-
-EnergyFloor NetworkForced::floor(std::span<const std::size_t> rows,
-                                 std::span<const double> multipliers, bool isLeast) const
-{
-    EnergyFloor floor;
-    Eigen::VectorXd works = Eigen::VectorXd::Zero(scale_.size());
-    std::vector<double> ways(bars_.size(), 0.0);
-    Eigen::VectorXd left = Eigen::VectorXd::Zero(driftBy_.rows());  // of displacements that drift
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        const NetworkCondition& condition = conditions_[rows[k]];
-        if (multipliers[k] == 0.0 || condition.kind == NetworkCondition::Kind::tie) {
-            continue;
-        }
-        if (condition.kind == NetworkCondition::Kind::drift) {
-            ways[static_cast<std::size_t>(condition.step)] += multipliers[k];
-        } else if (condition.kind == NetworkCondition::Kind::work) {
-            works += multipliers[k] * kernel_.col(static_cast<Eigen::Index>(condition.step));
-        } else {
-            (condition.kind == NetworkCondition::Kind::place ? floor.places : floor.pushes)
-                .push_back({condition.contact, condition.step, multipliers[k]});
-        }
-        if (condition.kind == NetworkCondition::Kind::place) {
-            for (const auto& [bar, sign] : driftsAt_[condition.contact]) {
-                left[static_cast<Eigen::Index>(bar)] += sign * multipliers[k];
+    } else {
+        const ForcedLine line = this->line();
+        rows.push_back(0);
+        for (const auto& row : {line.lowRow, line.highRow}) {
+            if (row) {
+                rows.push_back(static_cast<std::size_t>(row->step));
             }
         }
     }
-    const Eigen::VectorXd tied = driftBy_.transpose() * left;
-    for (std::size_t k = 0; k < tied_.size(); ++k) {
-        floor.places.push_back(
-            {tied_[k].contact, tied_[k].step, tied[static_cast<Eigen::Index>(k)]});
-    }
-    works = works.cwiseProduct(scale_).cwiseProduct(scale_);
-    floor.periodicity.assign(works.begin(), works.end());
-    floor.periodicity.insert(floor.periodicity.end(), ways.begin(), ways.end());
-    completeFloor(floor, network_, schedule_, {},
-                  isLeast ? std::span(steady_.data(), static_cast<std::size_t>(steady_.size()))
-                          : std::span<const double>());
-    return floor;
+    exclusion.cuts = floorsOf(rows);
+    exclusion.conflict = named(rows);
+    exclusion.isCertain =
+        forbidJust(cutsOf(exclusion.cuts, waves_.network(), waves_.schedule(), waves_.shapes()),
+                   amplitude, mostEnergy_);
+    return exclusion;
+}
+
+ForcedSet forcedScene(const Network& network, const std::vector<ContactSpan>& schedule,
+                      const Forcing& forcing, double usualEnergy)
+{
+    ForcedSet set;
+    set.forcing = forcing;
+    set.waves = std::make_shared<const NetworkForced>(network, schedule, forcing, usualEnergy);
+    set.waves->decide(set);
+    return set;
+}
+
+NetworkClaim claimOf(const ForcedSet& set, const ForcedMotion& motion)
+{
+    return set.waves->claimOf(motion);
 }
 
 }  // namespace signorini

@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "energy_floor.hpp"
-#include "network_simulation.hpp"
-#include "network_walk.hpp"
 #include "periodic_multipliers.hpp"
 
 namespace signorini {
@@ -150,46 +148,44 @@ private:
                 return false;
             }
         }
-        enterMultipliers(rows.conditions, least.multipliers.template cast<double>());
+        enterMultipliers(*kernel, rows, least.multipliers.template cast<double>());
         if (least.end == LeastNormEnd::empty) {
             return enterAbsence();
         }
-        return enterMotion(wavesAt(blocks_, *kernel, VectorOf<Number>(from + least.z)),
-                           static_cast<double>(least.z.squaredNorm()));
+        const VectorOf<Number> forces = steadyInputs(*kernel);
+        if (kernel->hasForces) {
+            result_.steady = wavesAt(blocks_, *kernel, VectorOf<Number>(0.0 * from), forces);
+        }
+        NetworkClaim claim{wavesAt(blocks_, *kernel, VectorOf<Number>(from + least.z), forces)};
+        claim.displacements = displacementsAt(blocks_, rows, claim.waves);
+        return enterMotion(std::move(claim), static_cast<double>(least.z.squaredNorm()));
     }
 
     /// The coordinates of what is nearest to the target: x^T Z times it for each x of the basis.
     template <typename Number>
     [[nodiscard]] VectorOf<Number> nearest(const NetworkKernel<Number>& kernel) const
     {
-        const Network& network = blocks_.network();
-        std::vector<double> weighted = *demands_.target;
-        std::size_t next = 0;
-        for (const CellRow& row : network.rows) {
-            for (std::int64_t k = 0; k < 2 * row.cells; ++k) {
-                weighted[next++] *= row.impedance;
-            }
-        }
-        for (const Stub& stub : network.stubs) {
-            weighted[next++] *= stub.impedance;
-        }
+        const std::vector<double> impedances = impedancesOf(blocks_.network());
         VectorOf<Number> z(kernel.coordinates());
         for (Eigen::Index k = 0; k < z.size(); ++k) {
             const std::vector<double> x =
-                wavesAt(blocks_, kernel, VectorOf<Number>(VectorOf<Number>::Unit(z.size(), k)));
+                wavesAt(blocks_, kernel, VectorOf<Number>(VectorOf<Number>::Unit(z.size(), k)),
+                        VectorOf<Number>(0.0 * steadyInputs(kernel)));
             double sum = 0.0;
             for (std::size_t i = 0; i < x.size(); ++i) {
-                sum += x[i] * weighted[i];
+                sum += x[i] * impedances[i] * (*demands_.target)[i];
             }
             z[k] = sum;
         }
         return z;
     }
 
-    void enterMultipliers(const std::vector<BlockCondition>& conditions,
+    template <typename Number>
+    void enterMultipliers(const NetworkKernel<Number>& kernel, const NetworkRows<Number>& rows,
                           const Eigen::VectorXd& values)
     {
-        result_.unproved = conditionsOf(blocks_, conditions, values);
+        const std::vector<BlockCondition>& conditions = rows.conditions;
+        result_.unproved = conditionsOf(blocks_, kernel, rows, values);
         result_.conditions.clear();
         const double least =
             values.size() > 0 ? negligibleMultiplier * values.cwiseAbs().maxCoeff() : 0.0;
@@ -214,25 +210,34 @@ private:
         return false;
     }
 
-    bool enterMotion(std::vector<double> waves, double energy)
+    bool enterMotion(NetworkClaim claim, double energy)
     {
-        NetworkClaim claim{.waves = std::move(waves)};
-        claim.displacements = displacementsOf(blocks_.network(), claim.waves, {});
         for (const ContactSpan& span : blocks_.schedule()) {
             claim.schedule.push_back({span.closed, span.steps});
         }
-        const double residual = walk(blocks_.network(), claim).worst();
-        if (!(residual <= demands_.tolerance)) {
-            result_.detail =
-                fmt::format("the motion that was found leaves a residual of {:.3g}", residual);
+        result_.residuals = walk(blocks_.network(), claim);
+        if (!(result_.residuals.worst() <= demands_.tolerance)) {
+            result_.detail = fmt::format("the motion that was found leaves a residual of {:.3g}",
+                                         result_.residuals.worst());
             return false;
         }
         result_.status = Status::found;
         result_.isEmpty = false;
         result_.detail.clear();
-        result_.waves = std::move(claim.waves);
-        result_.energy = energy;
+        result_.motion = std::move(claim);
+        result_.energy = energy + steadyEnergy();
         return true;
+    }
+
+    /// Of waves that constant forces make; they are at right angles to free ones.
+    [[nodiscard]] double steadyEnergy() const
+    {
+        const std::vector<double> impedances = impedancesOf(blocks_.network());
+        double sum = 0.0;
+        for (std::size_t k = 0; k < result_.steady.size(); ++k) {
+            sum += impedances[k] * result_.steady[k] * result_.steady[k];
+        }
+        return sum;
     }
 
     const NetworkBlocks& blocks_;
@@ -251,7 +256,9 @@ void prove(LeastMotion& motion, const NetworkBlocks& blocks, const Network& netw
            const Cancel& cancel)
 {
     motion.multipliers = motion.unproved;
-    completeFloor(motion.multipliers, network, blocks.schedule(), cancel);
+    // Where there is a motion those of the least one: eta is near Z times what forces make.
+    completeFloor(motion.multipliers, network, blocks.schedule(), cancel,
+                  motion.isEmpty ? std::span<const double>() : motion.steady);
     motion.provedEnergy = provedEnergy(motion.multipliers, network, blocks.schedule());
 }
 

@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "network_kernel.hpp"
+#include "network_rows.hpp"
+#include "network_walk.hpp"
 #include "signorini/control.hpp"
 #include "signorini/schedule.hpp"
 
@@ -36,9 +37,10 @@ struct LeastMotion {
     Status status = Status::undecided;
     std::string detail = {};                           ///< why not decided
     std::optional<std::int64_t> kernelDimension = {};  ///< if rounding does not hide it
-    bool isEmpty = false;            ///< rows contradict each other, as far as rounding tells
-    std::vector<double> waves = {};  ///< found: at the start of the schedule
-    double energy = 0.0;             ///< of it, if no target was given
+    bool isEmpty = false;  ///< rows contradict each other, as far as rounding tells
+    std::optional<NetworkClaim> motion = {};  ///< found
+    NetworkResiduals residuals = {};          ///< of it
+    double energy = 0.0;                      ///< of it, if no target was given
     std::int64_t iterations = 0;
     /// Rows in force, or those that contradict each other, those of no weight left out.
     std::vector<BlockCondition> conditions = {};
@@ -46,10 +48,11 @@ struct LeastMotion {
     double provedEnergy = 0.0;     ///< none, or after `prove`: rounded downwards
     /// Of the conditions of the rows, all of them, as steps.
     EnergyFloor unproved = {};
+    std::vector<double> steady = {};  ///< waves that constant forces make; empty: none
 };
 
-/// O(G-blocks of turns waves + state^3 each, and a proof where there is none). \pre a valid network
-/// without constant forces, in which no bar drifts.
+/// O(G-blocks of turns waves + state^3 each, and a proof where there is none). \pre a valid
+/// network. \throws std::invalid_argument as `rowsOf` does.
 [[nodiscard]] LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands);
 
 /// Enters what the multipliers prove of all motions of a network whose gaps may be others.

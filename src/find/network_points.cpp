@@ -120,7 +120,7 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted)
 
 std::vector<double> NetworkPoints::waves(const NetworkPoint& point) const
 {
-    return wavesAt(blocks_, kernel_, Eigen::VectorXd(point.z));
+    return wavesAt(blocks_, kernel_, Eigen::VectorXd(point.z), Eigen::VectorXd());
 }
 
 }  // namespace signorini

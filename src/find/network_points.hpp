@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "network_kernel.hpp"
+#include "network_rows.hpp"
 #include "program.hpp"
 #include "signorini/find_periodic.hpp"
 

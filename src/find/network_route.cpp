@@ -185,7 +185,7 @@ private:
             NetworkPoints points(blocks_, options_);
             return entered(points.extreme(options_.objective), points);
         }
-        State state = stateOf(blocks_.network(), least.waves);
+        State state = stateOf(blocks_.network(), least.motion->waves);
         if (how_.objective == Objective::minEnergy) {
             enterEnergies(energyRatio(state, options_.scene.segments));
         }
@@ -231,7 +231,7 @@ private:
         if (near.status != Status::found) {
             return fmt::format("active-set: {}", near.detail);
         }
-        return stateOf(single.network(), near.waves);
+        return stateOf(single.network(), near.motion->waves);
     }
 
     Answer entered(NetworkPoint point, const NetworkPoints& points)

@@ -76,6 +76,11 @@ std::int64_t NetworkBlocks::stepOf(std::size_t node, std::size_t type, std::int6
     return (turn * unit_ + types_[type].first + clocks_[node]) % steps_;
 }
 
+std::int64_t NetworkBlocks::periodOf(std::size_t node, std::size_t type, std::int64_t turn) const
+{
+    return (turn * unit_ + types_[type].first + clocks_[node]) / steps_;
+}
+
 NetworkBlocks::Place NetworkBlocks::placeOf(std::size_t node, std::int64_t step) const
 {
     const std::int64_t own = ((step - clocks_[node]) % steps_ + steps_) % steps_;

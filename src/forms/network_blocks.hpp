@@ -47,6 +47,9 @@ public:
     [[nodiscard]] ContactSet closed(std::size_t type, std::int64_t turn) const;
     /// The step of the schedule in which a block begins at a node.
     [[nodiscard]] std::int64_t stepOf(std::size_t node, std::size_t type, std::int64_t turn) const;
+    /// Periods from the start of the schedule to that step as the clock counts it.
+    [[nodiscard]] std::int64_t periodOf(std::size_t node, std::size_t type,
+                                        std::int64_t turn) const;
     /// The block of a step of the schedule at a node.
     struct Place {
         std::size_t type;

@@ -1,5 +1,6 @@
 #include "network_kernel.hpp"
 
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
@@ -10,12 +11,8 @@ namespace signorini {
 
 namespace {
 
-template <typename Number>
-constexpr double cancelled = isFine<Number> ? 1e-35 : 1e-11;  // of a sum of waves of size 1
-constexpr double surelyNone = 3e-15;  // what is smaller is rounding of doubles
-/// Rows of waves are added to each other.
-template <typename Number>
-using WaveRows = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+constexpr double leastPivot = 1e-10;             // of 1 - W; below it driven waves are a guess
+constexpr std::int64_t mostValues = 40'000'000;  // kept of waves
 
 /// The laws of a schedule, each made once.
 template <typename Number>
@@ -33,19 +30,37 @@ private:
     std::map<ContactSet, NetworkLaw<Number>> laws_;
 };
 
-/// The waves of one type over a period and a state, as functions of the state.
+/// What is kept of a propagation.
+enum class Kept {
+    end,      ///< the last state
+    dampers,  ///< and velocities of nodes with a dashpot
+    all,      ///< what arrives in each turn
+};
+
+/// The waves of one type over a period, from states, a column each; the inputs drive the last ones.
 template <typename Number>
 class Propagation {
+    /// Rows of waves are added to each other.
+    using WaveRows = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 public:
-    Propagation(const NetworkBlocks& blocks, std::size_t type, Laws<Number>& laws)
-        : blocks_(blocks), size_(blocks.stateSize())
+    Propagation(const NetworkBlocks& blocks, std::size_t type, Laws<Number>& laws,
+                const NetworkKernel<Number>& inputs, const MatrixOf<Number>& start, Kept kept)
+        : blocks_(blocks),
+          type_(type),
+          inputs_(inputs),
+          columns_(start.cols()),
+          kept_(kept),
+          isDampedNode_(blocks.network().nodes.size())
     {
+        const std::vector<NetworkNode>& nodes = blocks.network().nodes;
+        std::transform(nodes.begin(), nodes.end(), isDampedNode_.begin(),
+                       [](const NetworkNode& node) { return node.dashpot > 0.0; });
         Eigen::Index first = 0;
         for (std::size_t channel = 0; channel < blocks.network().channels(); ++channel) {
             const Eigen::Index delay = blocks.delay(channel);
-            WaveRows<Number>& wave = waves_.emplace_back(blocks.turns() + delay, size_);
-            wave.topRows(delay).setZero();
-            wave.block(0, first, delay, delay).setIdentity();
+            waves_.emplace_back((kept == Kept::all ? blocks.turns() : 1) + delay, columns_);
+            waves_.back().topRows(delay) = start.middleRows(first, delay);
             first += delay;
         }
         for (std::int64_t turn = 0; turn < blocks.turns(); ++turn) {
@@ -54,83 +69,102 @@ public:
     }
 
     /// What arrives in a channel, turn after turn.
-    [[nodiscard]] const WaveRows<Number>& wave(std::size_t channel) const
+    [[nodiscard]] auto arrived(std::size_t channel) const
     {
-        return waves_[channel];
+        return waves_[channel].topRows(blocks_.turns());
     }
-
-    /// W - 1 in the norm of the energy, and below it the velocities of nodes with a dashpot: what
-    /// repeats leaves them at rest. W - 1 alone says so with the square of a velocity only.
-    [[nodiscard]] MatrixOf<Number> change() const
+    /// The states after the period.
+    [[nodiscard]] MatrixOf<Number> end() const
     {
-        const auto damped = static_cast<Eigen::Index>(damped_.size());
-        const VectorOf<Number> scale = scales();
-        MatrixOf<Number> change(size_ + damped, size_);
-        Eigen::Index first = 0;
+        MatrixOf<Number> states(blocks_.stateSize(), columns_);
+        Eigen::Index next = 0;
         for (std::size_t channel = 0; channel < waves_.size(); ++channel) {
-            const Eigen::Index delay = blocks_.delay(channel);
-            change.middleRows(first, delay) = waves_[channel].bottomRows(delay);
-            first += delay;
+            for (std::int64_t k = 0; k < blocks_.delay(channel); ++k) {
+                states.row(next++) = waves_[channel].row(at(channel, blocks_.turns() + k));
+            }
         }
-        for (Eigen::Index k = 0; k < damped; ++k) {
-            change.row(size_ + k) = damped_[static_cast<std::size_t>(k)];
-        }
-        change.topRows(size_) = scale.asDiagonal() * change.topRows(size_);
-        change = change * scale.cwiseInverse().asDiagonal();
-        change.topRows(size_).diagonal().array() -= Number(1);
-        return change;
+        return states;
     }
-
-    /// sqrt(Z) of each wave of the state.
-    [[nodiscard]] VectorOf<Number> scales() const
-    {
-        using std::sqrt;
-        VectorOf<Number> scale(size_);
-        Eigen::Index first = 0;
-        for (std::size_t channel = 0; channel < waves_.size(); ++channel) {
-            const Eigen::Index delay = blocks_.delay(channel);
-            scale.segment(first, delay)
-                .setConstant(sqrt(asNumber<Number>(blocks_.network().impedanceOf(channel))));
-            first += delay;
-        }
-        return scale;
-    }
+    [[nodiscard]] const std::vector<WaveRows>& damped() const { return damped_; }
 
 private:
+    [[nodiscard]] Eigen::Index at(std::size_t channel, std::int64_t turn) const
+    {
+        return turn % waves_[channel].rows();
+    }
+
     /// From right to left: what nodes send to the left arrives at once.
     void step(const NetworkLaw<Number>& law, std::int64_t turn)
     {
         const auto& scatterers = law.scatterers();
         for (auto node = scatterers.rbegin(); node != scatterers.rend(); ++node) {
-            WaveRows<Number> v = WaveRows<Number>::Zero(1, size_);
+            WaveRows v = WaveRows::Zero(1, columns_);
             for (const auto& branch : node->branches) {
                 if (branch.weight != 0) {
-                    v += branch.weight * waves_[branch.channel].row(turn);
+                    v += branch.weight * waves_[branch.channel].row(at(branch.channel, turn));
                 }
             }
-            if (!node->nodes.held && isDamped(node->nodes)) {
+            if (kept_ == Kept::dampers && !node->nodes.held && isDamped(node->nodes)) {
                 damped_.push_back(v);
             }
+            drive(v, *node, turn);
             for (const auto& branch : node->branches) {
-                waves_[branch.entered].row(turn + blocks_.delay(branch.entered)) =
-                    branch.sign * (v - waves_[branch.channel].row(turn));
+                const std::int64_t later = turn + blocks_.delay(branch.entered);
+                waves_[branch.entered].row(at(branch.entered, later)) =
+                    branch.sign * (v - waves_[branch.channel].row(at(branch.channel, turn)));
             }
+        }
+    }
+
+    void drive(WaveRows& v, const typename NetworkLaw<Number>::Scatterer& node,
+               std::int64_t turn) const
+    {
+        const auto& pulled = node.velocity;
+        const auto step =
+            static_cast<std::size_t>(blocks_.stepOf(node.nodes.firstNode, type_, turn));
+        Eigen::Index column = columns_ - inputs_.inputs();
+        for (const StepDrive& shape : inputs_.shapes) {
+            v(0, column++) += pulled.perForce * Number(shape.forces[step]) +
+                              pulled.perBase * Number(shape.velocities[step]);
+        }
+        if (inputs_.hasForces) {
+            v(0, column) += pulled.constant;
         }
     }
 
     [[nodiscard]] bool isDamped(const Cluster& nodes) const
     {
-        const auto first = blocks_.network().nodes.begin();
-        return std::any_of(first + static_cast<std::ptrdiff_t>(nodes.firstNode),
-                           first + static_cast<std::ptrdiff_t>(nodes.lastNode) + 1,
-                           [](const NetworkNode& node) { return node.dashpot > 0.0; });
+        const auto first = isDampedNode_.begin();
+        return std::find(first + static_cast<std::ptrdiff_t>(nodes.firstNode),
+                         first + static_cast<std::ptrdiff_t>(nodes.lastNode) + 1,
+                         true) != first + static_cast<std::ptrdiff_t>(nodes.lastNode) + 1;
     }
 
     const NetworkBlocks& blocks_;
-    Eigen::Index size_;
-    std::vector<WaveRows<Number>> waves_;
-    std::vector<WaveRows<Number>> damped_;
+    std::size_t type_;
+    const NetworkKernel<Number>& inputs_;
+    Eigen::Index columns_;
+    Kept kept_;
+    std::vector<bool> isDampedNode_;
+    std::vector<WaveRows> waves_;  ///< by channel, as many turns as are kept
+    std::vector<WaveRows> damped_;
 };
+
+/// sqrt(Z) of each wave of the state.
+template <typename Number>
+VectorOf<Number> scalesOf(const NetworkBlocks& blocks)
+{
+    using std::sqrt;
+    VectorOf<Number> scale(blocks.stateSize());
+    Eigen::Index first = 0;
+    for (std::size_t channel = 0; channel < blocks.network().channels(); ++channel) {
+        const Eigen::Index delay = blocks.delay(channel);
+        scale.segment(first, delay)
+            .setConstant(sqrt(asNumber<Number>(blocks.network().impedanceOf(channel))));
+        first += delay;
+    }
+    return scale;
+}
 
 /// An orthonormal basis of the kernel.
 template <typename Number>
@@ -153,168 +187,134 @@ MatrixOf<Number> kernelBasis(const MatrixOf<Number>& change, double zero, bool& 
     return factors.householderQ() * basis;
 }
 
-/// Collects rows.
 template <typename Number>
-class RowMaker {
-    using Vector = VectorOf<Number>;
+using Factors = Eigen::PartialPivLU<MatrixOf<Number>>;
+
+template <typename Number>
+bool isRegular(const Factors<Number>& factors, double least)
+{
+    const double bound = isFine<Number> ? 1e-25 : least;
+    const bool hasPivots = factors.matrixLU().diagonal().cwiseAbs().minCoeff() > bound;
+    if constexpr (isFine<Number>) {
+        return hasPivots;
+    } else {
+        return hasPivots && factors.rcond() > bound;
+    }
+}
+
+/// The kernel, type after type.
+template <typename Number>
+class KernelFinder {
+    using Matrix = MatrixOf<Number>;
 
 public:
-    RowMaker(const NetworkBlocks& blocks, const NetworkKernel<Number>& kernel)
-        : blocks_(blocks), kernel_(kernel), laws_(blocks.network()), first_{0}
+    KernelFinder(const NetworkBlocks& blocks, double zero, std::vector<StepDrive> shapes)
+        : blocks_(blocks),
+          zero_(zero),
+          laws_(blocks.network()),
+          scale_(scalesOf<Number>(blocks)),
+          isDamped_(std::any_of(blocks.network().nodes.begin(), blocks.network().nodes.end(),
+                                [](const NetworkNode& node) { return node.dashpot > 0.0; }))
     {
-        for (const auto& waves : kernel.waves) {
-            first_.push_back(first_.back() + waves.cols());
-        }
-        rows_.impulse = Vector::Zero(first_.back());
+        kernel_.shapes = std::move(shapes);
+        kernel_.hasForces = !(withoutForces(blocks.network()) == blocks.network());
     }
 
-    NetworkRows<Number> run()
+    std::optional<NetworkKernel<Number>> run()
     {
-        for (std::size_t contact = 0; contact < blocks_.network().contacts.size(); ++contact) {
-            follow(contact);
+        for (std::size_t type = 0; type < blocks_.types().size(); ++type) {
+            if (!add(type)) {
+                return std::nullopt;
+            }
         }
-        addTies();
-        return assembled();
+        return std::move(kernel_);
     }
 
 private:
-    struct Made {
-        Vector row;
-        Number rhs;
-        BlockCondition of;
-    };
-
-    [[nodiscard]] Vector nothing() const { return Vector::Zero(first_.back()); }
-
-    /// Adds a form in what arrives in a block.
-    void add(Vector& to, const LinearForm<Number>& form, std::size_t type, std::int64_t turn,
-             const Number& factor) const
+    [[nodiscard]] Propagation<Number> propagated(std::size_t type, const Matrix& start, Kept kept)
     {
-        const auto& waves = kernel_.waves[type];
-        for (const auto& term : form.terms) {
-            to.segment(first_[type], waves.cols()) +=
-                (factor * term.coefficient) *
-                waves.row(static_cast<Eigen::Index>(term.channel) * blocks_.turns() + turn)
-                    .transpose();
-        }
+        return {blocks_, type, laws_, kernel_, start, kept};
     }
 
-    /// u of a node when its clock begins; along a row it falls by what arrives at its right end.
-    [[nodiscard]] Vector displacement(std::size_t node) const
+    /// False if there is too much of it.
+    bool add(std::size_t type)
     {
-        const DisplacementForm form = displacementOf(blocks_.network(), node);
-        Vector u = nothing();
-        for (const auto& [row, sign] : form.rows) {
-            for (std::size_t type = 0; type < kernel_.waves.size(); ++type) {
-                const Number width = static_cast<double>(-sign * blocks_.types()[type].width);
-                for (std::int64_t k = 0; k < blocks_.delay(2 * row); ++k) {
-                    add(u, {{{2 * row, Number(1)}}}, type, k % blocks_.turns(), width);
-                }
+        const Eigen::Index size = blocks_.stateSize();
+        const Eigen::Index inputs = kernel_.inputs();
+        Matrix start = Matrix::Zero(size, size + inputs);
+        start.leftCols(size).setIdentity();
+        const Matrix carried = scale_.asDiagonal() * propagated(type, start, Kept::end).end();
+        Matrix rest = -carried.leftCols(size) * scale_.cwiseInverse().asDiagonal();
+        rest.diagonal().array() += Number(1);  // 1 - W in the norm of the energy
+        std::optional<Factors<Number>> factors;
+        if (isDamped_ || inputs > 0) {
+            factors.emplace(rest);
+        }
+        const bool isWhole = factors && isRegular(*factors, clearPivot);
+        const Matrix basis = isWhole ? Matrix(size, 0) : basisOf(type, rest, start);
+        const std::int64_t channels = static_cast<std::int64_t>(blocks_.network().channels());
+        kept_ += (channels * blocks_.turns() + size) * (basis.cols() + inputs);
+        if (kept_ > mostValues) {
+            return false;
+        }
+        using std::sqrt;
+        const Number width = sqrt(Number(static_cast<double>(blocks_.types()[type].width)));
+        Matrix states(size, basis.cols() + inputs);
+        states.leftCols(basis.cols()) = basis / width;
+        if (inputs > 0) {
+            const Matrix made = carried.rightCols(inputs);
+            const Matrix work = basis.transpose() * made;
+            if (!isWhole) {
+                factors.emplace(rest + basis * basis.transpose());
             }
+            kernel_.isClear = kernel_.isClear && isRegular(*factors, leastPivot);
+            states.rightCols(inputs) = factors->solve(made - basis * work);
+            kernel_.work.push_back(width * work);
         }
-        if (form.spring) {
-            add(u, {{{2 * blocks_.network().rows.size() + *form.spring, Number(1)}}}, 0, 0,
-                Number(-1));
-        }
-        return u;
+        keep(type, basis.cols(), scale_.cwiseInverse().asDiagonal() * states);
+        return true;
     }
 
-    /// Distances and pushes of one contact, block after block of its clock.
-    void follow(std::size_t number)
+    /// What repeats leaves nodes with a dashpot at rest: W - 1 alone says so with the square of a
+    /// velocity only.
+    [[nodiscard]] Matrix basisOf(std::size_t type, const Matrix& rest, const Matrix& start)
     {
-        const NetworkContact& contact = blocks_.network().contacts[number];
-        const bool isGap = contact.kind == ContactKind::gap;
-        const Number sign = contact.kind == ContactKind::stopLeft ? 1 : -1;
-        Vector distance = sign * displacement(contact.node);
-        if (isGap) {
-            distance += displacement(contact.node + 1);
-        }
-        const std::size_t last = blocks_.types().size() - 1;
-        bool was = contains(blocks_.closed(last, blocks_.turns() - 1), number);
-        for (std::int64_t turn = 0; turn < blocks_.turns(); ++turn) {
-            for (std::size_t type = 0; type <= last; ++type) {
-                const ContactSet closed = blocks_.closed(type, turn);
-                const auto& law = laws_.of(closed);
-                const bool is = contains(closed, number);
-                if (!was) {
-                    auto& list = is ? equalities_ : inequalities_;
-                    list.push_back({distance,
-                                    -asNumber<Number>(contact.gap),
-                                    {BlockCondition::Kind::place, number, type, turn}});
-                }
-                const Number width = static_cast<double>(blocks_.types()[type].width);
-                if (is) {
-                    Vector push = nothing();
-                    add(push, law.push(number), type, turn, Number(1));
-                    rows_.impulse += width * push;
-                    inequalities_.push_back(
-                        {push, Number(0), {BlockCondition::Kind::push, number, type, turn}});
-                } else {
-                    add(distance, law.velocity(contact.node), type, turn, sign * width);
-                    if (isGap) {
-                        add(distance, law.velocity(contact.node + 1), type, turn, width);
-                    }
-                }
-                was = is;
+        const Eigen::Index size = rest.cols();
+        Matrix change = -rest;
+        if (isDamped_) {
+            const Propagation<Number> again = propagated(type, start, Kept::dampers);
+            const auto count = static_cast<Eigen::Index>(again.damped().size());
+            change.conservativeResize(size + count, size);
+            for (Eigen::Index k = 0; k < count; ++k) {
+                change.row(size + k) = again.damped()[static_cast<std::size_t>(k)].leftCols(size) *
+                                       scale_.cwiseInverse().asDiagonal();
             }
         }
+        return kernelBasis(change, zero_, kernel_.isClear);
     }
 
-    void addTies()
+    void keep(std::size_t type, Eigen::Index coordinates, const Matrix& states)
     {
-        const Network& network = blocks_.network();
-        std::size_t number = 0;
-        const auto tie = [&](const Vector& row) {
-            equalities_.push_back({row, Number(0), {BlockCondition::Kind::tie, number++, 0, 0}});
-        };
-        for (std::size_t node = 0; node < network.nodes.size(); ++node) {
-            if (network.nodes[node].isClamped && displacementOf(network, node).clamp != node) {
-                tie(displacement(node));
-            }
+        const Propagation<Number> kept = propagated(type, states, Kept::all);
+        const Eigen::Index turns = blocks_.turns();
+        const auto channels = static_cast<Eigen::Index>(blocks_.network().channels());
+        Matrix& waves = kernel_.waves.emplace_back(channels * turns, coordinates);
+        Matrix& driven = kernel_.driven.emplace_back(channels * turns, kernel_.inputs());
+        for (Eigen::Index channel = 0; channel < channels; ++channel) {
+            const auto arrived = kept.arrived(static_cast<std::size_t>(channel));
+            waves.middleRows(channel * turns, turns) = arrived.leftCols(coordinates);
+            driven.middleRows(channel * turns, turns) = arrived.rightCols(kernel_.inputs());
         }
-        for (std::size_t k = 0; k < network.stubs.size(); ++k) {
-            const std::size_t node = network.stubs[k].node;
-            if (network.stubs[k].kind == StubKind::spring &&
-                displacementOf(network, node).spring != k) {
-                Vector row = displacement(node);
-                add(row, {{{2 * network.rows.size() + k, Number(1)}}}, 0, 0, Number(1));
-                tie(row);
-            }
-        }
-    }
-
-    /// What is left of coefficients that cancel is no coefficient.
-    NetworkRows<Number> assembled()
-    {
-        using std::abs;
-        RowSystemOf<Number>& system = rows_.system;
-        system.equalities = static_cast<Eigen::Index>(equalities_.size());
-        const auto count = system.equalities + static_cast<Eigen::Index>(inequalities_.size());
-        system.rows.resize(count, first_.back());
-        system.rhs.resize(count);
-        Eigen::Index next = 0;
-        for (const auto* list : {&equalities_, &inequalities_}) {
-            for (const Made& made : *list) {
-                for (Eigen::Index k = 0; k < made.row.size(); ++k) {
-                    const Number size = abs(made.row[k]);
-                    const bool isNone = size <= cancelled<Number>;
-                    rows_.isClear = rows_.isClear && !(isNone && size > surelyNone);
-                    system.rows(next, k) = isNone ? Number(0) : made.row[k];
-                }
-                system.rhs[next++] = made.rhs;
-                rows_.conditions.push_back(made.of);
-            }
-        }
-        return std::move(rows_);
+        kernel_.dimension += blocks_.types()[type].width * coordinates;
     }
 
     const NetworkBlocks& blocks_;
-    const NetworkKernel<Number>& kernel_;
+    double zero_;
     Laws<Number> laws_;
-    std::vector<Eigen::Index> first_;  ///< coordinate of each type
-    std::vector<Made> equalities_;
-    std::vector<Made> inequalities_;
-    NetworkRows<Number> rows_;
+    VectorOf<Number> scale_;
+    bool isDamped_;
+    std::int64_t kept_ = 0;
+    NetworkKernel<Number> kernel_;
 };
 
 }  // namespace
@@ -330,49 +330,24 @@ Eigen::Index NetworkKernel<Number>::coordinates() const
 }
 
 template <typename Number>
-std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks& blocks, double zero)
+std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks& blocks, double zero,
+                                              std::vector<StepDrive> shapes)
 {
-    constexpr std::int64_t mostValues = 40'000'000;
-    const std::int64_t size = blocks.stateSize();
-    const auto channels = static_cast<Eigen::Index>(blocks.network().channels());
-    const Eigen::Index turns = blocks.turns();
-    if (size > (isFine<Number> ? mostFineState : mostKernelState) ||
-        channels * turns + size > mostValues / size) {
+    if (blocks.stateSize() > (isFine<Number> ? mostFineState : mostKernelState)) {
         return std::nullopt;
     }
-    Laws<Number> laws(blocks.network());
-    NetworkKernel<Number> kernel;
-    for (std::size_t type = 0; type < blocks.types().size(); ++type) {
-        using std::sqrt;
-        const Propagation<Number> propagation(blocks, type, laws);
-        const MatrixOf<Number> basis = kernelBasis(propagation.change(), zero, kernel.isClear);
-        const Number width = static_cast<double>(blocks.types()[type].width);
-        const MatrixOf<Number> states =
-            (sqrt(width) * propagation.scales()).cwiseInverse().asDiagonal() * basis;
-        MatrixOf<Number>& waves = kernel.waves.emplace_back(channels * turns, basis.cols());
-        for (Eigen::Index channel = 0; channel < channels; ++channel) {
-            waves.middleRows(channel * turns, turns) =
-                propagation.wave(static_cast<std::size_t>(channel)).topRows(turns) * states;
-        }
-        kernel.dimension += blocks.types()[type].width * basis.cols();
-    }
-    return kernel;
-}
-
-template <typename Number>
-NetworkRows<Number> rowsOf(const NetworkBlocks& blocks, const NetworkKernel<Number>& kernel)
-{
-    return RowMaker<Number>(blocks, kernel).run();
+    return KernelFinder<Number>(blocks, zero, std::move(shapes)).run();
 }
 
 template <typename Number>
 std::vector<double> wavesAt(const NetworkBlocks& blocks, const NetworkKernel<Number>& kernel,
-                            const VectorOf<Number>& z)
+                            const VectorOf<Number>& z, const VectorOf<Number>& inputs)
 {
     std::vector<VectorOf<Number>> arriving;
     Eigen::Index first = 0;
-    for (const auto& waves : kernel.waves) {
-        arriving.push_back(waves * z.segment(first, waves.cols()));
+    for (std::size_t type = 0; type < kernel.waves.size(); ++type) {
+        const auto& waves = kernel.waves[type];
+        arriving.push_back(waves * z.segment(first, waves.cols()) + kernel.driven[type] * inputs);
         first += waves.cols();
     }
     const auto at = [&](std::size_t channel, std::int64_t step) {
@@ -397,43 +372,12 @@ std::vector<double> wavesAt(const NetworkBlocks& blocks, const NetworkKernel<Num
     return all;
 }
 
-EnergyFloor conditionsOf(const NetworkBlocks& blocks, const std::vector<BlockCondition>& conditions,
-                         const Eigen::VectorXd& multipliers)
-{
-    EnergyFloor floor;
-    for (std::size_t k = 0; k < conditions.size(); ++k) {
-        const auto& [kind, contact, type, turn] = conditions[k];
-        const double value = multipliers[static_cast<Eigen::Index>(k)];
-        if (value == 0.0 || kind == BlockCondition::Kind::tie) {
-            continue;  // of ties any multiple may be taken away
-        }
-        const std::size_t node = blocks.network().contacts[contact].node;
-        const std::int64_t step = blocks.stepOf(node, type, turn);
-        if (kind == BlockCondition::Kind::place) {
-            floor.places.push_back({contact, step, value});
-            continue;
-        }
-        const std::int64_t width = blocks.types()[type].width;
-        const std::int64_t steps = blocks.unit() * blocks.turns();
-        for (std::int64_t residue = 0; residue < width; ++residue) {
-            floor.pushes.push_back(
-                {contact, (step + residue) % steps, value / static_cast<double>(width)});
-        }
-    }
-    const auto inOrder = [](const ContactMultiplier& x, const ContactMultiplier& y) {
-        return std::pair(x.step, x.contact) < std::pair(y.step, y.contact);
-    };
-    std::sort(floor.places.begin(), floor.places.end(), inOrder);
-    std::sort(floor.pushes.begin(), floor.pushes.end(), inOrder);
-    return floor;
-}
-
 #define SIGNORINI_KERNEL_OF(Number)                                                          \
     template struct NetworkKernel<Number>;                                                   \
-    template std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks&, double);    \
-    template NetworkRows<Number> rowsOf(const NetworkBlocks&, const NetworkKernel<Number>&); \
+    template std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks&, double,     \
+                                                           std::vector<StepDrive>);          \
     template std::vector<double> wavesAt(const NetworkBlocks&, const NetworkKernel<Number>&, \
-                                         const VectorOf<Number>&);
+                                         const VectorOf<Number>&, const VectorOf<Number>&);
 SIGNORINI_KERNEL_OF(double)
 SIGNORINI_KERNEL_OF(FineNumber)
 #undef SIGNORINI_KERNEL_OF

@@ -1,15 +1,20 @@
 #pragma once
 /// \file
-/// What repeats after a period of a network, and what a schedule asks of it: rows in coordinates z
-/// of ker(W - 1) that are orthonormal in the norm of the energy, sum Z x^2 = |z|^2.
+/// What repeats after a period of a network: coordinates z of ker(W - 1) that are orthonormal in
+/// the norm of the energy, sum Z x^2 = |z|^2, and what drives the network makes of waves at rest.
+///
+/// A period takes the waves x to W x + sum of inputs i times f_i: the shapes of a drive, and
+/// constant forces, i = 1. W is a contraction in the norm of the energy, so W^T has the same kernel
+/// there: an input repeats if it does no work on waves that nothing damps, k . sum i f_i = 0, and x
+/// = sum i x_i + kernel, x_i at right angles to it. docs/theory.md, sections 19 and 20.
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "least_norm.hpp"
 #include "network_blocks.hpp"
-#include "signorini/certificate.hpp"
 
 namespace signorini {
 
@@ -27,58 +32,50 @@ template <typename Number>
 struct NetworkKernel {
     /// For each type what arrives in the blocks of a period, mean over its residues: row channel *
     /// turns + turn, one column for each coordinate.
-    std::vector<MatrixOf<Number>> waves;
+    std::vector<MatrixOf<Number>> waves = {};
+    /// The same, one column for each input.
+    std::vector<MatrixOf<Number>> driven = {};
+    /// Work of each input (columns) on each coordinate of a type.
+    std::vector<MatrixOf<Number>> work = {};
     /// Of single residues.
     std::int64_t dimension = 0;
     /// No pivot lies between `noPivot` and `clearPivot`: rounding does not hide the dimension.
     bool isClear = true;
 
+    std::vector<StepDrive> shapes = {};  ///< the inputs,
+    bool hasForces = false;              ///< and one more, constant forces
+
     [[nodiscard]] Eigen::Index coordinates() const;
+    [[nodiscard]] Eigen::Index inputs() const
+    {
+        return static_cast<Eigen::Index>(shapes.size()) + (hasForces ? 1 : 0);
+    }
 };
 
-/// Pivots up to `zero` are taken for 0. Empty if the state is too large, or the waves do not fit in
-/// 320 MB. O(turns channels state + state^3) for each type.
+/// Pivots up to `zero` are taken for 0. `shapes`: as long as the schedule; residues are then
+/// blocks of their own. Empty if the state is too large, or the waves do not fit in 320 MB.
+/// O(turns channels state + state^3) for each type.
 template <typename Number>
 [[nodiscard]] std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks& blocks,
-                                                            double zero = noPivot);
+                                                            double zero = noPivot,
+                                                            std::vector<StepDrive> shapes = {});
 
-/// What a row is about: 0 or >= 0.
-struct BlockCondition {
-    enum class Kind {
-        place,  ///< distance where a block begins, an equality where the contact closes
-        push,   ///< mean over the steps of a block in contact
-        tie,    ///< of bars held more than once (contact_spans.hpp), an equality
-    };
-    Kind kind = Kind::place;
-    std::size_t contact = 0;  ///< or number of the tie
-    std::size_t type = 0;
-    std::int64_t turn = 0;
-};
-
-/// The rows a . z >= b, equalities first, and what they are about.
-template <typename Number>
-struct NetworkRows {
-    RowSystemOf<Number> system;
-    std::vector<BlockCondition> conditions;
-    VectorOf<Number> impulse;  ///< sum of all pushes over the period, of z
-    bool isClear = true;       ///< no coefficient is 0 but for what may be rounding, or not
-};
-
-/// \pre no bar drifts. O(rows coordinates).
-template <typename Number>
-[[nodiscard]] NetworkRows<Number> rowsOf(const NetworkBlocks& blocks,
-                                         const NetworkKernel<Number>& kernel);
-
-/// The waves at the start of the schedule. O(M coordinates).
+/// The waves at the start of the schedule, for some inputs. O(M (coordinates + inputs)).
 template <typename Number>
 [[nodiscard]] std::vector<double> wavesAt(const NetworkBlocks& blocks,
                                           const NetworkKernel<Number>& kernel,
-                                          const VectorOf<Number>& z);
+                                          const VectorOf<Number>& z,
+                                          const VectorOf<Number>& inputs);
 
-/// Multipliers of rows as those of distances and pushes, step by step; to be completed
-/// (periodic_multipliers.hpp).
-[[nodiscard]] EnergyFloor conditionsOf(const NetworkBlocks& blocks,
-                                       const std::vector<BlockCondition>& conditions,
-                                       const Eigen::VectorXd& multipliers);
+/// With constant forces, if there are any, alone.
+template <typename Number>
+[[nodiscard]] VectorOf<Number> steadyInputs(const NetworkKernel<Number>& kernel)
+{
+    VectorOf<Number> inputs = VectorOf<Number>::Zero(kernel.inputs());
+    if (kernel.hasForces) {
+        inputs[inputs.size() - 1] = 1;
+    }
+    return inputs;
+}
 
 }  // namespace signorini

@@ -21,18 +21,12 @@ constexpr int partBits = 46;                // of the largest multiplier
 class PeriodOperator {
 public:
     PeriodOperator(const Network& network, std::span<const ContactSpan> schedule)
-        : network_(withoutForces(network)),
-          bars_(driftingBars(network)),
-          scale_(static_cast<Eigen::Index>(network.waves()))
+        : network_(withoutForces(network)), bars_(driftingBars(network))
     {
-        Eigen::Index next = 0;
-        for (const CellRow& row : network.rows) {
-            scale_.segment(next, 2 * row.cells).setConstant(std::sqrt(row.impedance));
-            next += 2 * row.cells;
-        }
-        for (const Stub& stub : network.stubs) {
-            scale_[next++] = std::sqrt(stub.impedance);
-        }
+        const std::vector<double> impedances = impedancesOf(network);
+        scale_ = Eigen::Map<const Eigen::VectorXd>(impedances.data(),
+                                                   static_cast<Eigen::Index>(impedances.size()))
+                     .cwiseSqrt();
         for (const ContactSpan& span : schedule) {
             laws_.try_emplace(span.closed, network_, span.closed);
         }

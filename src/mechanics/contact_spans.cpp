@@ -137,4 +137,17 @@ std::vector<std::vector<double>> tiesOf(const Network& network)
     return ties;
 }
 
+std::vector<double> impedancesOf(const Network& network)
+{
+    std::vector<double> impedances;
+    impedances.reserve(network.waves());
+    for (const CellRow& row : network.rows) {
+        impedances.insert(impedances.end(), 2 * static_cast<std::size_t>(row.cells), row.impedance);
+    }
+    for (const Stub& stub : network.stubs) {
+        impedances.push_back(stub.impedance);
+    }
+    return impedances;
+}
+
 }  // namespace signorini

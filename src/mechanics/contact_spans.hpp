@@ -70,4 +70,7 @@ double addDistance(std::span<double> derivatives, const Network& network, std::s
 /// waves is 0, at further clamps (u = 0, the base at rest) and springs (w = -u). O(waves) each.
 [[nodiscard]] std::vector<std::vector<double>> tiesOf(const Network& network);
 
+/// Z of each wave, in the order of Network::waves.
+[[nodiscard]] std::vector<double> impedancesOf(const Network& network);
+
 }  // namespace signorini

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "compensated_sum.hpp"
+#include "contact_spans.hpp"
 #include "faults.hpp"
 #include "propagation.hpp"
 #include "signorini/simulation.hpp"
@@ -83,10 +84,14 @@ Motion::Motion(const State& state, const Schedule& schedule, std::span<const Seg
     for (const Segment& segment : bar.segments) {
         speed_.insert(speed_.end(), static_cast<std::size_t>(segment.cells), segment.speed);
     }
-    SteppedWaves waves(bar, state);
-    const double impedance = bar.segments.back().impedance;
+    Scene scene;
+    scene.segments = bar.segments;
+    const Network network = networkOf(scene, cells_, damping);
+    NetworkWaves<double> waves(network, std::span<const double>(wavesOf(network, state)));
+    const NetworkLaw<double> held(network, 1);
+    const NetworkLaw<double> open(network, 0);
     auto keep = [&, m = std::int64_t{0}]() mutable {
-        const State now = waves.state();
+        const State now = stateOf(network, waves.waves());
         a_.insert(a_.end(), now.a.begin(), now.a.end());
         b_.insert(b_.end(), now.b.begin(), now.b.end());
         double place = excitation.baseDisplacement(m++);
@@ -101,9 +106,9 @@ Motion::Motion(const State& state, const Schedule& schedule, std::span<const Seg
     for (const Phase& phase : schedule.phases) {
         for (std::int64_t step = 0; step < phase.contact + phase.free; ++step, ++m) {
             const bool isHeld = step < phase.contact;
-            force_.push_back(isHeld ? 2.0 * impedance * waves.arriving() + excitation.force(m)
-                                    : 0.0);
-            waves.step(endsOf(bar, damping, isHeld, excitation, m));
+            const double force = excitation.force(m);
+            force_.push_back(isHeld ? held.push(0).at(waves.arriving(), force, 0.0) : 0.0);
+            waves.step(isHeld ? held : open, force, excitation.baseVelocity(m));
             keep();
         }
     }

@@ -9,7 +9,7 @@
 ///
 /// with a and b arriving from the left and from the right, b' and a' leaving. The energy
 /// Z (a^2 + b^2) of all cells changes by -d v^2 alone. At the clamp a' = V - b, V the velocity of
-/// the base; at the tip q = -p in contact, and q = reflected p + pulled in flight. docs/theory.md,
+/// the base; at the tip q = -p in contact. docs/theory.md,
 /// section 19.
 ///
 /// Units: velocities a, b in c g/L with c that of the first segment and L = N c dt the length of a
@@ -73,49 +73,5 @@ void requireCells(const SteppedBar& bar, std::int64_t cells);
 
 /// Is a bar of these segments the uniform one: are all alike, without dashpots?
 [[nodiscard]] bool isUniform(std::span<const Segment> segments);
-
-/// What the ends do to the waves in one step.
-struct Ends {
-    double reflected = -1.0;    ///< -1 in contact; (Z - eta)/(Z + eta) in flight
-    double pulled = 0.0;        ///< F/(Z + eta), the wave that a force on the tip sends out
-    double baseVelocity = 0.0;  ///< V [c g/L]
-};
-
-/// In step m of an excitation.
-[[nodiscard]] Ends endsOf(const SteppedBar& bar, const Damping& damping, bool isContact,
-                          const Excitation& excitation, std::int64_t m);
-
-/// The waves under way. A step costs O(segments).
-class SteppedWaves {
-public:
-    /// O(N). \throws std::invalid_argument if the state has other cells than the bar.
-    SteppedWaves(const SteppedBar& bar, const State& state);
-
-    /// p, the wave about to reach the tip.
-    [[nodiscard]] double arriving() const { return lines_.back().rightEnd(); }
-    /// Takes one step. Returns what the dashpots of the joints took in it, sum of d v^2, in units
-    /// of the first impedance.
-    double step(const Ends& ends);
-    /// O(N).
-    [[nodiscard]] State state() const;
-
-private:
-    /// Two delay lines of one segment, in rings.
-    struct Line {
-        std::vector<double> a;  ///< entry (first + k) mod cells is cell k + 1
-        std::vector<double> b;
-        std::size_t firstA = 0;
-        std::size_t firstB = 0;
-
-        [[nodiscard]] double rightEnd() const { return a[(firstA + a.size() - 1) % a.size()]; }
-        [[nodiscard]] double leftEnd() const { return b[firstB]; }
-        void push(double fromLeft, double fromRight);
-    };
-
-    std::vector<Line> lines_;
-    std::vector<JointWeights> joints_;
-    std::vector<double> dashpots_;
-    std::int64_t cells_;
-};
 
 }  // namespace signorini

@@ -1,6 +1,6 @@
 // Forced motions of any network: those of a bar are known, all others are walked.
 
-#include "scene_forced.hpp"
+#include "network_forced.hpp"
 
 #include <fmt/format.h>
 

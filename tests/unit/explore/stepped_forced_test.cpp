@@ -1,6 +1,6 @@
 // Forced motions of bars of several segments.
 
-#include "stepped_forced.hpp"
+#include "network_forced.hpp"
 
 #include <cmath>
 
@@ -22,7 +22,7 @@ ForcedSet setOf(const Schedule& schedule, const Damping& damping, Excited place,
     set.damping = damping;
     set.forcing = {place, 1};
     set.segments = segments;
-    set.waves = std::make_shared<const SteppedForced>(set);
+    set.waves = std::make_shared<const NetworkForced>(set);
     set.waves->decide(set);
     return set;
 }

@@ -14,6 +14,7 @@
 #include "network_walk.hpp"
 #include "signorini/verification.hpp"
 #include "stepped_bar.hpp"
+#include "stepped_waves.hpp"
 #include "support.hpp"
 
 using namespace signorini;

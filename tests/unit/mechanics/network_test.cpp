@@ -7,6 +7,7 @@
 #include "random_network.hpp"
 #include "rational.hpp"
 #include "stepped_bar.hpp"
+#include "stepped_waves.hpp"
 
 using namespace signorini;
 using signorini::test::NetworkGenerator;
@@ -117,7 +118,7 @@ TEST_CASE("network: today's scenes take the steps of the stepped bar")
         waves.insert(waves.end(), state.a.begin() + first, state.a.begin() + first + cells);
         waves.insert(waves.end(), state.b.begin() + first, state.b.begin() + first + cells);
     }
-    SteppedWaves bar(steppedBar(scene.segments), state);
+    test::SteppedWaves bar(steppedBar(scene.segments), state);
     NetworkWaves<double> line(network, waves);
     const NetworkLaw<double> open(network, 0);
     const NetworkLaw<double> held(network, 1);

@@ -7,6 +7,7 @@
 #include "signorini/motion.hpp"
 #include "signorini/simulation.hpp"
 #include "stepped_bar.hpp"
+#include "stepped_waves.hpp"
 #include "support.hpp"
 
 using namespace signorini;
@@ -82,7 +83,7 @@ TEST_CASE("simulation of segments: without contact it is the step of the waves, 
         const Excitation excitation = forceOf(k % 2 == 0 ? Excited::tip : Excited::base, 1e-3, 11,
                                               static_cast<double>(bar.cells));
         BarSimulation simulation(wavesOf(start), damping, excitation, {.segments = segments});
-        SteppedWaves waves(bar, start);
+        test::SteppedWaves waves(bar, start);
         const double z = bar.segments.back().impedance;
         const double eta = damping.eta();
         for (std::int64_t m = 0; m < 50; ++m) {

@@ -1,5 +1,6 @@
 #include "stepped_bar.hpp"
 #include "signorini/motion.hpp"
+#include "stepped_waves.hpp"
 
 #include <cmath>
 #include <limits>
@@ -44,7 +45,7 @@ TEST_CASE("stepped bar: with equal impedances a step is the echo of the uniform 
     std::mt19937_64 generator(1);
     const std::vector<Segment> parts{{.cells = 3}, {.cells = 1}, {.cells = 4}};
     const State start = randomState(8, generator);
-    SteppedWaves waves(steppedBar(parts), start);
+    test::SteppedWaves waves(steppedBar(parts), start);
     DelayLine line(start);
     for (int step = 0; step < 100; ++step) {
         const bool isHeld = generator() % 2 == 0;
@@ -65,7 +66,7 @@ TEST_CASE("stepped bar: what is lost of the energy is what the dashpots of the j
                                          {.cells = 1, .impedance = 0.02, .dashpot = 0.0}};
         const SteppedBar bar = steppedBar(parts);
         const State start = randomState(6, generator);
-        SteppedWaves waves(bar, start);
+        test::SteppedWaves waves(bar, start);
         double taken = 0.0;
         for (int step = 0; step < 50; ++step) {
             taken += waves.step({.reflected = generator() % 2 == 0 ? -1.0 : 1.0});
@@ -84,7 +85,7 @@ TEST_CASE("stepped bar: force and base do the work that the waves gain")
     const SteppedBar bar =
         steppedBar(std::vector<Segment>{{.cells = 2}, {.cells = 2, .impedance = 3.0}});
     const State start = randomState(4, generator);
-    SteppedWaves waves(bar, start);
+    test::SteppedWaves waves(bar, start);
     const double force = 0.3;
     const double velocity = -0.2;
     double work = 0.0;
@@ -122,7 +123,7 @@ TEST_CASE("stepped bar: segments that cannot be are refused by name")
         containsText("impedance of segment 2 = 1e+10") || containsText("10000000000"));
     CHECK_THROWS_WITH(steppedBar(std::vector<Segment>{{.cells = 1, .dashpot = 1.0}}),
                       containsText("no joint follows"));
-    CHECK_THROWS_WITH(SteppedWaves(steppedBar(std::vector<Segment>{{.cells = 2}}),
-                                   State{Eigen::VectorXd::Zero(3), Eigen::VectorXd::Zero(3)}),
+    CHECK_THROWS_WITH(test::SteppedWaves(steppedBar(std::vector<Segment>{{.cells = 2}}),
+                                         State{Eigen::VectorXd::Zero(3), Eigen::VectorXd::Zero(3)}),
                       containsText("state: 3 and 3 cells"));
 }

@@ -14,7 +14,7 @@ using namespace signorini;
 
 namespace {
 
-NetworkMotions asked(const Network& network, std::int64_t contact, std::int64_t free)
+LeastMotion asked(const Network& network, std::int64_t contact, std::int64_t free)
 {
     return leastMotion(network, {{1, contact}, {0, free}},
                        1e9 * static_cast<double>(network.cells()));
@@ -27,7 +27,7 @@ int existing(const std::string& words, std::int64_t contact, std::int64_t free)
     int found = 0;
     for (std::int64_t c = 1; c < contact; ++c) {
         for (std::int64_t f = 1; f < free; ++f) {
-            const NetworkMotions answer = asked(network, c, f);
+            const LeastMotion answer = asked(network, c, f);
             INFO(words << ": " << c << " " << f << ": " << answer.detail);
             CHECK(answer.status != Status::undecided);
             found += answer.status == Status::found ? 1 : 0;
@@ -46,7 +46,7 @@ TEST_CASE("network find: two bars of one length meet as the paper's bar does, wi
     int found = 0;
     for (std::int64_t contact = 1; contact < 16; ++contact) {
         for (std::int64_t free = 1; free < 32; ++free) {
-            const NetworkMotions two = asked(network, contact, free);
+            const LeastMotion two = asked(network, contact, free);
             const PeriodicResult one = findPeriodic({4, {{contact, free}}});
             INFO(contact << " " << free << ", " << ratio << ": " << two.detail);
             CHECK(two.status == one.status);
@@ -76,7 +76,7 @@ TEST_CASE("network find: as many schedules exist as another program counted")
 TEST_CASE("network find: a point obstacle, and roots that are springs")
 {
     const Network obstacle = sceneOf("clamp 3 stop=1e-3 3 clamp");
-    const NetworkMotions least = asked(obstacle, 1, 10);
+    const LeastMotion least = asked(obstacle, 1, 10);
     REQUIRE(least.status == Status::found);
     CHECK(least.energy == Approx(0.75 * 36.0).epsilon(1e-12));  // the gap is 6 delta
     CHECK(least.provedEnergy == Approx(least.energy).epsilon(1e-7));
@@ -86,7 +86,7 @@ TEST_CASE("network find: a point obstacle, and roots that are springs")
     const double known = 2.0 * clamped.motion->energyRatio;
     double before = 1.0;
     for (const char* words : {"spring=4e2 4 stop=1e-3", "spring=4e5 4 stop=1e-3"}) {
-        const NetworkMotions soft = asked(sceneOf(words), 2, 12);
+        const LeastMotion soft = asked(sceneOf(words), 2, 12);
         INFO(words << ": " << soft.detail);
         if (soft.status == Status::found) {
             CHECK(std::abs(soft.energy / known - 1.0) < before);
@@ -104,7 +104,7 @@ TEST_CASE("network find: contacts in turn, and both at once")
     for (std::int64_t one = 1; one < 6; ++one) {
         for (std::int64_t free = 2; free < 14; ++free) {
             for (const ContactSet second : {2U, 3U}) {
-                const NetworkMotions answer = leastMotion(
+                const LeastMotion answer = leastMotion(
                     network, {{1, one}, {0, free}, {second, one}, {0, free}}, 1e9 * 10.0);
                 INFO(one << " " << free << " " << second << ": " << answer.detail);
                 CHECK(answer.status != Status::undecided);
@@ -136,7 +136,7 @@ TEST_CASE("network find: a bar bounces under its weight, and no motion has less 
     for (const std::int64_t n : {2, 4, 10}) {
         const Network network = bouncing(n);
         const std::vector<ContactSpan> twice{{1, 2 * n}, {0, 6 * n}, {1, 2 * n}, {0, 6 * n}};
-        const NetworkMotions answer = leastMotion(network, twice, 1e12);
+        const LeastMotion answer = leastMotion(network, twice, 1e12);
         INFO(n << ": " << answer.detail);
         REQUIRE(answer.status == Status::found);
         CHECK(answer.residuals.worst() < 1e-12);
@@ -154,7 +154,7 @@ TEST_CASE("network find: a bar bounces under its weight, and no motion has less 
         known.displacements = {-0.5 * weight * static_cast<double>(n), 0.0};
         CHECK(walk(network, known).worst() < 1e-12);
         // With one bounce in a period there is one: it is undeformed all the time.
-        const NetworkMotions once = leastMotion(network, {{1, 2 * n}, {0, 6 * n}}, 1e12);
+        const LeastMotion once = leastMotion(network, {{1, 2 * n}, {0, 6 * n}}, 1e12);
         REQUIRE(once.status == Status::found);
         const double energy = 2.0 * static_cast<double>(n) * 2.25 * weight * weight;
         CHECK(once.energy == Approx(energy).epsilon(1e-10));
@@ -168,7 +168,7 @@ TEST_CASE("network find: between two walls each side is met, however long a bar 
 {
     const Network network = sceneOf("stop=-1e-3 3 stop=1e-3");
     for (std::int64_t f = 1; f < 20; ++f) {
-        const NetworkMotions answer = leastMotion(network, {{2, 6}, {0, f}, {1, 6}, {0, f}}, 1e9);
+        const LeastMotion answer = leastMotion(network, {{2, 6}, {0, f}, {1, 6}, {0, f}}, 1e9);
         INFO(f << ": " << answer.detail);
         REQUIRE(answer.status == Status::found);
         CHECK(answer.residuals.worst() < 1e-12);
@@ -183,21 +183,21 @@ TEST_CASE("network find: between two walls each side is met, however long a bar 
 TEST_CASE("network find: nothing presses a bar that drifts to one wall, and weight pulls it there")
 {
     const Network still = sceneOf("4 stop=1e-3");
-    const NetworkMotions rest = leastMotion(still, {{1, 8}, {0, 24}}, 1e9);
+    const LeastMotion rest = leastMotion(still, {{1, 8}, {0, 24}}, 1e9);
     REQUIRE(rest.status == Status::found);
     CHECK(rest.energy == 0.0);
     CHECK(rest.motion->displacements.back() == Approx(4.0));
     // A force away from the wall: the mean push would be negative.
     const Network away = sceneOf("force=-1e-3 4 stop=1e-3");
-    const NetworkMotions none = leastMotion(away, {{1, 8}, {0, 24}}, 1e9);
+    const LeastMotion none = leastMotion(away, {{1, 8}, {0, 24}}, 1e9);
     CHECK(none.status == Status::none);
     CHECK(none.provedEnergy >= 1e9);
     // Two bars, and only they meet.
     CHECK_THROWS_WITH(leastMotion(sceneOf("4 gap=1e-3 4"), {{1, 8}, {0, 24}}, 1e9),
                       containsText("bar"));
     // Between clamped bars, or walls, they are known.
-    const NetworkMotions three = leastMotion(sceneOf("clamp 4 gap=1e-3 2 gap=1e-3 4 clamp"),
-                                             {{1, 4}, {0, 7}, {2, 4}, {0, 7}}, 1e9);
+    const LeastMotion three = leastMotion(sceneOf("clamp 4 gap=1e-3 2 gap=1e-3 4 clamp"),
+                                          {{1, 4}, {0, 7}, {2, 4}, {0, 7}}, 1e9);
     CHECK(three.status != Status::undecided);
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("network find: what is spoilt proves nothing")
 {
     const Network network = sceneOf("clamp 3 gap=1e-3 5:0.5 clamp");
     const std::vector<ContactSpan> schedule{{1, 3}, {0, 7}};
-    const NetworkMotions answer = leastMotion(network, schedule, 1e9);
+    const LeastMotion answer = leastMotion(network, schedule, 1e9);
     REQUIRE(answer.status == Status::none);
     EnergyFloor bad = answer.multipliers;
     bad.periodicity[5] += 1e-3;

@@ -1,0 +1,118 @@
+#include "network_find.hpp"
+
+#include <algorithm>
+
+#include "faults.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// Is there something that rest has to give way to, or may lean on anywhere?
+bool isMoved(const Network& network)
+{
+    return !driftingBars(network).empty() || !(withoutForces(network) == network);
+}
+
+}  // namespace
+
+void requireKnown(const Network& network, const std::vector<ContactSpan>& schedule)
+{
+    validate(network);
+    constexpr std::size_t mostWaves = 2'000'000;
+    Faults faults;
+    if (network.waves() > mostWaves) {
+        faults.add("waves", network.waves(), fmt::format("at most {}", mostWaves));
+    }
+    std::int64_t steps = 0;
+    for (const ContactSpan& span : schedule) {
+        faults.requireWhole("steps", span.steps, std::int64_t{1'000'000});
+        if (network.contacts.size() < maxContacts && span.closed >> network.contacts.size() != 0) {
+            faults.add("closed contacts", fmt::format("{:#x}", span.closed),
+                       fmt::format("sets of contacts 1..{}", network.contacts.size()));
+        }
+        steps += span.steps;
+    }
+    faults.requireWhole("steps of a period", steps, std::int64_t{1'000'000});
+    faults.throwIfAny();
+    if ((schedule.front().closed & ~schedule.back().closed) == 0) {
+        faults.add("first set", fmt::format("{:#x}", schedule.front().closed),
+                   "sets with a contact that the last one leaves open");
+    }
+    // Distances are 0 where contacts close; without gaps the bars at rest meet every row.
+    ContactSet touched = 0;
+    bool isAtRest = !isMoved(network);
+    for (const ContactSpan& span : schedule) {
+        touched |= span.closed;
+    }
+    for (std::size_t j = 0; j < network.contacts.size(); ++j) {
+        const double gap = network.contacts[j].gap;
+        isAtRest = isAtRest && (contains(touched, j) ? gap == 0.0 : gap >= 0.0);
+    }
+    if (isAtRest) {
+        faults.add(
+            "gaps", 0,
+            "one that is not 0 at a contact that closes: else the bars at rest are a motion");
+    }
+    faults.throwIfAny();
+}
+
+LeastMotion leastMotion(const Network& network, const std::vector<ContactSpan>& schedule,
+                        double largest, const Cancel& cancel)
+{
+    requireKnown(network, schedule);
+    const NetworkBlocks blocks(network, schedule);
+    LeastMotion least =
+        leastMotion(blocks, {.absent = largest, .tolerance = networkTolerance, .cancel = cancel});
+    if (least.status == Status::found) {
+        prove(least, blocks, network, cancel);
+    }
+    return least;
+}
+
+bool pushesBalance(const Network& network, const std::vector<ContactSpan>& schedule)
+{
+    ContactSet touched = 0;
+    for (const ContactSpan& span : schedule) {
+        touched |= span.closed;
+    }
+    // Contacts that cannot press, as theirs would be the only push on a bar without forces.
+    std::vector<bool> isIdle(network.contacts.size(), false);
+    for (bool goesOn = true; goesOn;) {
+        goesOn = false;
+        for (const std::size_t bar : driftingBars(network)) {
+            double force = 0.0;
+            for (const NetworkNode& node : network.nodes) {
+                force += node.bar == bar ? std::abs(node.force) : 0.0;
+            }
+            std::vector<std::size_t> one;
+            std::vector<std::size_t> other;
+            for (std::size_t j = 0; j < network.contacts.size(); ++j) {
+                const NetworkContact& contact = network.contacts[j];
+                const bool isGap = contact.kind == ContactKind::gap;
+                if (!contains(touched, j) || isIdle[j]) {
+                    continue;
+                }
+                if (network.nodes[contact.node].bar == bar) {
+                    (contact.kind == ContactKind::stopLeft ? other : one).push_back(j);
+                }
+                if (isGap && network.nodes[contact.node + 1].bar == bar) {
+                    other.push_back(j);
+                }
+            }
+            if (force == 0.0 && one.empty() != other.empty()) {
+                for (const std::size_t j : one.empty() ? other : one) {
+                    isIdle[j] = goesOn = true;
+                }
+            }
+        }
+    }
+    for (std::size_t j = 0; j < isIdle.size(); ++j) {
+        if (contains(touched, j) && !isIdle[j]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace signorini
