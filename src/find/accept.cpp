@@ -90,13 +90,8 @@ public:
             seen = verify(state, request_.schedule, tolerance);
         }
         const double energy = energyRatio(state, scene.segments);
-        if (!isNetwork_) {
-            seen.residuals.demands = violation(demands, state, request_.schedule);
-        } else if (demands.areLimits()) {  // on the tip and the energy alone
-            seen.residuals.demands = std::max(
-                {0.0, demands.tipFloor - extremes.lowestTip,
-                 demands.energyRatio ? std::abs(energy / *demands.energyRatio - 1.0) : 0.0});
-        }
+        seen.residuals.demands = isNetwork_ ? violation(demands, state, extremes, energy)
+                                            : violation(demands, state, request_.schedule);
         if (!(seen.residuals.worst() <= tolerance)) {
             result_.detail = fmt::format(
                 "{} returned a motion with a residual of {:.3g}, more than the tolerance {:.3g}",

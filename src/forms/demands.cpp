@@ -78,26 +78,27 @@ void validate(const Demands& demands, const Schedule& schedule)
     faults.throwIfAny();
 }
 
-double violation(const Demands& demands, const State& state, const Schedule& schedule)
+double violation(const Demands& demands, const State& state, const Extremes& seen,
+                 double energyRatio)
 {
-    if (!demands.areLimits()) {
-        return 0.0;
-    }
-    double worst = 0.0;
-    if (std::isfinite(demands.strainLimit) || std::isfinite(demands.tipFloor)) {
-        const Extremes seen = extremesOf(state, schedule);
-        worst = std::max({worst, seen.peakCompression / demands.strainLimit - 1.0,
-                          demands.tipFloor - seen.lowestTip});
-    }
+    double worst = std::max(
+        {0.0, seen.peakCompression / demands.strainLimit - 1.0, demands.tipFloor - seen.lowestTip});
     for (const FixedValue& fixed : demands.fixed) {
         const Eigen::VectorXd& wave = fixed.wave == Wave::a ? state.a : state.b;
         const double size = std::max(1.0, std::abs(fixed.value));
         worst = std::max(worst, std::abs(wave[fixed.cell - 1] - fixed.value) / size);
     }
     if (demands.energyRatio) {
-        worst = std::max(worst, std::abs(energyRatio(state) / *demands.energyRatio - 1.0));
+        worst = std::max(worst, std::abs(energyRatio / *demands.energyRatio - 1.0));
     }
     return worst;
+}
+
+double violation(const Demands& demands, const State& state, const Schedule& schedule)
+{
+    const bool hasLimits = std::isfinite(demands.strainLimit) || std::isfinite(demands.tipFloor);
+    const Extremes seen = hasLimits ? extremesOf(state, schedule) : Extremes();
+    return violation(demands, state, seen, energyRatio(state));
 }
 
 }  // namespace signorini
