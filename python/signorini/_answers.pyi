@@ -149,16 +149,6 @@ class Result(_Record):
     found: bool
     def __bool__(self) -> bool: ...
 
-class QuestionData(_Record):
-    bar: Bar
-    status: str
-    cells: int
-    question: dict[str, Any]
-    sets: list[dict[str, Any]]
-    motions: list[Result]
-    reason: Optional[str]
-    detail: Optional[str]
-
 class ContinuumPoint(_Record):
     lambda_: float
     energy: float
@@ -637,6 +627,9 @@ class Simulation(_Record):
     contact_end_ratio: Array
     contact_impulse_ratio: Array
     contact_peak_force_ratio: Array
+    contact_mean_force_ratio: Array
+    contact_speed_ratio: Array
+    contact_energy_ratio: Array
     tip_time: Array
     tip_displacement: Array
     tip_time_ratio: Array

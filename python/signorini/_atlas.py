@@ -6,11 +6,12 @@ import os
 from typing import Any
 
 from . import _core
-from ._blame import named
+from ._asking import asks
 from ._core import AtlasFamily, AtlasRun, AtlasSchedule, Bar
 from ._progress import Progress, listener
 from ._tables import Table
 from ._words import Number, bar_of, fraction_of
+from ._words import path as path_of
 
 
 class Atlas:
@@ -32,15 +33,14 @@ class Atlas:
         If the file cannot be read, or is no atlas.
     """
 
-    @named
     def __init__(self, database: str | os.PathLike[str], *,
                  bar: Bar | None = None, **bar_options: float | None) -> None:
-        self.database = os.fspath(database)
+        self.database = path_of("database", database)
         self.bar = bar_of(bar, bar_options)
         self._file = _core.AtlasFile(self.database, self.bar)
 
     @classmethod
-    @named
+    @asks("atlas")
     def build(cls, database: str | os.PathLike[str], *, cells: int = 300,
               max_contact: int | None = None, max_free: int | None = None,
               phases: int = 1, max_energy_ratio: float | None = None,
@@ -51,32 +51,8 @@ class Atlas:
         """Decide every schedule of a range, store the results, open the file.
 
         An interrupted run loses only the batches in progress; the same
-        call with `resume` continues it.
-
-        Parameters
-        ----------
-        database : str or path
-            Created if it does not exist.
-        cells : int
-            N, cells of the bar.
-        max_contact, max_free : int, optional
-            Steps of each contact (2N) and each flight (4N).
-        phases : int
-            Largest number of contact phases.
-        max_energy_ratio : float, optional
-            Keep only schedules with motions of E/E_1 up to it.
-        all : bool
-            Also store the refuted schedules.
-        families_only : bool
-            Store families only, no schedules.
-        resume : bool
-            Continue an interrupted run.
-        threads : int
-            Most threads to use.
-        bar : Bar, optional
-            What units mean in SI; or its parameters as keywords. The sign of
-            its gap decides what exists.
-        progress : callable of (done, total), bool or tqdm bar, optional
+        call with `resume` continues it. The sign of the bar's gap decides
+        what exists.
 
         Returns
         -------
@@ -90,11 +66,9 @@ class Atlas:
         OSError
             If the file cannot be used.
         """
-        path = os.fspath(database)
+        path = path_of("database", database)
         units = bar_of(bar, bar_options)
-        _core.build_atlas(path, cells, max_contact, max_free, phases,
-                          max_energy_ratio, all, families_only, resume,
-                          threads, units, listener(progress))
+        _core.build_atlas({**locals(), "bar": units, "progress": listener(progress)})
         return cls(path, bar=units)
 
     @property
@@ -102,17 +76,14 @@ class Atlas:
         """The runs, completed or interrupted."""
         return Table("runs", self._file.runs())
 
-    @named
     def families(self, cells: int | None = None) -> Table[AtlasFamily]:
         """Return the sets of orbits of all grids, or of one."""
         return Table("families", self._file.families(cells), bar=self.bar)
 
-    @named
     def schedules(self, cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules with motions, of all grids, or of one."""
         return Table("schedules", self._file.schedules(cells), bar=self.bar)
 
-    @named
     def near(self, frequency_ratio: Number, energy_ratio: float, *,
              within: float = 0.001,
              cells: int | None = None) -> Table[AtlasFamily]:
@@ -133,7 +104,6 @@ class Atlas:
         rows = self._file.families_near(w, energy_ratio, within, cells)
         return Table("families", rows, bar=self.bar)
 
-    @named
     def schedules_near(self, frequency_ratio: Number, energy_ratio: float, *,
                        within: float = 0.001,
                        cells: int | None = None) -> Table[AtlasSchedule]:
@@ -142,7 +112,6 @@ class Atlas:
         rows = self._file.schedules_near(w, energy_ratio, within, cells)
         return Table("schedules", rows, bar=self.bar)
 
-    @named
     def of_period(self, period: Number, *,
                   cells: int | None = None) -> Table[AtlasFamily]:
         """Return the families of one period, as 3.5 or "7/2" [L/c]."""
@@ -151,7 +120,6 @@ class Atlas:
                                              exact.denominator, cells)
         return Table("families", rows, bar=self.bar)
 
-    @named
     def schedules_of_period(self, period: Number, *,
                             cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules of one period, including refuted ones."""
@@ -160,7 +128,6 @@ class Atlas:
                                               exact.denominator, cells)
         return Table("schedules", rows, bar=self.bar)
 
-    @named
     def twins(self, cells: int | None = None
               ) -> list[tuple[list[AtlasFamily], list[AtlasSchedule]]]:
         """Return groups of different orbits of equal period and energy."""

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import operator
 from typing import TYPE_CHECKING, overload
 
 from . import _core
-from ._blame import named
+from ._asking import asks, gathered
 from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, State)
-from ._progress import Progress, listener
+from ._progress import Progress
 from ._question import Question, ask, period_of
-from ._words import (Number, Segments, Steps, amplitude_of, cells_of, scene_of,
-                     state_of)
+from ._words import Number, Segments, Steps, whole
 
 
 if TYPE_CHECKING:
@@ -84,7 +82,7 @@ def find(*, damping: float, force: str,
          **options: Unpack[_Options]) -> HarmonicResult: ...
 
 
-@named
+@asks("find")
 def find(
          *schedule: Steps, cells: int | None = None, bar: Bar | None = None,
          scene: Scene | None = None, second_stop: float | None = None,
@@ -105,62 +103,22 @@ def find(
          ) -> Result | Question | ForcedResult | HarmonicResult:
     """Decide a schedule: a verified motion, or the proof that there is none.
 
+    With `period`, `frequency` or `hertz` in place of a schedule all motions of
+    that period on the grid. With `damping` and `force` forced, damped motions:
+    of a schedule, the least amplitude or those of one; of a period or frequency
+    those with `contacts` contacts under an exact harmonic, on no grid.
+
     Parameters
     ----------
-    *schedule : int, pairs of int, or Schedule
-        n_c, n_f of each contact phase in turn.
-    cells : int, optional
-        N, cells of the bar: those of all segments, or 300.
-    bar : Bar, optional
-        What units mean in SI; or its parameters as keywords: `length`,
-        `wave_speed`, `axial_stiffness`, `gap`, `young`, `density`, `area`.
-        A gap may be 0, or negative: the bar at rest is pressed.
-    scene : Scene, optional
-        In place of `bar`, `second_stop` and `segments`.
-    second_stop : float, optional
-        h [m]: a stop at u(L) = -h. Phases on it are (n_c, n_f, "left").
-    segments : list of Segment, or of their parameters, optional
-        A stepped bar, clamp first: (cells, impedance, speed, dashpot).
-    solver : str
-        A back end (`signorini.backends`), or "auto".
-    formulation : str
-        Unknowns of the problem: "auto", "state", "reduced", "lumped"; of a
-        stepped bar "joints", "kernel".
-    objective : str
-        Which motion: "auto" (least energy; with an energy to hold, least
-        peak compression), "any", "min-energy", "max-energy",
-        "min-peak-strain", "max-impulse", "nearest".
     target : State or file name, optional
-        For "nearest".
-    energy, energy_ratio : float, optional
-        To hold, in J or in E_1.
-    strain_limit : float, optional
-        S: strain >= -S everywhere and always [-].
-    tip_floor : float, optional
-        Lowest displacement of the tip [m].
-    tolerance : float
-        Largest relative residual.
-    time_limit : float, optional
-        For a solver [s].
-    period, frequency, hertz : float, str or Fraction, optional
-        In place of a schedule: all motions of the period T [L/c], of the
-        frequency omega/omega_1, or of that of the grid nearest to f [Hz];
-        with `damping` and `force` those with one contact under an exact
-        harmonic, on no grid, `frequency` being that of the excitation.
+        For the objective "nearest".
+    frequency : float, str or Fraction, optional
+        omega/omega_1 of the motion; with `damping` and `force` that of the
+        excitation.
     damping : float, optional
         zeta; with `force` it asks for forced, damped motions.
-    force : str, optional
-        "tip" or "base".
     amplitude : float, optional
         Of the force [N] or the base [m]; without, the least is looked for.
-    amplitude_velocity, amplitude_acceleration : float, optional
-        In its place, of the velocity [m/s] or acceleration [m/s^2] of the
-        base.
-    cycles : int
-        Of the excitation in a period of the motion.
-    contacts : int
-        In a period, for a period or frequency with `damping` and `force`; of
-        several the motion on which a bar at rest settles.
 
     Returns
     -------
@@ -176,51 +134,32 @@ def find(
     BackendUnavailable
         If no solver of this build can do what is asked.
     """
-    whole = scene_of(scene, bar, second_stop, segments, bar_options)
-    cells = cells_of(cells, whole, schedule)
-    units = whole.bar
+    asked = gathered(locals(), "target")
+    where = asked["scene"]
+    is_timed = period is not None or frequency is not None or hertz is not None
+    times = {"period": period, "frequency": frequency, "hertz": hertz} if is_timed else {}
     if damping is not None or force is not None:
         if damping is None or force is None:
             raise ValueError("damping, force: allowed only together")
-        size, derivative = amplitude_of(force, amplitude, amplitude_velocity,
-                                        amplitude_acceleration)
-        if period is None and frequency is None and hertz is None:
-            return _core.find_forced(schedule, cells, whole, damping, force,
-                                     size, derivative, cycles, strain_limit)
-        if schedule or whole.segments or strain_limit is not None:
+        if not is_timed:
+            return _core.find_forced(asked)
+        if schedule or where.segments or strain_limit is not None:
             raise ValueError("period, frequency, hertz: allowed with damping "
                              "and force only without a schedule, segments and "
                              "strain_limit")
-        if size is None:
-            raise ValueError("amplitude is missing: allowed numbers > 0 "
-                             "[N or m]")
-        exact = period_of({"period": period, "frequency": frequency,
-                           "hertz": hertz}, cells, units, cycles)
-        return _core.find_harmonic(exact.numerator, exact.denominator, whole,
-                                   damping, force, size, derivative, cycles,
-                                   contacts)
-    if (amplitude, amplitude_velocity, amplitude_acceleration) != (None,) * 3 \
-            or cycles != 1:
+        exact = period_of(times, cells, where.bar, whole("cycles", cycles))
+        return _core.find_harmonic({**asked, "numerator": exact.numerator,
+                                    "denominator": exact.denominator})
+    if asked["amplitude"] is not None or whole("cycles", cycles) != 1:
         raise ValueError("amplitude, cycles: allowed only together with "
                          "damping and force")
-    nearest: State | None = None
-    if target is not None:
-        nearest = state_of(target, units, cells)
-    if period is not None or frequency is not None or hertz is not None:
-        if schedule:
-            raise ValueError("a schedule clashes with period, frequency and "
-                             "hertz: allowed one of them")
-        return ask({"period": period, "frequency": frequency, "hertz": hertz},
-                   cells, whole,
-                   (solver, formulation, objective, nearest, energy,
-                    energy_ratio, strain_limit, tip_floor, tolerance,
-                    time_limit))
-    return _core.find(schedule, cells, whole, solver, formulation, objective,
-                      nearest, energy, energy_ratio, strain_limit, tip_floor,
-                      tolerance, time_limit)
+    if is_timed and schedule:
+        raise ValueError("a schedule clashes with period, frequency and "
+                         "hertz: allowed one of them")
+    return ask(times, asked) if is_timed else _core.find(asked)
 
 
-@named
+@asks("continuum")
 def continuum(*schedule: Steps, energy_ratio: float | None = None,
               energy: float | None = None, cells: int | None = None,
               bar: Bar | None = None, scene: Scene | None = None,
@@ -235,37 +174,16 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
 
     Parameters
     ----------
-    *schedule : int, pairs of int, or Schedule
-        n_c, n_f of each contact phase in turn.
     energy, energy_ratio : float, optional
         Of every motion, one of them: in J, or in E_1. Without a gap there is
         no E_1: in J.
-    cells : int, optional
-        N, cells of the bar (300).
-    bar : Bar, optional
-        What units mean in SI; or its parameters as keywords, `length=`, ...
     scene : Scene, optional
         In place of `bar` and `second_stop`; without segments.
-    second_stop : float, optional
-        h [m]: a stop at u(L) = -h. Phases on it are (n_c, n_f, "left").
-    points : int
-        Motions along the curve.
     start, to, direction : State or file name, optional
         Both ends of a path, or one and the way to go from there. Without,
         the curve is the split pulse.
-    seed : int, optional
-        Join two members drawn at random; with `sample`, which ones.
     sample : bool
         Motions spread over the whole set in place of a curve.
-    engine : str
-        "auto", "geometric", "ipopt", "nlopt", or a back end.
-    strain_limit : float, optional
-        S: strain >= -S everywhere and always [-].
-    resolution : float
-        How far neighbours may be apart on a curve by programs [sqrt(E/E_1)].
-    tolerance : float
-        Largest relative residual.
-    progress : callable of (done, total), bool or tqdm bar, optional
 
     Returns
     -------
@@ -279,14 +197,4 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
     BackendUnavailable
         If no solver of this build can do what is asked.
     """
-    whole = scene_of(scene, bar, second_stop, None, bar_options)
-    units = whole.bar
-    if seed is not None and not 0 <= operator.index(seed) < 2 ** 64:
-        raise ValueError(f"seed = {seed} is out of range: allowed whole "
-                         "numbers 0..2^64 - 1")
-    return _core.continuum(schedule, cells, whole, energy_ratio, energy, points,
-                           state_of(start, units, cells),
-                           state_of(to, units, cells),
-                           state_of(direction, units, cells), seed,
-                           sample, engine, strain_limit, resolution,
-                           tolerance, listener(progress))
+    return _core.continuum(gathered(locals(), "start", "to", "direction"))

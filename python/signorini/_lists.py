@@ -5,45 +5,29 @@ from __future__ import annotations
 from typing import Literal, overload
 
 from . import _core
-from ._blame import named
+from ._asking import asks
 from ._core import Bar, Family, Mode, ModeMotion, ModePolytope
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Number, Steps, bar_of, fraction_of
+from ._words import Number, Steps, bar_of, fraction_of, whole
 
-#: Orders that a few seconds list, by number of contacts.
-_USUAL_ORDER = {1: 25, 2: 25, 3: 9, 4: 5}
+#: Orders and periods that a few seconds list, by number of contacts.
+_USUAL = {1: (25, 8.0), 2: (25, 8.0), 3: (9, 12.0), 4: (5, 16.0)}
 
 
-@named
+@asks("families")
 def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
              bar: Bar | None = None, progress: Progress = None,
              **bar_options: float | None) -> Table[Family]:
     """List all families: every orbit with one contact in a period, once.
 
-    Parameters
-    ----------
-    max_order : int
-        Largest w.
-    max_energy_ratio : float, optional
-        Only families with a motion of E/E_1 up to it.
-    bar : Bar, optional
-        What units mean in SI; or its parameters as keywords, `length=`, ...
-    progress : callable of (done, total), bool or tqdm bar, optional
-
     Returns
     -------
     Table of Family
         By ascending order, nu, contact_blocks; 33 up to order 12.
-
-    Raises
-    ------
-    ValueError
-        If a bound is out of its range.
     """
     units = bar_of(bar, bar_options)
-    rows = _core.families(max_order, max_energy_ratio, units,
-                          listener(progress))
+    rows = _core.families({**locals(), "bar": units, "progress": listener(progress)})
     scene = _core.Scene(units)
     return Table("families", rows, bar=units, stops=scene.stops,
                  segments=scene.segments, static_force=scene.static_force,
@@ -66,53 +50,35 @@ def modes(*, phases: Literal[2, 3, 4, 5], max_order: int | None = None,
           **bar_options: float | None) -> Table[ModePolytope]: ...
 
 
-@named
+@asks("modes")
 def modes(*, phases: int = 1, max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
           bar: Bar | None = None, progress: Progress = None,
           **bar_options: float | None) -> Table[Mode] | Table[ModePolytope]:
     """List the continuous families: motions of every period, exact.
 
-    Parameters
-    ----------
-    phases : int
-        K, contacts in a period. With one a mode has one motion of each
-        period; with more they fill polytopes, on which the energy depends on
-        the period alone.
-    max_order : int, optional
-        Only contact times p - q T with q up to it (25; with 3, 4, 5 contacts
-        9, 5, 3).
-    max_energy_ratio : float
-        Only with a motion of E/E_1 up to it.
-    max_period : float, optional
-        Only with a motion of T [L/c] up to it (8, or 4 for each contact).
-    progress : callable of (done, total), bool or tqdm bar, optional
-    bar : Bar, optional
-        What units mean in SI; or its parameters as keywords, `length=`, ...
+    With one contact a mode has one motion of each period; with more they fill
+    polytopes, on which the energy depends on the period alone.
 
     Returns
     -------
     Table of Mode, or of ModePolytope with several contacts
         By ascending order.
-
-    Raises
-    ------
-    ValueError
-        If a bound is out of its range.
     """
     units = bar_of(bar, bar_options)
-    order = _USUAL_ORDER.get(phases, 3) if max_order is None else max_order
-    period = max(8.0, 4.0 * phases) if max_period is None else max_period
-    bounds = {"complete": True, "max_order": order, "max_period_ratio": period,
-              "max_energy_ratio": max_energy_ratio}
-    words = (order, max_energy_ratio, period, units, listener(progress))
+    order, period = _USUAL.get(whole("phases", phases), (3, 20.0))
+    bounds = {
+        "max_order": order if max_order is None else max_order,
+        "max_period_ratio": period if max_period is None else max_period,
+        "max_energy_ratio": max_energy_ratio}
+    asked = {**bounds, "bar": units, "phases": phases, "progress": listener(progress)}
     if phases == 1:
-        return Table("modes", _core.modes(*words), bar=units, **bounds)
-    return Table("polytopes", _core.polytopes(phases, *words), bar=units,
-                 phases=phases, **bounds)
+        return Table("modes", _core.modes(asked), bar=units, complete=True, **bounds)
+    return Table("polytopes", _core.polytopes(asked), bar=units, phases=phases,
+                 complete=True, **bounds)
 
 
-@named
+@asks("mode")
 def mode(a4: int, b: int, period: Number | None = None, *,
          bar: Bar | None = None, **bar_options: float | None) -> ModeMotion:
     """Return the motion of one mode at any period.
@@ -123,8 +89,6 @@ def mode(a4: int, b: int, period: Number | None = None, *,
         Which mode: t_c = a4 + b T, e.g. 4 and -1.
     period : float, str or Fraction
         T [L/c], inside the interval of the mode.
-    bar : Bar, optional
-        What units mean in SI; or its parameters as keywords, `length=`, ...
 
     Returns
     -------
@@ -135,7 +99,7 @@ def mode(a4: int, b: int, period: Number | None = None, *,
     ValueError
         If there is no such mode, or it has no motion of that period.
     """
-    found = _core.mode(a4, b, bar_of(bar, bar_options))
+    found = _core.mode({"a4": a4, "b": b, "bar": bar_of(bar, bar_options)})
     if period is None:
         (p, q), (r, s) = found.period_range
         raise ValueError(f"period is missing: allowed ]{p}/{q}, {r}/{s}[ "
@@ -144,7 +108,7 @@ def mode(a4: int, b: int, period: Number | None = None, *,
     return found.motion(float(exact))
 
 
-@named
+@asks("schedule")
 def polytope(*schedule: Steps, cells: int | None = None,
              bar: Bar | None = None, **bar_options: float | None
              ) -> ModePolytope | None:
@@ -154,20 +118,12 @@ def polytope(*schedule: Steps, cells: int | None = None,
     ----------
     *schedule : int, pairs of int, or Schedule
         n_c, n_f of each contact phase in turn; gcd(2N, n) = 1.
-    cells : int, optional
-        N, cells of the bar (300).
-    bar : Bar, optional
-        What units mean in SI; or its parameters as keywords, `length=`, ...
 
     Returns
     -------
     ModePolytope or None
         None if the schedule has no motion, or one that touches without
         force, or repeats itself.
-
-    Raises
-    ------
-    ValueError
-        If the schedule is invalid, or has another gcd.
     """
-    return _core.polytope(schedule, cells, bar_of(bar, bar_options))
+    units = bar_of(bar, bar_options)
+    return _core.polytope({"schedule": schedule, "cells": cells, "bar": units})

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-import operator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._core import Bar, Result, Scene
+from ._core import Bar, Result
 from ._tables import Table
-from ._words import Number, fraction_of
+from ._words import Number, fraction_of, number, whole
 
 #: What fits the library's numbers, with room for sums.
 MOST_STEPS = 2 ** 62
@@ -80,21 +79,22 @@ def _one_of(asked: dict[str, Any]) -> tuple[str, Any]:
     return name, word
 
 
-def _cells_of(cells: int | None) -> int:
-    cells = 300 if cells is None else operator.index(cells)
-    if cells < 1:
-        raise ValueError(f"cells = {cells} is out of range: allowed whole "
+def _cells_of(cells: Any) -> int:
+    count = 300 if cells is None else whole("cells", cells)
+    if count < 1:
+        raise ValueError(f"cells = {count} is out of range: allowed whole "
                          "numbers >= 1")
-    return cells
+    return count
 
 
 def _nearest(word: Any, cells: int, unit: float) -> int:
     """The steps of the period of the grid nearest to a frequency in Hz."""
     least = cells / unit / MOST_STEPS
-    if not least < float(word) < math.inf:
+    hertz = number("hertz", word)
+    if not least < hertz < math.inf:
         raise ValueError(f"hertz = {word} is out of range: allowed finite "
                          f"numbers > {least:.3g} [Hz]")
-    return max(2, round(cells / unit / float(word)))
+    return max(2, round(cells / unit / hertz))
 
 
 def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
@@ -116,21 +116,20 @@ def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
     return period
 
 
-def ask(asked: dict[str, Any], cells: int | None, scene: Scene,
-        demands: tuple[Any, ...]) -> Question:
+def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     """Answer a question by `find` for each set of motions of a period."""
-    name, word = _one_of(asked)
-    cells = _cells_of(cells)
+    name, word = _one_of(times)
+    cells, scene = _cells_of(asked["cells"]), asked["scene"]
     steps = (_nearest(word, cells, scene.bar.time_unit) if name == "hertz"
              else _on_grid(name, word, cells))
-    results = [_core.find((schedule,), None, scene, *demands)
-               for schedule in _core.schedules_of_period(cells, steps,
-                                                         scene)]
-    energy, energy_ratio = demands[4], demands[5]
+    sets = [_core.find({**asked, "schedule": (schedule,), "cells": None})
+            for schedule in _core.schedules_of_period(cells, steps, scene)]
+    energy, energy_ratio = asked["energy"], asked["energy_ratio"]
     if energy is not None:
-        energy_ratio = float(energy) / scene.bar.energy_unit
-    head = _core.question(name, str(word), steps, cells, scene, energy_ratio,
-                          results).to_dict()
+        energy_ratio = number("energy", energy) / scene.bar.energy_unit
+    head = _core.question(
+        {"option": name, "word": str(word), "steps": steps, "cells": cells,
+         "scene": scene, "energy_ratio": energy_ratio}, sets)
     del head["motions"]
-    return Question("motions", [r for r in results if r.status == "found"],
+    return Question("motions", [r for r in sets if r.status == "found"],
                     **{**head, "bar": scene.bar})

@@ -8,10 +8,11 @@ from collections.abc import Sequence
 from typing import Union
 
 from . import _core
+from ._asking import asks
 from ._core import Scene, StudyPoint
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import bar_of
+from ._words import bar_of, path
 
 #: One number, or several.
 Numbers = Union[float, Sequence[float]]
@@ -25,6 +26,7 @@ def _listed(name: str, values: Numbers) -> list[float]:
     return listed
 
 
+@asks("sweep")
 def study(*, gap: Numbers, damping: Numbers, amplitude: Numbers, force: str,
           start: float = 0.5, to: float = 2.0, points: int = 51,
           periods: int = 1000, cells: int = 100, threads: int = 1,
@@ -38,23 +40,11 @@ def study(*, gap: Numbers, damping: Numbers, amplitude: Numbers, force: str,
     ----------
     gap, damping, amplitude : float or sequence of float
         Gaps [m], damping ratios, amplitudes of the force [N] or base [m].
-    force : str
-        "tip", a force on the tip, or "base", a base that moves.
-    start, to : float
-        Lowest and highest omega/omega_1 of each sweep.
-    points, periods, cells : int
-        As of `sweep`.
     threads : int
         Sweeps at a time.
-    second_stop : float, optional
-        h [m]: a stop at u(L) = -h.
     file : path, optional
         A table that is whole after each sweep; a later call with the same
         question goes on from it.
-    progress : callable of (done, total), bool or tqdm bar, optional
-    **bar_options
-        `length`, `wave_speed`, `axial_stiffness`, or `young`, `density` and
-        `area`.
 
     Returns
     -------
@@ -73,8 +63,10 @@ def study(*, gap: Numbers, damping: Numbers, amplitude: Numbers, force: str,
         _listed("amplitude", amplitude)))
     scenes = {at: Scene(bar_of(None, {**bar_options, "gap": at}), second_stop)
               for at in dict.fromkeys(place[0] for place in places)}
-    points_of = _core.study(
-        [(scenes[at], zeta, size) for at, zeta, size in places], force, start,
-        to, points, periods, cells, threads,
-        "" if file is None else os.fspath(file), asked, listener(progress))
+    points_of = _core.study({
+        "cases": [(scenes[at], zeta, size) for at, zeta, size in places],
+        "force": force, "start": start, "to": to, "points": points,
+        "periods": periods, "cells": cells, "threads": threads,
+        "file": "" if file is None else path("file", file), "question": asked,
+        "progress": listener(progress)})
     return Table("points", points_of, force=force, cells=cells)

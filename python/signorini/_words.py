@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import os
 import reprlib
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
@@ -30,6 +31,30 @@ def given_of(options: Mapping[str, float | None]) -> dict[str, float]:
             if value is not None}
 
 
+def whole(name: str, value: Any) -> int:
+    """A whole number. TypeError that names the argument."""
+    try:
+        return operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} = {reprlib.repr(value)}: allowed int") from None
+
+
+def number(name: str, value: Any) -> float:
+    """A number, likewise."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{name} = {reprlib.repr(value)}: allowed float") from None
+
+
+def path(name: str, value: Any) -> str:
+    """The name of a file, likewise."""
+    try:
+        return os.fspath(value)  # type: ignore[no-any-return]
+    except TypeError:
+        raise TypeError(f"{name} = {reprlib.repr(value)}: allowed a path") from None
+
+
 def bar_of(bar: Bar | None, options: Mapping[str, float | None]) -> Bar:
     """A bar, or the one that the options of a call name."""
     given = given_of(options)
@@ -50,7 +75,11 @@ def scene_of(scene: Scene | None, bar: Bar | None, second_stop: float | None,
         if (bar, second_stop, segments, options) != (None, None, None, {}):
             raise ValueError("scene clashes with bar, second_stop, segments: "
                              "allowed one of them")
+        if not isinstance(scene, Scene):
+            raise TypeError(f"scene = {reprlib.repr(scene)}: allowed Scene")
         return scene
+    if not isinstance(segments, (tuple, list, type(None))):
+        raise TypeError(f"segments = {reprlib.repr(segments)}: allowed list")
     if bar is None and second_stop is None and not segments and not options:
         return _usual_scene
     parts = [part if isinstance(part, Segment) else segment_of(part)
@@ -97,13 +126,13 @@ def amplitude_of(force: str | None, amplitude: float | None,
                  velocity: float | None, acceleration: float | None
                  ) -> tuple[float | None, int]:
     """The amplitude that is given, and of which derivative of the base."""
+    if velocity is None and acceleration is None:
+        return amplitude, 0
     given = {"amplitude": amplitude, "amplitude_velocity": velocity,
              "amplitude_acceleration": acceleration}
     said = [name for name, value in given.items() if value is not None]
     if len(said) > 1:
         raise ValueError(f"{' and '.join(said)} clash: allowed one of them")
-    if not said:
-        return None, 0
     name, = said
     derivative = list(given).index(name)
     value = given[name]

@@ -46,9 +46,6 @@ Grid::Grid(const py::object& x, const py::object& t)
         "broadcast_arrays")(numbersOf(x, "x"), numbersOf(t, "t")));
     x_ = py::cast<py::array_t<double>>(both[0]);
     t_ = py::cast<py::array_t<double>>(both[1]);
-    shape_.assign(x_.shape(), x_.shape() + x_.ndim());
-    xStrides_.assign(x_.strides(), x_.strides() + x_.ndim());
-    tStrides_.assign(t_.strides(), t_.strides() + t_.ndim());
 }
 
 }  // namespace signorini::python

@@ -50,37 +50,12 @@ public:
     template <typename F>
     [[nodiscard]] py::object of(F f) const
     {
-        py::array_t<double> values(shape_);
-        double* to = values.mutable_data();
-        {
-            const py::gil_scoped_release release;
-            walk(0, x_.data(), t_.data(), to, f);
-        }
-        return shape_.empty() ? py::object(py::float_(*values.data())) : py::object(values);
+        return py::vectorize(f)(x_, t_);
     }
 
 private:
-    template <typename F>
-    void walk(std::size_t axis, const double* x, const double* t, double*& to, F& f) const
-    {
-        if (axis == shape_.size()) {
-            *to++ = f(*x, *t);
-            return;
-        }
-        for (py::ssize_t k = 0; k < shape_[axis]; ++k) {
-            walk(axis + 1, moved(x, k * xStrides_[axis]), moved(t, k * tStrides_[axis]), to, f);
-        }
-    }
-    static const double* moved(const double* place, py::ssize_t bytes)
-    {
-        return reinterpret_cast<const double*>(reinterpret_cast<const char*>(place) + bytes);
-    }
-
     py::array_t<double> x_;
     py::array_t<double> t_;
-    std::vector<py::ssize_t> shape_;
-    std::vector<py::ssize_t> xStrides_;
-    std::vector<py::ssize_t> tStrides_;
 };
 
 }  // namespace signorini::python

@@ -4,11 +4,10 @@
 
 #include <mutex>
 
+#include "asked.hpp"
 #include "atlas_answer.hpp"
 #include "described.hpp"
-#include "faults.hpp"
 #include "patience.hpp"
-#include "scene.hpp"
 #include "share_work.hpp"
 #include "signorini/atlas_database.hpp"
 #include "signorini/figures.hpp"
@@ -18,8 +17,6 @@ namespace signorini::python {
 using FamilyOf = answers::AtlasFamilyOf;
 using EntryOf = answers::AtlasEntryOf;
 using answers::withUnits;
-SIGNORINI_MEMBERS(FamilySection, &T::dimension, &T::isConnected);
-SIGNORINI_MEMBERS(FamilyOf, &T::value, &T::bar, &T::section);
 
 namespace {
 
@@ -74,27 +71,31 @@ std::vector<Row> allRows(const Wires& wires, const Bar& bar, Visit visit)
 void addAtlasFile(py::module_& module)
 {
     py::class_<Atlas, Shared>(module, "AtlasFile", "A database opened for asking.")
-        .def(py::init<const std::string&, const Bar&>())
+        .def(py::init<const std::string&, const Bar&>(), py::arg("database"), py::arg("bar"))
         .def("runs",
              [](const Shared& atlas) {
                  return asked(atlas, [](const Atlas& a) { return a.database.runs(); });
              })
-        .def("families",
-             [](const Shared& atlas, Cells cells) {
-                 return asked(atlas, [cells](const Atlas& a, const Wires& wires) {
-                     return allRows<FamilyOf, AtlasFamily>(wires, a.bar, [&](const auto& keep) {
-                         a.database.forEachFamily(cells, keep);
-                     });
-                 });
-             })
-        .def("schedules",
-             [](const Shared& atlas, Cells cells) {
-                 return asked(atlas, [cells](const Atlas& a, const Wires& wires) {
-                     return allRows<EntryOf, AtlasEntry>(wires, a.bar, [&](const auto& keep) {
-                         a.database.forEachFound(cells, keep);
-                     });
-                 });
-             })
+        .def(
+            "families",
+            [](const Shared& atlas, Cells cells) {
+                return asked(atlas, [cells](const Atlas& a, const Wires& wires) {
+                    return allRows<FamilyOf, AtlasFamily>(wires, a.bar, [&](const auto& keep) {
+                        a.database.forEachFamily(cells, keep);
+                    });
+                });
+            },
+            py::arg("cells"))
+        .def(
+            "schedules",
+            [](const Shared& atlas, Cells cells) {
+                return asked(atlas, [cells](const Atlas& a, const Wires& wires) {
+                    return allRows<EntryOf, AtlasEntry>(wires, a.bar, [&](const auto& keep) {
+                        a.database.forEachFound(cells, keep);
+                    });
+                });
+            },
+            py::arg("cells"))
         .def("frequency_energy_figure",
              [](const Shared& atlas, Cells cells, double left, double right, double top,
                 std::int64_t order) {
@@ -113,60 +114,69 @@ void addAtlasFile(py::module_& module)
                      return asJson(existenceFigure(a.database, cells));
                  });
              })
-        .def("families_near",
-             [](const Shared& atlas, double w, double e, double within, Cells cells) {
-                 return asked(atlas, [=](const Atlas& a) {
-                     return withUnits(a.database.familiesNear(w, e, within, cells), a.bar, e);
-                 });
-             })
-        .def("schedules_near",
-             [](const Shared& atlas, double w, double e, double within, Cells cells) {
-                 return asked(atlas, [=](const Atlas& a) {
-                     return withUnits(a.database.schedulesNear(w, e, within, cells), a.bar);
-                 });
-             })
-        .def("families_of_period",
-             [](const Shared& atlas, std::int64_t p, std::int64_t q, Cells cells) {
-                 return asked(atlas, [=](const Atlas& a) {
-                     return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.bar);
-                 });
-             })
-        .def("schedules_of_period",
-             [](const Shared& atlas, std::int64_t p, std::int64_t q, Cells cells) {
-                 return asked(atlas, [=](const Atlas& a) {
-                     return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells),
-                                      a.bar);
-                 });
-             })
-        .def("twins", [](const Shared& atlas, Cells cells) {
-            const std::vector<Twins> groups =
-                asked(atlas, [cells](const Atlas& a) { return a.database.twins(cells); });
-            py::list list;
-            for (const Twins& twins : groups) {
-                list.append(py::make_tuple(withUnits(twins.families, atlas->bar),
-                                           withUnits(twins.schedules, atlas->bar)));
-            }
-            return list;
-        });
+        .def(
+            "families_near",
+            [](const Shared& atlas, double w, double e, double within, Cells cells) {
+                return asked(atlas, [=](const Atlas& a) {
+                    return withUnits(a.database.familiesNear(w, e, within, cells), a.bar, e);
+                });
+            },
+            py::arg("frequency_ratio"), py::arg("energy_ratio"), py::arg("within"),
+            py::arg("cells"))
+        .def(
+            "schedules_near",
+            [](const Shared& atlas, double w, double e, double within, Cells cells) {
+                return asked(atlas, [=](const Atlas& a) {
+                    return withUnits(a.database.schedulesNear(w, e, within, cells), a.bar);
+                });
+            },
+            py::arg("frequency_ratio"), py::arg("energy_ratio"), py::arg("within"),
+            py::arg("cells"))
+        .def(
+            "families_of_period",
+            [](const Shared& atlas, std::int64_t p, std::int64_t q, Cells cells) {
+                return asked(atlas, [=](const Atlas& a) {
+                    return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.bar);
+                });
+            },
+            py::arg("period"), py::arg("denominator"), py::arg("cells"))
+        .def(
+            "schedules_of_period",
+            [](const Shared& atlas, std::int64_t p, std::int64_t q, Cells cells) {
+                return asked(atlas, [=](const Atlas& a) {
+                    return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells), a.bar);
+                });
+            },
+            py::arg("period"), py::arg("denominator"), py::arg("cells"))
+        .def(
+            "twins",
+            [](const Shared& atlas, Cells cells) {
+                const std::vector<Twins> groups =
+                    asked(atlas, [cells](const Atlas& a) { return a.database.twins(cells); });
+                py::list list;
+                for (const Twins& twins : groups) {
+                    list.append(py::make_tuple(withUnits(twins.families, atlas->bar),
+                                               withUnits(twins.schedules, atlas->bar)));
+                }
+                return list;
+            },
+            py::arg("cells"));
 }
 
-AtlasRun build(const std::string& path, std::int64_t cells, Cells maxContact, Cells maxFree,
-               std::int64_t phases, std::optional<double> maxEnergyRatio, bool all,
-               bool familiesOnly, bool resume, std::int64_t threads, const Bar& bar,
-               const py::object& progress)
+AtlasRun build(const Asked& asked)
 {
-    AtlasRange range = usualRange(cells);
-    range.maxContact = maxContact.value_or(range.maxContact);
-    range.maxFree = maxFree.value_or(range.maxFree);
-    range.maxPhases = phases;
-    range.maxEnergyRatio = maxEnergyRatio.value_or(range.maxEnergyRatio);
-    range.keepsRefuted = all;
-    range.familiesOnly = familiesOnly;
-    range.gapSign = stopsOf(bar).right;
+    AtlasRange range = usualRange(asked.get<std::int64_t>("cells"));
+    range.maxContact = asked.maybe<std::int64_t>("max_contact").value_or(range.maxContact);
+    range.maxFree = asked.maybe<std::int64_t>("max_free").value_or(range.maxFree);
+    range.maxPhases = asked.get<std::int64_t>("phases");
+    range.maxEnergyRatio = asked.maybe<double>("max_energy_ratio").value_or(range.maxEnergyRatio);
+    range.keepsRefuted = asked.get<bool>("all");
+    range.familiesOnly = asked.get<bool>("families_only");
+    range.gapSign = stopsOf(asked.bar()).right;
     validate(range);
-    Faults faults;
-    faults.requireWhole("threads", threads, maxThreads);
-    faults.throwIfAny();
+    const auto path = asked.get<std::string>("path");
+    const auto threads = asked.threads();
+    const bool resume = asked.get<bool>("resume");
     return patiently(
         [=](const Wires& wires) {
             AtlasOptions options;
@@ -181,7 +191,7 @@ AtlasRun build(const std::string& path, std::int64_t cells, Cells maxContact, Ce
             AtlasDatabase database = AtlasDatabase::create(path, options.cancel);
             return buildAtlas(database, range, options);
         },
-        progress, false);
+        asked.progress(), false);
 }
 
 }  // namespace
@@ -192,7 +202,7 @@ void addAtlas(py::module_& module)
     classOf<EntryOf>(module);
     classOf<AtlasRun>(module);
     addAtlasFile(module);
-    module.def("build_atlas", &build);
+    addCall(module, "build_atlas", &build);
 }
 
 }  // namespace signorini::python

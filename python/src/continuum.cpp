@@ -3,13 +3,12 @@
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
+#include "asked.hpp"
 #include "continuum_answer.hpp"
 #include "described.hpp"
 #include "engine_names.hpp"
-#include "faults.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
-#include "scene.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 
@@ -22,10 +21,6 @@ using answers::PointOf;
 
 }  // namespace
 
-template <>
-struct Members<PointOf> {
-    static constexpr auto list = std::tuple{&PointOf::curve, &PointOf::point, &PointOf::isExact};
-};
 template <>
 struct Members<ContinuumAnswer> {
     static constexpr auto list = std::tuple{&ContinuumAnswer::curve};
@@ -105,10 +100,13 @@ void addCurve(py::module_& module)
         });
 }
 
-Trace traceOf(const std::optional<StateOf>& start, const std::optional<StateOf>& to,
-              const std::optional<StateOf>& direction, std::optional<std::uint64_t> seed,
-              bool sample)
+Trace traceOf(const Asked& asked)
 {
+    const auto start = asked.maybe<StateOf>("start");
+    const auto to = asked.maybe<StateOf>("to");
+    const auto direction = asked.maybe<StateOf>("direction");
+    const auto seed = asked.maybe<std::uint64_t>("seed");
+    const bool sample = asked.get<bool>("sample");
     if (start.has_value() != (to.has_value() != direction.has_value()) ||
         (to.has_value() && direction.has_value())) {
         throw std::invalid_argument("start: allowed only together with one of to and direction");
@@ -127,28 +125,23 @@ Trace traceOf(const std::optional<StateOf>& start, const std::optional<StateOf>&
     return trace::Walk{*start->value, *direction->value};
 }
 
-ContinuumAnswer continuum(const py::tuple& words, std::optional<std::int64_t> cells,
-                          const Scene& scene, std::optional<double> energyRatio,
-                          std::optional<double> energy, std::int64_t points,
-                          const std::optional<StateOf>& start, const std::optional<StateOf>& to,
-                          const std::optional<StateOf>& direction,
-                          std::optional<std::uint64_t> seed, bool sample, const std::string& engine,
-                          std::optional<double> strainLimit, double resolution, double tolerance,
-                          const py::object& progress)
+ContinuumAnswer continuum(const Asked& asked)
 {
-    const Schedule schedule = scheduleOf(words, cells);
+    const Schedule schedule = asked.schedule();
+    const auto energyRatio = asked.maybe<double>("energy_ratio");
+    const auto energy = asked.maybe<double>("energy");
     if (energyRatio.has_value() == energy.has_value()) {
         throw std::invalid_argument("energy, energy_ratio: allowed exactly one of them");
     }
-    const double ratio = energyRatio ? *energyRatio : ratioOf(*energy, scene.bar);
     ContinuumOptions options;
-    options.scene = scene;
-    options.points = points;
-    options.trace = traceOf(start, to, direction, seed, sample);
-    options.solver = solverOfEngine(engine);
-    options.strainLimit = strainLimit.value_or(options.strainLimit);
-    options.resolution = resolution;
-    options.tolerance = tolerance;
+    options.scene = asked.scene();
+    const double ratio = energyRatio ? *energyRatio : ratioOf(*energy, options.scene.bar);
+    options.points = asked.get<std::int64_t>("points");
+    options.trace = traceOf(asked);
+    options.solver = solverOfEngine(asked.get<std::string>("engine"));
+    options.strainLimit = asked.maybe<double>("strain_limit").value_or(options.strainLimit);
+    options.resolution = asked.get<double>("resolution");
+    options.tolerance = asked.get<double>("tolerance");
     return patiently(
         [=](const Wires& wires) mutable {
             options.cancel = wires.cancel;
@@ -156,7 +149,7 @@ ContinuumAnswer continuum(const py::tuple& words, std::optional<std::int64_t> ce
             return ContinuumAnswer{
                 std::make_shared<const Continuum>(traceContinuum(schedule, ratio, options))};
         },
-        progress);
+        asked.progress());
 }
 
 }  // namespace
@@ -165,7 +158,7 @@ void addContinuum(py::module_& module)
 {
     addPoint(module);
     addCurve(module);
-    module.def("continuum", &continuum);
+    addCall(module, "continuum", &continuum);
 }
 
 }  // namespace signorini::python

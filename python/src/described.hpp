@@ -32,6 +32,15 @@ struct KeysInDictionary {
     }
 };
 
+/// The same, of a record that need not be a class.
+template <typename T>
+[[nodiscard]] py::dict dictionaryOf(const T& value)
+{
+    KeysInDictionary<T> keys{value};
+    describe(keys, answers::Type<T>());
+    return keys.dict;
+}
+
 template <typename T>
 py::object asPython(const T& value)
 {
@@ -55,9 +64,7 @@ py::object asPython(const T& value)
     } else if constexpr (answers::Listed<T>) {
         return asPython(answers::listed(value));
     } else if constexpr (answers::isDictionary<T>) {
-        KeysInDictionary<T> keys{value};
-        describe(keys, answers::Type<T>());
-        return keys.dict;
+        return dictionaryOf(value);
     } else {
         return py::cast(value);
     }

@@ -4,14 +4,12 @@
 
 #include <cmath>
 
-#include "answer_parts.hpp"
+#include "asked.hpp"
 #include "demand_names.hpp"
 #include "described.hpp"
-#include "faults.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
 #include "question_answer.hpp"
-#include "scene.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::python {
@@ -80,45 +78,29 @@ bool isQuick(const Schedule& schedule, const FindOptions& options)
            std::isinf(options.strainLimit) && std::isinf(options.tipFloor);
 }
 
-template <typename Table>
-auto named(const Table& table, const char* argument, const std::string& text)
+Answer find(const Asked& asked)
 {
-    const auto value = valueIn(table, text);
-    if (!value) {
-        Faults faults;
-        faults.add(argument, text, namesIn(table));
-        faults.throwIfAny();
-    }
-    return *value;
-}
-
-using Number = std::optional<double>;
-
-Answer find(const py::tuple& words, std::optional<std::int64_t> cells, const Scene& scene,
-            const std::string& solver, const std::string& formulation, const std::string& objective,
-            const std::optional<StateOf>& target, Number energy, Number energyRatio,
-            Number strainLimit, Number tipFloor, double tolerance, Number timeLimit)
-{
-    const Schedule schedule = scheduleOf(words, cells);
-    const Scales scale = scales(scene.bar);
+    const Schedule schedule = asked.schedule();
     FindOptions options;
-    options.scene = scene;
-    options.solver = solver;
-    options.formulation = named(formulationNames, "formulation", formulation);
-    options.objective = named(objectiveNames, "objective", objective);
-    if (energy && energyRatio) {
-        throw std::invalid_argument("energy clashes with energy_ratio: allowed one of them");
+    options.scene = asked.scene();
+    const Scales scale = scales(options.scene.bar);
+    options.solver = asked.get<std::string>("solver");
+    options.formulation = asked.named("formulation", formulationNames);
+    options.objective = asked.named("objective", objectiveNames);
+    options.energyRatio = asked.maybe<double>("energy_ratio");
+    if (const auto energy = asked.maybe<double>("energy")) {
+        if (options.energyRatio) {
+            throw std::invalid_argument("energy clashes with energy_ratio: allowed one of them");
+        }
+        options.energyRatio = ratioOf(*energy, options.scene.bar);
     }
-    options.energyRatio = energy ? ratioOf(*energy, scene.bar) : energyRatio;
-    if (strainLimit) {
-        requireLimit(*strainLimit);
-        options.strainLimit = *strainLimit / scale.strain;
+    options.strainLimit = asked.strainLimit(scale.strain);
+    if (const auto floor = asked.maybe<double>("tip_floor")) {
+        options.tipFloor = *floor / scale.displacement;
     }
-    if (tipFloor) {
-        options.tipFloor = *tipFloor / scale.displacement;
-    }
-    options.tolerance = tolerance;
-    options.timeLimit = timeLimit.value_or(options.timeLimit);
+    options.tolerance = asked.get<double>("tolerance");
+    options.timeLimit = asked.maybe<double>("time_limit").value_or(options.timeLimit);
+    const auto target = asked.maybe<StateOf>("target");
     std::string how;
     if (target) {
         how = fmt::format("a state of {} cells", target->value->cells());
@@ -141,17 +123,18 @@ void addFind(py::module_& module)
 {
     addParts(module);
     addResult(module);
-    classOf<answers::QuestionAnswer>(module);
-    module.def("find", &find);
-    module.def("question", [](const std::string& option, const std::string& word,
-                              std::int64_t steps, std::int64_t cells, const Scene& scene,
-                              Number energyRatio, std::vector<Answer> sets) {
+    addCall(module, "find", &find);
+    module.def("question", [](const py::dict& given, std::vector<Answer> sets) {
+        const Asked asked(given);
         FindOptions options;
-        options.scene = scene;
-        options.energyRatio = energyRatio;
-        answers::QuestionAnswer answer = answers::questionOf({option, word, steps}, cells, options);
+        options.scene = asked.scene();
+        options.energyRatio = asked.maybe<double>("energy_ratio");
+        answers::QuestionAnswer answer =
+            answers::questionOf({asked.get<std::string>("option"), asked.get<std::string>("word"),
+                                 asked.get<std::int64_t>("steps")},
+                                asked.get<std::int64_t>("cells"), options);
         answer.answers = std::move(sets);
-        return answer;
+        return plain(dictionaryOf(answer));
     });
     module.def("schedules_of_period",
                [](std::int64_t cells, std::int64_t steps, const Scene& scene) {

@@ -10,10 +10,6 @@
 namespace signorini::python {
 
 template <>
-struct Members<answers::Target> {
-    static constexpr auto list = std::tuple{&answers::Target::how, &answers::Target::distance};
-};
-template <>
 struct Members<answers::FindAnswer> {
     static constexpr auto list =
         std::tuple{&answers::FindAnswer::result, &answers::FindAnswer::target};
@@ -21,5 +17,7 @@ struct Members<answers::FindAnswer> {
 
 /// Adds the classes that answers are made of, `Result`, and `find`.
 void addFind(py::module_& module);
+/// The smaller records that answers hold.
+void addParts(py::module_& module);
 
 }  // namespace signorini::python

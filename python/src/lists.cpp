@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "arrays.hpp"
+#include "asked.hpp"
 #include "described.hpp"
-#include "faults.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
 #include "signorini/figures.hpp"
@@ -18,6 +18,7 @@ namespace {
 
 using answers::FamilyOf;
 using answers::ModeOf;
+using answers::withUnits;
 
 /// The sign of the gap, as modes and families ask for it.
 int gapSign(const Bar& bar)
@@ -83,11 +84,7 @@ void addMode(py::module_& module)
         .def(
             "families",
             [](const ModeOf& m, std::int64_t maxOrder) {
-                std::vector<FamilyOf> list;
-                for (const Family& family : familiesOf(m.value, maxOrder)) {
-                    list.push_back({family, m.bar});
-                }
-                return list;
+                return withUnits(familiesOf(m.value, maxOrder), m.bar);
             },
             py::arg("max_order"), "Those of order w <= max_order that stand on it.")
         .def(
@@ -105,9 +102,11 @@ void addMode(py::module_& module)
         });
 }
 
-std::vector<FamilyOf> families(std::int64_t maxOrder, std::optional<double> maxEnergyRatio,
-                               const Bar& bar, const py::object& progress)
+std::vector<FamilyOf> families(const Asked& asked)
 {
+    const auto maxOrder = asked.get<std::int64_t>("max_order");
+    const auto maxEnergyRatio = asked.maybe<double>("max_energy_ratio");
+    const Bar bar = asked.bar();
     return patiently(
         [=](const Wires& wires) {
             FamilyBounds bounds;
@@ -125,7 +124,7 @@ std::vector<FamilyOf> families(std::int64_t maxOrder, std::optional<double> maxE
             });
             return list;
         },
-        progress);
+        asked.progress());
 }
 
 /// The same for modes, which need a gap.
@@ -141,27 +140,27 @@ int modeSign(const Bar& bar)
     return gapSign(bar);
 }
 
-std::vector<ModeOf> modes(std::int64_t maxOrder, double maxEnergyRatio, double maxPeriod,
-                          const Bar& bar, const py::object& progress)
+std::vector<ModeOf> modes(const Asked& asked)
 {
+    const Bar bar = asked.bar();
+    ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
+                      .maxPeriod = asked.get<double>("max_period_ratio"),
+                      .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
+                      .gapSign = modeSign(bar)};
     return patiently(
-        [=](const Wires& wires) {
-            std::vector<ModeOf> list;
-            for (const Mode& mode : findModes({.maxOrder = maxOrder,
-                                    .maxPeriod = maxPeriod,
-                                    .maxEnergyRatio = maxEnergyRatio,
-                                    .gapSign = modeSign(bar),
-                                    .cancel = wires.cancel,
-                                    .progress = wires.progress})) {
-                list.push_back({mode, bar});
-            }
-            return list;
+        [=](const Wires& wires) mutable {
+            bounds.cancel = wires.cancel;
+            bounds.progress = wires.progress;
+            return withUnits(findModes(bounds), bar);
         },
-        progress);
+        asked.progress());
 }
 
-ModeOf mode(std::int64_t a4, std::int64_t b, const Bar& bar)
+ModeOf mode(const Asked& asked)
 {
+    const auto a4 = asked.get<std::int64_t>("a4");
+    const auto b = asked.get<std::int64_t>("b");
+    const Bar bar = asked.bar();
     const std::optional<Mode> found =
         a4 > 0 && a4 % 4 == 0 && b < 0 ? findMode(a4 / 4, b, modeSign(bar)) : std::nullopt;
     if (!found) {
@@ -197,11 +196,11 @@ void addLists(py::module_& module)
 {
     addFamily(module);
     addMode(module);
-    module.def("families", &families);
+    addCall(module, "families", &families);
     module.def("families_figure", &familiesAsFigure);
     module.def("frequency_energy_figure", &planeAsFigure);
-    module.def("modes", &modes);
-    module.def("mode", &mode);
+    addCall(module, "modes", &modes);
+    addCall(module, "mode", &mode);
 }
 
 }  // namespace signorini::python

@@ -1,11 +1,49 @@
 #include <pybind11/stl.h>
 
 #include "described.hpp"
-#include "faults.hpp"
 #include "lists.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::python {
+
+/// A motion of a mode is made anew of what it is the motion of.
+template <>
+struct Travel<ModeAnswer> {
+    static py::object put(const ModeAnswer& m)
+    {
+        return py::make_tuple(Travel<Mode>::put(m.mode), Travel<Bar>::put(m.bar),
+                              m.motion.period());
+    }
+    static ModeAnswer get(const py::tuple& held)
+    {
+        const Mode mode = Travel<Mode>::get(held[0]);
+        return {mode, Travel<Bar>::get(held[1]), ModeMotion(mode, py::cast<double>(held[2]))};
+    }
+    static bool same(const ModeAnswer& m, const ModeAnswer& other)
+    {
+        return m.mode == other.mode && m.bar == other.bar &&
+               m.motion.period() == other.motion.period();
+    }
+};
+template <>
+struct Travel<PolytopeAnswer> {
+    static py::object put(const PolytopeAnswer& m)
+    {
+        return py::make_tuple(Travel<ModePolytope>::put(m.polytope), Travel<Bar>::put(m.bar),
+                              m.point.period, Travel<std::vector<double>>::put(m.point.arrivals));
+    }
+    static PolytopeAnswer get(const py::tuple& held)
+    {
+        const auto polytope = Travel<ModePolytope>::get(held[0]);
+        const ModePoint point{py::cast<double>(held[2]), Travel<std::vector<double>>::get(held[3])};
+        return {polytope, Travel<Bar>::get(held[1]), point, ModeMotion(polytope, point)};
+    }
+    static bool same(const PolytopeAnswer& m, const PolytopeAnswer& other)
+    {
+        return m.polytope == other.polytope && m.bar == other.bar &&
+               m.point.period == other.point.period && m.point.arrivals == other.point.arrivals;
+    }
+};
 
 namespace {
 
@@ -42,23 +80,12 @@ void addModeMotion(py::module_& module)
 {
     const auto record = classOf<ModeAnswer>(module);
     addRest(*record);
-    record->more()
-        .def(pickling<ModeAnswer>(
-            [](const ModeAnswer& m) {
-                return py::make_tuple(Travel<Mode>::put(m.mode), Travel<Bar>::put(m.bar),
-                                      m.motion.period());
-            },
-            [](const py::tuple& tuple) {
-                const Mode mode = Travel<Mode>::get(tuple[0]);
-                return ModeAnswer{mode, Travel<Bar>::get(tuple[1]),
-                                  ModeMotion(mode, py::cast<double>(tuple[2]))};
-            }))
-        .def("__repr__", [](const ModeAnswer& m) {
-            return fmt::format(
-                "ModeMotion(t_c = {} - {} T, period_ratio={:.10g}, "
-                "energy_ratio={:.10g})",
-                4 * m.mode.a, -m.mode.b, m.motion.period(), energyRatio(m.mode, m.motion.period()));
-        });
+    record->more().def("__repr__", [](const ModeAnswer& m) {
+        return fmt::format(
+            "ModeMotion(t_c = {} - {} T, period_ratio={:.10g}, "
+            "energy_ratio={:.10g})",
+            4 * m.mode.a, -m.mode.b, m.motion.period(), energyRatio(m.mode, m.motion.period()));
+    });
     addModeFields(record->more());
 }
 
@@ -66,26 +93,12 @@ void addPolytopeMotion(py::module_& module)
 {
     const auto record = classOf<PolytopeAnswer>(module);
     addRest(*record);
-    record->more()
-        .def(pickling<PolytopeAnswer>(
-            [](const PolytopeAnswer& m) {
-                return py::make_tuple(Travel<ModePolytope>::put(m.polytope),
-                                      Travel<Bar>::put(m.bar), m.point.period,
-                                      Travel<std::vector<double>>::put(m.point.arrivals));
-            },
-            [](const py::tuple& tuple) {
-                const auto polytope = Travel<ModePolytope>::get(tuple[0]);
-                const ModePoint point{py::cast<double>(tuple[2]),
-                                      Travel<std::vector<double>>::get(tuple[3])};
-                return PolytopeAnswer{polytope, Travel<Bar>::get(tuple[1]), point,
-                                      ModeMotion(polytope, point)};
-            }))
-        .def("__repr__", [](const PolytopeAnswer& m) {
-            return fmt::format(
-                "PolytopeMotion({} contacts, period_ratio={:.10g}, "
-                "energy_ratio={:.10g})",
-                m.polytope.chains.size(), m.point.period, energyRatio(m.polytope, m.point.period));
-        });
+    record->more().def("__repr__", [](const PolytopeAnswer& m) {
+        return fmt::format(
+            "PolytopeMotion({} contacts, period_ratio={:.10g}, "
+            "energy_ratio={:.10g})",
+            m.polytope.chains.size(), m.point.period, energyRatio(m.polytope, m.point.period));
+    });
     addModeFields(record->more());
 }
 

@@ -2,7 +2,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <cctype>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -12,6 +14,7 @@
 #include "forced.hpp"
 #include "lists.hpp"
 #include "motion.hpp"
+#include "options.hpp"
 #include "palette.hpp"
 #include "scene.hpp"
 #include "signorini/config.hpp"
@@ -37,6 +40,12 @@ std::string inPython(const std::string& words)
             text += static_cast<char>(std::tolower(static_cast<unsigned char>(words[k])));
         } else {
             text += words[k];
+        }
+    }
+    for (const auto& [name, inWords] :
+         {std::pair{"waveSpeed", "wave_speed"}, std::pair{"axialStiffness", "axial_stiffness"}}) {
+        for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name)) {
+            text.replace(at, std::string_view(name).size(), inWords);
         }
     }
     return text;
@@ -94,6 +103,36 @@ py::dict versionsOfBackends()
     return versions;
 }
 
+/// What the program's options of a question mean, by their names as Python has them.
+py::dict optionsOf(const std::string& question)
+{
+    namespace asks = answers::asks;
+    static const std::map<std::string, unsigned> questions{{"find", asks::find},
+                                                           {"schedule", asks::schedule},
+                                                           {"continuum", asks::continuum},
+                                                           {"families", asks::families},
+                                                           {"modes", asks::modes},
+                                                           {"mode", asks::mode},
+                                                           {"atlas", asks::atlas},
+                                                           {"response", asks::response},
+                                                           {"sweep", asks::sweep},
+                                                           {"simulation", asks::simulation},
+                                                           {"figure", 0}};
+    py::dict meanings;
+    for (const answers::Option& option : answers::options()) {
+        std::string name(option.name.substr(2));
+        std::replace(name.begin(), name.end(), '-', '_');
+        if ((option.of & questions.at(question)) != 0 && !meanings.contains(name.c_str())) {
+            const bool hasUnit =
+                option.unit != "-" && option.sentence.find('[') == std::string::npos;
+            meanings[name.c_str()] =
+                fmt::format("{}{}.", option.sentence,
+                            hasUnit ? fmt::format(" [{}]", option.unit) : std::string());
+        }
+    }
+    return meanings;
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_core, module)
@@ -104,6 +143,7 @@ PYBIND11_MODULE(_core, module)
     module.attr("__version__") = SIGNORINI_VERSION;
     module.def("palette", &colours);
     module.def("backends", &versionsOfBackends);
+    module.def("options", &optionsOf);
     addErrors(module);
     addScene(module);
     addMotion(module);

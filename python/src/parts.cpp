@@ -1,4 +1,4 @@
-#include "answer_parts.hpp"
+#include "find.hpp"
 
 #include <pybind11/stl.h>
 

@@ -76,11 +76,11 @@ struct Travel {
     static py::object put(const T& value)
     {
         return std::apply(
-            [&](auto... member) {
+            [](const auto&... member) {
                 return py::make_tuple(
-                    Travel<std::remove_cvref_t<decltype(value.*member)>>::put(value.*member)...);
+                    Travel<std::remove_cvref_t<decltype(member)>>::put(member)...);
             },
-            Members<T>::list);
+            membersOf(value));
     }
     static T get(const py::handle& source)
     {
@@ -88,15 +88,13 @@ struct Travel {
         T value{};
         std::size_t at = 0;
         std::apply(
-            [&](auto... member) {
+            [&](auto&... member) {
                 if (tuple.size() != sizeof...(member)) {
                     refusePickle();
                 }
-                ((value.*member =
-                      Travel<std::remove_cvref_t<decltype(value.*member)>>::get(tuple[at++])),
-                 ...);
+                ((member = Travel<std::remove_cvref_t<decltype(member)>>::get(tuple[at++])), ...);
             },
-            Members<T>::list);
+            membersOf(value));
         if constexpr (std::is_same_v<T, State>) {
             if (value.a.size() != value.b.size()) {
                 refusePickle();
@@ -121,13 +119,15 @@ struct Travel {
             // How long it took is no part of an answer.
             return one.name == other.name && one.iterations == other.iterations;
         }
-        return std::apply(
-            [&](auto... member) {
-                return (Travel<std::remove_cvref_t<decltype(one.*member)>>::same(one.*member,
-                                                                                 other.*member) &&
-                        ...);
-            },
-            Members<T>::list);
+        return [&]<std::size_t... k>(const auto& these, const auto& those,
+                                     std::index_sequence<k...>)
+        {
+            return (Travel<std::remove_cvref_t<decltype(std::get<k>(these))>>::same(
+                        std::get<k>(these), std::get<k>(those)) &&
+                    ...);
+        }
+        (membersOf(one), membersOf(other),
+         std::make_index_sequence<std::tuple_size_v<decltype(membersOf(one))>>());
     }
 };
 

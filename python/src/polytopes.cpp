@@ -1,7 +1,7 @@
 #include <pybind11/stl.h>
 
+#include "asked.hpp"
 #include "described.hpp"
-#include "faults.hpp"
 #include "lists.hpp"
 #include "patience.hpp"
 
@@ -107,30 +107,27 @@ void addPolytope(py::module_& module)
         });
 }
 
-std::vector<PolytopeOf> polytopes(std::int64_t phases, std::int64_t maxOrder, double maxEnergyRatio,
-                                  double maxPeriod, const Bar& bar, const py::object& progress)
+std::vector<PolytopeOf> polytopes(const Asked& asked)
 {
+    const Bar bar = asked.bar();
+    const auto phases = asked.get<std::int64_t>("phases");
+    ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
+                      .maxPeriod = asked.get<double>("max_period_ratio"),
+                      .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
+                      .gapSign = stopsOf(bar).right};
     return patiently(
-        [=](const Wires& wires) {
-            std::vector<PolytopeOf> list;
-            for (const ModePolytope& polytope :
-                 findPolytopes(phases, {.maxOrder = maxOrder,
-                                       .maxPeriod = maxPeriod,
-                                       .maxEnergyRatio = maxEnergyRatio,
-                                       .gapSign = stopsOf(bar).right,
-                                       .cancel = wires.cancel,
-                                       .progress = wires.progress})) {
-                list.push_back({polytope, bar});
-            }
-            return list;
+        [=](const Wires& wires) mutable {
+            bounds.cancel = wires.cancel;
+            bounds.progress = wires.progress;
+            return answers::withUnits(findPolytopes(phases, bounds), bar);
         },
-        progress);
+        asked.progress());
 }
 
-std::optional<PolytopeOf> polytope(const py::tuple& words, std::optional<std::int64_t> cells,
-                                   const Bar& bar)
+std::optional<PolytopeOf> polytope(const Asked& asked)
 {
-    const Schedule schedule = scheduleOf(words, cells);
+    const Schedule schedule = asked.schedule();
+    const Bar bar = asked.bar();
     const auto found = patiently([=](const Wires&) { return polytopeOf(schedule); });
     return found ? std::optional(PolytopeOf{*found, bar}) : std::nullopt;
 }
@@ -141,8 +138,8 @@ void addPolytopes(py::module_& module)
 {
     classOf<ModeChain>(module);
     addPolytope(module);
-    module.def("polytopes", &polytopes);
-    module.def("polytope", &polytope);
+    addCall(module, "polytopes", &polytopes);
+    addCall(module, "polytope", &polytope);
 }
 
 }  // namespace signorini::python

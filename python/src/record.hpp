@@ -106,11 +106,6 @@ private:
 
 using answers::Of;
 
-template <typename T>
-struct Members<Of<T>> {
-    static constexpr auto list = std::tuple{&Of<T>::value, &Of<T>::bar};
-};
-
 /// The name of an enumerator, as Python's text.
 template <typename Enum>
 [[nodiscard]] py::str nameOf(Enum value)

@@ -1,9 +1,9 @@
 
 #include <pybind11/stl.h>
 
+#include "asked.hpp"
 #include "described.hpp"
-#include "faults.hpp"
-#include "force.hpp"
+#include "forced.hpp"
 #include "patience.hpp"
 #include "response_answer.hpp"
 #include "share_work.hpp"
@@ -12,40 +12,29 @@
 
 namespace signorini::python {
 
-using answers::FrequencyOf;
-using answers::PermanentOf;
 using answers::ResponseAnswer;
-template <>
-struct Members<FrequencyOf> {
-    static constexpr auto list = std::tuple{&FrequencyOf::value, &FrequencyOf::bar,
-                                            &FrequencyOf::segments, &FrequencyOf::cycles};
-};
-template <>
-struct Members<ResponseAnswer> {
-    using T = ResponseAnswer;
-    static constexpr auto list =
-        std::tuple{&T::range,       &T::scene,      &T::bar,        &T::amplitude,
-                   &T::frequencies, &T::isComplete, &T::yieldStress};
-};
 
 namespace {
 
-ResponseAnswer response(double damping, const std::string& force, double amplitude, int derivative,
-                        double least, double most, std::int64_t cycles, std::int64_t cells,
-                        bool stability, std::int64_t threads, const Scene& scene,
-                        const py::object& progress)
+ResponseAnswer response(const Asked& asked)
 {
+    const Scene scene = asked.scene();
     validate(scene);
     const Bar bar = answers::unitsOf(scene);
-    const Excited place = placeOf(force);
-    ResponseAnswer answer{{.cells = cells,
-                           .damping = {damping},
+    const Excited place = asked.place();
+    const auto derivative = asked.get<int>("derivative");
+    if (!asked.has("amplitude")) {
+        throw std::invalid_argument("amplitude is missing: allowed numbers > 0 [N or m]");
+    }
+    const auto amplitude = asked.get<double>("amplitude");
+    ResponseAnswer answer{{.cells = asked.maybe<std::int64_t>("cells").value_or(usualCells),
+                           .damping = {asked.get<double>("damping")},
                            .place = place,
                            .amplitude = amplitude / amplitudeUnit(place, bar, derivative),
                            .derivative = derivative,
-                           .cycles = cycles,
-                           .leastFrequencyRatio = least,
-                           .mostFrequencyRatio = most,
+                           .cycles = asked.get<std::int64_t>("cycles"),
+                           .leastFrequencyRatio = asked.get<double>("start"),
+                           .mostFrequencyRatio = asked.get<double>("to"),
                            .stops = stopsOf(scene),
                            .segments = scene.segments},
                           scene,
@@ -53,9 +42,8 @@ ResponseAnswer response(double damping, const std::string& force, double amplitu
                           amplitude,
                           {}};
     (void)stepsOf(answer.range);
-    Faults faults;
-    faults.requireWhole("threads", threads, maxThreads);
-    faults.throwIfAny();
+    const auto threads = asked.threads();
+    const bool stability = asked.get<bool>("stability");
     return patiently(
         [answer, stability, threads](const Wires& wires) mutable {
             const std::vector<std::int64_t> steps = stepsOf(answer.range);
@@ -80,19 +68,19 @@ ResponseAnswer response(double damping, const std::string& force, double amplitu
             }
             return answer;
         },
-        progress);
+        asked.progress());
 }
 
 }  // namespace
 
 void addResponse(py::module_& module)
 {
-    classOf<PermanentOf>(module);
-    classOf<FrequencyOf>(module);
+    classOf<answers::PermanentOf>(module);
+    classOf<answers::FrequencyOf>(module);
     classOf<ResponseAnswer>(module)->more().def("_figure", [](const ResponseAnswer& answer) {
         return asJson(responseFigure(answer.frequencies, answer.range, answer.bar));
     });
-    module.def("response", &response);
+    addCall(module, "response", &response);
 }
 
 }  // namespace signorini::python

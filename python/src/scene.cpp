@@ -263,15 +263,6 @@ double ratioOf(double energy, const Bar& bar)
     return ratio;
 }
 
-void requireLimit(double strain)
-{
-    Faults faults;
-    if (!(strain > 0.0)) {
-        faults.add("strain_limit", strain, "numbers > 0 [-]");
-    }
-    faults.throwIfAny();
-}
-
 /// "left" or "right".
 Stop stopOf(const py::handle& value)
 {

@@ -22,10 +22,6 @@ struct StateOf {
     Bar bar;
     std::vector<Segment> segments = {};
 };
-template <>
-struct Members<StateOf> {
-    static constexpr auto list = std::tuple{&StateOf::value, &StateOf::bar, &StateOf::segments};
-};
 
 using answers::forceUnit;
 using answers::impulseUnit;
@@ -35,9 +31,6 @@ using answers::impulseUnit;
 
 /// E/E_1 of an energy [J] to hold. \throws ValueError unless it is finite and > 0.
 [[nodiscard]] double ratioOf(double energy, const Bar& bar);
-
-/// Of strain. \throws ValueError unless it is > 0.
-void requireLimit(double strain);
 
 /// A whole number; errors name it. \throws TypeError, ValueError.
 [[nodiscard]] std::int64_t wholeOf(const py::handle& value, const char* name);

@@ -3,11 +3,11 @@
 #include <pybind11/stl.h>
 
 #include <cmath>
+#include <functional>
 
 #include "arrays.hpp"
+#include "asked.hpp"
 #include "described.hpp"
-#include "faults.hpp"
-#include "force.hpp"
 #include "numbers.hpp"
 #include "patience.hpp"
 #include "simulation_answer.hpp"
@@ -36,8 +36,6 @@ void describe(D& d, answers::Type<Simulated>)
 
 }  // namespace
 
-SIGNORINI_MEMBERS(Drive, &T::place, &T::amplitude, &T::frequencyRatio, &T::phase, &T::steps,
-                  &T::period);
 template <>
 struct Members<Simulated> {
     using T = Simulated;
@@ -52,25 +50,6 @@ struct Members<Simulated> {
 namespace {
 
 using Shared = std::shared_ptr<Simulated>;
-
-/// A column of a list of structs, times a unit that the bar knows.
-template <typename T, typename Unit>
-auto column(std::vector<T> Simulated::*list, double T::*member, Unit unit)
-{
-    return [=](const Simulated& s) {
-        const double one = unit(s.scene.bar);
-        return filled(static_cast<std::int64_t>((s.*list).size()), [&](std::int64_t k) {
-            return one * ((s.*list)[static_cast<std::size_t>(k)].*member);
-        });
-    };
-}
-
-/// The same without units, on the simulation's own memory.
-template <typename T>
-auto ratios(std::vector<T> Simulated::*list, double T::*member)
-{
-    return [=](const Shared& s) { return view((*s).*list, member, s); };
-}
 
 double second(const Bar& bar)
 {
@@ -90,6 +69,38 @@ double joule(const Bar& bar)
 double metre(const Bar& bar)
 {
     return scales(bar).displacement;
+}
+
+/// A number of each struct in a list, and its units.
+template <typename T>
+struct Column {
+    const char* name;
+    double T::*member;
+    double (*unit)(const Bar&);
+    const char* doc;
+    const char* ratioDoc;
+};
+
+/// Each in SI units, and without on the simulation's own memory.
+template <typename T>
+void addColumns(Record<Simulated>& record, std::vector<T> Simulated::*list,
+                std::initializer_list<Column<T>> columns)
+{
+    for (const Column<T>& column : columns) {
+        record.more().def_property_readonly(
+            column.name,
+            [list, column](const Simulated& s) {
+                const double one = column.unit(s.scene.bar);
+                return filled(static_cast<std::int64_t>((s.*list).size()), [&](std::int64_t k) {
+                    return one * ((s.*list)[static_cast<std::size_t>(k)].*column.member);
+                });
+            },
+            column.doc);
+        record.more().def_property_readonly(
+            fmt::format("{}_ratio", column.name).c_str(),
+            [list, column](const Shared& s) { return view((*s).*list, column.member, s); },
+            column.ratioDoc);
+    }
 }
 
 void addWaves(py::module_& module)
@@ -137,23 +148,26 @@ void addWaves(py::module_& module)
 void addSimulated(py::module_& module)
 {
     const auto record = classOf<Simulated>(module);
-    constexpr auto contacts = &Simulated::contacts;
-    constexpr auto path = &Simulated::path;
+    addColumns<ContactEvent>(
+        *record, &Simulated::contacts,
+        {{"contact_start", &ContactEvent::start, second, "[s], shape (contacts,).",
+          "[L/c]; no copy."},
+         {"contact_end", &ContactEvent::end, second, "[s]", "[L/c]; no copy."},
+         {"contact_impulse", &ContactEvent::impulse, impulseUnit, "[N s]", "[EA g/c]; no copy."},
+         {"contact_peak_force", &ContactEvent::peakForce, forceUnit, "[N]", "[EA g/L]; no copy."},
+         {"contact_mean_force", &ContactEvent::meanForce, forceUnit,
+          "Largest mean over the resolution [N].", "[EA g/L]; no copy."},
+         {"contact_speed", &ContactEvent::speed, speed,
+          "With which the tip came to the stop [m/s].", "[c g/L]; no copy."},
+         {"contact_energy", &ContactEvent::energy, joule,
+          "Of the waves that the stop sent back [J].", "[E_1]; no copy."}});
+    addColumns<TipPoint>(
+        *record, &Simulated::path,
+        {{"tip_time", &TipPoint::time, second,
+          "Instants of the path of the tip [s]; straight between.", "[L/c]; no copy."},
+         {"tip_displacement", &TipPoint::displacement, metre, "u(L) at these instants [m].",
+          "[g]; no copy."}});
     record->more()
-        .def_property_readonly("contact_start", column(contacts, &ContactEvent::start, second),
-                               "[s], shape (contacts,).")
-        .def_property_readonly("contact_end", column(contacts, &ContactEvent::end, second), "[s]")
-        .def_property_readonly("contact_impulse",
-                               column(contacts, &ContactEvent::impulse, impulseUnit), "[N s]")
-        .def_property_readonly("contact_peak_force",
-                               column(contacts, &ContactEvent::peakForce, forceUnit), "[N]")
-        .def_property_readonly("contact_mean_force",
-                               column(contacts, &ContactEvent::meanForce, forceUnit),
-                               "Largest mean over the resolution [N].")
-        .def_property_readonly("contact_speed", column(contacts, &ContactEvent::speed, speed),
-                               "With which the tip came to the stop [m/s].")
-        .def_property_readonly("contact_energy", column(contacts, &ContactEvent::energy, joule),
-                               "Of the waves that the stop sent back [J].")
         .def_property_readonly(
             "contact_stop",
             [](const Simulated& s) {
@@ -164,21 +178,6 @@ void addSimulated(py::module_& module)
                 return stops;
             },
             "[\"right\" or \"left\", ...], which stop was touched.")
-        .def_property_readonly("contact_start_ratio", ratios(contacts, &ContactEvent::start),
-                               "[L/c]; no copy.")
-        .def_property_readonly("contact_end_ratio", ratios(contacts, &ContactEvent::end),
-                               "[L/c]; no copy.")
-        .def_property_readonly("contact_impulse_ratio", ratios(contacts, &ContactEvent::impulse),
-                               "[EA g/c]; no copy.")
-        .def_property_readonly("contact_peak_force_ratio",
-                               ratios(contacts, &ContactEvent::peakForce), "[EA g/L]; no copy.")
-        .def_property_readonly("tip_time", column(path, &TipPoint::time, second),
-                               "Instants of the path of the tip [s]; straight between.")
-        .def_property_readonly("tip_displacement", column(path, &TipPoint::displacement, metre),
-                               "u(L) at these instants [m].")
-        .def_property_readonly("tip_time_ratio", ratios(path, &TipPoint::time), "[L/c]; no copy.")
-        .def_property_readonly("tip_displacement_ratio", ratios(path, &TipPoint::displacement),
-                               "[g]; no copy.")
         .def("_figure",
              [](const Simulated& s) {
                  const double period = s.drive ? s.drive->period / scales(s.scene.bar).time : 0.0;
@@ -246,54 +245,58 @@ Simulated simulated(Simulated answer, const Excitation& excitation, double total
     return answer;
 }
 
-Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, const Scene& scene,
-                   double damping, const std::optional<std::string>& force,
-                   std::optional<double> amplitude, int derivative, std::optional<double> frequency,
-                   double phase, std::optional<double> time, std::optional<std::int64_t> periods,
-                   std::optional<double> resolve, bool tip, const py::object& progress)
+/// Where it starts: at rest, from a state, or from waves.
+Waves startOf(const Asked& asked, std::optional<std::int64_t> cells, const Stops& stops,
+              const std::function<Excitation(double)>& drivenBy)
+{
+    const py::object start = asked.object("start");
+    if (start.is_none()) {
+        const auto grid = static_cast<double>(cells.value_or(usualCells));
+        return wavesAtRest(grid, stops, drivenBy(grid).baseDisplacement(0));
+    }
+    if (py::isinstance<WavesOf>(start)) {
+        return py::cast<const WavesOf&>(start).value;
+    }
+    return wavesOf(*asked.get<StateOf>("start").value);
+}
+
+Simulated simulate(const Asked& asked)
 {
     Simulated answer;
-    if (!scene.segments.empty()) {
+    answer.scene = asked.scene();
+    if (!answer.scene.segments.empty()) {
         throw std::invalid_argument("segments: allowed only where stepped bars are known: find");
     }
-    const Bar& bar = scene.bar;
-    answer.scene = scene;
-    answer.damping = {damping};
-    if (force.has_value() != amplitude.has_value() || force.has_value() != frequency.has_value()) {
+    const Bar bar = answer.scene.bar;
+    answer.damping = {asked.get<double>("damping")};
+    const auto frequency = asked.maybe<double>("frequency");
+    const auto time = asked.maybe<double>("time");
+    const auto periods = asked.maybe<std::int64_t>("periods");
+    const auto cells = asked.maybe<std::int64_t>("cells");
+    const bool isDriven = asked.has("force");
+    if (isDriven != asked.has("amplitude") || isDriven != frequency.has_value()) {
         throw std::invalid_argument("force, amplitude, frequency: allowed only all three together");
     }
-    if (time.has_value() == periods.has_value() || (periods && !force)) {
+    if (time.has_value() == periods.has_value() || (periods && !isDriven)) {
         throw std::invalid_argument(
             "time, periods: allowed one of them, and periods only together with force");
     }
-    if (resolve) {
-        Faults faults;
-        faults.requirePositive("resolve", *resolve, "s");
-        faults.throwIfAny();
-    }
-    if (force) {
-        answer.drive = Drive{placeOf(*force), displaced(*amplitude, derivative, *frequency, bar),
-                             *frequency, phase};
+    if (isDriven) {
+        answer.drive = Drive{asked.place(), *asked.displacement(*frequency, bar), *frequency,
+                             asked.get<double>("phase")};
     }
     const auto drivenBy = [&](double grid) {
         return answer.drive ? excitationOf(*answer.drive, grid, bar)
                             : Excitation{.stepsPerCrossing = grid};
     };
-    if (start.is_none()) {
-        const auto grid = static_cast<double>(cells.value_or(usualCells));
-        answer.waves = wavesAtRest(grid, stopsOf(scene), drivenBy(grid).baseDisplacement(0));
-    } else if (py::isinstance<WavesOf>(start)) {
-        answer.waves = py::cast<const WavesOf&>(start).value;
-    } else if (!py::isinstance<StateOf>(start)) {
-        throw py::type_error("start: allowed a State, Waves, the name of a file, or None");
-    } else {
-        answer.waves = wavesOf(*py::cast<const StateOf&>(start).value);
-    }
+    answer.waves = startOf(asked, cells, stopsOf(answer.scene), drivenBy);
     answer.cells = static_cast<std::int64_t>(answer.waves.crossing);
     const Excitation excitation =
         drivenBy(cells ? static_cast<double>(*cells) : answer.waves.crossing);
     requireLength(time, periods, answer.drive ? answer.drive->period : 0.0, bar);
+    const auto resolve = asked.positive("resolve", "s");
     answer.resolution = resolve ? *resolve / second(bar) : 1.0 / excitation.stepsPerCrossing;
+    const bool tip = asked.get<bool>("tip");
     const double total = periods        ? static_cast<double>(*periods)
                          : answer.drive ? *time / answer.drive->period
                                         : *time / second(bar);
@@ -301,7 +304,7 @@ Simulated simulate(const py::object& start, std::optional<std::int64_t> cells, c
         [answer = std::move(answer), excitation, total, tip](const Wires& wires) {
             return simulated(answer, excitation, total, tip, wires);
         },
-        progress);
+        asked.progress());
 }
 
 }  // namespace
@@ -313,7 +316,7 @@ void addSimulate(py::module_& module)
     classOf<Of<Settled>>(module);
     classOf<Of<EnergyBalance>>(module);
     addSimulated(module);
-    module.def("simulate", &simulate);
+    addCall(module, "simulate", &simulate);
 }
 
 }  // namespace signorini::python

@@ -88,6 +88,24 @@ Raises
 ValueError
     If the arrays do not have one length, are empty, or not finite.
 )");
+    const auto both = [&record](const char* name, auto values, double Scales::*unit,
+                                const char* doc, const char* ratioDoc) {
+        record.more().def_property_readonly(
+            name,
+            [values, unit](const StateOf& s) { return array(values(s), scales(s.bar).*unit); },
+            doc);
+        record.more().def_property_readonly(
+            fmt::format("{}_ratio", name).c_str(),
+            [values](const StateOf& s) { return array(values(s), 1.0); }, ratioDoc);
+    };
+    both(
+        "velocity", [](const StateOf& s) { return velocity(*s.value); }, &Scales::velocity,
+        "v on each cell [m/s].", "v on each cell [c g/L], a + b.");
+    both("strain", &strainOf, &Scales::strain, "s on each cell [-], tension > 0.",
+         "s on each cell [g/L], b - a over its relative speed.");
+    both(
+        "displacement", [](const StateOf& s) { return displacement(*s.value); },
+        &Scales::displacement, "u at x_1 ... x_N [m].", "u at x_1 ... x_N [g].");
     record.more()
         .def(py::init([](const py::object& a, const py::object& b, const std::optional<Bar>& bar,
                          const std::vector<Segment>& segments) {
@@ -127,29 +145,6 @@ ValueError
                 return array(cellEnds(s), s.bar.length / static_cast<double>(s.value->cells()));
             },
             "x_1 ... x_N [m], where each cell ends.")
-        .def_property_readonly(
-            "velocity",
-            [](const StateOf& s) { return array(velocity(*s.value), scales(s.bar).velocity); },
-            "v on each cell [m/s].")
-        .def_property_readonly(
-            "strain", [](const StateOf& s) { return array(strainOf(s), scales(s.bar).strain); },
-            "s on each cell [-], tension > 0.")
-        .def_property_readonly(
-            "displacement",
-            [](const StateOf& s) {
-                return array(displacement(*s.value), scales(s.bar).displacement);
-            },
-            "u at x_1 ... x_N [m].")
-        .def_property_readonly(
-            "velocity_ratio", [](const StateOf& s) { return array(velocity(*s.value), 1.0); },
-            "v on each cell [c g/L], a + b.")
-        .def_property_readonly(
-            "strain_ratio", [](const StateOf& s) { return array(strainOf(s), 1.0); },
-            "s on each cell [g/L], b - a over its relative speed.")
-        .def_property_readonly(
-            "displacement_ratio",
-            [](const StateOf& s) { return array(displacement(*s.value), 1.0); },
-            "u at x_1 ... x_N [g].")
         .def_property_readonly(
             "energy_ratio", [](const StateOf& s) { return energyRatio(*s.value, s.segments); },
             "E/E_1.")

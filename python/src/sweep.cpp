@@ -1,9 +1,9 @@
 #include <pybind11/stl.h>
 
+#include "asked.hpp"
 #include "described.hpp"
 #include "excited_names.hpp"
-#include "faults.hpp"
-#include "force.hpp"
+#include "forced.hpp"
 #include "journal.hpp"
 #include "patience.hpp"
 #include "share_work.hpp"
@@ -17,24 +17,13 @@ using answers::StudyPoint;
 using answers::SweepAnswer;
 using answers::SweepPointOf;
 
-SIGNORINI_MEMBERS(SweepPoint, &T::value, &T::frequencyRatio, &T::direction, &T::settling,
-                  &T::watched, &T::contacts, &T::impulse, &T::meanContacts, &T::meanImpulse,
-                  &T::impulses, &T::meanForce, &T::tip, &T::strain);
-SIGNORINI_MEMBERS(SweepRange, &T::over, &T::least, &T::most, &T::points, &T::periods, &T::isCarried,
-                  &T::cells, &T::place, &T::amplitude, &T::derivative, &T::frequencyRatio,
-                  &T::damping, &T::stops, &T::segments, &T::resolution);
-SIGNORINI_MEMBERS(SweepPointOf, &T::value, &T::over, &T::place, &T::bar);
-SIGNORINI_MEMBERS(SweepAnswer, &T::range, &T::scene, &T::bar, &T::points, &T::isComplete,
-                  &T::yieldStress);
-
-SIGNORINI_MEMBERS(StudyPoint, &T::gap, &T::damping, &T::amplitude, &T::impulse, &T::frequency,
-                  &T::meanForce, &T::strain, &T::stress, &T::from, &T::to, &T::irregular);
-
 namespace {
 
 /// A sweep without points, its numbers being in SI units. \throws std::invalid_argument.
-SweepAnswer asked(SweepRange range, const Scene& scene, double least, double most, double amplitude)
+SweepAnswer withUnits(SweepRange range, const Scene& scene, const Asked& asked, double amplitude)
 {
+    const auto least = asked.get<double>("start");
+    const auto most = asked.get<double>("to");
     validate(scene);
     const Bar bar = answers::unitsOf(scene);
     const double unit = answers::unitOf(range.over, range.place, bar);
@@ -57,41 +46,34 @@ SweepAnswer asked(SweepRange range, const Scene& scene, double least, double mos
     return {range, scene, bar, {}, true, {}};
 }
 
-void requireThreads(std::int64_t threads)
+SweepRange rangeOf(const Asked& asked)
 {
-    Faults faults;
-    faults.requireWhole("threads", threads, maxThreads);
-    faults.throwIfAny();
+    return {.points = asked.get<std::int64_t>("points"),
+            .periods = asked.get<std::int64_t>("periods"),
+            .cells = static_cast<double>(asked.maybe<std::int64_t>("cells").value_or(usualCells)),
+            .place = asked.place()};
 }
 
-SweepAnswer sweep(const std::string& over, double least, double most, const std::string& force,
-                  double damping, double amplitude, int derivative, double frequency,
-                  std::int64_t points, const std::string& direction, std::int64_t periods,
-                  bool rest, std::optional<double> resolve, std::int64_t cells,
-                  std::int64_t threads, const Scene& scene, const std::string& file,
-                  const std::string& question, const py::object& progress)
+SweepAnswer sweep(const Asked& asked)
 {
-    Faults faults;
-    if (resolve) {
-        faults.requirePositive("resolve", *resolve, "s");
-    }
-    faults.throwIfAny();
+    const double resolution = asked.positive("resolve", "s").value_or(0.0);
+    const auto direction = asked.get<std::string>("direction");
     std::vector<SweepDirection> directions{SweepDirection::up, SweepDirection::down};
     if (direction != "both") {
-        directions = {valueOf("direction", direction, sweepDirections)};
+        directions = {asked.named("direction", sweepDirections)};
     }
-    SweepAnswer answer = asked({.over = valueOf("over", over, sweptNames),
-                                .points = points,
-                                .periods = periods,
-                                .isCarried = !rest,
-                                .cells = static_cast<double>(cells),
-                                .place = placeOf(force),
-                                .derivative = derivative,
-                                .frequencyRatio = frequency,
-                                .damping = {damping},
-                                .resolution = resolve.value_or(0.0)},
-                               scene, least, most, amplitude);
-    requireThreads(threads);
+    SweepRange range = rangeOf(asked);
+    range.over = asked.named("over", sweptNames);
+    range.isCarried = !asked.get<bool>("rest");
+    range.derivative = asked.get<int>("derivative");
+    range.frequencyRatio = asked.get<double>("frequency");
+    range.damping = {asked.get<double>("damping")};
+    range.resolution = resolution;
+    SweepAnswer answer =
+        withUnits(range, asked.scene(), asked, asked.maybe<double>("amplitude").value_or(0.0));
+    const auto threads = asked.threads();
+    const auto file = asked.get<std::string>("file");
+    const auto question = asked.get<std::string>("question");
     return patiently(
         [=](const Wires& wires) mutable {
             std::optional<Journal> journal;
@@ -101,31 +83,26 @@ SweepAnswer sweep(const std::string& over, double least, double most, const std:
             answer.points =
                 sweepThrough(answer.range, nullptr, directions, journal ? &*journal : nullptr,
                              threads, {.cancel = wires.cancel, .show = wires.progress});
-            answer.isComplete =
-                answer.points.size() == directions.size() * static_cast<std::size_t>(points);
+            answer.isComplete = answer.points.size() ==
+                                directions.size() * static_cast<std::size_t>(answer.range.points);
             return answer;
         },
-        progress);
+        asked.progress());
 }
 
-/// Cases are (scene, damping, amplitude).
-std::vector<StudyPoint> study(const std::vector<std::tuple<Scene, double, double>>& cases,
-                              const std::string& force, double least, double most,
-                              std::int64_t points, std::int64_t periods, std::int64_t cells,
-                              std::int64_t threads, const std::string& file,
-                              const std::string& question, const py::object& progress)
+/// "cases" are (scene, damping, amplitude).
+std::vector<StudyPoint> study(const Asked& asked)
 {
     std::vector<StudyCase> all;
-    for (const auto& [scene, damping, amplitude] : cases) {
-        all.push_back({asked({.points = points,
-                              .periods = periods,
-                              .cells = static_cast<double>(cells),
-                              .place = placeOf(force),
-                              .damping = {damping}},
-                             scene, least, most, amplitude),
-                       amplitude});
+    for (const auto& [scene, damping, amplitude] :
+         py::cast<std::vector<std::tuple<Scene, double, double>>>(asked.object("cases"))) {
+        SweepRange range = rangeOf(asked);
+        range.damping = {damping};
+        all.push_back({withUnits(range, scene, asked, amplitude), amplitude});
     }
-    requireThreads(threads);
+    const auto threads = asked.threads();
+    const auto file = asked.get<std::string>("file");
+    const auto question = asked.get<std::string>("question");
     return patiently(
         [=](const Wires& wires) {
             const RowOf row = [&](std::size_t k) -> std::optional<std::string> {
@@ -150,7 +127,7 @@ std::vector<StudyPoint> study(const std::vector<std::tuple<Scene, double, double
             }
             return done;
         },
-        progress);
+        asked.progress());
 }
 
 }  // namespace
@@ -162,8 +139,8 @@ void addSweep(py::module_& module)
         return asJson(sweepFigure(answer.points, answer.range, answer.bar, {}));
     });
     classOf<StudyPoint>(module);
-    module.def("sweep", &sweep);
-    module.def("study", &study);
+    addCall(module, "sweep", &sweep);
+    addCall(module, "study", &study);
 }
 
 }  // namespace signorini::python

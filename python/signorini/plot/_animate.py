@@ -6,6 +6,7 @@ import json
 import os
 from typing import Any
 
+from .._asking import asks
 from ._draw import draw_panel
 from ._motion import Moving, motion_of
 from ._style import axes_named
@@ -48,6 +49,7 @@ class Animation:
         return text
 
 
+@asks("figure")
 def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
             frames: int = 100, fps: int = 20, figure: Any = None,
             axes: Any = None) -> Animation:
@@ -55,17 +57,12 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
 
     Parameters
     ----------
-    moving : Motion, Result or ContinuumPoint
     path : file name, optional
         Saved there: .gif, or .mp4 (needs ffmpeg).
     frames : int
         Instants of the period, no more than it has steps.
     fps : int
         Frames a second.
-    figure : matplotlib figure to draw into, optional
-        Or a subfigure.
-    axes : two matplotlib axes, optional
-        In their place: a sequence, or a dict of "bar" and "displacement".
 
     Returns
     -------

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any, Union
 
+from .._asking import asks
 from .._core import Continuum, ContinuumPoint, Motion, Result
 from ._draw import draw
 
@@ -19,6 +20,7 @@ def motion_of(moving: Moving) -> Motion:
     return found
 
 
+@asks("figure")
 def motion(moving: Moving, *, figure: Any = None, axes: Any = None
            ) -> dict[str, Any]:
     """Draw a motion as in the paper's Fig. 3.
@@ -26,14 +28,6 @@ def motion(moving: Moving, *, figure: Any = None, axes: Any = None
     Strain and velocity along the bar at t = 0, the displacement u(x, t) over
     one period, and with the same axis of time the path of the tip beside the
     wall and the force of the wall.
-
-    Parameters
-    ----------
-    moving : Motion, Result or ContinuumPoint
-    figure : matplotlib figure to draw into, optional
-        Or a subfigure.
-    axes : dict or sequence of six matplotlib axes, optional
-        In their place, by the names or in the order of what is returned.
 
     Returns
     -------
@@ -50,6 +44,7 @@ def motion(moving: Moving, *, figure: Any = None, axes: Any = None
                  "words"), axes, figure)
 
 
+@asks("figure")
 def continuum(curve: Continuum, *, members: int | None = None,
               figure: Any = None, axes: Any = None) -> dict[str, Any]:
     """Draw a curve of motions, lambda upwards.
@@ -60,13 +55,8 @@ def continuum(curve: Continuum, *, members: int | None = None,
 
     Parameters
     ----------
-    curve : Continuum
     members : int, optional
         Of older calls: now all of them are drawn.
-    figure : matplotlib figure to draw into, optional
-        Or a subfigure.
-    axes : dict or sequence of six matplotlib axes, optional
-        In their place, by the names or in the order of what is returned.
 
     Returns
     -------

@@ -8,12 +8,14 @@ from typing import Any
 import numpy as np
 
 from .. import _core, _lists
+from .._asking import asks
 from .._atlas import Atlas
 from .._core import Family
 from ._draw import draw
 from ._style import colours
 
 
+@asks("figure")
 def frequency_energy(atlas: Atlas | None = None, *,
                      max_energy_ratio: float = 50.0,
                      max_frequency_ratio: float = 1.3, max_order: int = 60,
@@ -44,8 +46,6 @@ def frequency_energy(atlas: Atlas | None = None, *,
         Drawn on top.
     data_label : str
         In the legend.
-    axes : matplotlib axes, optional
-    figure : matplotlib figure or subfigure, optional
 
     Returns
     -------
@@ -65,6 +65,7 @@ def frequency_energy(atlas: Atlas | None = None, *,
     return axes
 
 
+@asks("figure")
 def families(rows: Sequence[Family] | None = None, *, max_order: int = 12,
              axes: Any = None, figure: Any = None) -> Any:
     """Draw families as a periodic table: period against order.
@@ -78,8 +79,6 @@ def families(rows: Sequence[Family] | None = None, *, max_order: int = 12,
         Those of `max_order` without.
     max_order : int
         Where no rows are given.
-    axes : matplotlib axes, optional
-    figure : matplotlib figure or subfigure, optional
 
     Returns
     -------
@@ -92,6 +91,7 @@ def families(rows: Sequence[Family] | None = None, *, max_order: int = 12,
                 figure)["families"]
 
 
+@asks("figure")
 def existence_map(atlas: Atlas, *, cells: int | None = None, axes: Any = None,
                   figure: Any = None) -> Any:
     """Draw where in time motions with one contact exist.
@@ -101,11 +101,8 @@ def existence_map(atlas: Atlas, *, cells: int | None = None, axes: Any = None,
 
     Parameters
     ----------
-    atlas : Atlas
     cells : int, optional
         Of one grid.
-    axes : matplotlib axes, optional
-    figure : matplotlib figure or subfigure, optional
 
     Returns
     -------

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._asking import asks
 from .._core import Simulation, Sweep
 from ._draw import draw
 from ._style import axes_of, colour_map, unit_for
@@ -16,20 +17,13 @@ if TYPE_CHECKING:
     from .._tables import Table
 
 
+@asks("figure")
 def response(data: Response, *, figure: Any = None,
              axes: Any = None) -> tuple[Any, Any]:
     """Draw impulse on the wall and swing of the tip against frequency.
 
     Motions with contact as marks, large where they attract and small where
     they repel (if that was tried), the bar without a wall as a line.
-
-    Parameters
-    ----------
-    data : Response
-    figure : matplotlib figure to draw into, optional
-        Or a subfigure.
-    axes : two matplotlib axes, optional
-        In their place: a sequence, or a dict of "impulse" and "tip".
 
     Returns
     -------
@@ -47,19 +41,13 @@ def response(data: Response, *, figure: Any = None,
     return drawn["impulse"], drawn["tip"]
 
 
+@asks("figure")
 def simulation(run: Simulation, *, figure: Any = None,
                axes: Any = None) -> tuple[Any, Any]:
     """Draw the path of the tip, and what the stops get in each period.
 
     Parameters
     ----------
-    run : Simulation
-        With the path of its tip.
-    figure : matplotlib figure to draw into, optional
-        Or a subfigure.
-    axes : two matplotlib axes, optional
-        In their place: a sequence, or a dict of "tip" and "impulse".
-
     Returns
     -------
     (axes, axes)
@@ -76,6 +64,7 @@ def simulation(run: Simulation, *, figure: Any = None,
     return drawn["tip"], drawn["impulse"]
 
 
+@asks("figure")
 def sweep(data: Sweep, *, figure: Any = None,
           axes: Any = None) -> tuple[Any, Any]:
     """Draw what a sweep settled on: impulse and swing, up and down.
@@ -85,10 +74,6 @@ def sweep(data: Sweep, *, figure: Any = None,
     Parameters
     ----------
     data : Sweep
-    figure : matplotlib figure to draw into, optional
-        Or a subfigure.
-    axes : two matplotlib axes, optional
-        In their place: a sequence, or a dict of "impulse" and "tip".
 
     Returns
     -------
@@ -106,6 +91,7 @@ def sweep(data: Sweep, *, figure: Any = None,
     return drawn["impulse"], drawn["tip"]
 
 
+@asks("figure")
 def study(data: Table[StudyPoint], *, x: str = "amplitude", y: str = "gap",
           axes: Any = None, figure: Any = None) -> Any:
     """Draw the worst impulse of a study over a plane; crosses: no contact.
@@ -116,8 +102,6 @@ def study(data: Table[StudyPoint], *, x: str = "amplitude", y: str = "gap",
     x, y : str
         Two of "gap", "damping" and "amplitude". Of what is not shown the
         worst counts.
-    axes : matplotlib axes, optional
-    figure : matplotlib figure or subfigure, optional
 
     Returns
     -------

@@ -1,0 +1,130 @@
+"""What a call asks: its arguments on their way to the library, and their docstrings."""
+
+from __future__ import annotations
+
+import functools
+import re
+import textwrap
+from typing import Any, Callable, TypeVar
+
+from . import _core
+from ._blame import plainly
+from ._progress import listener
+from ._words import amplitude_of, cells_of, path, scene_of, state_of
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+#: Arguments that are no options of the program.
+_SAID = {
+    "schedule": "n_c, n_f of each contact phase in turn; with a second stop "
+                'phases on it are (n_c, n_f, "left").',
+    "bar": "What units mean in SI; or its parameters as keywords: `length`, "
+           "`wave_speed`, `axial_stiffness`, `gap`, `young`, `density`, `area`.",
+    "scene": "In place of `bar`, `second_stop` and `segments`.",
+    "segments": "A stepped bar, clamp first: (cells, impedance, speed, "
+                "dashpot) of each.",
+    "progress": "Told how far a long call has come.",
+    "figure": "To draw into.",
+    "axes": "In its place; several in a sequence, or a dict by their names.",
+}
+
+#: What options are called that are words of Python's own.
+_OPTIONS = {"start": "from"}
+
+#: What annotations mean.
+_KINDS = {"Steps": "int, pairs of int, or Schedule", "Segments": "list of Segment",
+          "Number": "float, str or Fraction", "os.PathLike[str]": "path",
+          "Moving": "Motion, HarmonicResult, or what has a motion",
+          "Progress": "callable of (done, total), bool or tqdm bar, optional"}
+
+#: The flag of code that takes *words.
+VARARGS = 0x04
+
+_RAISES = """
+Raises
+------
+ValueError
+    If an argument is out of its range; the message is the library's.
+"""
+
+
+def _kind(name: str, annotation: str) -> str:
+    if annotation == "Any":
+        return f"matplotlib {name}, optional"
+    words = [_KINDS.get(word, word) for word in annotation.split(" | ")]
+    kind = " or ".join(word for word in words if word != "None")
+    return kind + ", optional" * ("None" in words)
+
+
+def _parameters(function: Any, question: str, told: dict[str, str]) -> str:
+    """The section of a docstring, of what is told there and of the options."""
+    options = _core.options(question)
+    text = "\nParameters\n----------\n"
+    code = function.__code__
+    names = code.co_varnames
+    count = code.co_argcount, code.co_argcount + code.co_kwonlyargcount
+    stars = names[count[1]:count[1] + 1] if code.co_flags & VARARGS else ()
+    for name in (*names[:count[0]], *stars, *names[count[0]:count[1]]):
+        if name in ("self", "cls"):
+            continue
+        said = _SAID.get(name, options.get(_OPTIONS.get(name, name), ""))
+        kind = _kind(name, function.__annotations__[name])
+        text += told.get(
+            name, f"{'*' * (name in stars)}{name} : {kind}\n"
+            + textwrap.indent(textwrap.fill(said, 75) + "\n", "    ").lstrip("\n"))
+    return text
+
+
+def documented(function: Any, question: str) -> str:
+    """The docstring with all parameters, and what is raised."""
+    sentence, rest = str(function.__doc__).split("\n", 1)
+    head, *sections = re.split(r"(?m)^(?=\w+\n---)", textwrap.dedent(rest))
+    told: dict[str, str] = {}
+    if sections and sections[0].startswith("Parameters"):
+        said = sections.pop(0).rstrip("\n") + "\n"
+        for entry in re.split(r"(?m)^(?=\*?\w+(?:, \w+)* : )", said)[1:]:
+            first, *others = entry.split(" : ")[0].strip("*").split(", ")
+            told.update({first: entry, **dict.fromkeys(others, "")})
+    rest = "".join(sections)
+    return (f"{sentence}\n{head}".rstrip("\n") + "\n" + _parameters(function, question, told)
+            + "\n" + rest.rstrip("\n") + "\n" + _RAISES * ("Raises\n---" not in rest))
+
+
+def asks(question: str) -> Callable[[Function], Function]:
+    """Have a function say what it takes, by the table of the program's options.
+
+    A TypeError of it names the argument.
+    """
+    def asking(function: Function) -> Function:
+        @functools.wraps(function)
+        def call(*args: Any, **options: Any) -> Any:
+            try:
+                return function(*args, **options)
+            except TypeError as error:
+                raise plainly(function.__name__, error, args, options) from None
+        call.__doc__ = documented(function, question)
+        return call  # type: ignore[return-value]
+    return asking
+
+
+def gathered(given: dict[str, Any], *states: str) -> dict[str, Any]:
+    """What the compiled part is asked, of the arguments of a call.
+
+    Of a scene's parts one scene, of the names of files states, of several
+    amplitudes that which is given.
+    """
+    asked = given
+    asked["progress"] = listener(given.get("progress"))
+    scene = asked["scene"] = scene_of(
+        given.get("scene"), asked.pop("bar", None), asked.pop("second_stop", None),
+        asked.pop("segments", None), asked.pop("bar_options", {}))
+    asked["cells"] = cells_of(given.get("cells"), scene, given.get("schedule", ()))
+    for name in states:
+        asked[name] = state_of(asked[name], scene.bar, given["cells"])
+    if "amplitude" in asked:
+        names = ("amplitude", "amplitude_velocity", "amplitude_acceleration")
+        asked["amplitude"], asked["derivative"] = amplitude_of(
+            asked["force"], *(asked.pop(name) for name in names))
+    if "file" in asked:
+        asked["file"] = "" if asked["file"] is None else path("file", asked["file"])
+    return asked

@@ -1,0 +1,114 @@
+#pragma once
+/// \file
+/// The arguments of a call by name, as the package around the module hands them on.
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "faults.hpp"
+#include "names.hpp"
+#include "scene.hpp"
+#include "signorini/simulation.hpp"
+
+namespace signorini::python {
+
+/// Arguments of one call; what is None was not given.
+class Asked {
+public:
+    explicit Asked(py::dict given) : given_(std::move(given)) {}
+
+    [[nodiscard]] py::object object(const char* name) const
+    {
+        PyObject* held = PyDict_GetItemString(given_.ptr(), name);
+        return held != nullptr ? py::reinterpret_borrow<py::object>(held) : py::none();
+    }
+    [[nodiscard]] bool has(const char* name) const { return !object(name).is_none(); }
+
+    /// \throws py::type_error naming the argument unless it is of this kind, or None.
+    template <typename T>
+    [[nodiscard]] std::optional<T> maybe(const char* name) const
+    {
+        const py::object held = object(name);
+        if (held.is_none()) {
+            return std::nullopt;
+        }
+        try {
+            return py::cast<T>(held);
+        } catch (const py::cast_error&) {
+            refuseKind(name, kindOf<T>());
+        }
+    }
+    /// The same of one that is always given.
+    template <typename T>
+    [[nodiscard]] T get(const char* name) const
+    {
+        std::optional<T> value = maybe<T>(name);
+        if (!value) {
+            refuseKind(name, kindOf<T>());
+        }
+        return *std::move(value);
+    }
+    /// A finite number > 0. \throws std::invalid_argument for another.
+    [[nodiscard]] std::optional<double> positive(const char* name, const char* unit) const;
+    /// One of the names of a table. \throws std::invalid_argument naming the argument.
+    template <typename Table>
+    [[nodiscard]] auto named(const char* name, const Table& table) const
+    {
+        const auto word = get<std::string>(name);
+        const auto value = valueIn(table, word);
+        if (!value) {
+            Faults faults;
+            faults.add(name, word, namesIn(table));
+            faults.throwIfAny();
+        }
+        return *value;
+    }
+
+    [[nodiscard]] Bar bar() const { return get<Bar>("bar"); }
+    [[nodiscard]] Scene scene() const { return get<Scene>("scene"); }
+    /// Of "schedule" and "cells".
+    [[nodiscard]] Schedule schedule() const;
+    /// "threads", at least 1.
+    [[nodiscard]] std::int64_t threads() const;
+    [[nodiscard]] py::object progress() const { return object("progress"); }
+    /// "tip" or "base", of "force".
+    [[nodiscard]] Excited place() const;
+    /// "amplitude" [N] or [m], where "derivative" is not 0 that of a base which moves with so many
+    /// ω/ω₁.
+    [[nodiscard]] std::optional<double> displacement(double frequencyRatio, const Bar& bar) const;
+    /// "strain_limit" in such units, or infinity.
+    [[nodiscard]] double strainLimit(double unit) const;
+
+private:
+    template <typename T>
+    static constexpr const char* kindOf()
+    {
+        if constexpr (std::is_same_v<T, bool>) {
+            return "bool";
+        } else if constexpr (std::is_integral_v<T>) {
+            return "int, at most 64 bits";
+        } else if constexpr (std::is_arithmetic_v<T>) {
+            return "float";
+        } else if constexpr (std::is_same_v<T, std::string>) {
+            return "str";
+        } else if constexpr (std::is_same_v<T, StateOf>) {
+            return "State, or the name of a file";
+        } else {
+            return "Scene or Bar";
+        }
+    }
+    [[noreturn]] void refuseKind(const char* name, const char* kind) const;
+
+    py::dict given_;
+};
+
+/// Adds a function of the arguments of a call.
+template <typename Function>
+void addCall(py::module_& module, const char* name, Function function)
+{
+    module.def(name, [function](const py::dict& given) { return function(Asked(given)); });
+}
+
+}  // namespace signorini::python
