@@ -34,6 +34,26 @@ double parseRatio(const char* name, const std::string& text, const char* unit)
                                                : parseFraction(name, text, unit).value();
 }
 
+/// What was asked, as options, to be kept for people.
+std::string optionsOf(const AtlasRange& range)
+{
+    return fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}{}", range.cells,
+                       range.maxContact, range.maxFree, range.maxPhases,
+                       std::isfinite(range.maxEnergyRatio)
+                           ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
+                           : "",
+                       range.keepsRefuted ? " --all" : "",
+                       range.familiesOnly ? " --families-only" : "") +
+           (range.gapSign < 0    ? " --gap < 0"
+            : range.gapSign == 0 ? " --gap 0"
+                                 : "") +
+           (range.secondStop
+                ? fmt::format(" --second-stop {}/{} units", range.secondStop->numerator,
+                              range.secondStop->denominator)
+                : "") +
+           (range.segments.empty() ? "" : fmt::format(" --segments {}", textOf(range.segments)));
+}
+
 /// One call.
 struct AtlasCommand {
     const Given& given;
@@ -283,21 +303,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     AtlasOptions options;
     options.threads = common.threads;
     options.resume = given.has("--resume");
-    options.options =
-        fmt::format("--cells {} --max-contact {} --max-free {} --phases {}{}{}{}", range.cells,
-                    range.maxContact, range.maxFree, range.maxPhases,
-                    std::isfinite(range.maxEnergyRatio)
-                        ? fmt::format(" --max-energy-ratio {}", range.maxEnergyRatio)
-                        : "",
-                    range.keepsRefuted ? " --all" : "",
-                    range.familiesOnly ? " --families-only" : "") +
-        (range.gapSign < 0    ? " --gap < 0"
-         : range.gapSign == 0 ? " --gap 0"
-                              : "") +
-        (range.secondStop ? fmt::format(" --second-stop {}/{} units", range.secondStop->numerator,
-                                        range.secondStop->denominator)
-                          : "") +
-        (range.segments.empty() ? "" : fmt::format(" --segments {}", textOf(range.segments)));
+    options.options = optionsOf(range);
     if (!interrupt) {
         interrupt.emplace();
     }

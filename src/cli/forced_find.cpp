@@ -66,6 +66,16 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
     }
 }
 
+template <typename Answer>
+ExitStatus finish(const FindCommand& call, const Answer& answer)
+{
+    report(call.common, answer, {}, call.force.ratio);
+    for (const auto& motion : answer.motions) {
+        call.warn(motion.physical());
+    }
+    return exitStatusOf(answer.status());
+}
+
 }  // namespace
 
 ExitStatus answerHarmonic(const FindCommand& call)
@@ -93,11 +103,7 @@ ExitStatus answerHarmonic(const FindCommand& call)
         const HarmonicField field(answer.given(), answer.motions.back().value);
         files.writeHarmonic(field, scene, common.usualCells());
     }
-    report(common, answer, {}, force.ratio);
-    for (const answers::HarmonicMotionOf& motion : answer.motions) {
-        call.warn(motion.physical());
-    }
-    return exitStatusOf(answer.status());
+    return finish(call, answer);
 }
 
 ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
@@ -122,11 +128,7 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
         tryStability(answer);
     }
     writeFiles(files, answer);
-    report(common, answer, {}, force.ratio);
-    for (const answers::ForcedMotionOf& motion : answer.motions) {
-        call.warn(motion.physical());
-    }
-    return exitStatusOf(answer.status());
+    return finish(call, answer);
 }
 
 }  // namespace signorini::cli

@@ -1,4 +1,4 @@
-#include "pieces_file.hpp"
+// --segments-file: the pieces of a bar as a drawing has them.
 
 #include <numbers>
 
@@ -8,6 +8,10 @@
 
 namespace signorini::cli {
 
+namespace {
+
+/// Rows of a table with columns length [m], young [Pa], density [kg/m^3], and area [m^2] or
+/// diameter [m]; clamp first.
 std::vector<BarPiece> readPieces(const std::string& path)
 {
     return forFile("--segments-file", path, [&] {
@@ -41,6 +45,8 @@ std::vector<BarPiece> readPieces(const std::string& path)
         return pieces;
     });
 }
+
+}  // namespace
 
 const PiecedBar& CommonOptions::pieces() const
 {

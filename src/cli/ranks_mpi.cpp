@@ -65,83 +65,84 @@ void rest()
     std::this_thread::sleep_for(std::chrono::microseconds(100));
 }
 
-/// A batch is a row of bytes: its sizes and tally, then families, then rows, then proofs, each
-/// with the length of its text.
-struct Head {
-    std::int64_t number = 0;
-    AtlasTally tally;
-    std::size_t families = 0;
-    std::size_t rows = 0;
-    std::size_t proofs = 0;
+/// A batch travels as bytes between processes of one program.
+struct Packing {
+    std::string bytes = {};
+
+    template <typename Value>
+    void put(Value* values, std::size_t count)
+    {
+        static_assert(std::is_trivially_copyable_v<Value>);
+        if (count > 0) {
+            bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
+        }
+    }
+    template <typename List>
+    void size(const List& list)
+    {
+        const std::size_t count = list.size();
+        put(&count, 1);
+    }
 };
 
-/// Of a proof.
-struct ProofHead {
-    std::int64_t number = 0;
-    std::size_t length = 0;
+struct Unpacking {
+    const char* at;
+
+    template <typename Value>
+    void put(Value* values, std::size_t count)
+    {
+        if (count > 0) {
+            std::memcpy(values, at, count * sizeof(Value));
+        }
+        at += count * sizeof(Value);
+    }
+    template <typename List>
+    void size(List& list)
+    {
+        std::size_t count = 0;
+        put(&count, 1);
+        list.resize(count);
+    }
 };
 
-static_assert(std::is_trivially_copyable_v<AtlasRow> && std::is_trivially_copyable_v<AtlasFamily> &&
-                  std::is_trivially_copyable_v<Head> && std::is_trivially_copyable_v<ProofHead>,
-              "batches travel as bytes between processes of one program");
-
-template <typename Value>
-char* put(char* at, const Value* values, std::size_t count)
+/// Number and tally, then families, rows and proofs, each list with its length.
+template <typename Bytes, typename Batch>
+void travel(Bytes& bytes, Batch& batch)
 {
-    return count > 0 ? static_cast<char*>(std::memcpy(at, values, count * sizeof(Value))) +
-                           count * sizeof(Value)
-                     : at;
+    const auto list = [&bytes](auto& values) {
+        bytes.size(values);
+        bytes.put(values.data(), values.size());
+    };
+    bytes.put(&batch.number, 1);
+    bytes.put(&batch.tally, 1);
+    list(batch.families);
+    list(batch.rows);
+    bytes.size(batch.proofs);
+    for (auto& proof : batch.proofs) {
+        bytes.put(&proof.number, 1);
+        list(proof.multipliers);
+    }
 }
 
-template <typename Value>
-const char* take(const char* at, Value* values, std::size_t count)
+/// What has arrived from a rank, or from anyone.
+struct Arrived {
+    std::string bytes;
+    int tag;
+};
+std::optional<Arrived> arrived(int rank)
 {
-    if (count > 0) {
-        std::memcpy(values, at, count * sizeof(Value));
+    int hasArrived = 0;
+    MPI_Message message = MPI_MESSAGE_NULL;
+    MPI_Status status;
+    MPI_Improbe(rank, MPI_ANY_TAG, MPI_COMM_WORLD, &hasArrived, &message, &status);
+    if (hasArrived == 0) {
+        return std::nullopt;
     }
-    return at + count * sizeof(Value);
-}
-
-std::vector<char> pack(const AtlasBatch& batch)
-{
-    const Head head{batch.number, batch.tally, batch.families.size(), batch.rows.size(),
-                    batch.proofs.size()};
-    std::size_t size =
-        sizeof head + head.families * sizeof(AtlasFamily) + head.rows * sizeof(AtlasRow);
-    for (const AtlasProof& proof : batch.proofs) {
-        size += sizeof(ProofHead) + proof.multipliers.size();
-    }
-    std::vector<char> bytes(size);
-    char* at = put(bytes.data(), &head, 1);
-    at = put(at, batch.families.data(), head.families);
-    at = put(at, batch.rows.data(), head.rows);
-    for (const AtlasProof& proof : batch.proofs) {
-        const ProofHead of{proof.number, proof.multipliers.size()};
-        at = put(at, &of, 1);
-        at = put(at, proof.multipliers.data(), of.length);
-    }
-    return bytes;
-}
-
-AtlasBatch unpack(const std::vector<char>& bytes)
-{
-    Head head;
-    const char* at = take(bytes.data(), &head, 1);
-    AtlasBatch batch;
-    batch.number = head.number;
-    batch.tally = head.tally;
-    batch.families.resize(head.families);
-    batch.rows.resize(head.rows);
-    at = take(at, batch.families.data(), head.families);
-    at = take(at, batch.rows.data(), head.rows);
-    for (std::size_t k = 0; k < head.proofs; ++k) {
-        ProofHead of;
-        at = take(at, &of, 1);
-        AtlasProof& proof = batch.proofs.emplace_back(AtlasProof{of.number, {}});
-        proof.multipliers.resize(of.length);
-        at = take(at, proof.multipliers.data(), of.length);
-    }
-    return batch;
+    int size = 0;
+    MPI_Get_count(&status, MPI_BYTE, &size);
+    Arrived all{std::string(static_cast<std::size_t>(size), ' '), status.MPI_TAG};
+    MPI_Mrecv(all.bytes.data(), size, MPI_BYTE, &message, MPI_STATUS_IGNORE);
+    return all;
 }
 
 /// Rank 0's view of the work of all.
@@ -208,22 +209,18 @@ private:
     /// A batch of that rank if one has arrived; notes its end.
     std::optional<AtlasBatch> receive(int rank)
     {
-        int hasArrived = 0;
-        MPI_Message message = MPI_MESSAGE_NULL;
-        MPI_Status status;
-        MPI_Improbe(rank, MPI_ANY_TAG, MPI_COMM_WORLD, &hasArrived, &message, &status);
-        if (hasArrived == 0) {
+        const std::optional<Arrived> message = arrived(rank);
+        if (!message) {
             return std::nullopt;
         }
-        int size = 0;
-        MPI_Get_count(&status, MPI_BYTE, &size);
-        std::vector<char> bytes(static_cast<std::size_t>(size));
-        MPI_Mrecv(bytes.data(), size, MPI_BYTE, &message, MPI_STATUS_IGNORE);
-        if (status.MPI_TAG == tagEnd) {
+        if (message->tag == tagEnd) {
             hasEnded_[static_cast<std::size_t>(rank)] = true;
             return std::nullopt;
         }
-        return unpack(bytes);
+        AtlasBatch batch;
+        Unpacking bytes{message->bytes.data()};
+        travel(bytes, batch);
+        return batch;
     }
 
     int count_;
@@ -287,7 +284,9 @@ bool Ranks::serve(std::int64_t threads, const Cancel& cancel)
         LocalBatches own(call->range, threads, cancel, call->first + rank_, count_);
         std::optional<AtlasBatch> batch;
         while (isWanted && (batch = own.next())) {
-            const std::vector<char> bytes = pack(*batch);
+            Packing packed;
+            travel(packed, std::as_const(*batch));
+            const std::string& bytes = packed.bytes;
             MPI_Request request = MPI_REQUEST_NULL;
             MPI_Isend(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, 0, tagBatch,
                       MPI_COMM_WORLD, &request);
@@ -319,24 +318,6 @@ std::vector<std::size_t> partOf(const std::vector<std::size_t>& which, int rank,
         part.push_back(which[k]);
     }
     return part;
-}
-
-/// A row that has arrived from anyone, as text; empty: one of them has ended, or `isNone`.
-std::string arrivedRow(bool& isNone)
-{
-    int hasArrived = 0;
-    MPI_Status status;
-    MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &hasArrived, &status);
-    isNone = hasArrived == 0;
-    if (isNone) {
-        return {};
-    }
-    int size = 0;
-    MPI_Get_count(&status, MPI_CHAR, &size);
-    std::string text(static_cast<std::size_t>(size), ' ');
-    MPI_Recv(text.data(), size, MPI_CHAR, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD,
-             MPI_STATUS_IGNORE);
-    return text;
 }
 
 /// Rows by threads of this process, while this thread, the only one that speaks MPI, hands on what
@@ -389,11 +370,11 @@ DealRows Ranks::dealt(std::string question, const RowOf& row, std::int64_t threa
         (void)broadcast(fmt::format("{}\n{}", fmt::join(which, " "), question));
         int working = count_ - 1;
         workBeside(partOf(which, 0, count_), row, threads, take, [&] {
-            bool isNone = false;
-            for (std::string text = arrivedRow(isNone); !isNone; text = arrivedRow(isNone)) {
+            while (const std::optional<Arrived> message = arrived(MPI_ANY_SOURCE)) {
+                const std::string& text = message->bytes;
                 const std::size_t mark = text.find(' ');
                 if (mark == std::string::npos) {
-                    --working;
+                    --working;  // an empty one: it has ended
                 } else {
                     take(std::stoull(text.substr(0, mark)), text.substr(mark + 1));
                 }
@@ -419,7 +400,7 @@ bool Ranks::serveRows(const std::function<RowOf(const std::string&)>& rows, std:
     const std::vector<std::size_t> part = partOf(which, rank_, count_);
     std::size_t sent = 0;
     const auto send = [](const std::string& text) {
-        MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, 0, tagBatch, MPI_COMM_WORLD);
+        MPI_Send(text.data(), static_cast<int>(text.size()), MPI_BYTE, 0, tagBatch, MPI_COMM_WORLD);
     };
     workBeside(
         part, rows(call.substr(mark + 1)), threads,

@@ -49,6 +49,9 @@ using answers::SweepAnswer;
 [[nodiscard]] std::string asText(const AtlasAnswer& answer);
 [[nodiscard]] std::string asText(const AtlasBuilt& built);
 
+/// On what a simulation that is driven settled, 1 of an impulse being so many N s.
+[[nodiscard]] std::string asText(const Settling& settling, double impulseUnit);
+
 /// A list of families in pieces: it may be long.
 using Write = std::function<void(std::string_view)>;
 void writeText(const answers::FamilyList& list, const Write& write);

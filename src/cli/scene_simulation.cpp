@@ -200,13 +200,8 @@ std::string asText(const SceneAnswer& answer)
             ++number, total.count, total.impulse * impulseUnit, total.peakForce * scales.force(),
             total.time * scales.time);
     }
-    if (const std::optional<Settled>& settled = answer.settling.settled) {
-        text += fmt::format(
-            "settled     repeats every {} of the excitation to {:.2g}: {} contacts, {:.6g} N s\n",
-            settled->periods == 1 ? "period" : fmt::format("{} periods", settled->periods),
-            settled->residual, settled->contacts, settled->impulse * impulseUnit);
-    } else if (answer.question.period > 0.0) {
-        text += fmt::format("settled     no: {}\n", answer.settling.why);
+    if (answer.question.period > 0.0) {
+        text += cli::asText(answer.settling, impulseUnit);
     }
     const NetworkBalance energy = simulation.balance();
     const MomentumBalance momentum = simulation.momentumBalance();

@@ -10,6 +10,19 @@
 
 namespace signorini::cli {
 
+std::string asText(const Settling& settling, double impulseUnit)
+{
+    if (!settling.settled) {
+        return fmt::format("settled     no: {}\n", settling.why);
+    }
+    const auto& [periods, residual, contacts, impulse] = *settling.settled;
+    return fmt::format(
+        "settled     repeats every {} of the excitation: {} contact{}, {:.6g} N s; residual "
+        "{:.2g}\n",
+        periods == 1 ? "period" : fmt::format("{} periods", periods), contacts,
+        contacts == 1 ? "" : "s", impulse * impulseUnit, residual);
+}
+
 std::string asText(const SimulationAnswer& answer)
 {
     const Bar bar = answer.bar();
@@ -20,16 +33,8 @@ std::string asText(const SimulationAnswer& answer)
                                    answer.time * unit.time, answer.time, answer.events);
     text += fmt::format("contacts    {}, impulse {:.6g} N s in all\n", answer.contactCount,
                         answer.impulse * answers::impulseUnit(bar));
-    if (answer.settling.settled) {
-        const Settled& settled = *answer.settling.settled;
-        text += fmt::format(
-            "settled     repeats every {} of the excitation: {} contact{}, {:.6g} N s; residual "
-            "{:.2g}\n",
-            settled.periods == 1 ? "period" : fmt::format("{} periods", settled.periods),
-            settled.contacts, settled.contacts == 1 ? "" : "s",
-            settled.impulse * answers::impulseUnit(bar), settled.residual);
-    } else if (answer.drive) {
-        text += fmt::format("settled     no: {}\n", answer.settling.why);
+    if (answer.drive) {
+        text += asText(answer.settling, answers::impulseUnit(bar));
     }
     text += fmt::format("tip         u = {:.10g} m at the end{}\n", answer.tip * unit.displacement,
                         !answer.isHeld                 ? ""

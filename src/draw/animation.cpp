@@ -164,12 +164,9 @@ private:
         }
         bar.add(std::move(cells));
         const double wall = metre_.factor * (1.0 + gapShown * stops_.front());
-        bar.add({.kind = Kind::boxes,
-                 .role = Role::faint,
-                 .x = {wall, *position.low},
-                 .y = {-1.0, -1.0},
-                 .x2 = {*position.high, 0.0},
-                 .y2 = {1.0, 1.0}});
+        Series walls = box(Role::faint, wall, -1.0, *position.high, 1.0);
+        walls.add(*position.low, -1.0, 0.0, 1.0);
+        bar.add(std::move(walls));
         for (const double stop : stops_) {
             middle.add(stopLine(position, stop * place_.factor));
         }

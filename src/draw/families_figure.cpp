@@ -162,7 +162,7 @@ void addRungs(Panel& panel, std::span<const Rung> ladder, const Frame& frame)
 /// The names of the modes, beyond the axis of frequencies.
 Series namesOf(std::span<const Rung> ladder, const Band& band)
 {
-    Series names{.kind = Kind::words, .role = Role::faint, .isInPanel = true};
+    Series names = notes(Align::left, Role::faint);
     for (const auto& [mode, contacts] : ladder) {
         const double place = (mode.highest.value() - band.low) / (band.high - band.low);
         if (place > 0.0 && place < 1.0) {
@@ -281,16 +281,13 @@ FigureData familiesFigure(std::span<const Family> families, std::int64_t maxOrde
         }
         if (k == 0) {
             const double above = 1.0 + 0.4 / (top - bottom);
-            Series words{.kind = Kind::words, .isInPanel = true};
+            Series words = notes();
             words.add(-0.1, above, "T [L/c]");
             words.add(1.01, above, "ω/ω_1");
             panel.add(std::move(words));
-            panel.add({.kind = Kind::words,
-                       .role = Role::faint,
-                       .isInPanel = true,
-                       .x = {1.1},
-                       .y = {above},
-                       .words = {"mode t_c"}});
+            Series modes = notes(Align::left, Role::faint);
+            modes.add(1.1, above, "mode t_c");
+            panel.add(std::move(modes));
         }
         panel.add(namesOf(ladder, band));
         top = bottom - bandGap;

@@ -352,35 +352,35 @@ void printFigure(Text& script, const FigureData& figure)
     print(script, "unset multiplot\n");
 }
 
+/// By the ending of a name.
+template <typename Formats>
+auto formatOf(const char* field, const std::string& path, const Formats& formats,
+              const char* allowed)
+{
+    for (const auto& [ending, format] : formats) {
+        if (path.ends_with(ending)) {
+            return format;
+        }
+    }
+    throw std::invalid_argument(fmt::format("{} = {} is out of range: allowed a name ending in {}",
+                                            field, shortened(onOneLine(path)), allowed));
+}
+
 }  // namespace
 
 FigureFormat figureFormat(const std::string& path)
 {
-    const auto endsWith = [&path](std::string_view ending) { return path.ends_with(ending); };
-    if (endsWith(".svg")) {
-        return FigureFormat::svg;
-    }
-    if (endsWith(".png")) {
-        return FigureFormat::png;
-    }
-    if (endsWith(".pdf")) {
-        return FigureFormat::pdf;
-    }
-    throw std::invalid_argument(
-        fmt::format("figure = {} is out of range: allowed a name ending in .svg, .png or .pdf",
-                    shortened(path)));
+    constexpr std::array formats{std::pair{".svg", FigureFormat::svg},
+                                 std::pair{".png", FigureFormat::png},
+                                 std::pair{".pdf", FigureFormat::pdf}};
+    return formatOf("figure", path, formats, ".svg, .png or .pdf");
 }
 
 AnimationFormat animationFormat(const std::string& path)
 {
-    if (path.ends_with(".gif")) {
-        return AnimationFormat::gif;
-    }
-    if (path.ends_with(".mp4")) {
-        return AnimationFormat::mp4;
-    }
-    throw std::invalid_argument(fmt::format(
-        "animation = {} is out of range: allowed a name ending in .gif or .mp4", onOneLine(path)));
+    constexpr std::array formats{std::pair{".gif", AnimationFormat::gif},
+                                 std::pair{".mp4", AnimationFormat::mp4}};
+    return formatOf("animation", path, formats, ".gif or .mp4");
 }
 
 void drawFigure(const FigureData& figure, FigureFormat format, const std::string& path)

@@ -135,7 +135,7 @@ private:
         panel.x = {.low = 0.0, .high = 1.0};
         panel.y = {.low = 0.0, .high = 1.0};
         panel.legend = Legend::bottomLeft;
-        Series said{.kind = Kind::words, .isInPanel = true};
+        Series said = notes();
         for (std::size_t k = 0; k < lines.size(); ++k) {
             said.add(0.02, 0.95 - 0.12 * static_cast<double>(k), lines[k]);
         }
@@ -221,19 +221,12 @@ private:
         panel.x.step = niceStep(reach * place_.factor / 3.0);
         panel.y = beside();
         const auto stop = [&](double from, double to, const char* name, Align align) {
-            panel.add({.kind = Kind::boxes,
-                       .role = Role::faint,
-                       .opacity = 0.5,
-                       .x = {from},
-                       .y = {0.0},
-                       .x2 = {to},
-                       .y2 = {*panel.y.high}});
-            panel.add({.kind = Kind::words,
-                       .isInPanel = true,
-                       .align = align,
-                       .x = {align == Align::left ? 0.0 : 1.0},
-                       .y = {1.03},
-                       .words = {name}});
+            Series place = box(Role::faint, from, 0.0, to, *panel.y.high);
+            place.opacity = 0.5;
+            panel.add(std::move(place));
+            Series word = notes(align);
+            word.add(align == Align::left ? 0.0 : 1.0, 1.03, name);
+            panel.add(std::move(word));
         };
         stop(wall_ * place_.factor, *panel.x.high, "wall", Align::right);
         if (second_) {
@@ -292,13 +285,10 @@ private:
         panel.add(std::move(area));
         panel.add(std::move(line));
         if (!isPressed) {
-            panel.add({.kind = Kind::words,
-                       .isInPanel = true,
-                       .align = Align::centre,
-                       .turn = 90.0,
-                       .x = {0.5},
-                       .y = {0.5},
-                       .words = {"none: contact without force"}});
+            Series word = notes(Align::centre);
+            word.turn = 90.0;
+            word.add(0.5, 0.5, "none: contact without force");
+            panel.add(std::move(word));
         }
         return panel;
     }

@@ -152,12 +152,9 @@ private:
         panel.legend = Legend::above;
         if (seen_.contacts.empty()) {
             panel.y.high = 1.0;
-            panel.series.push_back({.kind = Kind::words,
-                                    .isInPanel = true,
-                                    .align = Align::centre,
-                                    .x = {0.5},
-                                    .y = {0.5},
-                                    .words = {"no contact"}});
+            Series word = notes(Align::centre);
+            word.add(0.5, 0.5, "no contact");
+            panel.add(std::move(word));
             return panel;
         }
         Series steps =
