@@ -23,7 +23,7 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable,
                     EnergyBalance, EnergyExclusion, EnergyFloorProof,
                     EnergySection, Family, FamilyPlace,
                     FarkasCertificate, ForcedFrequency,
-                    ForcedMotion, ForcedResult, HarmonicContact, HarmonicMotion,
+                    ForcedMotion, ForcedResult, ForceRange, HarmonicContact, HarmonicMotion,
                     HarmonicResult, Mode, ModeChain, ModeMotion,
                     ModePolytope, Motion, PermanentContact, Physical,
                     PolytopeMotion,
@@ -32,7 +32,7 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable,
                     SolverReport, State, SteppedProof, StudyPoint, Sweep, SweepPoint,
                     Waves, __version__, backends)
 from ._find import continuum, find
-from ._forced import Response, response, simulate, sweep
+from ._forced import Response, force_range, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
 from ._notebook import be_at_home
 from ._question import Question
@@ -51,7 +51,7 @@ __all__ = [
     "Atlas", "AtlasFamily", "AtlasRun", "AtlasSchedule", "BackendUnavailable",
     "Bar", "Continuum", "ContinuumPoint", "Damping", "Drive", "EnergyBalance",
     "EnergyExclusion", "EnergyFloorProof", "EnergySection", "Family", "FamilyPlace",
-    "FarkasCertificate", "ForcedFrequency", "ForcedMotion", "ForcedResult",
+    "FarkasCertificate", "ForcedFrequency", "ForcedMotion", "ForcedResult", "ForceRange",
     "HarmonicContact", "HarmonicMotion", "HarmonicResult",
     "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
     "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question",
@@ -59,7 +59,7 @@ __all__ = [
     "Settled", "Simulation", "SolutionSet", "SolverReport", "State",
     "SteppedProof", "StudyPoint", "Sweep", "SweepPoint", "Table", "Waves",
     "__version__", "backends", "continuum",
-    "families", "find", "mode", "modes", "plot", "polytope", "response",
+    "families", "find", "force_range", "mode", "modes", "plot", "polytope", "response",
     "simulate", "study", "sweep",
 ]
 

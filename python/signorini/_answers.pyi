@@ -426,6 +426,8 @@ class ForcedResult(_Record):
     static_force: float
     detail: Optional[str]
     found: bool
+    def _figure(self) -> str: ...
+    def _frames(self, most: int, /) -> list[str]: ...
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...
 
@@ -471,6 +473,8 @@ class HarmonicResult(_Record):
     static_force: float
     detail: Optional[str]
     found: bool
+    def _figure(self) -> str: ...
+    def _frames(self, most: int, /) -> list[str]: ...
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...
 
@@ -550,12 +554,23 @@ class SweepPoint(_Record):
     peak_strain: Optional[float]
     peak_stress: Known[float]
 
+class ForceRange(_Record):
+    status: str
+    scene: dict[str, Any]
+    force_range: tuple[float, float]
+    time: float
+    closes: Optional[int]
+    contacts: list[dict[str, Any]]
+
 class Sweep(_Record):
     status: str
-    bar: Bar
-    stops: list[dict[str, Any]]
-    segments: list[Segment]
-    static_force: float
+    bar: Optional[Bar]
+    stops: Optional[list[dict[str, Any]]]
+    segments: Optional[list[Segment]]
+    static_force: Optional[float]
+    scene: Optional[dict[str, Any]]
+    reference: Optional[dict[str, Any]]
+    contacts: Optional[list[dict[str, Any]]]
     over: str
     damping: Optional[Damping]
     force: str

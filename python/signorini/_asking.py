@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import functools
 import re
 import textwrap
 from typing import Any, Callable, TypeVar
 
 from . import _core
-from ._blame import plainly
 from ._progress import listener
 from ._words import amplitude_of, cells_of, path, scene_of, state_of
 
@@ -91,40 +89,38 @@ def documented(function: Any, question: str) -> str:
 
 
 def asks(question: str) -> Callable[[Function], Function]:
-    """Have a function say what it takes, by the table of the program's options.
-
-    A TypeError of it names the argument.
-    """
+    """Have a function say what it takes, by the table of the program's options."""
     def asking(function: Function) -> Function:
-        @functools.wraps(function)
-        def call(*args: Any, **options: Any) -> Any:
-            try:
-                return function(*args, **options)
-            except TypeError as error:
-                raise plainly(function.__name__, error, args, options) from None
-        call.__doc__ = documented(function, question)
-        return call  # type: ignore[return-value]
+        function.__doc__ = documented(function, question)
+        return function
     return asking
 
 
-def gathered(given: dict[str, Any], *states: str) -> dict[str, Any]:
+def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
     """What the compiled part is asked, of the arguments of a call.
 
     Of a scene's parts one scene, of the names of files states, of several
     amplitudes that which is given.
     """
-    asked = given
-    asked["progress"] = listener(given.get("progress"))
+    get = asked.get
+    where, segments = get("scene"), get("segments")
+    if isinstance(where, str) and "gravity" in asked:
+        asked["words"], where = where, None
+        if get("second_stop") is not None or segments is not None:
+            raise ValueError("scene clashes with second_stop, segments: allowed "
+                             "those among its words")
     scene = asked["scene"] = scene_of(
-        given.get("scene"), asked.pop("bar", None), asked.pop("second_stop", None),
-        asked.pop("segments", None), asked.pop("bar_options", {}))
-    asked["cells"] = cells_of(given.get("cells"), scene, given.get("schedule", ()))
+        where, get("bar"), get("second_stop"), segments, asked["bar_options"])
+    asked["cells"] = cells_of(get("cells"), scene, get("schedule", ()))
     for name in states:
-        asked[name] = state_of(asked[name], scene.bar, given["cells"])
+        if asked[name] is not None:
+            asked[name] = state_of(asked[name], scene.bar, asked["cells"])
+    if get("progress") is not None:
+        asked["progress"] = listener(asked["progress"])
     if "amplitude" in asked:
-        names = ("amplitude", "amplitude_velocity", "amplitude_acceleration")
         asked["amplitude"], asked["derivative"] = amplitude_of(
-            asked["force"], *(asked.pop(name) for name in names))
-    if "file" in asked:
-        asked["file"] = "" if asked["file"] is None else path("file", asked["file"])
+            asked["force"], asked["amplitude"], asked["amplitude_velocity"],
+            asked["amplitude_acceleration"])
+    if get("file") is not None:
+        asked["file"] = path("file", asked["file"])
     return asked

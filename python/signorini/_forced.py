@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._asking import asks, gathered
-from ._core import (Bar, Damping, ForcedFrequency, ForcedMotion, Scene, Simulation,
-                    State, Sweep, Waves)
+from ._core import (Bar, Damping, ForcedFrequency, ForcedMotion, ForceRange, Scene,
+                    Simulation, State, Sweep, Waves)
 from ._progress import Progress
 from ._tables import Table, flat, frame_of, keys_of
 from ._words import Segments
@@ -132,8 +132,8 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
           direction: str = "both", periods: int = 1000, rest: bool = False,
           resolve: float | None = None, cells: int | None = None,
           threads: int = 1, bar: Bar | None = None,
-          scene: Scene | None = None, second_stop: float | None = None,
-          segments: Segments | None = None,
+          scene: Scene | str | None = None, gravity: float = 0.0,
+          second_stop: float | None = None, segments: Segments | None = None,
           file: str | os.PathLike[str] | None = None,
           progress: Progress = None,
           **bar_options: float | None) -> Sweep:
@@ -141,6 +141,10 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
 
     Parameters
     ----------
+    scene : Scene or str, optional
+        In place of `bar`, `second_stop` and `segments`; or the words of
+        several bars in a row, "clamp 60 gap=1e-3 40 driven clamp", whose
+        scales are `length`, `wave_speed` and `axial_stiffness`.
     direction : str
         "up", "down" or "both".
     cells : int, optional
@@ -157,6 +161,32 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
     """
     asked = gathered(locals())
     question = {name: value for name, value in asked.items()
-                if name not in ("file", "threads", "progress", "scene")}
+                if name not in ("file", "threads", "progress", "scene", "bar",
+                                "bar_options", "second_stop", "segments")}
     return _core.sweep(
         {**asked, "question": f"{question} {asked['scene'].to_dict()}"})
+
+
+@asks("simulation")
+def force_range(scene: str, low: float, high: float, *, time: float,
+                gravity: float = 0.0, bar: Bar | None = None,
+                **bar_options: float | None) -> ForceRange:
+    """Return what any force between two bounds can do to bars at rest.
+
+    Until a contact first closes, proved for all forces at once, and reached
+    by one of them in a simulation.
+
+    Parameters
+    ----------
+    scene : str
+        Bars in a row, "clamp 7 stop=1 3 driven".
+    low, high : float
+        Between which the force on what is driven is [N].
+    time : float
+        How long [s].
+
+    Returns
+    -------
+    ForceRange
+    """
+    return _core.force_range(gathered(locals()))

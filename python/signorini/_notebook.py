@@ -234,11 +234,12 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Simulation: ("simulation", (8, 5)),
     _core.Sweep: ("sweep", (8, 6)),
     Response: ("response", (8, 6)),
-    _core.ForcedResult: ("simulation", (8, 5)),
+    _core.ForcedResult: ("motion", (9, 7)),
+    _core.HarmonicResult: ("motion", (8, 6)),
     _core.ModeMotion: ("simulation", (8, 5)),
     _core.PolytopeMotion: ("simulation", (8, 5)),
     _core.Mode: ("frequency_energy", (8, 5)),
-    _core.Scene: ("scene", (8, 2)),
+    _core.Scene: ("scene", (8, 2.5)),
 }
 
 #: The same of tables, by what a row is.
@@ -250,7 +251,7 @@ _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
 
 
 def _has_a_figure(record: Any) -> bool:
-    if isinstance(record, (_core.Result, _core.ForcedResult)):
+    if isinstance(record, (_core.Result, _core.ForcedResult, _core.HarmonicResult)):
         return bool(record.status == "found")
     if isinstance(record, _core.Simulation):
         return len(record.tip_time) > 0
@@ -259,55 +260,9 @@ def _has_a_figure(record: Any) -> bool:
     return not isinstance(record, (_core.Continuum, Table)) or len(record) > 0
 
 
-def _scene_of(record: Any) -> _core.Scene:
-    stop = next((stop["place"] for stop in record.stops if stop["side"] == "left"), None)
-    return _core.Scene(record.bar, None if stop is None else -stop, record.segments)
-
-
 def _walked(record: Any) -> _core.Simulation:
     """Two periods of a motion that is known by its state, followed from there."""
-    if not isinstance(record, _core.ForcedResult):
-        return simulate(record.state(300), time=2.0 * record.period)
-    last = record.motions[-1]
-    return simulate(last.state, damping=record.damping.ratio, force=record.force,
-                    amplitude=last.amplitude, frequency=record.frequency_ratio,
-                    phase=last.phase, periods=2 * record.cycles, scene=_scene_of(record))
-
-
-def _draw_scene(scene: _core.Scene, figure: Any) -> None:
-    """The bar between its clamp and what it may meet; gaps are not to scale."""
-    from matplotlib.patches import Rectangle
-
-    from .plot import colours, unit_for
-    axes = figure.add_subplot()
-    axes.set_axis_off()
-
-    def block(x: float, y: float, wide: float, high: float, **style: Any) -> None:
-        axes.add_patch(Rectangle((x, y), wide, high, **style))
-
-    parts = [(part.cells * part.speed, part.impedance)
-             for part in scene.segments] or [(1.0, 1.0)]
-    whole = sum(long for long, _ in parts)
-    most = max(heavy for _, heavy in parts)
-    at = 0.0
-    for long, heavy in parts:
-        high = 0.4 + 0.6 * heavy / most
-        block(at / whole, -high / 2, long / whole, high, fc="0.85", ec=colours["ink"])
-        at += long
-    block(-0.03, -0.7, 0.03, 1.4, fc="none", ec=colours["ink"], hatch="///")
-    gap = scene.bar.gap
-    factor, unit = unit_for(abs(gap) or 1.0, "m")
-    block(1.1 if gap > 0 else 1.0, -0.7, 0.03, 1.4, fc=colours["faint"])
-    axes.text(1.0, 0.8, f"g = {gap * factor:.4g} {unit}", va="bottom")
-    if scene.second_stop is not None:
-        factor, unit = unit_for(scene.second_stop, "m")
-        for low in (-0.85, 0.55):
-            block(0.9, low, 0.03, 0.3, fc=colours["faint"])
-        axes.text(0.93, -0.9, f"h = {scene.second_stop * factor:.4g} {unit}", va="top")
-    factor, unit = unit_for(scene.bar.length, "m")
-    axes.text(0.4, -0.6, f"L = {scene.bar.length * factor:.4g} {unit}", ha="center", va="top")
-    axes.set_xlim(-0.05, 1.3)
-    axes.set_ylim(-1.3, 1.3)
+    return simulate(record.state(300), time=2.0 * record.period)
 
 
 def _points_of(mode: _core.Mode) -> list[tuple[float, float]]:
@@ -320,9 +275,7 @@ def _points_of(mode: _core.Mode) -> list[tuple[float, float]]:
 
 def _draw(name: str, record: Any, figure: Any) -> None:
     from . import plot
-    if name == "scene":
-        _draw_scene(record, figure)
-    elif name == "frequency_energy":
+    if name == "frequency_energy":
         points = _points_of(record) if isinstance(record, _core.Mode) else []
         plot.frequency_energy(figure=figure, data=points or None, data_label="this mode")
     elif name == "simulation" and not isinstance(record, _core.Simulation):
@@ -368,14 +321,6 @@ def _found(answer: Any) -> bool:
     return bool(answer.status == "found")
 
 
-def _same(one: Any, other: object) -> Any:
-    """Are they of one kind, with the same keys? Time spent does not count."""
-    if type(other) is not type(one):
-        return NotImplemented
-    said, also = ({**of.to_dict(), "seconds": None} for of in (one, other))
-    return said == also
-
-
 def _frame_of(name: str) -> Callable[[Any], Any]:
     def frame(self: Any) -> Any:
         return frame_of(map(flat, getattr(self, name)))
@@ -407,10 +352,6 @@ def be_at_home() -> None:
                  _core.AtlasSchedule, Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)
-    for kind in (_core.Motion, _core.ModeMotion, _core.PolytopeMotion,
-                 _core.AtlasRun):
-        _set(kind, "__eq__", _same)
-        _set(kind, "__hash__", None)
     for kind, rows in ((_core.Continuum, "points"), (_core.Sweep, "points"),
                        (_core.ForcedResult, "motions"),
                        (_core.HarmonicResult, "motions")):

@@ -67,6 +67,6 @@ def study(*, gap: Numbers, damping: Numbers, amplitude: Numbers, force: str,
         "cases": [(scenes[at], zeta, size) for at, zeta, size in places],
         "force": force, "start": start, "to": to, "points": points,
         "periods": periods, "cells": cells, "threads": threads,
-        "file": "" if file is None else path("file", file), "question": asked,
+        "file": None if file is None else path("file", file), "question": asked,
         "progress": listener(progress)})
     return Table("points", points_of, force=force, cells=cells)

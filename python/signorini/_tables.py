@@ -92,6 +92,11 @@ def _names_of(name: str, said: str) -> list[str]:
 def _of_pair(name: str, pair: tuple[Any, ...], said: str, unit: str
              ) -> Iterator[Cell]:
     names = _names_of(name, said)
+    if is_record(pair[0]):
+        for end, part in zip(("least", "most"), pair):
+            for cell in cells_of(part):
+                yield cell._replace(name=f"{name}_{end}_{cell.name}")
+        return
     if isinstance(pair[0], str):
         yield Cell(name, ", ".join(pair), "")
         return

@@ -70,6 +70,8 @@ def scene_of(scene: Scene | None, bar: Bar | None, second_stop: float | None,
              segments: Segments | None,
              options: Mapping[str, float | None]) -> Scene:
     """A scene, or the one that the arguments of a call make."""
+    if not options and scene is None and bar is None and second_stop is None and segments is None:
+        return _usual_scene
     options = given_of(options)
     if scene is not None:
         if (bar, second_stop, segments, options) != (None, None, None, {}):
@@ -80,8 +82,6 @@ def scene_of(scene: Scene | None, bar: Bar | None, second_stop: float | None,
         return scene
     if not isinstance(segments, (tuple, list, type(None))):
         raise TypeError(f"segments = {reprlib.repr(segments)}: allowed list")
-    if bar is None and second_stop is None and not segments and not options:
-        return _usual_scene
     parts = [part if isinstance(part, Segment) else segment_of(part)
              for part in segments or ()]
     return Scene(bar_of(bar, options), second_stop, parts)
@@ -116,9 +116,7 @@ def state_of(state: Any, bar: Bar, cells: int | None) -> Any:
         name = str(state)
         if "\0" in name:
             raise ValueError(f"{name!r} is no name of a file")
-        if cells is None:
-            return State.read(name, bar)
-        return State.read(name, bar, cells)
+        return State.read(name, bar, 300 if cells is None else whole("cells", cells))
     return state
 
 

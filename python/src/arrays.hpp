@@ -58,4 +58,11 @@ private:
     py::array_t<double> t_;
 };
 
+/// A function of the period [L/c] on an array of them.
+template <typename F>
+[[nodiscard]] py::object onPeriods(const py::object& periods, F f)
+{
+    return Grid(py::float_(0.0), periods).of([f](double, double period) { return f(period); });
+}
+
 }  // namespace signorini::python

@@ -3,12 +3,23 @@
 #include <pybind11/stl.h>
 
 #include <limits>
+#include <unordered_map>
 
 #include "excited_amplitude.hpp"
 #include "excited_names.hpp"
 #include "share_work.hpp"
 
 namespace signorini::python {
+
+PyObject* Asked::keyOf(const char* name)
+{
+    static std::unordered_map<const char*, PyObject*> keys;
+    PyObject*& key = keys[name];
+    if (key == nullptr) {
+        key = PyUnicode_InternFromString(name);
+    }
+    return key;
+}
 
 void Asked::refuseKind(const char* name, const char* kind) const
 {
@@ -32,6 +43,19 @@ std::optional<double> Asked::positive(const char* name, const char* unit) const
     }
     faults.throwIfAny();
     return value;
+}
+
+Assembly Asked::assembly() const
+{
+    const Bar bar = scene().bar;
+    const Assembly assembly{.parts = partsOf(get<std::string>("words")),
+                            .length = bar.length,
+                            .waveSpeed = bar.waveSpeed,
+                            .axialStiffness = bar.axialStiffness,
+                            .gravity = get<double>("gravity"),
+                            .young = bar.young};
+    validate(assembly);
+    return assembly;
 }
 
 Schedule Asked::schedule() const

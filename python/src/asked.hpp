@@ -10,6 +10,7 @@
 #include "faults.hpp"
 #include "names.hpp"
 #include "scene.hpp"
+#include "signorini/assembly.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini::python {
@@ -21,7 +22,7 @@ public:
 
     [[nodiscard]] py::object object(const char* name) const
     {
-        PyObject* held = PyDict_GetItemString(given_.ptr(), name);
+        PyObject* held = PyDict_GetItem(given_.ptr(), keyOf(name));
         return held != nullptr ? py::reinterpret_borrow<py::object>(held) : py::none();
     }
     [[nodiscard]] bool has(const char* name) const { return !object(name).is_none(); }
@@ -68,6 +69,8 @@ public:
 
     [[nodiscard]] Bar bar() const { return get<Bar>("bar"); }
     [[nodiscard]] Scene scene() const { return get<Scene>("scene"); }
+    /// Of "words", with the scales of "scene" and "gravity". \throws std::invalid_argument.
+    [[nodiscard]] Assembly assembly() const;
     /// Of "schedule" and "cells".
     [[nodiscard]] Schedule schedule() const;
     /// "threads", at least 1.
@@ -99,6 +102,8 @@ private:
             return "Scene or Bar";
         }
     }
+    /// Names of arguments are few, and made into Python's text once.
+    [[nodiscard]] static PyObject* keyOf(const char* name);
     [[noreturn]] void refuseKind(const char* name, const char* kind) const;
 
     py::dict given_;

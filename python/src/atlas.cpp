@@ -1,4 +1,4 @@
-#include "atlas.hpp"
+#include "calls.hpp"
 
 #include <pybind11/stl.h>
 
@@ -35,18 +35,20 @@ struct Atlas {
 using Shared = std::shared_ptr<Atlas>;
 using Cells = std::optional<std::int64_t>;
 
-/// What a question to the database returns, asked in a thread of its own.
-template <typename Question>
-auto asked(const Shared& atlas, Question question)
+/// A question to the database, asked in a thread of its own.
+template <typename Result, typename... Given, typename... Names>
+void addQuestion(py::class_<Atlas, Shared>& shown, const char* name,
+                 Result (*question)(const Atlas&, const Wires&, Given...), const Names&... names)
 {
-    return patiently([atlas, question](const Wires& wires) {
-        const std::lock_guard lock(atlas->mutex);
-        if constexpr (std::is_invocable_v<Question, const Atlas&, const Wires&>) {
-            return question(*atlas, wires);
-        } else {
-            return question(*atlas);
-        }
-    });
+    shown.def(
+        name,
+        [question](const Shared& atlas, Given... given) {
+            return patiently([=](const Wires& wires) {
+                const std::lock_guard lock(atlas->mutex);
+                return question(*atlas, wires, given...);
+            });
+        },
+        py::arg(names)...);
 }
 
 /// Visits each row that `visit` shows, until the call is cancelled.
@@ -70,97 +72,77 @@ std::vector<Row> allRows(const Wires& wires, const Bar& bar, Visit visit)
 
 void addAtlasFile(py::module_& module)
 {
-    py::class_<Atlas, Shared>(module, "AtlasFile", "A database opened for asking.")
-        .def(py::init<const std::string&, const Bar&>(), py::arg("database"), py::arg("bar"))
-        .def("runs",
-             [](const Shared& atlas) {
-                 return asked(atlas, [](const Atlas& a) { return a.database.runs(); });
-             })
-        .def(
-            "families",
-            [](const Shared& atlas, Cells cells) {
-                return asked(atlas, [cells](const Atlas& a, const Wires& wires) {
-                    return allRows<FamilyOf, AtlasFamily>(wires, a.bar, [&](const auto& keep) {
-                        a.database.forEachFamily(cells, keep);
-                    });
-                });
-            },
-            py::arg("cells"))
-        .def(
-            "schedules",
-            [](const Shared& atlas, Cells cells) {
-                return asked(atlas, [cells](const Atlas& a, const Wires& wires) {
-                    return allRows<EntryOf, AtlasEntry>(wires, a.bar, [&](const auto& keep) {
-                        a.database.forEachFound(cells, keep);
-                    });
-                });
-            },
-            py::arg("cells"))
-        .def("frequency_energy_figure",
-             [](const Shared& atlas, Cells cells, double left, double right, double top,
-                std::int64_t order) {
-                 return asked(atlas, [=](const Atlas& a) {
-                     return asJson(frequencyEnergyFigure(a.database, cells,
-                                                         {.maxFrequencyRatio = right,
-                                                          .maxEnergyRatio = top,
-                                                          .bar = a.bar,
-                                                          .leastFrequencyRatio = left,
-                                                          .maxOrder = order}));
-                 });
-             })
-        .def("existence_figure",
-             [](const Shared& atlas, Cells cells) {
-                 return asked(atlas, [cells](const Atlas& a) {
-                     return asJson(existenceFigure(a.database, cells));
-                 });
-             })
-        .def(
-            "families_near",
-            [](const Shared& atlas, double w, double e, double within, Cells cells) {
-                return asked(atlas, [=](const Atlas& a) {
-                    return withUnits(a.database.familiesNear(w, e, within, cells), a.bar, e);
-                });
-            },
-            py::arg("frequency_ratio"), py::arg("energy_ratio"), py::arg("within"),
-            py::arg("cells"))
-        .def(
-            "schedules_near",
-            [](const Shared& atlas, double w, double e, double within, Cells cells) {
-                return asked(atlas, [=](const Atlas& a) {
-                    return withUnits(a.database.schedulesNear(w, e, within, cells), a.bar);
-                });
-            },
-            py::arg("frequency_ratio"), py::arg("energy_ratio"), py::arg("within"),
-            py::arg("cells"))
-        .def(
-            "families_of_period",
-            [](const Shared& atlas, std::int64_t p, std::int64_t q, Cells cells) {
-                return asked(atlas, [=](const Atlas& a) {
-                    return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.bar);
-                });
-            },
-            py::arg("period"), py::arg("denominator"), py::arg("cells"))
-        .def(
-            "schedules_of_period",
-            [](const Shared& atlas, std::int64_t p, std::int64_t q, Cells cells) {
-                return asked(atlas, [=](const Atlas& a) {
-                    return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells), a.bar);
-                });
-            },
-            py::arg("period"), py::arg("denominator"), py::arg("cells"))
-        .def(
-            "twins",
-            [](const Shared& atlas, Cells cells) {
-                const std::vector<Twins> groups =
-                    asked(atlas, [cells](const Atlas& a) { return a.database.twins(cells); });
-                py::list list;
-                for (const Twins& twins : groups) {
-                    list.append(py::make_tuple(withUnits(twins.families, atlas->bar),
-                                               withUnits(twins.schedules, atlas->bar)));
-                }
-                return list;
-            },
-            py::arg("cells"));
+    py::class_<Atlas, Shared> shown(module, "AtlasFile", "A database opened for asking.");
+    shown.def(py::init<const std::string&, const Bar&>(), py::arg("database"), py::arg("bar"));
+    addQuestion(
+        shown, "runs", +[](const Atlas& a, const Wires&) { return a.database.runs(); });
+    addQuestion(
+        shown, "families",
+        +[](const Atlas& a, const Wires& wires, Cells cells) {
+            return allRows<FamilyOf, AtlasFamily>(
+                wires, a.bar, [&](const auto& keep) { a.database.forEachFamily(cells, keep); });
+        },
+        "cells");
+    addQuestion(
+        shown, "schedules",
+        +[](const Atlas& a, const Wires& wires, Cells cells) {
+            return allRows<EntryOf, AtlasEntry>(
+                wires, a.bar, [&](const auto& keep) { a.database.forEachFound(cells, keep); });
+        },
+        "cells");
+    addQuestion(
+        shown, "frequency_energy_figure",
+        +[](const Atlas& a, const Wires&, Cells cells, double left, double right, double top,
+            std::int64_t order) {
+            return asJson(frequencyEnergyFigure(a.database, cells,
+                                                {.maxFrequencyRatio = right,
+                                                 .maxEnergyRatio = top,
+                                                 .bar = a.bar,
+                                                 .leastFrequencyRatio = left,
+                                                 .maxOrder = order}));
+        },
+        "cells", "left", "right", "top", "max_order");
+    addQuestion(
+        shown, "existence_figure",
+        +[](const Atlas& a, const Wires&, Cells cells) {
+            return asJson(existenceFigure(a.database, cells));
+        },
+        "cells");
+    addQuestion(
+        shown, "families_near",
+        +[](const Atlas& a, const Wires&, double w, double e, double within, Cells cells) {
+            return withUnits(a.database.familiesNear(w, e, within, cells), a.bar, e);
+        },
+        "frequency_ratio", "energy_ratio", "within", "cells");
+    addQuestion(
+        shown, "schedules_near",
+        +[](const Atlas& a, const Wires&, double w, double e, double within, Cells cells) {
+            return withUnits(a.database.schedulesNear(w, e, within, cells), a.bar);
+        },
+        "frequency_ratio", "energy_ratio", "within", "cells");
+    addQuestion(
+        shown, "families_of_period",
+        +[](const Atlas& a, const Wires&, std::int64_t p, std::int64_t q, Cells cells) {
+            return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.bar);
+        },
+        "period", "denominator", "cells");
+    addQuestion(
+        shown, "schedules_of_period",
+        +[](const Atlas& a, const Wires&, std::int64_t p, std::int64_t q, Cells cells) {
+            return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells), a.bar);
+        },
+        "period", "denominator", "cells");
+    addQuestion(
+        shown, "twins",
+        +[](const Atlas& a, const Wires&, Cells cells) {
+            std::vector<std::tuple<std::vector<FamilyOf>, std::vector<EntryOf>>> groups;
+            for (const Twins& twins : a.database.twins(cells)) {
+                groups.emplace_back(withUnits(twins.families, a.bar),
+                                    withUnits(twins.schedules, a.bar));
+            }
+            return groups;
+        },
+        "cells");
 }
 
 AtlasRun build(const Asked& asked)

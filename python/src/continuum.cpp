@@ -1,4 +1,4 @@
-#include "continuum.hpp"
+#include "calls.hpp"
 
 #include <pybind11/stl.h>
 

@@ -1,4 +1,4 @@
-#include "find.hpp"
+#include "calls.hpp"
 
 #include <pybind11/stl.h>
 
@@ -13,6 +13,12 @@
 #include "signorini/output.hpp"
 
 namespace signorini::python {
+
+template <>
+struct Members<answers::FindAnswer> {
+    static constexpr auto list =
+        std::tuple{&answers::FindAnswer::result, &answers::FindAnswer::target};
+};
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "forced.hpp"
+#include "calls.hpp"
 
 #include <pybind11/stl.h>
 
@@ -6,10 +6,13 @@
 
 #include "asked.hpp"
 #include "described.hpp"
+#include "exact_figure.hpp"
 #include "forced_answer.hpp"
 #include "harmonic_answer.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
+#include "scene_answer.hpp"
+#include "signorini/figures.hpp"
 #include "signorini/response.hpp"
 #include "stops.hpp"
 
@@ -93,17 +96,56 @@ HarmonicAnswer findHarmonic(const Asked& asked)
     });
 }
 
+answers::ForceRange forceRange(const Asked& asked)
+{
+    const Assembly assembly = asked.assembly();
+    const auto low = asked.get<double>("low");
+    const auto high = asked.get<double>("high");
+    const auto time = *asked.positive("time", "s");
+    if (!(low <= high && std::isfinite(high - low))) {
+        Faults faults;
+        faults.add("low, high", fmt::format("{}, {}", low, high), "finite low <= high [N]");
+        faults.throwIfAny();
+    }
+    return patiently(
+        [=](const Wires&) { return answers::forceRangeOf(assembly, low, high, time); });
+}
+
 }  // namespace
 
 void addForced(py::module_& module)
 {
     addMotionOf(module);
-    classOf<ForcedAnswer>(module);
+    classOf<ForcedAnswer>(module)
+        ->more()
+        .def("_figure",
+             [](const ForcedAnswer& a) {
+                 return asJson(motionFigure(a.motions.back().value, a.scene));
+             })
+        .def("_frames", [](const ForcedAnswer& a, std::int64_t most) {
+            const ForcedMotion& last = a.motions.back().value;
+            const std::vector<Segment> uniform{{.cells = last.schedule.cells}};
+            const Motion field(last.state, last.schedule,
+                               a.scene.segments.empty() ? uniform : a.scene.segments, last.damping,
+                               last.excitation);
+            return framesOf(MotionSamples(field, a.scene), most);
+        });
     addCall(module, "find_forced", &findForced);
     classOf<HarmonicContactOf>(module);
     classOf<HarmonicMotionOf>(module);
-    classOf<HarmonicAnswer>(module);
+    const auto field = [](const HarmonicAnswer& a) {
+        return HarmonicField(a.given(), a.motions.back().value);
+    };
+    classOf<HarmonicAnswer>(module)
+        ->more()
+        .def("_figure",
+             [field](const HarmonicAnswer& a) { return asJson(harmonicFigure(field(a), a.scene)); })
+        .def("_frames", [field](const HarmonicAnswer& a, std::int64_t most) {
+            return framesOf(MotionSamples(field(a), a.scene, usualCells), most);
+        });
     addCall(module, "find_harmonic", &findHarmonic);
+    classOf<answers::ForceRange>(module);
+    addCall(module, "force_range", &forceRange);
 }
 
 }  // namespace signorini::python

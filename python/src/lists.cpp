@@ -1,4 +1,4 @@
-#include "lists.hpp"
+#include "calls.hpp"
 
 #include <pybind11/stl.h>
 

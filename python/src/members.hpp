@@ -33,7 +33,7 @@ concept HasList = requires
 
 /// Can two of them be compared, and pickled?
 template <typename T>
-concept HasMembers = HasList<T> || std::is_aggregate_v<T>;
+inline constexpr bool isKept = HasList<T> || std::is_aggregate_v<T>;
 
 namespace detail {
 

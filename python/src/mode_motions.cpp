@@ -1,49 +1,43 @@
 #include <pybind11/stl.h>
 
+#include "arrays.hpp"
+#include "calls.hpp"
 #include "described.hpp"
-#include "lists.hpp"
+#include "motion.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::python {
 
-/// A motion of a mode is made anew of what it is the motion of.
+/// Motions are made anew of what they are the motions of.
 template <>
-struct Travel<ModeAnswer> {
-    static py::object put(const ModeAnswer& m)
-    {
-        return py::make_tuple(Travel<Mode>::put(m.mode), Travel<Bar>::put(m.bar),
-                              m.motion.period());
-    }
-    static ModeAnswer get(const py::tuple& held)
-    {
-        const Mode mode = Travel<Mode>::get(held[0]);
-        return {mode, Travel<Bar>::get(held[1]), ModeMotion(mode, py::cast<double>(held[2]))};
-    }
-    static bool same(const ModeAnswer& m, const ModeAnswer& other)
-    {
-        return m.mode == other.mode && m.bar == other.bar &&
-               m.motion.period() == other.motion.period();
-    }
-};
+inline void put(Writer& to, const ModeAnswer& m)
+{
+    put(to, m.mode);
+    put(to, m.bar);
+    put(to, m.motion.period());
+}
 template <>
-struct Travel<PolytopeAnswer> {
-    static py::object put(const PolytopeAnswer& m)
-    {
-        return py::make_tuple(Travel<ModePolytope>::put(m.polytope), Travel<Bar>::put(m.bar),
-                              m.point.period, Travel<std::vector<double>>::put(m.point.arrivals));
-    }
-    static PolytopeAnswer get(const py::tuple& held)
-    {
-        const auto polytope = Travel<ModePolytope>::get(held[0]);
-        const ModePoint point{py::cast<double>(held[2]), Travel<std::vector<double>>::get(held[3])};
-        return {polytope, Travel<Bar>::get(held[1]), point, ModeMotion(polytope, point)};
-    }
-    static bool same(const PolytopeAnswer& m, const PolytopeAnswer& other)
-    {
-        return m.polytope == other.polytope && m.bar == other.bar &&
-               m.point.period == other.point.period && m.point.arrivals == other.point.arrivals;
-    }
-};
+inline ModeAnswer take(Reader& from)
+{
+    const Mode mode = take<Mode>(from);
+    const Bar bar = take<Bar>(from);
+    return {mode, bar, ModeMotion(mode, take<double>(from))};
+}
+template <>
+inline void put(Writer& to, const PolytopeAnswer& m)
+{
+    put(to, m.polytope);
+    put(to, m.bar);
+    put(to, m.point);
+}
+template <>
+inline PolytopeAnswer take(Reader& from)
+{
+    const auto polytope = take<ModePolytope>(from);
+    const Bar bar = take<Bar>(from);
+    const auto point = take<ModePoint>(from);
+    return {polytope, bar, point, ModeMotion(polytope, point)};
+}
 
 namespace {
 

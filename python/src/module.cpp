@@ -8,18 +8,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "atlas.hpp"
-#include "continuum.hpp"
-#include "find.hpp"
-#include "forced.hpp"
-#include "lists.hpp"
+#include "calls.hpp"
 #include "motion.hpp"
 #include "options.hpp"
 #include "palette.hpp"
 #include "scene.hpp"
 #include "signorini/config.hpp"
 #include "signorini/control.hpp"
-#include "simulate.hpp"
 #include "solver.hpp"
 
 namespace signorini::python {

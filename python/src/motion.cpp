@@ -9,6 +9,23 @@
 
 namespace signorini::python {
 
+template <>
+inline constexpr bool isKept<GridMotion> = true;
+template <>
+inline void put(Writer& to, const GridMotion& m)
+{
+    put(to, m.state);
+    put(to, m.schedule);
+    put(to, m.scene);
+}
+template <>
+inline GridMotion take(Reader& from)
+{
+    auto state = take<std::shared_ptr<const State>>(from);
+    const auto schedule = take<Schedule>(from);
+    return {std::move(state), schedule, take<Scene>(from)};
+}
+
 namespace {
 
 /// Of waves in a cell, 1..N, relative to the first segment.
@@ -167,26 +184,10 @@ ValueError
                  return motion;
              }),
              py::arg("state"), py::arg("schedule"), py::arg("scene") = py::none())
-        .def(pickling<GridMotion>(
-            [](const GridMotion& motion) {
-                return py::make_tuple(Travel<State>::put(*motion.state),
-                                      Travel<Schedule>::put(motion.schedule),
-                                      Travel<Scene>::put(motion.scene));
-            },
-            [](const py::tuple& tuple) {
-                return GridMotion{Travel<std::shared_ptr<const State>>::get(tuple[0]),
-                                  Travel<Schedule>::get(tuple[1]), Travel<Scene>::get(tuple[2])};
-            }))
         .def("_frames",
              [](const GridMotion& m, std::int64_t most) {
                  const Motion& field = *m.field();
-                 std::vector<std::string> frames;
-                 for (const FigureData& frame :
-                      motionFrames(MotionSamples(field, m.scene, field.steps() + 1),
-                                   static_cast<std::size_t>(std::max<std::int64_t>(most, 1)))) {
-                     frames.push_back(asJson(frame));
-                 }
-                 return frames;
+                 return framesOf(MotionSamples(field, m.scene, field.steps() + 1), most);
              })
         .def(
             "_figure",
@@ -310,6 +311,16 @@ const std::shared_ptr<const Motion>& GridMotion::field() const
                      : std::make_shared<const Motion>(*state, schedule, scene.segments);
     }
     return field_;
+}
+
+std::vector<std::string> framesOf(const MotionSamples& samples, std::int64_t most)
+{
+    std::vector<std::string> frames;
+    for (const FigureData& frame :
+         motionFrames(samples, static_cast<std::size_t>(std::max<std::int64_t>(most, 1)))) {
+        frames.push_back(asJson(frame));
+    }
+    return frames;
 }
 
 void addModeFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown)

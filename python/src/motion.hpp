@@ -10,6 +10,7 @@
 #include "scene.hpp"
 #include "signorini/modes.hpp"
 #include "signorini/motion.hpp"
+#include "signorini/output.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::python {
@@ -41,6 +42,9 @@ using answers::ModeAnswer;
 using answers::PolytopeAnswer;
 
 void addMotion(py::module_& module);
+
+/// The pictures of an animation, as many as `most`, in JSON.
+[[nodiscard]] std::vector<std::string> framesOf(const MotionSamples& samples, std::int64_t most);
 
 /// u, v, s and the force on the wall, on arrays of x and t.
 void addModeFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown);

@@ -1,8 +1,9 @@
-#include "find.hpp"
+#include "calls.hpp"
 
 #include <pybind11/stl.h>
 
 #include "described.hpp"
+#include "find_answer.hpp"
 
 namespace signorini::python {
 

@@ -1,8 +1,10 @@
 #include <pybind11/stl.h>
 
+#include "arrays.hpp"
 #include "asked.hpp"
+#include "calls.hpp"
 #include "described.hpp"
-#include "lists.hpp"
+#include "motion.hpp"
 #include "patience.hpp"
 
 namespace signorini::python {

@@ -20,18 +20,19 @@ py::object sumOf(const py::handle& type, const py::object& content)
 
 }  // namespace
 
-py::tuple sealed(const py::handle& type, const py::object& content)
+py::tuple sealed(const py::handle& type, const std::string& content)
 {
-    return py::make_tuple(content, sumOf(type, content));
+    const py::bytes bytes(content);
+    return py::make_tuple(bytes, sumOf(type, bytes));
 }
 
-py::tuple opened(const py::handle& type, const py::object& state)
+std::string opened(const py::handle& type, const py::object& state)
 {
     const auto tuple = py::cast<py::tuple>(state);
     if (tuple.size() != 2 || !sumOf(type, tuple[0]).equal(tuple[1])) {
         refusePickle();
     }
-    return py::cast<py::tuple>(tuple[0]);
+    return py::cast<py::bytes>(tuple[0]);
 }
 
 void refusePickle()

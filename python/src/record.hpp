@@ -36,10 +36,8 @@ public:
 
     Record(py::handle scope, const char* name, const char* doc) : class_(scope, name, doc)
     {
-        if constexpr (HasMembers<T>) {
-            class_.def(pickling<T>(
-                [](const T& value) { return Travel<T>::put(value); },
-                [](const py::tuple& held) { return std::make_shared<T>(Travel<T>::get(held)); }));
+        if constexpr (isKept<T>) {
+            class_.def(pickling<T>());
             class_.def("__copy__", [](const T& value) { return std::make_shared<T>(value); });
             class_.def("__deepcopy__",
                        [](const T& value, const py::dict&) { return std::make_shared<T>(value); });
@@ -60,13 +58,14 @@ public:
         if (lacks("__repr__")) {
             class_.def("__repr__", [](const py::object& self) { return represent(self); });
         }
-        if constexpr (HasMembers<T>) {
+        if constexpr (isKept<T>) {
             if (lacks("__eq__")) {
                 class_.def("__eq__", [](const T& one, const py::object& other) -> py::object {
                     if (!py::isinstance<T>(other)) {
                         return py::reinterpret_borrow<py::object>(Py_NotImplemented);
                     }
-                    return py::bool_(Travel<T>::same(one, py::cast<const T&>(other)));
+                    return py::bool_(bytesOf(one, true) ==
+                                     bytesOf(py::cast<const T&>(other), true));
                 });
             }
         }

@@ -2,8 +2,8 @@
 #include <pybind11/stl.h>
 
 #include "asked.hpp"
+#include "calls.hpp"
 #include "described.hpp"
-#include "forced.hpp"
 #include "patience.hpp"
 #include "response_answer.hpp"
 #include "share_work.hpp"

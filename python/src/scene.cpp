@@ -7,6 +7,8 @@
 
 #include "described.hpp"
 #include "faults.hpp"
+#include "scene_answer.hpp"
+#include "scene_figures.hpp"
 
 namespace signorini::python {
 
@@ -65,7 +67,7 @@ ValueError
              py::arg("axial_stiffness") = py::none(), py::arg("gap") = Bar{}.gap,
              py::arg("young") = py::none(), py::arg("density") = py::none(),
              py::arg("area") = py::none())
-        .def("__hash__", [](const Bar& bar) { return py::hash(py::tuple(Travel<Bar>::put(bar))); })
+        .def("__hash__", [](const Bar& bar) { return py::hash(py::bytes(bytesOf(bar, true))); })
         .def_property_readonly(
             "energy_unit", [](const Bar& bar) { return scales(bar).energy; },
             "E_1 = EA g^2/(2L) [J]: the unit of every `energy_ratio`.")
@@ -172,6 +174,10 @@ ValueError
 )",
             py::arg("pieces"), py::kw_only(), py::arg("gap") = Bar{}.gap,
             py::arg("second_stop") = py::none(), py::arg("cells") = 300)
+        .def("_figure",
+             [](const Scene& of) {
+                 return asJson(sceneFigure(answers::assemblyOf(of, usualCells, {})));
+             })
         .def_readonly("second_stop", &Scene::secondStop, "h [m], or None.");
 }
 

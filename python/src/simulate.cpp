@@ -1,4 +1,4 @@
-#include "simulate.hpp"
+#include "calls.hpp"
 
 #include <pybind11/stl.h>
 
@@ -34,20 +34,14 @@ void describe(D& d, answers::Type<Simulated>)
     describe(d, answers::Type<answers::SimulationAnswer>());
 }
 
-}  // namespace
-
-template <>
-struct Members<Simulated> {
-    using T = Simulated;
-    static constexpr auto list =
-        std::tuple{&T::scene,    &T::damping,    &T::drive,  &T::cells,        &T::resolution,
-                   &T::settling, &T::isComplete, &T::time,   &T::contactCount, &T::impulse,
-                   &T::tip,      &T::isHeld,     &T::heldAt, &T::energyRatio,  &T::balance,
-                   &T::events,   &T::pieces,     &T::merged, &T::waves,        &T::contacts,
-                   &T::path};
-};
-
-namespace {
+template <typename T>
+requires(std::is_same_v<std::remove_const_t<T>, Simulated>) constexpr auto membersOf(T& value)
+{
+    using Base = std::conditional_t<std::is_const_v<T>, const answers::SimulationAnswer,
+                                    answers::SimulationAnswer>;
+    return std::tuple_cat(python::membersOf(static_cast<Base&>(value)),
+                          std::tie(value.waves, value.contacts, value.path));
+}
 
 using Shared = std::shared_ptr<Simulated>;
 

@@ -1,10 +1,11 @@
 #include <pybind11/stl.h>
 
 #include "asked.hpp"
+#include "calls.hpp"
 #include "described.hpp"
 #include "excited_names.hpp"
-#include "forced.hpp"
 #include "journal.hpp"
+#include "network_sweep.hpp"
 #include "patience.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
@@ -54,6 +55,26 @@ SweepRange rangeOf(const Asked& asked)
             .place = asked.place()};
 }
 
+/// What is known of several bars. \throws std::invalid_argument.
+void requireBars(const Network& bars, const SweepRange& range)
+{
+    Faults faults;
+    if (range.over == Swept::gap || range.over == Swept::damping) {
+        faults.add("over", name(range.over), "frequency|amplitude of a scene of several bars");
+    }
+    if (range.damping.ratio != 0.0) {
+        faults.add("damping", range.damping.ratio, "dash=D among the words of the scene");
+    }
+    const bool isForce = range.place == Excited::tip;
+    if (std::none_of(bars.nodes.begin(), bars.nodes.end(), [isForce](const NetworkNode& node) {
+            return isForce ? node.isDriven : node.isShaken;
+        })) {
+        faults.add("force", name(range.place),
+                   "tip for a scene with the word driven, base for one with shaken");
+    }
+    faults.throwIfAny();
+}
+
 SweepAnswer sweep(const Asked& asked)
 {
     const double resolution = asked.positive("resolve", "s").value_or(0.0);
@@ -69,20 +90,35 @@ SweepAnswer sweep(const Asked& asked)
     range.frequencyRatio = asked.get<double>("frequency");
     range.damping = {asked.get<double>("damping")};
     range.resolution = resolution;
-    SweepAnswer answer =
-        withUnits(range, asked.scene(), asked, asked.maybe<double>("amplitude").value_or(0.0));
+    const auto amplitude = asked.maybe<double>("amplitude").value_or(0.0);
+    std::shared_ptr<const Network> bars;
+    SweepAnswer answer;
+    if (asked.has("words")) {
+        const Assembly assembly = asked.assembly();
+        bars = std::make_shared<const Network>(networkOf(assembly));
+        requireBars(*bars, range);
+        answer = withUnits(range, answers::unitsOf(assembly, *bars), asked, amplitude);
+        answer.several = answers::severalOf(assembly, *bars);
+    } else {
+        answer = withUnits(range, asked.scene(), asked, amplitude);
+    }
     const auto threads = asked.threads();
-    const auto file = asked.get<std::string>("file");
+    const auto file = asked.maybe<std::string>("file").value_or("");
     const auto question = asked.get<std::string>("question");
     return patiently(
         [=](const Wires& wires) mutable {
+            std::optional<NetworkSweep> several;
+            std::optional<SweepBody> body;
+            if (bars) {
+                body = several.emplace(NetworkSweep{*bars, answer.bar, answer.range}).body();
+            }
             std::optional<Journal> journal;
             if (!file.empty()) {
                 journal.emplace(file, question, true);
             }
-            answer.points =
-                sweepThrough(answer.range, nullptr, directions, journal ? &*journal : nullptr,
-                             threads, {.cancel = wires.cancel, .show = wires.progress});
+            answer.points = sweepThrough(answer.range, body ? &*body : nullptr, directions,
+                                         journal ? &*journal : nullptr, threads,
+                                         {.cancel = wires.cancel, .show = wires.progress});
             answer.isComplete = answer.points.size() ==
                                 directions.size() * static_cast<std::size_t>(answer.range.points);
             return answer;
@@ -101,7 +137,7 @@ std::vector<StudyPoint> study(const Asked& asked)
         all.push_back({withUnits(range, scene, asked, amplitude), amplitude});
     }
     const auto threads = asked.threads();
-    const auto file = asked.get<std::string>("file");
+    const auto file = asked.maybe<std::string>("file").value_or("");
     const auto question = asked.get<std::string>("question");
     return patiently(
         [=](const Wires& wires) {

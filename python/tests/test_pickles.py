@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import marshal
 import pickle
+import struct
 import subprocess
 import sys
 import zlib
@@ -28,23 +29,31 @@ def state_of(content: Any) -> sg.State:
     return state
 
 
-@pytest.mark.parametrize("length", [1, 7, 8 * 10 - 1, 8 * 10 + 1, 8 * 9])
-def test_waves_of_another_length_are_refused(length: int) -> None:
-    """Lengths that 8 does not divide were written beyond their place."""
+@pytest.mark.parametrize("count", [0, 1, 9, 11, 80, 2 ** 40, 2 ** 62, -1])
+def test_waves_of_another_length_are_refused(count: int) -> None:
+    """Each has its length before it."""
     state: Any = sg.find(5, 30, cells=10).state
     content, _ = state.__getstate__()
-    (a, b), *rest = content
     assert state_of(content).to_dict() == state.to_dict()
-    whole = bytes(length)
-    for waves in ((whole, b), (a, whole), (whole[:7], whole[:7])):
+    size = struct.pack("<q", 10)
+    for at in (content.index(size), content.rindex(size)):
         with pytest.raises(ValueError, match="damaged"):
-            state_of((waves, *rest))
+            state_of(content[:at] + struct.pack("<q", count) + content[at + 8:])
+
+
+@pytest.mark.parametrize("length", [1, 7, 8, 8 * 10 - 1, 8 * 10, 8 * 10 + 1])
+def test_what_was_cut_or_goes_on_is_refused(length: int) -> None:
+    state: Any = sg.find(5, 30, cells=10).state
+    content, _ = state.__getstate__()
+    for whole in (content[:-length], content[length:], content + bytes(length)):
+        with pytest.raises(ValueError, match="damaged"):
+            state_of(whole)
 
 
 def test_what_was_changed_on_its_way_is_refused() -> None:
     bar = sg.Bar(gap=2e-3)
     data = pickle.dumps(bar, 4)
-    at = data.index(bytes(reversed(marshal.dumps(2e-3, 2)[1:])))
+    at = data.index(struct.pack("<d", 2e-3))
     with pytest.raises(ValueError, match="damaged"):
         pickle.loads(data[:at] + b"\x3e" + data[at + 1:])
     for state in (None, 3, (), ((), 0), (bar, 0)):

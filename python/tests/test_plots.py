@@ -64,6 +64,28 @@ def test_families_have_a_cell_each(tmp_path: Path) -> None:
     drawn(axes, tmp_path)
 
 
+def test_forced_motions_and_scenes(tmp_path: Path) -> None:
+    """Their tips go as low as the answers say."""
+    options: dict[str, Any] = {"damping": 0.02, "force": "tip", "amplitude": 2e-4}
+    found: list[tuple[Any, str]] = [
+        (sg.find(frequency=1.02, **options), "y"),
+        (sg.find(10, 60, cells=20, **options), "x")]
+    for answer, side in found:
+        axes = plot.motion(answer)["tip"]
+        label = getattr(axes, f"get_{side}label")()
+        unit = {"mm": 1e-3, "µm": 1e-6, "m": 1.0}[label[label.index("[") + 1:-1]]
+        lowest = min(min(getattr(line, f"get_{side}data")())
+                     for line in axes.get_lines())
+        assert unit * lowest == pytest.approx(
+            answer.motions[-1].physical.tip_lowest, rel=0.01)
+        drawn(axes, tmp_path)
+    assert len(plot.animate(found[0][0], frames=3).axes) == 2
+    with pytest.raises(ValueError, match="nothing to draw"):
+        plot.motion(sg.find(20, 109, cells=40, **options))
+    drawn(plot.scene(sg.Scene(sg.Bar(), 1e-3, [sg.Segment(4), sg.Segment(6, 1.3)])),
+          tmp_path)
+
+
 def test_response_and_simulation(tmp_path: Path) -> None:
     options: dict[str, Any] = {"damping": 0.02, "force": "tip",
                                "amplitude": 2e-4, "cells": 10}

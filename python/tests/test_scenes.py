@@ -220,3 +220,36 @@ def test_a_stepped_bar_from_a_drawing(program: Program, tmp_path: Path) -> None:
     alike(said, sg.find(12, 68, scene=scene).to_dict())
     with pytest.raises(ValueError, match="young of piece 2 = -1"):
         sg.Scene.of_pieces([pieces[0], (1, -1, 1, 1)])
+
+
+def test_sweeps_of_several_bars_agree(program: Program) -> None:
+    words = "clamp 20 driven dash=0.1 gap=1e-3 dash=0.1 20:1.3 clamp"
+    options: dict[str, Any] = {"force": "tip", "amplitude": 4e-4, "length": 2.0,
+                               "points": 3, "periods": 60}
+    asked: dict[str, Any] = {"scene": words, **options}
+    swept = sg.sweep(start=0.9, to=1.2, **asked)
+    said = program("sweep", "--scene", words, "--from", 0.9, "--to", 1.2,
+                   *words_of(options))
+    alike(said, swept.to_dict())
+    assert len(swept.to_dict()["contacts"]) == 1 and "bar" not in said
+    wrongs: list[dict[str, Any]] = [
+        {"over": "gap"}, {"damping": 0.1}, {"force": "base"},
+        {"second_stop": 1e-3}, {"scene": "clamp 20 nonsense"}]
+    for wrong in wrongs:
+        with pytest.raises(ValueError, match="|".join(["scene", "word", *wrong])):
+            sg.sweep(**{**asked, **wrong})
+
+
+def test_what_any_force_can_do_agrees(program: Program) -> None:
+    for low, high, words in ((0.9, 1.0, "clamp 7 stop=1 3 driven"),
+                             (-1.0, 1.0, "clamp 7 stop=0.1 3 driven")):
+        reach = sg.force_range(words, low, high, time=3.0)
+        said = program("simulate", "--scene", words, "--time", 3,
+                       f"--force-range={low},{high}")
+        alike(said, reach.to_dict())
+        assert (reach.closes is None) == (low > 0.0)
+        for peak in (one for contact in reach.contacts
+                     for one in contact["displacement"]):
+            assert abs(peak["reached"]) <= abs(peak["bound"])
+    with pytest.raises(ValueError, match="low, high"):
+        sg.force_range("clamp 7 stop=1 3 driven", 1.0, 0.9, time=3.0)

@@ -3,8 +3,8 @@
 /// What a bar settled on at the values of a sweep.
 
 #include "parts.hpp"
+#include "scene_answer.hpp"
 #include "signorini/sweep.hpp"
-#include "simulation_answer.hpp"
 
 namespace signorini::answers {
 
@@ -31,7 +31,8 @@ struct SweepAnswer {
     Bar bar;  ///< what units mean: of the first material
     std::vector<SweepPoint> points;
     bool isComplete = true;
-    std::optional<double> yieldStress = {};  ///< [Pa], the stress is compared with it
+    std::optional<double> yieldStress = {};   ///< [Pa], the stress is compared with it
+    std::optional<SeveralBars> several = {};  ///< in place of scene, if there is more than one bar
 
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
     [[nodiscard]] std::vector<SweepPointOf> listed() const;
@@ -104,13 +105,18 @@ void describe(D& d, Type<SweepAnswer>)
     using T = SweepAnswer;
     d.record("Sweep", "What a bar settles on while one number is varied, the state carried over.");
     d.key("status", "-", R"("done", or "interrupted".)", &T::status);
-    describeScene(d, [](const T& s) -> const Scene& { return s.scene; });
+    describeSceneOrBars<T>(d);
     d.key("over", "-", R"(What is varied: "frequency", "amplitude", "gap" or "damping".)",
           [](const T& s) { return s.range.over; });
-    d.key("damping", "-", "A dashpot, unless it is varied.", [](const T& s) {
-        return s.range.over == Swept::damping ? std::nullopt
-                                              : std::optional(Of<Damping>{s.range.damping, s.bar});
-    });
+    d.key(
+        "damping", "-", "A dashpot, unless it is varied.",
+        [](const T& s) {
+            const bool isVaried = s.range.over == Swept::damping;
+            return s.several  ? std::optional<std::optional<Of<Damping>>>()
+                   : isVaried ? std::optional(std::optional<Of<Damping>>())
+                              : std::optional(std::optional(Of<Damping>{s.range.damping, s.bar}));
+        },
+        When::any);
     d.key("force", "-", R"(What is excited: "tip" or "base".)",
           [](const T& s) { return s.range.place; });
     d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation, unless it is varied.",

@@ -53,9 +53,9 @@ ExitStatus runScene(const Given& given)
         Json json = newAnswer();
         json.update(Json{{"status", "done"},
                          {"text", textOf(assembly.parts)},
-                         {"scene", cli::asJson(assembly)},
-                         {"contacts", contactsAsJson(network, assembly.length)},
-                         {"reference", referenceAsJson(network)}});
+                         {"scene", jsonOf(assembly)},
+                         {"contacts", jsonOf(contactsOf(network, assembly.length))},
+                         {"reference", jsonOf(referenceOf(network))}});
         writeOut(asLine(json));
     } else {
         writeOut(asText(assembly, network));

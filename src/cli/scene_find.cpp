@@ -80,7 +80,7 @@ Json asJson(const FreeAnswer& answer)
     const LeastMotion& motions = answer.motions;
     Json json = answer.of.keys(motions.status);
     json.update(Json{{"kernel_dimension", jsonOf(motions.kernelDimension)},
-                     {"contacts", contactsAsJson(answer.of.network, answer.of.assembly.length)},
+                     {"contacts", jsonOf(contactsOf(answer.of.network, answer.of.assembly.length))},
                      {"contact", nullptr},
                      {"energy", nullptr},
                      {"energy_ratio", nullptr},
@@ -168,8 +168,8 @@ Json SceneFind::keys(Status status) const
 {
     Json json = newAnswer();
     json.update(Json{{"status", name(status)},
-                     {"scene", cli::asJson(assembly)},
-                     {"reference", referenceAsJson(network)},
+                     {"scene", jsonOf(assembly)},
+                     {"reference", jsonOf(referenceOf(network))},
                      {"cells", network.cells()},
                      {"schedule", scheduleAsJson(schedule)},
                      {"period", period()}});

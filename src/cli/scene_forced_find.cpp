@@ -73,7 +73,7 @@ Json asJson(const SceneForcedAnswer& answer)
     const bool isFound = answer.set.status == Status::found;
     Json motions = Json::array();
     for (const Seen& one : answer.motions) {
-        Json contacts = contactsAsJson(answer.of.network, answer.of.assembly.length);
+        Json contacts = jsonOf(contactsOf(answer.of.network, answer.of.assembly.length));
         addForces(contacts, answer.of.network, answer.of.schedule, one.residuals);
         motions.push_back({{"amplitude", one.motion.amplitude * answer.unit()},
                            {"phase", one.motion.phase},
@@ -91,7 +91,7 @@ Json asJson(const SceneForcedAnswer& answer)
                      {"amplitude_range", isFound ? Json{answer.set.leastAmplitude * answer.unit(),
                                                         std::isfinite(most) ? Json(most) : Json()}
                                                  : Json()},
-                     {"contacts", contactsAsJson(answer.of.network, answer.of.assembly.length)},
+                     {"contacts", jsonOf(contactsOf(answer.of.network, answer.of.assembly.length))},
                      {"motions", std::move(motions)},
                      {"certificate", certificateAsJson(answer)},
                      {"detail", answer.detail()}});

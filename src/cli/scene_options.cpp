@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "faults.hpp"
+#include "json.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::cli {
@@ -14,25 +15,6 @@ namespace signorini::cli {
 namespace {
 
 constexpr std::size_t mostBytes = 16'000'000;
-
-/// One kind of part, and the entry that holds its value; empty: it has none.
-struct PartName {
-    PartKind kind;
-    std::string_view name;
-    std::string_view entry;
-};
-constexpr std::array partNames{PartName{PartKind::clamp, "clamp", ""},
-                               PartName{PartKind::free, "free", ""},
-                               PartName{PartKind::cells, "cells", "cells"},
-                               PartName{PartKind::gap, "gap", "gap"},
-                               PartName{PartKind::rightStop, "right stop", "gap"},
-                               PartName{PartKind::leftStop, "left stop", "gap"},
-                               PartName{PartKind::dash, "dash", "impedance"},
-                               PartName{PartKind::spring, "spring", "stiffness"},
-                               PartName{PartKind::mass, "mass", "mass"},
-                               PartName{PartKind::force, "force", "force"},
-                               PartName{PartKind::driven, "driven", ""},
-                               PartName{PartKind::shaken, "shaken", ""}};
 
 /// An object whose entries are taken one by one.
 class Entries {
@@ -108,27 +90,21 @@ AssemblyPart partOfJson(const Json& json, const std::string& place)
     Entries entries(json, place);
     const Json& kind = entries.take("kind");
     const std::string word = kind.is_string() ? kind.get<std::string>() : "";
-    for (const PartName& known : partNames) {
-        if (word != known.name) {
-            continue;
-        }
-        AssemblyPart part{.kind = known.kind};
-        if (known.kind == PartKind::cells) {
-            part.cells = entries.whole("cells");
-            part.impedance = entries.number("impedance", 1.0);
-            part.speed = entries.number("speed", 1.0);
-        } else if (!known.entry.empty()) {
-            part.value = entries.number(known.entry);
-        }
-        entries.requireAllTaken();
-        return part;
+    const auto known = valueIn(partNames, word);
+    if (!known) {
+        entries.refuseEntry("kind", kind, namesIn(partNames));
     }
-    std::string allowed;
-    for (const PartName& known : partNames) {
-        allowed += allowed.empty() ? "" : "|";
-        allowed += known.name;
+    AssemblyPart part{.kind = *known};
+    const std::string_view entry = answers::entryOf(*known);
+    if (known == PartKind::cells) {
+        part.cells = entries.whole("cells");
+        part.impedance = entries.number("impedance", 1.0);
+        part.speed = entries.number("speed", 1.0);
+    } else if (!entry.empty()) {
+        part.value = entries.number(entry);
     }
-    entries.refuseEntry("kind", kind, allowed);
+    entries.requireAllTaken();
+    return part;
 }
 
 std::string contentOf(const std::string& path)
@@ -147,12 +123,6 @@ std::string contentOf(const std::string& path)
         throw FileError(path, fmt::format("longer than {} bytes", mostBytes));
     }
     return text;
-}
-
-/// Is it more of the same bar?
-bool isContinued(const Segment& one, const Segment& next)
-{
-    return one.impedance == next.impedance && one.speed == next.speed && one.dashpot == 0.0;
 }
 
 }  // namespace
@@ -176,122 +146,6 @@ Assembly readAssembly(const std::string& text, const Bar& bar, double gravity)
     }
     validate(assembly);
     return assembly;
-}
-
-std::optional<Scene> barOf(const Assembly& assembly)
-{
-    Scene scene(Bar{.length = assembly.length,
-                    .waveSpeed = assembly.waveSpeed,
-                    .axialStiffness = assembly.axialStiffness,
-                    .young = assembly.young});
-    std::vector<Segment>& segments = scene.segments;
-    std::vector<double> walls;
-    bool isPastTip = false;
-    bool isBar = assembly.gravity == 0.0 && assembly.parts.front().kind == PartKind::clamp;
-    for (const AssemblyPart& part : assembly.parts) {
-        const bool isAtBase = segments.empty();
-        isPastTip = isPastTip || part.kind == PartKind::free || part.kind == PartKind::driven ||
-                    part.kind == PartKind::rightStop || part.kind == PartKind::leftStop;
-        switch (part.kind) {
-            case PartKind::clamp:
-            case PartKind::shaken:
-                isBar = isBar && isAtBase;
-                break;
-            case PartKind::cells:
-                isBar = isBar && !isPastTip;
-                segments.push_back({part.cells, part.impedance, part.speed});
-                if (segments.size() > 1 && isContinued(segments.end()[-2], segments.back())) {
-                    segments.end()[-2].cells += part.cells;
-                    segments.pop_back();
-                }
-                break;
-            case PartKind::dash:
-                isBar = isBar && !isAtBase;
-                if (isBar) {
-                    segments.back().dashpot = part.value;
-                }
-                break;
-            case PartKind::rightStop:
-                walls.push_back(part.value);
-                break;
-            case PartKind::leftStop:
-                scene.secondStop = part.value;
-                break;
-            case PartKind::free:
-            case PartKind::driven:
-                isBar = isBar && !isAtBase;
-                break;
-            default:
-                return std::nullopt;
-        }
-    }
-    // A dashpot at the tip is the damping of a question, not of a scene.
-    isBar = isBar && walls.size() == 1 && segments.front().impedance == 1.0 &&
-            segments.front().speed == 1.0 && segments.back().dashpot == 0.0;
-    if (!isBar) {
-        return std::nullopt;
-    }
-    scene.bar.gap = walls.front();
-    if (segments.size() == 1) {
-        segments.clear();
-    }
-    return scene;
-}
-
-Assembly assemblyOf(const Scene& scene, std::int64_t cells, const Damping& damping)
-{
-    Assembly assembly{.length = scene.bar.length,
-                      .waveSpeed = scene.bar.waveSpeed,
-                      .axialStiffness = scene.bar.axialStiffness,
-                      .young = scene.bar.young};
-    std::vector<AssemblyPart>& parts = assembly.parts;
-    parts = {{.kind = PartKind::clamp}, {.kind = PartKind::shaken}};
-    const std::vector<Segment> uniform{{.cells = cells}};
-    const std::vector<Segment>& segments = scene.segments.empty() ? uniform : scene.segments;
-    for (const Segment& segment : segments) {
-        const Segment& first = segments.front();
-        parts.push_back({.kind = PartKind::cells,
-                         .cells = segment.cells,
-                         .impedance = segment.impedance / first.impedance,
-                         .speed = segment.speed / first.speed});
-        if (segment.dashpot > 0.0) {
-            parts.push_back({.kind = PartKind::dash, .value = segment.dashpot / first.impedance});
-        }
-    }
-    if (damping.ratio > 0.0) {
-        parts.push_back({.kind = PartKind::dash, .value = damping.eta()});
-    }
-    parts.push_back({.kind = PartKind::driven});
-    parts.push_back({.kind = PartKind::rightStop, .value = scene.bar.gap});
-    if (scene.secondStop) {
-        parts.push_back({.kind = PartKind::leftStop, .value = *scene.secondStop});
-    }
-    return assembly;
-}
-
-Json asJson(const Assembly& assembly)
-{
-    Json parts = Json::array();
-    for (const AssemblyPart& part : assembly.parts) {
-        const auto& known =
-            *std::find_if(partNames.begin(), partNames.end(),
-                          [&part](const PartName& name) { return name.kind == part.kind; });
-        Json json{{"kind", known.name}};
-        if (part.kind == PartKind::cells) {
-            json["cells"] = part.cells;
-            json["impedance"] = part.impedance;
-            json["speed"] = part.speed;
-        } else if (!known.entry.empty()) {
-            json[std::string(known.entry)] = part.value;
-        }
-        parts.push_back(std::move(json));
-    }
-    return {{"length", assembly.length},
-            {"wave_speed", assembly.waveSpeed},
-            {"axial_stiffness", assembly.axialStiffness},
-            {"young", assembly.young ? Json(*assembly.young) : Json()},
-            {"gravity", assembly.gravity},
-            {"parts", std::move(parts)}};
 }
 
 Assembly assemblyOfJson(std::string_view text, const std::string& name)

@@ -4,7 +4,6 @@
 #include <array>
 
 #include "files.hpp"
-#include "force_range.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "simulate_command.hpp"
@@ -13,18 +12,12 @@ namespace signorini::cli {
 
 namespace {
 
-Json asJson(const ForcePeak& peak, double unit, double second)
+std::string asText(const std::array<answers::Peak, 2>& peaks, const char* what, const char* unit)
 {
-    return {{"bound", peak.bound * unit},
-            {"reached", peak.reached * unit},
-            {"time", peak.time * second}};
-}
-
-std::string asText(const ForcePeak& least, const ForcePeak& most, double unit, const char* name)
-{
-    return fmt::format("{} from {:.6g} to {:.6g} {} (reached {:.6g}, {:.6g})", name,
-                       least.bound * unit, most.bound * unit, name[0] == 'v' ? "m/s" : "m",
-                       least.reached * unit, most.reached * unit);
+    const auto& [least, most] = peaks;
+    return fmt::format("{} from {:.6g} to {:.6g} {} (reached {:.6g}, {:.6g})", what,
+                       least.value.bound * least.unit, most.value.bound * most.unit, unit,
+                       least.value.reached * least.unit, most.value.reached * most.unit);
 }
 
 }  // namespace
@@ -39,44 +32,17 @@ ExitStatus reportReach(const SimulateCommand& command)
              "--force-range: allowed only with --scene, --time and what the scene is made of");
     const auto [low, high] = *command.forceRange;
     const Assembly assembly = command.common.assembly();
-    const Network network = networkOf(assembly);
-    const NetworkScales& scales = network.scales;
-    const double duration = *command.time / scales.time;
-    if (!(duration <= static_cast<double>(maxReachSteps))) {
-        refuse("--time", fmt::format("{}", *command.time),
-               fmt::format("at most {} steps of {:.6g} s", maxReachSteps, scales.time));
+    const answers::ForceRange answer = answers::forceRangeOf(assembly, low, high, *command.time);
+    std::string text =
+        headline(assembly, networkOf(assembly)) +
+        fmt::format("force       any from {:g} to {:g} N, for {:.6g} s\n", low, high, answer.time);
+    for (const answers::ContactPeaks& one : answer.contacts) {
+        text += fmt::format("contact {:<4}{}\n            {}\n", one.contact.number,
+                            asText(one.velocity, "v", "m/s"), asText(one.displacement, "u", "m"));
     }
-    const ForceReach reach =
-        reachUnder(network, low / scales.force(), high / scales.force(), duration);
-    Json contacts = contactsAsJson(network, assembly.length);
-    std::string text = headline(assembly, network) +
-                       fmt::format("force       any from {:g} to {:g} N, for {:.6g} s\n", low, high,
-                                   reach.duration * scales.time);
-    for (std::size_t j = 0; j < reach.contacts.size(); ++j) {
-        const ContactReach& one = reach.contacts[j];
-        const double v = scales.velocity();
-        const double u = scales.displacement;
-        contacts[j]["velocity"] = {asJson(one.leastVelocity, v, scales.time),
-                                   asJson(one.mostVelocity, v, scales.time)};
-        contacts[j]["displacement"] = {asJson(one.leastDisplacement, u, scales.time),
-                                       asJson(one.mostDisplacement, u, scales.time)};
-        text += fmt::format("contact {:<4}{}\n            {}\n", j + 1,
-                            asText(one.leastVelocity, one.mostVelocity, v, "v"),
-                            asText(one.leastDisplacement, one.mostDisplacement, u, "u"));
-    }
-    text += reach.closes ? fmt::format("closes      contact {} can, then\n", *reach.closes + 1)
-                         : "closes      no contact, under no such force: proved\n";
-    Json json = newAnswer();
-    json.update(Json{{"status", "done"},
-                     {"scene", cli::asJson(assembly)},
-                     {"force_range", {low, high}},
-                     {"time", reach.duration * scales.time},
-                     {"closes", nullptr},
-                     {"contacts", std::move(contacts)}});
-    if (reach.closes) {
-        json["closes"] = *reach.closes + 1;
-    }
-    writeOut(command.common.wantsJson ? asLine(json) : text);
+    text += answer.closes ? fmt::format("closes      contact {} can, then\n", *answer.closes)
+                          : "closes      no contact, under no such force: proved\n";
+    writeOut(command.common.wantsJson ? asLine(wholeJsonOf(answer)) : text);
     command.common.useOneThread();
     return exitFound;
 }

@@ -11,73 +11,6 @@
 
 namespace signorini::cli {
 
-namespace {
-
-/// [m], as it stands at rest.
-double gapOf(const Network& network, const NetworkContact& contact)
-{
-    return contact.gap * network.scales.displacement;
-}
-
-}  // namespace
-
-std::string_view name(ContactKind kind)
-{
-    switch (kind) {
-        case ContactKind::stopRight:
-            return "right stop";
-        case ContactKind::stopLeft:
-            return "left stop";
-        case ContactKind::gap:
-            return "gap";
-    }
-    return "";
-}
-
-std::vector<double> placesOf(const Network& network, double length)
-{
-    double cells = 0.0;
-    for (const CellRow& row : network.rows) {
-        cells += static_cast<double>(row.cells) * row.speed;
-    }
-    std::vector<double> places(network.nodes.size(), 0.0);
-    std::size_t row = 0;
-    for (std::size_t node = 0; node < places.size(); ++node) {
-        if (row < network.rows.size() && network.rows[row].right == node) {
-            const CellRow& here = network.rows[row++];
-            places[node] =
-                places[node - 1] + length * static_cast<double>(here.cells) * here.speed / cells;
-        } else if (node > 0) {
-            places[node] = places[node - 1];
-        }
-    }
-    return places;
-}
-
-Json contactsAsJson(const Network& network, double length)
-{
-    Json list = Json::array();
-    const std::vector<double> places = placesOf(network, length);
-    for (const NetworkContact& contact : network.contacts) {
-        list.push_back({{"number", list.size() + 1},
-                        {"kind", name(contact.kind)},
-                        {"place", places[contact.node]},
-                        {"gap", gapOf(network, contact)}});
-    }
-    return list;
-}
-
-Json referenceAsJson(const Network& network)
-{
-    const SceneReference reference = referenceOf(network);
-    const bool hasMode = reference.frequency > 0.0;
-    const bool hasEnergy = reference.energy && *reference.energy > 0.0;
-    return {{"frequency", hasMode ? Json(reference.frequency / (2.0 * std::numbers::pi)) : Json()},
-            {"damping", reference.damping ? Json(*reference.damping) : Json()},
-            {"energy", hasEnergy ? Json(*reference.energy) : Json()},
-            {"compliance", reference.compliance ? Json(*reference.compliance) : Json()}};
-}
-
 std::optional<double> firstEnergy(const Network& network)
 {
     const SceneReference reference = referenceOf(network);
@@ -184,22 +117,6 @@ std::string forcesAsText(const Network& network, const NetworkResiduals& residua
                             residuals.impulses[j] * scales.force() * scales.time);
     }
     return text;
-}
-
-Json withScene(const Json& answer, const Assembly& assembly, const Network& network)
-{
-    Json all;
-    for (const auto& [key, value] : answer.items()) {
-        if (key == "bar") {
-            all["scene"] = asJson(assembly);
-            all["reference"] = referenceAsJson(network);
-            all["contacts"] = contactsAsJson(network, assembly.length);
-        } else if (key != "stops" && key != "segments" && key != "static_force" &&
-                   key != "damping") {
-            all[key] = value;
-        }
-    }
-    return all;
 }
 
 std::string headline(const Assembly& assembly, const Network& network)

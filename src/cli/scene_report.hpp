@@ -11,21 +11,13 @@
 #include "json.hpp"
 #include "network.hpp"
 #include "network_walk.hpp"
+#include "scene_answer.hpp"
 #include "signorini/certificate.hpp"
 
 namespace signorini::cli {
 
-/// "right stop", "left stop", "gap".
-[[nodiscard]] std::string_view name(ContactKind kind);
-
-/// Where each node is at rest [m], in bars of so much length in all that stand end to end.
-[[nodiscard]] std::vector<double> placesOf(const Network& network, double length);
-
-/// Number, kind, place and gap of each contact.
-[[nodiscard]] Json contactsAsJson(const Network& network, double length);
-
-/// omega_1, zeta, E_1 of the scene.
-[[nodiscard]] Json referenceAsJson(const Network& network);
+using answers::contactsOf;
+using answers::placesOf;
 
 /// E_1 [Z_1 delta^2/h]; none where a bar drifts, or the gap is 0.
 [[nodiscard]] std::optional<double> firstEnergy(const Network& network);
@@ -44,16 +36,12 @@ namespace signorini::cli {
 /// Lists of [contact, step, multiplier]; contacts count from 1.
 [[nodiscard]] Json multipliersAsJson(const EnergyFloor& multipliers);
 
-/// Enters peak force, impulse and duration of a period into what contactsAsJson made.
+/// Enters peak force, impulse and duration of a period into the JSON of contacts.
 void addForces(Json& contacts, const Network& network, const std::vector<ContactSpan>& schedule,
                const NetworkResiduals& residuals);
 
 /// The same in words, a line for each contact.
 [[nodiscard]] std::string forcesAsText(const Network& network, const NetworkResiduals& residuals);
-
-/// An answer about a bar as one about a scene: its keys of the bar become scene, reference and
-/// contacts.
-[[nodiscard]] Json withScene(const Json& answer, const Assembly& assembly, const Network& network);
 
 /// The line that restates the bars.
 [[nodiscard]] std::string headline(const Assembly& assembly, const Network& network);

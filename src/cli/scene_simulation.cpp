@@ -240,7 +240,7 @@ std::string asJson(const SimulateCommand& command, const SceneAnswer& answer)
     const double impulseUnit = scales.force() * scales.time;
     const NetworkBalance energy = simulation.balance();
     const MomentumBalance momentum = simulation.momentumBalance();
-    Json contacts = contactsAsJson(simulation.network(), answer.question.assembly.length);
+    Json contacts = jsonOf(contactsOf(simulation.network(), answer.question.assembly.length));
     std::size_t number = 0;
     for (const ContactTotals& total : totalsOf(simulation)) {
         Json& contact = contacts[number++];
@@ -252,8 +252,8 @@ std::string asJson(const SimulateCommand& command, const SceneAnswer& answer)
     Json json = newAnswer();
     json.update(
         Json{{"status", answer.isComplete ? "done" : "interrupted"},
-             {"scene", cli::asJson(answer.question.assembly)},
-             {"reference", referenceAsJson(simulation.network())},
+             {"scene", jsonOf(answer.question.assembly)},
+             {"reference", jsonOf(referenceOf(simulation.network()))},
              {"contacts", std::move(contacts)},
              {"excitation", excitationAsJson(command, answer.question)},
              {"time", simulation.time() * scales.time},

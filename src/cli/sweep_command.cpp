@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "commands.hpp"
 #include "excited_names.hpp"
@@ -161,13 +160,8 @@ SweepAnswer SweepCommand::question(const Network& network) const
                "tip for a scene with the word driven, base for one with shaken");
     }
     const Assembly& assembly = common.assembly();
-    const double gap = std::abs(network.contacts.front().gap) * network.scales.displacement;
-    const Bar bar{
-        .length = assembly.length,
-        .waveSpeed = 2.0 * assembly.length * referenceOf(network).frequency / std::numbers::pi,
-        .axialStiffness = assembly.axialStiffness,
-        .gap = gap > 0.0 ? gap : assembly.length};
-    return {range(bar, bar), bar, bar, {}, true, {}};
+    const Bar bar = answers::unitsOf(assembly, network);
+    return {range(bar, bar), bar, bar, {}, true, {}, answers::severalOf(assembly, network)};
 }
 
 std::string SweepCommand::questionOf(const SweepAnswer& answer) const
@@ -241,12 +235,10 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
         common.say(fmt::format("interrupted; the list is not complete, and no file was written{}",
                                journal ? "; the same call with --resume goes on" : ""));
     }
-    if (network == nullptr) {
-        report(common, answer, {}, force.ratio);
+    if (network != nullptr && !common.wantsJson) {
+        writeOut(headline(common.assembly(), *network) + asText(answer));
     } else {
-        writeOut(common.wantsJson
-                     ? asLine(withScene(wholeJsonOf(answer), common.assembly(), *network))
-                     : headline(common.assembly(), *network) + asText(answer));
+        report(common, answer, {}, force.ratio);
     }
     return exitStatusOf(answer.status());
 }

@@ -165,7 +165,8 @@ int main()
                {"atlas-query", nameOf<AtlasAnswer>()},
                {"find-harmonic", nameOf<HarmonicAnswer>()},
                {"response-exact", nameOf<ExactAnswer>()},
-               {"study", nameOf<StudyAnswer>()}};
+               {"study", nameOf<StudyAnswer>()},
+               {"simulate-reach", nameOf<ForceRange>()}};
     (void)nameOf<PolytopeAnswer>();  // of Python alone
     std::cout << Json{{"files", files}, {"records", records()}}.dump(1) << '\n';
 }

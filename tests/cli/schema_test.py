@@ -55,6 +55,8 @@ CALLS = [
                  " --stability"),
     ("simulate", "simulate --rest --damping 0.05 --time 3"),
     ("sweep", f"sweep --cells 10 {FORCE} --from 0.9 --to 1.2 --points 3 --periods 60"),
+    ("sweep", "sweep --scene 'clamp 20 driven dash=0.1 gap=1e-3 dash=0.1 20:1.3 clamp' --force tip"
+     " --amplitude 4e-4 --from 0.9 --to 1.2 --points 2 --periods 40"),
     ("sweep", "sweep --cells 10 --force base --amplitude 1e-4 --over damping --from 0.01 --to 0.1 --points 2"
               " --periods 60 --frequency 1.1 --rest --down"),
     ("atlas", "atlas --database {}/a.sqlite --cells 8"),

@@ -14,6 +14,7 @@ import faulthandler
 import marshal
 import pickle
 import random
+import struct
 import sys
 import zlib
 
@@ -22,6 +23,11 @@ import signorini as sg
 #: What stands in for a value.
 ODD = [None, True, 0, -1, 1, 3, 2 ** 31, 2 ** 62, -2 ** 63, 2 ** 70, 0.0, -1.5, 1e300, 1e-320, float("nan"),
        float("inf"), "", "x", b"", b"1234567", b"12345678", bytes(8 * 5), bytes(8 * 1000), (), [], (1,), [[]], ((), ())]
+
+
+#: What stands in for eight bytes of a string of them.
+WHOLE = [value for value in ODD if type(value) is int and -2 ** 63 <= value < 2 ** 63]
+REAL = [value for value in ODD if isinstance(value, float)]
 
 
 def records():
@@ -65,6 +71,11 @@ def changed(content, path, change):
 def other(dice, value, whole):
     """Something in place of a value."""
     kind = dice.randrange(6)
+    if kind in (2, 4, 5) and isinstance(value, bytes) and value:
+        where, size = dice.randrange(len(value)), dice.choice([1, 1, 2, 4, 8, 8])
+        what = dice.choice([struct.pack("<q", dice.choice(WHOLE)), struct.pack("<d", dice.choice(REAL)),
+                            dice.randbytes(8), value[where // 8 * 8:][:8]])[:size]
+        return value[:where] + what + value[where + dice.choice([size, size, 0]):]
     if kind == 0 and isinstance(value, bytes) and value:
         cut = dice.randrange(len(value) + 1)
         return dice.choice([value[:cut], value + value[:cut], value + bytes(8 * cut), value[:8 * (cut // 8)]])

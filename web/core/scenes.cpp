@@ -252,7 +252,7 @@ void addStanding(Reply& reply, const Network& network, const Places& places)
                                : isGap ? contact.gap + rest - network.nodes[contact.node + 1].rest
                                        : contact.gap + rest;
         reply.json["contacts"].push_back(
-            {{"kind", cli::name(contact.kind)},
+            {{"kind", name(contact.kind)},
              {"at", places.of(contact.node)},
              {"next", isGap ? Json(places.of(contact.node + 1)) : Json()},
              {"gap", opening * network.scales.displacement / bar.gap}});
@@ -262,7 +262,7 @@ void addStanding(Reply& reply, const Network& network, const Places& places)
 void summarize(Reply& reply, const SceneCourse& course, const NetworkSimulation& simulation)
 {
     const NetworkScales& scales = course.network.scales;
-    Json contacts = cli::contactsAsJson(course.network, course.assembly.length);
+    Json contacts = cli::jsonOf(cli::contactsOf(course.network, course.assembly.length));
     for (Json& contact : contacts) {
         contact.update({{"count", 0}, {"impulse", 0.0}, {"peak_force", 0.0}});
     }
@@ -279,7 +279,7 @@ void summarize(Reply& reply, const SceneCourse& course, const NetworkSimulation&
         {"status", "done"},
         {"words", textOf(course.assembly.parts)},
         {"contacts", std::move(contacts)},
-        {"reference", cli::referenceAsJson(course.network)},
+        {"reference", cli::jsonOf(referenceOf(course.network))},
         {"time", simulation.time() * scales.time},
         {"events", simulation.events()},
         {"energy", simulation.energy() * scales.energy()},

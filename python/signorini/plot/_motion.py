@@ -5,16 +5,22 @@ from __future__ import annotations
 from typing import Any, Union
 
 from .._asking import asks
-from .._core import Continuum, ContinuumPoint, Motion, Result
+from .._core import (Continuum, ContinuumPoint, ForcedResult, HarmonicResult,
+                     Motion, Result, Scene)
 from ._draw import draw
 
-#: What has a motion: a Motion itself, a Result, a point of a continuum.
-Moving = Union[Motion, Result, ContinuumPoint]
+#: What has a motion: a Motion itself, a Result, a point of a continuum; of
+#: several forced motions the one of the largest impulse.
+Moving = Union[Motion, Result, ContinuumPoint, ForcedResult, HarmonicResult]
 
 
-def motion_of(moving: Moving) -> Motion:
-    """Return the motion of what has one. ValueError if it has none."""
-    found = moving if isinstance(moving, Motion) else moving.motion
+def motion_of(moving: Moving) -> Motion | ForcedResult | HarmonicResult:
+    """Return what draws the motion. ValueError if there is none."""
+    found: Motion | ForcedResult | HarmonicResult | None
+    if isinstance(moving, (ForcedResult, HarmonicResult)):
+        found = moving if moving.motions else None
+    else:
+        found = moving if isinstance(moving, Motion) else moving.motion
     if found is None:
         raise ValueError("no motion was found: there is nothing to draw")
     return found
@@ -27,7 +33,8 @@ def motion(moving: Moving, *, figure: Any = None, axes: Any = None
 
     Strain and velocity along the bar at t = 0, the displacement u(x, t) over
     one period, and with the same axis of time the path of the tip beside the
-    wall and the force of the wall.
+    wall and the force of the wall. Under an exact harmonic u(x, t), tip and
+    force alone.
 
     Returns
     -------
@@ -39,9 +46,21 @@ def motion(moving: Moving, *, figure: Any = None, axes: Any = None
     ValueError
         If there is no motion.
     """
-    return draw(motion_of(moving)._figure(),
-                ("strain", "velocity", "displacement", "tip", "force",
-                 "words"), axes, figure)
+    panels = ("displacement", "tip", "force")
+    if not isinstance(moving, HarmonicResult):
+        panels = ("strain", "velocity", *panels, "words")  # type: ignore[assignment]
+    return draw(motion_of(moving)._figure(), panels, axes, figure)
+
+
+@asks("figure")
+def scene(where: Scene, *, axes: Any = None, figure: Any = None) -> Any:
+    """Draw a bar and its stops; gaps are not to scale.
+
+    Returns
+    -------
+    axes
+    """
+    return draw(where._figure(), ("scene",), axes, figure)["scene"]
 
 
 @asks("figure")

@@ -1,0 +1,28 @@
+#pragma once
+/// \file
+/// What each file adds to the module: classes of answers, and the calls that give them.
+
+#include <pybind11/pybind11.h>
+
+namespace signorini::python {
+
+namespace py = pybind11;
+
+/// The smaller records that answers hold.
+void addParts(py::module_& module);
+void addFind(py::module_& module);
+void addContinuum(py::module_& module);
+/// Families, modes, polytopes, and the motions of both.
+void addLists(py::module_& module);
+void addPolytopes(py::module_& module);
+void addModeMotions(py::module_& module);
+/// In files: made, and asked.
+void addAtlas(py::module_& module);
+/// Of one schedule, or under an exact harmonic.
+void addForced(py::module_& module);
+void addResponse(py::module_& module);
+void addSweep(py::module_& module);
+/// The bar, event by event.
+void addSimulate(py::module_& module);
+
+}  // namespace signorini::python
