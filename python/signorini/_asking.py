@@ -18,6 +18,8 @@ _SAID = {
                 'phases on it are (n_c, n_f, "left").',
     "bar": "What units mean in SI; or its parameters as keywords: `length`, "
            "`wave_speed`, `axial_stiffness`, `gap`, `young`, `density`, `area`.",
+    "cells": "N, cells of the bar: those of all segments, or 300.",
+    "second_stop": "h [m], to a stop on the other side of the tip.",
     "scene": "In place of `bar`, `second_stop` and `segments`.",
     "segments": "A stepped bar, clamp first: (cells, impedance, speed, "
                 "dashpot) of each.",

@@ -121,7 +121,8 @@ py::dict optionsOf(const std::string& question)
             const bool hasUnit =
                 option.unit != "-" && option.sentence.find('[') == std::string::npos;
             meanings[name.c_str()] =
-                fmt::format("{}{}.", option.sentence,
+                fmt::format("{}{}{}.", option.sentence,
+                            option.takes == answers::Takes::choice ? ": " + option.type : "",
                             hasUnit ? fmt::format(" [{}]", option.unit) : std::string());
         }
     }

@@ -176,7 +176,11 @@ ValueError
             py::arg("second_stop") = py::none(), py::arg("cells") = 300)
         .def("_figure",
              [](const Scene& of) {
-                 return asJson(sceneFigure(answers::assemblyOf(of, usualCells, {})));
+                 Assembly assembly = answers::assemblyOf(of, usualCells, {});
+                 std::erase_if(assembly.parts, [](const AssemblyPart& part) {
+                     return part.kind == PartKind::driven || part.kind == PartKind::shaken;
+                 });
+                 return asJson(sceneFigure(assembly));
              })
         .def_readonly("second_stop", &Scene::secondStop, "h [m], or None.");
 }

@@ -97,6 +97,7 @@ SweepAnswer sweep(const Asked& asked)
         const Assembly assembly = asked.assembly();
         bars = std::make_shared<const Network>(networkOf(assembly));
         requireBars(*bars, range);
+        range.cells = static_cast<double>(bars->cells());
         answer = withUnits(range, answers::unitsOf(assembly, *bars), asked, amplitude);
         answer.several = answers::severalOf(assembly, *bars);
     } else {

@@ -241,10 +241,10 @@ def test_sweeps_of_several_bars_agree(program: Program) -> None:
 
 
 def test_what_any_force_can_do_agrees(program: Program) -> None:
-    for low, high, words in ((0.9, 1.0, "clamp 7 stop=1 3 driven"),
+    for low, high, words in ((0.9, 1.1, "clamp 7 stop=2 3 driven"),
                              (-1.0, 1.0, "clamp 7 stop=0.1 3 driven")):
-        reach = sg.force_range(words, low, high, time=3.0)
-        said = program("simulate", "--scene", words, "--time", 3,
+        reach = sg.force_range(words, low, high, time=9.0)
+        said = program("simulate", "--scene", words, "--time", 9,
                        f"--force-range={low},{high}")
         alike(said, reach.to_dict())
         assert (reach.closes is None) == (low > 0.0)

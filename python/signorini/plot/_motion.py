@@ -8,6 +8,7 @@ from .._asking import asks
 from .._core import (Continuum, ContinuumPoint, ForcedResult, HarmonicResult,
                      Motion, Result, Scene)
 from ._draw import draw
+from ._style import unit_for
 
 #: What has a motion: a Motion itself, a Result, a point of a continuum; of
 #: several forced motions the one of the largest impulse.
@@ -54,13 +55,21 @@ def motion(moving: Moving, *, figure: Any = None, axes: Any = None
 
 @asks("figure")
 def scene(where: Scene, *, axes: Any = None, figure: Any = None) -> Any:
-    """Draw a bar and its stops; gaps are not to scale.
+    """Draw a bar and its stops, with their sizes; gaps are not to scale.
 
     Returns
     -------
     axes
     """
-    return draw(where._figure(), ("scene",), axes, figure)["scene"]
+    axes = draw(where._figure(), ("scene",), axes, figure)["scene"]
+    sizes = []
+    for name, size in (("L", where.bar.length), ("g", where.bar.gap),
+                       ("h", where.second_stop)):
+        if size is not None:
+            factor, unit = unit_for(abs(size) or 1.0, "m")
+            sizes.append(f"{name} = {factor * size:.4g} {unit}")
+    axes.set_title(",  ".join(sizes), fontsize="medium")
+    return axes
 
 
 @asks("figure")
