@@ -91,7 +91,7 @@ std::optional<std::vector<double>> FindAnswer::approachSpeeds() const
         return std::nullopt;  // a schedule from a file can be of any length
     }
     const Network network = networkOf(result.scene, walked.cells);
-    NetworkWaves<double> waves(network, std::span<const double>(wavesOf(network, motion.state)));
+    NetworkWaves<double> waves(network, wavesOf(network, motion.state));
     const NetworkLaw<double> held(network, 1);
     const NetworkLaw<double> open(network, 0);
     const std::size_t atTip = 2 * (network.rows.size() - 1);

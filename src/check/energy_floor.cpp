@@ -316,7 +316,7 @@ private:
         for (std::size_t k = 0; k < waves.size(); ++k) {
             waves[k] += row[k];
         }
-        waves_ = NetworkWaves<Number>(network_, waves);
+        waves_ = NetworkWaves<Number>(network_, std::move(waves));
         const double size = norm_.of(row);
         error_ += 2.0 * unitRoundoff * (size_ + size);
         size_ += size;

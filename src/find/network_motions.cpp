@@ -40,16 +40,21 @@ bool isDelicate(const Network& network)
     return false;
 }
 
-/// Without waves distances are gaps.
+/// Of what no waves can change: work of constant forces, and, without waves, distances, the gaps.
 template <typename Number>
-LeastNormOf<Number> atRest(const RowSystemOf<Number>& system)
+LeastNormOf<Number> atRest(const RowSystemOf<Number>& system,
+                           const std::vector<BlockCondition>& conditions)
 {
     LeastNormOf<Number> least;
     least.z.resize(0);
     least.multipliers = VectorOf<Number>::Zero(system.rhs.size());
     least.end = LeastNormEnd::found;
     for (Eigen::Index row = 0; row < system.rhs.size(); ++row) {
-        if (system.rhs[row] > 0 || (system.rhs[row] < 0 && row < system.equalities)) {
+        const bool isOfWaves =
+            system.rows.cols() > 0 &&
+            conditions[static_cast<std::size_t>(row)].kind != BlockCondition::Kind::work;
+        if (!isOfWaves &&
+            (system.rhs[row] > 0 || (system.rhs[row] < 0 && row < system.equalities))) {
             least.multipliers[row] = system.rhs[row] > 0 ? 1 : -1;
             least.end = LeastNormEnd::empty;
             break;
@@ -128,11 +133,11 @@ private:
             from = nearest(*kernel);
             system.rhs -= system.rows * from;
         }
-        const LeastNormOf<Number> least =
-            system.rows.cols() == 0
-                ? atRest(system)
-                : leastNorm(system, broken<Number>, std::sqrt(demands_.absent * hugeFactor),
-                            demands_.cancel);
+        LeastNormOf<Number> least = atRest(system, rows.conditions);
+        if (least.end == LeastNormEnd::found && system.rows.cols() > 0) {
+            least = leastNorm(system, broken<Number>, std::sqrt(demands_.absent * hugeFactor),
+                              demands_.cancel);
+        }
         result_.iterations += least.steps;
         if (least.end == LeastNormEnd::stopped) {
             result_.detail = isRequested(demands_.cancel)

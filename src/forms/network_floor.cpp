@@ -166,7 +166,7 @@ std::vector<double> displacementsAt(const NetworkBlocks& blocks, const NetworkRo
     // Where bars are when distances close, if those that drift start at 0.
     Eigen::VectorXd missing(static_cast<Eigen::Index>(rows.tied.size()));
     std::vector<double> now = places;
-    NetworkWaves<double> moving(network, waves);
+    NetworkWaves<double> moving(network, {waves.begin(), waves.end()});
     std::size_t step = 0;
     for (const ContactSpan& span : blocks.schedule()) {
         const NetworkLaw<double> law(network, span.closed);

@@ -113,7 +113,7 @@ private:
     }
     [[nodiscard]] NetworkWaves<double> wavesOf(const Eigen::VectorXd& x) const
     {
-        return {network_, std::span(x.data(), static_cast<std::size_t>(x.size()))};
+        return {network_, {x.begin(), x.end()}};
     }
     [[nodiscard]] static Eigen::VectorXd vectorOf(const NetworkWaves<double>& waves)
     {
@@ -125,7 +125,7 @@ private:
     {
         std::vector<double> all = waves.waves();
         addDistance(all, network_, m.contact, m.value);
-        waves = NetworkWaves<double>(network_, all);
+        waves = NetworkWaves<double>(network_, std::move(all));
     }
 
     Network network_;

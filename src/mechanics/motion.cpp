@@ -87,7 +87,7 @@ Motion::Motion(const State& state, const Schedule& schedule, std::span<const Seg
     Scene scene;
     scene.segments = bar.segments;
     const Network network = networkOf(scene, cells_, damping);
-    NetworkWaves<double> waves(network, std::span<const double>(wavesOf(network, state)));
+    NetworkWaves<double> waves(network, wavesOf(network, state));
     const NetworkLaw<double> held(network, 1);
     const NetworkLaw<double> open(network, 0);
     auto keep = [&, m = std::int64_t{0}]() mutable {

@@ -299,7 +299,7 @@ class NetworkWaves {
 public:
     /// Waves in the order of `Network::waves`. O(M). \throws std::invalid_argument if they are not
     /// as many.
-    NetworkWaves(const Network& network, std::span<const Number> waves);
+    NetworkWaves(const Network& network, std::vector<Number> waves);
 
     /// What arrives in the next step, by channel. O(channels).
     [[nodiscard]] std::span<const Number> arriving() const { return now_; }

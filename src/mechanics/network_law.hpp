@@ -2,6 +2,7 @@
 /// \file
 /// The law (N) for any kind of number; included by network.hpp.
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -173,10 +174,12 @@ DrivenDerivatives<Number> NetworkLaw<Number>::scatterBack(std::span<const Number
 }
 
 template <typename Number>
-NetworkWaves<Number>::NetworkWaves(const Network& network, std::span<const Number> waves)
-    : now_(network.channels(), Number(0)), scratch_(network.channels(), Number(0))
+NetworkWaves<Number>::NetworkWaves(const Network& network, std::vector<Number> waves)
+    : values_(std::move(waves)),
+      now_(network.channels(), Number(0)),
+      scratch_(network.channels(), Number(0))
 {
-    if (waves.size() != network.waves()) {
+    if (values_.size() != network.waves()) {
         throw std::invalid_argument("a state has as many waves as its network");
     }
     std::size_t next = 0;
@@ -184,20 +187,17 @@ NetworkWaves<Number>::NetworkWaves(const Network& network, std::span<const Numbe
         const auto size = static_cast<std::size_t>(row.cells);
         rings_.push_back({next, size, 0});
         // Place k is that of the k-th to arrive.
-        for (std::size_t k = 0; k < size; ++k) {
-            values_.push_back(waves[next + size - 1 - k]);
-        }
-        for (std::size_t k = 0; k < size; ++k) {
-            values_.push_back(waves[next + size + k]);
-        }
+        const auto first = values_.begin() + static_cast<std::ptrdiff_t>(next);
+        std::reverse(first, first + row.cells);
         const std::size_t channel = 2 * (rings_.size() - 1);
         now_[channel] = values_[next];
         now_[channel + 1] = values_[next + size];
         next += 2 * size;
     }
     for (std::size_t channel = 2 * rings_.size(); channel < now_.size(); ++channel) {
-        now_[channel] = waves[next++];
+        now_[channel] = values_[next + channel - 2 * rings_.size()];
     }
+    values_.resize(next);
 }
 
 template <typename Number>
