@@ -14,9 +14,9 @@ std::string_view name(PartKind kind)
 
 std::string_view name(ContactKind kind)
 {
-    constexpr std::array names{Named{ContactKind::stopRight, "right stop"},
-                               Named{ContactKind::stopLeft, "left stop"},
-                               Named{ContactKind::gap, "gap"}};
+    constexpr std::array<Named<ContactKind>, 3> names{{{ContactKind::stopRight, "right stop"},
+                                                       {ContactKind::stopLeft, "left stop"},
+                                                       {ContactKind::gap, "gap"}}};
     return nameIn(names, kind);
 }
 

@@ -56,11 +56,11 @@ private:
 [[nodiscard]] ExitStatus answerHarmonic(const FindCommand& call);
 
 /// Free motions of a schedule of a network, in SI.
-[[nodiscard]] ExitStatus findInScene(const FindCommand& call);
+[[nodiscard]] ExitStatus findInScene(const FindCommand& command);
 
 /// The same as answerForced of any bars: `driven` and `shaken` are words of the scene, its dashpots
 /// its damping.
-[[nodiscard]] ExitStatus findForcedInScene(const FindCommand& call);
+[[nodiscard]] ExitStatus findForcedInScene(const FindCommand& command);
 
 /// A schedule of the bars of a scene, and the files of the call.
 struct SceneFind {

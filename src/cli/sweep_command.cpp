@@ -185,7 +185,7 @@ ExitStatus SweepCommand::run() const
     return run(question(), nullptr);
 }
 
-void SweepCommand::write(const SweepAnswer& answer, const Network* network, Outputs& outputs) const
+void SweepCommand::write(const SweepAnswer& answer, const Network* network, Outputs& outputs)
 {
     const Bar& bar = answer.bar;
     outputs.put("--csv", writeSweepCsv, answer);

@@ -34,7 +34,7 @@ private:
     [[nodiscard]] answers::SweepAnswer question(const Network& network) const;
     /// Follows a bar, or what `network` is.
     [[nodiscard]] ExitStatus run(answers::SweepAnswer answer, const Network* network) const;
-    void write(const answers::SweepAnswer& answer, const Network* network, Outputs& outputs) const;
+    static void write(const answers::SweepAnswer& answer, const Network* network, Outputs& outputs);
     /// What a run that is resumed must have asked, on one line.
     [[nodiscard]] std::string questionOf(const answers::SweepAnswer& answer) const;
     /// In units of the bar.

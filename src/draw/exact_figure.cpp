@@ -104,7 +104,7 @@ private:
         below.add(ratio * hertz_, motion.extremes.impulse * impulseUnit_.factor);
     }
 
-    void push(Series above, Series below, std::string words)
+    void push(Series above, const Series& below, std::string words)
     {
         if (!above.x.empty()) {
             upper_.add(std::move(above));
@@ -134,7 +134,7 @@ private:
                 goesOn = isIn;
             }
         }
-        push(std::move(above), std::move(below),
+        push(std::move(above), below,
              fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact", words));
     }
 
@@ -150,7 +150,7 @@ private:
                 }
             }
         }
-        push(std::move(above), std::move(below), "several contacts: from rest");
+        push(std::move(above), below, "several contacts: from rest");
     }
 
     /// Folds, or where a contact comes or goes.
@@ -168,7 +168,7 @@ private:
                 }
             }
         }
-        push(std::move(above), std::move(below), areFolds ? "fold" : "a contact more or less");
+        push(std::move(above), below, areFolds ? "fold" : "a contact more or less");
     }
 
     const std::vector<ExactBranch>& branches_;

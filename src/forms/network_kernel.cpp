@@ -208,7 +208,7 @@ class KernelFinder {
     using Matrix = MatrixOf<Number>;
 
 public:
-    KernelFinder(const NetworkBlocks& blocks, double zero, std::vector<StepDrive> shapes)
+    KernelFinder(const NetworkBlocks& blocks, double zero, const std::vector<StepDrive>& shapes)
         : blocks_(blocks),
           zero_(zero),
           laws_(blocks.network()),
@@ -216,7 +216,7 @@ public:
           isDamped_(std::any_of(blocks.network().nodes.begin(), blocks.network().nodes.end(),
                                 [](const NetworkNode& node) { return node.dashpot > 0.0; }))
     {
-        kernel_.shapes = std::move(shapes);
+        kernel_.shapes = shapes;
         kernel_.hasForces = !(withoutForces(blocks.network()) == blocks.network());
     }
 
@@ -252,7 +252,7 @@ private:
         }
         const bool isWhole = factors && isRegular(*factors, clearPivot);
         const Matrix basis = isWhole ? Matrix(size, 0) : basisOf(type, rest, start);
-        const std::int64_t channels = static_cast<std::int64_t>(blocks_.network().channels());
+        const auto channels = static_cast<std::int64_t>(blocks_.network().channels());
         kept_ += (channels * blocks_.turns() + size) * (basis.cols() + inputs);
         if (kept_ > mostValues) {
             return false;
@@ -331,12 +331,12 @@ Eigen::Index NetworkKernel<Number>::coordinates() const
 
 template <typename Number>
 std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks& blocks, double zero,
-                                              std::vector<StepDrive> shapes)
+                                              const std::vector<StepDrive>& shapes)
 {
     if (blocks.stateSize() > (isFine<Number> ? mostFineState : mostKernelState)) {
         return std::nullopt;
     }
-    return KernelFinder<Number>(blocks, zero, std::move(shapes)).run();
+    return KernelFinder<Number>(blocks, zero, shapes).run();
 }
 
 template <typename Number>
@@ -372,14 +372,15 @@ std::vector<double> wavesAt(const NetworkBlocks& blocks, const NetworkKernel<Num
     return all;
 }
 
-#define SIGNORINI_KERNEL_OF(Number)                                                          \
-    template struct NetworkKernel<Number>;                                                   \
-    template std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks&, double,     \
-                                                           std::vector<StepDrive>);          \
-    template std::vector<double> wavesAt(const NetworkBlocks&, const NetworkKernel<Number>&, \
-                                         const VectorOf<Number>&, const VectorOf<Number>&);
-SIGNORINI_KERNEL_OF(double)
-SIGNORINI_KERNEL_OF(FineNumber)
-#undef SIGNORINI_KERNEL_OF
+template struct NetworkKernel<double>;
+template std::optional<NetworkKernel<double>> kernelOf(const NetworkBlocks&, double,
+                                                       const std::vector<StepDrive>&);
+template std::vector<double> wavesAt(const NetworkBlocks&, const NetworkKernel<double>&,
+                                     const VectorOf<double>&, const VectorOf<double>&);
+template struct NetworkKernel<FineNumber>;
+template std::optional<NetworkKernel<FineNumber>> kernelOf(const NetworkBlocks&, double,
+                                                           const std::vector<StepDrive>&);
+template std::vector<double> wavesAt(const NetworkBlocks&, const NetworkKernel<FineNumber>&,
+                                     const VectorOf<FineNumber>&, const VectorOf<FineNumber>&);
 
 }  // namespace signorini

@@ -56,9 +56,8 @@ struct NetworkKernel {
 /// blocks of their own. Empty if the state is too large, or the waves do not fit in 320 MB.
 /// O(turns channels state + state^3) for each type.
 template <typename Number>
-[[nodiscard]] std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks& blocks,
-                                                            double zero = noPivot,
-                                                            std::vector<StepDrive> shapes = {});
+[[nodiscard]] std::optional<NetworkKernel<Number>> kernelOf(
+    const NetworkBlocks& blocks, double zero = noPivot, const std::vector<StepDrive>& shapes = {});
 
 /// The waves at the start of the schedule, for some inputs. O(M (coordinates + inputs)).
 template <typename Number>

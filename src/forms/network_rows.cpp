@@ -107,7 +107,7 @@ private:
         Vector u = nothing();
         for (const auto& [row, sign] : form.rows) {
             for (std::size_t type = 0; type < kernel_.waves.size(); ++type) {
-                const Number width = static_cast<double>(-sign * blocks_.types()[type].width);
+                const auto width = static_cast<double>(-sign * blocks_.types()[type].width);
                 for (std::int64_t k = 0; k < blocks_.delay(2 * row); ++k) {
                     addWaves(u, {{{2 * row, Number(1)}}}, type, k % blocks_.turns(), width);
                 }
@@ -160,7 +160,7 @@ private:
                                     -asNumber<Number>(contact.gap),
                                     {Kind::place, number, type, turn}});
                 }
-                const Number width = static_cast<double>(blocks_.types()[type].width);
+                const auto width = static_cast<double>(blocks_.types()[type].width);
                 if (is) {
                     Vector push = nothing();
                     add(push, law.push(number), contact.node, type, turn, Number(1));
@@ -275,7 +275,7 @@ private:
             const std::size_t node = network_.bars[bars_[k]].firstNode;
             Vector way = nothing();
             for (std::size_t type = 0; type < blocks_.types().size(); ++type) {
-                const Number width = static_cast<double>(blocks_.types()[type].width);
+                const auto width = static_cast<double>(blocks_.types()[type].width);
                 for (std::int64_t turn = 0; turn < blocks_.turns(); ++turn) {
                     add(way, lawOf(blocks_.closed(type, turn)).velocity(node), node, type, turn,
                         width);

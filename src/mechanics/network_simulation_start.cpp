@@ -23,7 +23,8 @@ void requirePieces(Faults& faults, const Network& network, const NetworkStart& s
         const auto delay = static_cast<double>(lengthOf(network, k));
         double total = 0.0;
         for (const Piece& piece : start.pieces[k]) {
-            total += piece.duration > 0.0 && std::isfinite(piece.value) ? piece.duration : infinity;
+            const bool isPiece = piece.duration > 0.0 && std::isfinite(piece.value);
+            total = isPiece ? total + piece.duration : infinity;
         }
         if (!(std::abs(total - delay) <= 1e-9 * delay)) {
             faults.add(fmt::format("wave {} of the start", k + 1), total,

@@ -148,7 +148,7 @@ private:
     {
         Leaving first;
         for (std::size_t k = 0; k < active_.size(); ++k) {
-            const Number rate = r[static_cast<Eigen::Index>(k)];
+            const Number& rate = r[static_cast<Eigen::Index>(k)];
             if (active_[k] >= system_.equalities && rate > 0.0 &&
                 u_[active_[k]] / rate < first.step) {
                 first = {k, std::max(Number(0), u_[active_[k]]) / rate};
