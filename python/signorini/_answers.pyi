@@ -467,6 +467,7 @@ class HarmonicResult(_Record):
     exact_period: tuple[int, int]
     frequency_ratio: float
     motions: list[HarmonicMotion]
+    complete_from: Optional[float]
     bar: Bar
     stops: list[dict[str, Any]]
     segments: list[Segment]

@@ -25,6 +25,11 @@ HarmonicAnswer answerOf(const ExactPeriod& period, const Damping& damping, Excit
         for (HarmonicMotion& motion : harmonicContacts(given)) {
             add(given, std::move(motion));
         }
+        std::vector<ProvedHarmonic> known;
+        for (const HarmonicMotionOf& motion : answer.motions) {
+            known.push_back({&motion.value, motion.proof.aloneWithin});
+        }
+        answer.all = complete(given, known, cancel);
         return answer;
     }
     SettlingSearch search;
@@ -56,9 +61,14 @@ HarmonicCase HarmonicAnswer::given() const
     return harmonicCase(damping, excitation(), stopsOf(scene));
 }
 
+std::optional<double> HarmonicAnswer::completeFrom() const
+{
+    return all.flight ? std::optional(*all.flight * scales(bar).time) : std::nullopt;
+}
+
 std::optional<std::string> HarmonicAnswer::detail() const
 {
-    if (!motions.empty()) {
+    if (status() != Status::undecided) {
         return std::nullopt;
     }
     if (contacts > 1) {
@@ -68,11 +78,11 @@ std::optional<std::string> HarmonicAnswer::detail() const
                                  settledCycles == 1 ? "" : "s")
                    : "a bar at rest settles on no motion that touches a stop";
     }
-    const double cell = static_cast<double>(period.numerator % 2 == 0 ? 2 : 1) /
-                        static_cast<double>(period.denominator);
-    return fmt::format(
-        "no motion with one contact in a period flies for {:.6g} s or more: computed, not proved",
-        cell * scales(bar).time);
+    const double flight = all.flight.value_or(given().step) * scales(bar).time;
+    return fmt::format("no motion with one contact in a period flies for {:.6g} s or more: {}",
+                       flight,
+                       all.flight ? "proved with enclosed numbers, but there may be shorter flights"
+                                  : fmt::format("computed, not proved ({})", all.why));
 }
 
 }  // namespace signorini::answers

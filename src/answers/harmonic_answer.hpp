@@ -2,7 +2,7 @@
 /// \file
 /// What is said of a period whose excitation is an exact harmonic.
 
-#include "harmonic_proof.hpp"
+#include "harmonic_complete.hpp"
 #include "parts.hpp"
 
 namespace signorini::answers {
@@ -46,16 +46,22 @@ struct HarmonicAnswer {
     std::int64_t settledContacts = 0;       ///< of what a bar at rest settled on, if it was asked
     std::int64_t settledCycles = 0;         ///< the period of that
 
-    /// Found, or undecided: that there is none was computed, not proved.
+    HarmonicCompleteness all = {};  ///< of motions with one contact
+
+    /// Found, or none if that is proved.
     [[nodiscard]] Status status() const
     {
-        return motions.empty() ? Status::undecided : Status::found;
+        return !motions.empty()    ? Status::found
+               : all.flight == 0.0 ? Status::none
+                                   : Status::undecided;
     }
     /// omega/omega_1 of the excitation.
     [[nodiscard]] double frequencyRatio() const
     {
         return 4.0 * static_cast<double>(cycles) / period.value();
     }
+    /// [s], of `all`.
+    [[nodiscard]] std::optional<double> completeFrom() const;
     [[nodiscard]] std::optional<std::string> detail() const;
     /// What its motions are of.
     [[nodiscard]] HarmonicCase given() const;
@@ -125,7 +131,7 @@ void describe(D& d, Type<HarmonicAnswer>)
         "HarmonicResult",
         "All motions with one contact in a period, under an exact harmonic; of several contacts "
         "that on which a bar at rest settles.");
-    d.key("status", "-", R"("found", or "undecided".)", &T::status);
+    d.key("status", "-", R"("found", "none", or "undecided".)", &T::status);
     d.key("contacts", "- >= 1", "In a period.", &T::contacts);
     d.key("damping", "-", "A dashpot.", [](const T& a) { return Of<Damping>{a.damping, a.bar}; });
     d.key("force", "-", "What is excited.", &T::place);
@@ -137,6 +143,11 @@ void describe(D& d, Type<HarmonicAnswer>)
     d.key("exact_period", "L/c", "c T/L as a fraction.", &T::period);
     d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.", &T::frequencyRatio);
     d.key("motions", "-", "By ascending impulse.", &T::motions);
+    d.key(
+        "complete_from", "s >= 0",
+        "Enclosed numbers prove that no motion with one contact is left out that flies as long or "
+        "longer; 0: none at all. Nothing where they do not, or of several contacts.",
+        &T::completeFrom);
     describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
     d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
 }

@@ -60,12 +60,20 @@ public:
         if (!sortPlaces(boxRadii[0]) || !setHeld() || !setWaves()) {
             return {.why = why_};
         }
+        HarmonicProof proof;
         for (const double radius : boxRadii) {
-            if (const auto root = sortPlaces(radius) ? krawczyk(radius) : std::nullopt) {
-                setBox(*root);
-                return areSigns() ? HarmonicProof{true, *root, radius, {}}
-                                  : HarmonicProof{.why = why_};
+            const auto root = sortPlaces(radius) ? krawczyk(radius) : std::nullopt;
+            if (root) {
+                proof.aloneWithin = radius;
+                proof.within = proof.isProved ? std::min(proof.within, *root) : *root;
+                proof.isProved = true;
+            } else if (proof.isProved) {
+                break;
             }
+        }
+        if (proof.isProved && sortPlaces(proof.within)) {
+            setBox(proof.within);
+            return areSigns() ? proof : HarmonicProof{.why = why_};
         }
         return {.why = "the equations are not seen to have one root in the box"};
     }

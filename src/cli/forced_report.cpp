@@ -127,6 +127,11 @@ std::string asText(const answers::HarmonicAnswer& answer)
                       : " (tried: disturbed a little, 150 periods)");
         }
     }
+    if (const auto flight = answer.completeFrom(); flight && answer.status() != Status::undecided) {
+        print(text, "all         enclosed numbers: no {}motion with one contact in a period{}\n",
+              answer.motions.empty() ? "" : "other ",
+              *flight > 0.0 ? fmt::format(" that flies for {:.6g} s or more", *flight) : "");
+    }
     if (const auto detail = answer.detail()) {
         print(text, "why         {}\n", *detail);
     }

@@ -8,6 +8,7 @@
 
 #include "catch.hpp"
 #include "forced_line.hpp"
+#include "harmonic_complete.hpp"
 #include "harmonic_growth.hpp"
 #include "signorini/simulation.hpp"
 
@@ -359,6 +360,46 @@ TEST_CASE("harmonic contact: what touches the second stop is the mirror of what 
         count += here.size();
     }
     CHECK(count > 3);
+}
+
+TEST_CASE("harmonic contact: lists are proved complete, and those that lack one are not")
+{
+    std::mt19937 random(7);
+    const auto draw = [&](double least, double most) {
+        return std::uniform_real_distribution<>(least, most)(random);
+    };
+    int lists = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Excited place = i % 2 == 0 ? Excited::tip : Excited::base;
+        const auto steps = static_cast<std::int64_t>(draw(84.0, 140.0));
+        const Harmonic question = harmonicOf(30, steps, std::pow(10.0, draw(-1.0, 0.3)), place);
+        Stops stops;
+        stops.right = i % 10 == 9 ? -1 : 1;
+        const HarmonicCase given =
+            harmonicCase({.ratio = std::pow(10.0, draw(-2.5, -0.7))}, question, stops);
+        const std::vector<HarmonicMotion> motions = harmonicContacts(given);
+        std::vector<ProvedHarmonic> known;
+        for (const HarmonicMotion& motion : motions) {
+            const HarmonicProof proof = enclosed(given, motion);
+            CHECK(proof.within < proof.aloneWithin);
+            known.push_back({&motion, proof.aloneWithin});
+        }
+        const HarmonicCompleteness all = complete(given, known);
+        INFO(i << ": n = " << steps << ", " << all.why);
+        REQUIRE(all.flight);
+        CHECK((*all.flight == 0.0 || *all.flight == given.step));
+        CHECK((stops.right == 1 || *all.flight > 0.0));
+        lists += motions.empty() ? 0 : 1;
+        for (std::size_t k = 0; k < known.size(); ++k) {
+            std::vector<ProvedHarmonic> fewer = known;
+            fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(k));
+            CHECK_FALSE(complete(given, fewer).flight);
+            fewer = known;
+            fewer[k].aloneWithin = 1e-13;  // less than is rounded
+            CHECK_FALSE(complete(given, fewer).flight);
+        }
+    }
+    CHECK(lists > 15);
 }
 
 TEST_CASE("harmonic contact: a call that makes no sense is refused")
