@@ -19,6 +19,7 @@ ORDER = [
     "prestress_and_two_stops",
     "stepped_bar",
     "string_over_obstacle",
+    "bouncing_bar",
     "atlas_with_sql",
     "back_ends",
     "animation",

@@ -33,7 +33,8 @@ _OPTIONS = {"start": "from"}
 
 #: What annotations mean.
 _KINDS = {"Steps": "int, pairs of int, or Schedule", "Segments": "list of Segment",
-          "Number": "float, str or Fraction", "os.PathLike[str]": "path",
+          "Number": "float, str or Fraction",
+          "Quantity": "float or str", "os.PathLike[str]": "path",
           "Moving": "Motion, HarmonicResult, or what has a motion",
           "Progress": "callable of (done, total), bool or tqdm bar, optional"}
 

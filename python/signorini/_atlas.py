@@ -10,7 +10,7 @@ from ._asking import asks
 from ._core import AtlasFamily, AtlasRun, AtlasSchedule, Bar
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Number, bar_of, fraction_of
+from ._words import Number, Quantity, bar_of, fraction_of
 from ._words import path as path_of
 
 
@@ -34,7 +34,7 @@ class Atlas:
     """
 
     def __init__(self, database: str | os.PathLike[str], *,
-                 bar: Bar | None = None, **bar_options: float | None) -> None:
+                 bar: Bar | None = None, **bar_options: Quantity | None) -> None:
         self.database = path_of("database", database)
         self.bar = bar_of(bar, bar_options)
         self._file = _core.AtlasFile(self.database, self.bar)
@@ -47,7 +47,7 @@ class Atlas:
               all: bool = False, families_only: bool = False,
               resume: bool = False, threads: int = 1,
               bar: Bar | None = None, progress: Progress = None,
-              **bar_options: float | None) -> Atlas:
+              **bar_options: Quantity | None) -> Atlas:
         """Decide every schedule of a range, store the results, open the file.
 
         An interrupted run loses only the batches in progress; the same

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 from ._answers import *
 
 Array = NDArray[np.float64]
+Quantity = Union[float, str]
 Listener = Optional[Callable[[float, float], object]]
 Steps = Union[int, tuple[int, int], tuple[int, int, str], Schedule]
 
@@ -25,12 +26,12 @@ class _Record:
     def _repr_html_(self) -> str: ...
 
 class Bar(_Record):
-    def __init__(self, *, length: float = ...,
-                 wave_speed: Optional[float] = ...,
-                 axial_stiffness: Optional[float] = ..., gap: float = ...,
-                 young: Optional[float] = ...,
-                 density: Optional[float] = ...,
-                 area: Optional[float] = ...) -> None: ...
+    def __init__(self, *, length: Quantity = ...,
+                 wave_speed: Optional[Quantity] = ...,
+                 axial_stiffness: Optional[Quantity] = ..., gap: Quantity = ...,
+                 young: Optional[Quantity] = ...,
+                 density: Optional[Quantity] = ...,
+                 area: Optional[Quantity] = ...) -> None: ...
     def __hash__(self) -> int: ...
     length: float
     wave_speed: float
@@ -61,11 +62,11 @@ class Scene(_Record):
     static_force: float
     second_stop: Optional[float]
     def _figure(self) -> str: ...
-    def __init__(self, bar: Bar = ..., second_stop: Optional[float] = ...,
+    def __init__(self, bar: Bar = ..., second_stop: Optional[Quantity] = ...,
                  segments: Sequence[Segment] = ...) -> None: ...
     @staticmethod
-    def of_pieces(pieces: Sequence[tuple[float, float, float, float]], *,
-                  gap: float = ..., second_stop: Optional[float] = ...,
+    def of_pieces(pieces: Sequence[tuple[Quantity, Quantity, Quantity, Quantity]], *,
+                  gap: Quantity = ..., second_stop: Optional[Quantity] = ...,
                   cells: int = ...) -> tuple[Scene, float]: ...
 
 class Schedule:
@@ -175,6 +176,7 @@ class Motion(_Fields):
 Asked = dict[str, Any]
 
 def options(question: str, /) -> dict[str, str]: ...
+def quantity(name: str, text: str, unit: str, /) -> float: ...
 def find(asked: Asked, /) -> Result: ...
 def question(asked: Asked, sets: Sequence[Result], /) -> dict[str, Any]: ...
 def schedules_of_period(cells: int, steps: int, scene: Scene, /

@@ -10,7 +10,7 @@ from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, State)
 from ._progress import Progress
 from ._question import Question, ask, period_of
-from ._words import Number, Segments, Steps, whole
+from ._words import Number, Quantity, Segments, Steps, whole
 
 
 if TYPE_CHECKING:
@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     class _Parameters(TypedDict, total=False):
         """Of a bar."""
 
-        length: float | None
-        wave_speed: float | None
-        axial_stiffness: float | None
-        gap: float | None
-        young: float | None
-        density: float | None
-        area: float | None
+        length: Quantity | None
+        wave_speed: Quantity | None
+        axial_stiffness: Quantity | None
+        gap: Quantity | None
+        young: Quantity | None
+        density: Quantity | None
+        area: Quantity | None
 
     class _Options(_Parameters, total=False):
         """What any motion can be asked with."""
@@ -33,8 +33,8 @@ if TYPE_CHECKING:
         cells: int | None
         bar: Bar | None
         scene: Scene | None
-        second_stop: float | None
-        strain_limit: float | None
+        second_stop: Quantity | None
+        strain_limit: Quantity | None
 
     class _Demands(_Options, total=False):
         """What can be asked of a motion that nothing drives."""
@@ -44,11 +44,11 @@ if TYPE_CHECKING:
         formulation: str
         objective: str
         target: State | str | None
-        energy: float | None
+        energy: Quantity | None
         energy_ratio: float | None
-        tip_floor: float | None
-        tolerance: float
-        time_limit: float | None
+        tip_floor: Quantity | None
+        tolerance: Quantity
+        time_limit: Quantity | None
 
 
 @overload
@@ -58,26 +58,26 @@ def find(first: Steps, /, *schedule: Steps,
 
 @overload
 def find(*, period: Number | None = None, frequency: Number | None = None,
-         hertz: float | None = None,
+         hertz: Quantity | None = None,
          **demands: Unpack[_Demands]) -> Question: ...
 
 
 @overload
-def find(first: Steps, /, *schedule: Steps, damping: float, force: str,
+def find(first: Steps, /, *schedule: Steps, damping: Quantity, force: str,
          segments: Segments | None = None,
-         amplitude: float | None = None,
-         amplitude_velocity: float | None = None,
-         amplitude_acceleration: float | None = None, cycles: int = 1,
+         amplitude: Quantity | None = None,
+         amplitude_velocity: Quantity | None = None,
+         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
          **options: Unpack[_Options]) -> ForcedResult: ...
 
 
 @overload
-def find(*, damping: float, force: str,
+def find(*, damping: Quantity, force: str,
          period: Number | None = None, frequency: Number | None = None,
-         hertz: float | None = None,
-         amplitude: float | None = None,
-         amplitude_velocity: float | None = None,
-         amplitude_acceleration: float | None = None, cycles: int = 1,
+         hertz: Quantity | None = None,
+         amplitude: Quantity | None = None,
+         amplitude_velocity: Quantity | None = None,
+         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
          contacts: int = 1,
          **options: Unpack[_Options]) -> HarmonicResult: ...
 
@@ -85,21 +85,21 @@ def find(*, damping: float, force: str,
 @asks("find")
 def find(
          *schedule: Steps, cells: int | None = None, bar: Bar | None = None,
-         scene: Scene | None = None, second_stop: float | None = None,
+         scene: Scene | None = None, second_stop: Quantity | None = None,
          segments: Segments | None = None,
          solver: str = "auto", formulation: str = "auto",
          objective: str = "auto", target: State | str | None = None,
-         energy: float | None = None, energy_ratio: float | None = None,
-         strain_limit: float | None = None, tip_floor: float | None = None,
-         tolerance: float = 1e-7, time_limit: float | None = None,
+         energy: Quantity | None = None, energy_ratio: float | None = None,
+         strain_limit: Quantity | None = None, tip_floor: Quantity | None = None,
+         tolerance: Quantity = 1e-7, time_limit: Quantity | None = None,
          period: Number | None = None, frequency: Number | None = None,
-         hertz: float | None = None,
-         damping: float | None = None, force: str | None = None,
-         amplitude: float | None = None,
-         amplitude_velocity: float | None = None,
-         amplitude_acceleration: float | None = None, cycles: int = 1,
+         hertz: Quantity | None = None,
+         damping: Quantity | None = None, force: str | None = None,
+         amplitude: Quantity | None = None,
+         amplitude_velocity: Quantity | None = None,
+         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
          contacts: int = 1,
-         **bar_options: float | None
+         **bar_options: Quantity | None
          ) -> Result | Question | ForcedResult | HarmonicResult:
     """Decide a schedule: a verified motion, or the proof that there is none.
 
@@ -161,15 +161,15 @@ def find(
 
 @asks("continuum")
 def continuum(*schedule: Steps, energy_ratio: float | None = None,
-              energy: float | None = None, cells: int | None = None,
+              energy: Quantity | None = None, cells: int | None = None,
               bar: Bar | None = None, scene: Scene | None = None,
-              second_stop: float | None = None, points: int = 201,
+              second_stop: Quantity | None = None, points: int = 201,
               start: State | str | None = None, to: State | str | None = None,
               direction: State | str | None = None, seed: int | None = None,
               sample: bool = False, engine: str = "auto",
-              strain_limit: float | None = None, resolution: float = 0.05,
-              tolerance: float = 1e-7, progress: Progress = None,
-              **bar_options: float | None) -> Continuum:
+              strain_limit: Quantity | None = None, resolution: Quantity = 0.05,
+              tolerance: Quantity = 1e-7, progress: Progress = None,
+              **bar_options: Quantity | None) -> Continuum:
     """Trace a curve k(lambda) of motions of one schedule and one energy.
 
     Parameters

@@ -12,7 +12,7 @@ from ._core import (Bar, Damping, ForcedFrequency, ForcedMotion, ForceRange, Sce
                     Simulation, State, Sweep, Waves)
 from ._progress import Progress
 from ._tables import Table, flat, frame_of, keys_of
-from ._words import Segments
+from ._words import Quantity, Segments
 
 
 class Response(Table[ForcedFrequency]):
@@ -58,15 +58,15 @@ class Response(Table[ForcedFrequency]):
 
 
 @asks("response")
-def response(*, damping: float, force: str, amplitude: float | None = None,
-             amplitude_velocity: float | None = None,
-             amplitude_acceleration: float | None = None,
-             start: float = 0.5, to: float = 2.0, cycles: int = 1,
+def response(*, damping: Quantity, force: str, amplitude: Quantity | None = None,
+             amplitude_velocity: Quantity | None = None,
+             amplitude_acceleration: Quantity | None = None,
+             start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
              cells: int | None = None, stability: bool = False,
              threads: int = 1, bar: Bar | None = None,
-             scene: Scene | None = None, second_stop: float | None = None,
+             scene: Scene | None = None, second_stop: Quantity | None = None,
              segments: Segments | None = None, progress: Progress = None,
-             **bar_options: float | None) -> Response:
+             **bar_options: Quantity | None) -> Response:
     """List every forced motion with one contact, for all periods of a range.
 
     Parameters
@@ -89,17 +89,17 @@ def response(*, damping: float, force: str, amplitude: float | None = None,
 
 @asks("simulation")
 def simulate(start: State | Waves | str | None = None, *,
-             damping: float = 0.0, force: str | None = None,
-             amplitude: float | None = None,
-             amplitude_velocity: float | None = None,
-             amplitude_acceleration: float | None = None,
-             frequency: float | None = None, phase: float = 0.0,
-             time: float | None = None,
-             periods: int | None = None, resolve: float | None = None,
+             damping: Quantity = 0.0, force: str | None = None,
+             amplitude: Quantity | None = None,
+             amplitude_velocity: Quantity | None = None,
+             amplitude_acceleration: Quantity | None = None,
+             frequency: Quantity | None = None, phase: Quantity = 0.0,
+             time: Quantity | None = None,
+             periods: int | None = None, resolve: Quantity | None = None,
              cells: int | None = None, tip: bool = True, bar: Bar | None = None,
-             scene: Scene | None = None, second_stop: float | None = None,
+             scene: Scene | None = None, second_stop: Quantity | None = None,
              progress: Progress = None,
-             **bar_options: float | None) -> Simulation:
+             **bar_options: Quantity | None) -> Simulation:
     """Simulate the bar exactly, event by event.
 
     Parameters
@@ -124,19 +124,19 @@ def simulate(start: State | Waves | str | None = None, *,
 
 
 @asks("sweep")
-def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
-          force: str, damping: float = 0.0, amplitude: float | None = None,
-          amplitude_velocity: float | None = None,
-          amplitude_acceleration: float | None = None,
-          frequency: float = 1.0, points: int = 101,
+def sweep(over: str = "frequency", start: Quantity = 0.5, to: Quantity = 2.0, *,
+          force: str, damping: Quantity = 0.0, amplitude: Quantity | None = None,
+          amplitude_velocity: Quantity | None = None,
+          amplitude_acceleration: Quantity | None = None,
+          frequency: Quantity = 1.0, points: int = 101,
           direction: str = "both", periods: int = 1000, rest: bool = False,
-          resolve: float | None = None, cells: int | None = None,
+          resolve: Quantity | None = None, cells: int | None = None,
           threads: int = 1, bar: Bar | None = None,
-          scene: Scene | str | None = None, gravity: float = 0.0,
-          second_stop: float | None = None, segments: Segments | None = None,
+          scene: Scene | str | None = None, gravity: Quantity = 0.0,
+          second_stop: Quantity | None = None, segments: Segments | None = None,
           file: str | os.PathLike[str] | None = None,
           progress: Progress = None,
-          **bar_options: float | None) -> Sweep:
+          **bar_options: Quantity | None) -> Sweep:
     """Follow what a driven bar settles on while one number is varied.
 
     Parameters
@@ -168,9 +168,9 @@ def sweep(over: str = "frequency", start: float = 0.5, to: float = 2.0, *,
 
 
 @asks("simulation")
-def force_range(scene: str, low: float, high: float, *, time: float,
-                gravity: float = 0.0, bar: Bar | None = None,
-                **bar_options: float | None) -> ForceRange:
+def force_range(scene: str, low: Quantity, high: Quantity, *, time: Quantity,
+                gravity: Quantity = 0.0, bar: Bar | None = None,
+                **bar_options: Quantity | None) -> ForceRange:
     """Return what any force between two bounds can do to bars at rest.
 
     Until a contact first closes, proved for all forces at once, and reached

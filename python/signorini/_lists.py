@@ -9,7 +9,7 @@ from ._asking import asks
 from ._core import Bar, Family, Mode, ModeMotion, ModePolytope
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Number, Steps, bar_of, fraction_of, whole
+from ._words import Number, Quantity, Steps, bar_of, fraction_of, whole
 
 #: Orders and periods that a few seconds list, by number of contacts.
 _USUAL = {1: (25, 8.0), 2: (25, 8.0), 3: (9, 12.0), 4: (5, 16.0)}
@@ -18,7 +18,7 @@ _USUAL = {1: (25, 8.0), 2: (25, 8.0), 3: (9, 12.0), 4: (5, 16.0)}
 @asks("families")
 def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
              bar: Bar | None = None, progress: Progress = None,
-             **bar_options: float | None) -> Table[Family]:
+             **bar_options: Quantity | None) -> Table[Family]:
     """List all families: every orbit with one contact in a period, once.
 
     Returns
@@ -40,21 +40,21 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
 def modes(*, phases: Literal[1] = 1, max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
           bar: Bar | None = None, progress: Progress = None,
-          **bar_options: float | None) -> Table[Mode]: ...
+          **bar_options: Quantity | None) -> Table[Mode]: ...
 
 
 @overload
 def modes(*, phases: Literal[2, 3, 4, 5], max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
           bar: Bar | None = None, progress: Progress = None,
-          **bar_options: float | None) -> Table[ModePolytope]: ...
+          **bar_options: Quantity | None) -> Table[ModePolytope]: ...
 
 
 @asks("modes")
 def modes(*, phases: int = 1, max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
           bar: Bar | None = None, progress: Progress = None,
-          **bar_options: float | None) -> Table[Mode] | Table[ModePolytope]:
+          **bar_options: Quantity | None) -> Table[Mode] | Table[ModePolytope]:
     """List the continuous families: motions of every period, exact.
 
     With one contact a mode has one motion of each period; with more they fill
@@ -80,7 +80,7 @@ def modes(*, phases: int = 1, max_order: int | None = None,
 
 @asks("mode")
 def mode(a4: int, b: int, period: Number | None = None, *,
-         bar: Bar | None = None, **bar_options: float | None) -> ModeMotion:
+         bar: Bar | None = None, **bar_options: Quantity | None) -> ModeMotion:
     """Return the motion of one mode at any period.
 
     Parameters
@@ -110,7 +110,7 @@ def mode(a4: int, b: int, period: Number | None = None, *,
 
 @asks("schedule")
 def polytope(*schedule: Steps, cells: int | None = None,
-             bar: Bar | None = None, **bar_options: float | None
+             bar: Bar | None = None, **bar_options: Quantity | None
              ) -> ModePolytope | None:
     """Return the polytope that holds the one motion of a schedule.
 

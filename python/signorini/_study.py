@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Union
 
 from . import _core
@@ -12,15 +12,16 @@ from ._asking import asks
 from ._core import Scene, StudyPoint
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import bar_of, path
+from ._words import Quantity, bar_of, number, path
 
 #: One number, or several.
-Numbers = Union[float, Sequence[float]]
+Numbers = Union[Quantity, Sequence[Quantity]]
 
 
-def _listed(name: str, values: Numbers) -> list[float]:
-    listed = [float(value) for value in (
-        values if isinstance(values, Sequence) else [values])]
+def _listed(name: str, values: Numbers, unit: str = "") -> list[float]:
+    listed = [number(name, value, unit) for value in (
+        values if isinstance(values, Iterable) and not isinstance(values, str)
+        else [values])]
     if not listed:
         raise ValueError(f"{name} = [] is out of range: allowed one or more")
     return listed
@@ -28,17 +29,17 @@ def _listed(name: str, values: Numbers) -> list[float]:
 
 @asks("sweep")
 def study(*, gap: Numbers, damping: Numbers, amplitude: Numbers, force: str,
-          start: float = 0.5, to: float = 2.0, points: int = 51,
+          start: Quantity = 0.5, to: Quantity = 2.0, points: int = 51,
           periods: int = 1000, cells: int = 100, threads: int = 1,
-          second_stop: float | None = None,
+          second_stop: Quantity | None = None,
           file: str | os.PathLike[str] | None = None,
-          progress: Progress = None, **bar_options: float | None
+          progress: Progress = None, **bar_options: Quantity | None
           ) -> Table[StudyPoint]:
     """Sweep the frequency for every gap, damping and amplitude.
 
     Parameters
     ----------
-    gap, damping, amplitude : float or sequence of float
+    gap, damping, amplitude : float or str, or a sequence of them
         Gaps [m], damping ratios, amplitudes of the force [N] or base [m].
     threads : int
         Sweeps at a time.
@@ -60,7 +61,7 @@ def study(*, gap: Numbers, damping: Numbers, amplitude: Numbers, force: str,
                   sorted(bar_options.items())))
     places = list(itertools.product(
         _listed("gap", gap), _listed("damping", damping),
-        _listed("amplitude", amplitude)))
+        _listed("amplitude", amplitude, "m" if force == "base" else "N")))
     scenes = {at: Scene(bar_of(None, {**bar_options, "gap": at}), second_stop)
               for at in dict.fromkeys(place[0] for place in places)}
     points_of = _core.study({

@@ -10,6 +10,7 @@ from fractions import Fraction
 from numbers import Integral
 from typing import Any, Union
 
+from . import _core
 from ._core import Bar, Scene, Schedule, Segment, State
 
 #: Steps n_c and n_f, pairs of them, or a whole Schedule.
@@ -21,11 +22,14 @@ Segments = Sequence[Union[Segment, "tuple[float, ...]"]]
 #: A number that may be exact: 3.5, "7/2", Fraction(7, 2).
 Number = Union[int, float, str, Fraction]
 
+#: A number in the unit of its argument, or text with its own: 1e-4, "0.1mm".
+Quantity = Union[float, str]
+
 _usual = Bar()
 _usual_scene = Scene(_usual)
 
 
-def given_of(options: Mapping[str, float | None]) -> dict[str, float]:
+def given_of(options: Mapping[str, Quantity | None]) -> dict[str, Quantity]:
     """Those that say something: None is what it is without."""
     return {name: value for name, value in options.items()
             if value is not None}
@@ -39,8 +43,10 @@ def whole(name: str, value: Any) -> int:
         raise TypeError(f"{name} = {reprlib.repr(value)}: allowed int") from None
 
 
-def number(name: str, value: Any) -> float:
-    """A number, likewise."""
+def number(name: str, value: Any, unit: str = "") -> float:
+    """A number, in the unit of the program's option unless one is given, likewise."""
+    if isinstance(value, str):
+        return _core.quantity(name, value, unit)
     try:
         return float(value)
     except (TypeError, ValueError, OverflowError):
@@ -55,7 +61,7 @@ def path(name: str, value: Any) -> str:
         raise TypeError(f"{name} = {reprlib.repr(value)}: allowed a path") from None
 
 
-def bar_of(bar: Bar | None, options: Mapping[str, float | None]) -> Bar:
+def bar_of(bar: Bar | None, options: Mapping[str, Quantity | None]) -> Bar:
     """A bar, or the one that the options of a call name."""
     given = given_of(options)
     if not given:
@@ -66,9 +72,9 @@ def bar_of(bar: Bar | None, options: Mapping[str, float | None]) -> Bar:
     return Bar(**given)
 
 
-def scene_of(scene: Scene | None, bar: Bar | None, second_stop: float | None,
+def scene_of(scene: Scene | None, bar: Bar | None, second_stop: Quantity | None,
              segments: Segments | None,
-             options: Mapping[str, float | None]) -> Scene:
+             options: Mapping[str, Quantity | None]) -> Scene:
     """A scene, or the one that the arguments of a call make."""
     if not options and scene is None and bar is None and second_stop is None and segments is None:
         return _usual_scene
@@ -120,9 +126,9 @@ def state_of(state: Any, bar: Bar, cells: int | None) -> Any:
     return state
 
 
-def amplitude_of(force: str | None, amplitude: float | None,
-                 velocity: float | None, acceleration: float | None
-                 ) -> tuple[float | None, int]:
+def amplitude_of(force: str | None, amplitude: Quantity | None,
+                 velocity: Quantity | None, acceleration: Quantity | None
+                 ) -> tuple[Quantity | None, int]:
     """The amplitude that is given, and of which derivative of the base."""
     if velocity is None and acceleration is None:
         return amplitude, 0
@@ -137,6 +143,8 @@ def amplitude_of(force: str | None, amplitude: float | None,
     if derivative and force != "base":
         raise ValueError(f"{name} = {value} is out of range: allowed only "
                          'with force="base"')
+    if isinstance(value, str):
+        value = number(name, value)
     if derivative and not (isinstance(value, (int, float)) and 0 < value < float("inf")):
         raise ValueError(f"{name} = {value} is out of range: allowed numbers > 0 "
                          f"[{'m/s' if derivative == 1 else 'm/s^2'}]")

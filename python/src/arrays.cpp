@@ -2,7 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "faults.hpp"
 #include "numbers.hpp"
+#include "options.hpp"
+#include "units.hpp"
 
 namespace signorini::python {
 
@@ -38,6 +43,33 @@ Numbers numbersOf(const py::object& given, const char* name)
     const py::object shown = py::module_::import("reprlib").attr("repr")(given);
     throw py::type_error(
         fmt::format("{} = {}: allowed real numbers", name, py::cast<std::string>(shown)));
+}
+
+std::string unitOfOption(const std::string& name)
+{
+    std::string option = "--" + name;
+    std::replace(option.begin(), option.end(), '_', '-');
+    for (const answers::Option& known : answers::options()) {
+        if (known.name == option && known.takes != answers::Takes::file) {
+            return std::string(known.unit);
+        }
+    }
+    return "-";
+}
+
+double quantityOf(const std::string& name, const Quantity& given, const std::string& unit)
+{
+    if (const auto* plain = std::get_if<double>(&given)) {
+        return *plain;
+    }
+    const auto& text = std::get<std::string>(given);
+    const auto value = numberIn(text, unit);
+    if (!value) {
+        Faults faults;
+        faults.add(name, text, fmt::format("finite numbers [{}]", unit));
+        faults.throwIfAny();
+    }
+    return *value;
 }
 
 Grid::Grid(const py::object& x, const py::object& t)

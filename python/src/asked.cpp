@@ -45,6 +45,32 @@ std::optional<double> Asked::positive(const char* name, const char* unit) const
     return value;
 }
 
+double Asked::frequency(const char* name, const Bar& bar) const
+{
+    const py::object held = object(name);
+    if (py::isinstance<py::str>(held)) {
+        const auto text = py::cast<std::string>(held);
+        return text.ends_with("Hz") ? quantityOf(name, text, "Hz") * 4.0 * scales(bar).time
+                                    : quantityOf(name, text, "omega_1");
+    }
+    return get<double>(name);
+}
+
+double Asked::inUnit(const char* name, const char* unit) const
+{
+    const py::object held = object(name);
+    return py::isinstance<py::str>(held) ? quantityOf(name, py::cast<std::string>(held), unit)
+                                         : get<double>(name);
+}
+
+std::string Asked::unitOf(const char* name) const
+{
+    if (std::string_view(name) == "amplitude") {
+        return amplitudeUnitName(place(), maybe<int>("derivative").value_or(0));
+    }
+    return unitOfOption(name);
+}
+
 Assembly Asked::assembly() const
 {
     const Bar bar = scene().bar;

@@ -9,6 +9,7 @@
 
 #include "faults.hpp"
 #include "names.hpp"
+#include "numbers.hpp"
 #include "scene.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/simulation.hpp"
@@ -35,6 +36,11 @@ public:
         if (held.is_none()) {
             return std::nullopt;
         }
+        if constexpr (std::is_same_v<T, double>) {
+            if (py::isinstance<py::str>(held)) {
+                return quantityOf(name, py::cast<std::string>(held), unitOf(name));
+            }
+        }
         try {
             return py::cast<T>(held);
         } catch (const py::cast_error&) {
@@ -53,6 +59,10 @@ public:
     }
     /// A finite number > 0. \throws std::invalid_argument for another.
     [[nodiscard]] std::optional<double> positive(const char* name, const char* unit) const;
+    /// A frequency in ω₁, or as text in Hz: those of a bar.
+    [[nodiscard]] double frequency(const char* name, const Bar& bar) const;
+    /// A number, or text with the unit in which the program takes it.
+    [[nodiscard]] double inUnit(const char* name, const char* unit) const;
     /// One of the names of a table. \throws std::invalid_argument naming the argument.
     template <typename Table>
     [[nodiscard]] auto named(const char* name, const Table& table) const
@@ -93,7 +103,7 @@ private:
         } else if constexpr (std::is_integral_v<T>) {
             return "int, at most 64 bits";
         } else if constexpr (std::is_arithmetic_v<T>) {
-            return "float";
+            return "float, or text with its unit";
         } else if constexpr (std::is_same_v<T, std::string>) {
             return "str";
         } else if constexpr (std::is_same_v<T, StateOf>) {
@@ -104,6 +114,8 @@ private:
     }
     /// Names of arguments are few, and made into Python's text once.
     [[nodiscard]] static PyObject* keyOf(const char* name);
+    /// In which the program takes an option of that name.
+    [[nodiscard]] std::string unitOf(const char* name) const;
     [[noreturn]] void refuseKind(const char* name, const char* kind) const;
 
     py::dict given_;

@@ -99,8 +99,8 @@ HarmonicAnswer findHarmonic(const Asked& asked)
 answers::ForceRange forceRange(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
-    const auto low = asked.get<double>("low");
-    const auto high = asked.get<double>("high");
+    const auto low = asked.inUnit("low", "N");
+    const auto high = asked.inUnit("high", "N");
     const auto time = *asked.positive("time", "s");
     if (!(low <= high && std::isfinite(high - low))) {
         Faults faults;

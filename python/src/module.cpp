@@ -1,6 +1,7 @@
 // The module signorini._core: the library's calls and answers, for the package around it.
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +11,7 @@
 
 #include "calls.hpp"
 #include "motion.hpp"
+#include "numbers.hpp"
 #include "options.hpp"
 #include "palette.hpp"
 #include "scene.hpp"
@@ -140,6 +142,10 @@ PYBIND11_MODULE(_core, module)
     module.def("palette", &colours);
     module.def("backends", &versionsOfBackends);
     module.def("options", &optionsOf);
+    module.def("quantity",
+               [](const std::string& name, const std::string& text, const std::string& unit) {
+                   return quantityOf(name, text, unit.empty() ? unitOfOption(name) : unit);
+               });
     addErrors(module);
     addScene(module);
     addMotion(module);

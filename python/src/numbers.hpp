@@ -5,12 +5,35 @@
 #include <pybind11/numpy.h>
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
 
 namespace signorini::python {
 
 namespace py = pybind11;
 
 using Numbers = py::array_t<double, py::array::forcecast>;
+
+/// A number in the unit of its argument, or text with a unit of its own: "0.1mm".
+using Quantity = std::variant<double, std::string>;
+
+/// In which the program takes the option that is called so; "-" if there is none.
+[[nodiscard]] std::string unitOfOption(const std::string& name);
+
+/// Of an argument, in that unit.
+/// \throws std::invalid_argument naming the argument
+[[nodiscard]] double quantityOf(const std::string& name, const Quantity& given,
+                                const std::string& unit);
+[[nodiscard]] inline double quantityOf(const std::string& name, const Quantity& given)
+{
+    return quantityOf(name, given, unitOfOption(name));
+}
+[[nodiscard]] inline std::optional<double> quantityOf(const std::string& name,
+                                                      const std::optional<Quantity>& given)
+{
+    return given ? std::optional(quantityOf(name, *given)) : std::nullopt;
+}
 
 /// Of an array that a method makes: 800 MB.
 inline constexpr std::int64_t mostCells = 100'000'000;

@@ -7,6 +7,7 @@
 
 #include "described.hpp"
 #include "faults.hpp"
+#include "numbers.hpp"
 #include "scene_answer.hpp"
 #include "scene_figures.hpp"
 
@@ -41,11 +42,14 @@ Raises
 ValueError
     If a value is out of its range, or two of them clash.
 )");
-    using Number = std::optional<double>;
+    using Number = std::optional<Quantity>;
     record->more()
-        .def(py::init([](double length, Number waveSpeed, Number axialStiffness, double gap,
-                         Number young, Number density, Number area) {
-                 Bar bar;
+        .def(py::init([](const Quantity& length, const Number& waveSpeed,
+                         const Number& axialStiffness, const Quantity& gap, const Number& young,
+                         const Number& density, const Number& area) {
+                 Bar bar{.length = quantityOf("length", length),
+                         .gap = quantityOf("gap", gap),
+                         .young = quantityOf("young", young)};
                  if (density || area) {
                      if (!young || !density || !area) {
                          throw std::invalid_argument(
@@ -56,10 +60,12 @@ ValueError
                              "young, density, area clash with wave_speed, axial_stiffness: allowed "
                              "one set");
                      }
-                     return barOfMaterial(length, *young, *density, *area, gap);
+                     return barOfMaterial(bar.length, *bar.young, *quantityOf("density", density),
+                                          *quantityOf("area", area), bar.gap);
                  }
-                 bar = {length, waveSpeed.value_or(bar.waveSpeed),
-                        axialStiffness.value_or(bar.axialStiffness), gap, young};
+                 bar.waveSpeed = quantityOf("wave_speed", waveSpeed).value_or(bar.waveSpeed);
+                 bar.axialStiffness =
+                     quantityOf("axial_stiffness", axialStiffness).value_or(bar.axialStiffness);
                  validate(bar);
                  return bar;
              }),
@@ -126,9 +132,9 @@ ValueError
     If a value is out of its range.
 )");
     scene->more()
-        .def(py::init([](const Bar& bar, std::optional<double> secondStop,
+        .def(py::init([](const Bar& bar, const std::optional<Quantity>& secondStop,
                          const std::vector<Segment>& segments) {
-                 Scene made(bar, secondStop, segments);
+                 Scene made(bar, quantityOf("second_stop", secondStop), segments);
                  validate(made);
                  return made;
              }),
@@ -136,14 +142,15 @@ ValueError
              py::arg("segments") = std::vector<Segment>{})
         .def_static(
             "of_pieces",
-            [](const std::vector<std::array<double, 4>>& pieces, double gap,
-               std::optional<double> secondStop, std::int64_t cells) {
+            [](const std::vector<std::array<Quantity, 4>>& pieces, const Quantity& gap,
+               const std::optional<Quantity>& secondStop, std::int64_t cells) {
                 std::vector<BarPiece> list;
                 for (const auto& [length, young, density, area] : pieces) {
-                    list.push_back({length, young, density, area});
+                    list.push_back({quantityOf("length", length), quantityOf("young", young),
+                                    quantityOf("density", density), quantityOf("area", area)});
                 }
-                PiecedBar made = barOfPieces(list, gap, cells);
-                made.scene.secondStop = secondStop;
+                PiecedBar made = barOfPieces(list, quantityOf("gap", gap), cells);
+                made.scene.secondStop = quantityOf("second_stop", secondStop);
                 validate(made.scene);
                 return std::pair(made.scene, made.rounding);
             },

@@ -263,7 +263,10 @@ Simulated simulate(const Asked& asked)
     }
     const Bar bar = answer.scene.bar;
     answer.damping = {asked.get<double>("damping")};
-    const auto frequency = asked.maybe<double>("frequency");
+    std::optional<double> frequency;
+    if (asked.has("frequency")) {
+        frequency = asked.frequency("frequency", bar);
+    }
     const auto time = asked.maybe<double>("time");
     const auto periods = asked.maybe<std::int64_t>("periods");
     const auto cells = asked.maybe<std::int64_t>("cells");

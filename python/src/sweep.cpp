@@ -23,11 +23,19 @@ namespace {
 /// A sweep without points, its numbers being in SI units. \throws std::invalid_argument.
 SweepAnswer withUnits(SweepRange range, const Scene& scene, const Asked& asked, double amplitude)
 {
-    const auto least = asked.get<double>("start");
-    const auto most = asked.get<double>("to");
     validate(scene);
     const Bar bar = answers::unitsOf(scene);
+    const auto end = [&](const char* name) {
+        return range.over == Swept::frequency
+                   ? asked.frequency(name, bar)
+                   : asked.inUnit(name, answers::unitName(range.over, range.place));
+    };
+    const double least = end("start");
+    const double most = end("to");
     const double unit = answers::unitOf(range.over, range.place, bar);
+    if (asked.has("frequency")) {
+        range.frequencyRatio = asked.frequency("frequency", bar);
+    }
     range.least = least / unit;
     range.most = most / unit;
     range.amplitude = range.over == Swept::amplitude
@@ -87,7 +95,6 @@ SweepAnswer sweep(const Asked& asked)
     range.over = asked.named("over", sweptNames);
     range.isCarried = !asked.get<bool>("rest");
     range.derivative = asked.get<int>("derivative");
-    range.frequencyRatio = asked.get<double>("frequency");
     range.damping = {asked.get<double>("damping")};
     range.resolution = resolution;
     const auto amplitude = asked.maybe<double>("amplitude").value_or(0.0);

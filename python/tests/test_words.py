@@ -68,7 +68,7 @@ def test_an_error_has_the_number_that_was_given(ask: Callable[[], object],
 
 
 @pytest.mark.parametrize("ask, told", [
-    (lambda: untyped.Bar(1, 2), r"Bar\(1, 2\): allowed Bar\(\*, length: float"),
+    (lambda: untyped.Bar(1, 2), r"Bar\(1, 2\): allowed Bar\(\*, length: Union\[float, str\]"),
     (lambda: untyped.Bar(gap=None), r"Bar\(gap=None\): allowed Bar\("),
     (lambda: untyped.Segment("x"), r"Segment\('x'\): allowed Segment\(cells: int"),
     (lambda: untyped.families()[0].schedule("x"),
@@ -107,3 +107,55 @@ def test_equal_answers_are_equal() -> None:
         other = untyped.find(15, 90, cells=30, **options)
         assert one == other
     assert sg.find(15, 90, cells=30) != sg.find(15, 91, cells=30)
+
+
+STEEL: dict[str, Any] = {"length": 3.0, "young": 210e9, "density": 7850.0, "area": 314e-6,
+                         "gap": 1e-4}
+IN_WORDS: dict[str, Any] = {"length": "3000mm", "young": "210GPa", "density": "7.85 g/cm3",
+                            "area": "314mm2", "gap": "0.1mm"}
+
+
+@pytest.mark.parametrize("ask, plain, in_words", [
+    (sg.Bar, {}, {}),
+    (lambda **bar: sg.find(5, 30, cells=10, **bar), {"energy": 2.5, "tip_floor": -5e-3},
+     {"energy": "2500mJ", "tip_floor": "-5mm"}),
+    (lambda **bar: sg.find(3, 25, cells=8, force="base", **bar),
+     {"damping": 0.05, "second_stop": 2e-4}, {"damping": "5%", "second_stop": "0.2 mm"}),
+    (lambda **bar: sg.find(frequency=1.1, force="tip", **bar),
+     {"damping": 0.05, "amplitude": 2e3}, {"damping": "5%", "amplitude": "2kN"}),
+    (lambda **bar: sg.response(force="base", cells=20, **bar),
+     {"damping": 0.05, "amplitude": 2e-5, "start": 4800.0 / math.sqrt(210e9 / 7850.0), "to": 1.2},
+     {"damping": "5 %", "amplitude": "20um", "start": "400Hz", "to": "1.2"}),
+    (lambda **bar: sg.sweep("amplitude", force="base", cells=10, points=2, periods=20, **bar),
+     {"damping": 0.05, "start": 2e-5, "to": 3e-5, "frequency": 1.1},
+     {"damping": "5%", "start": "20um", "to": "0.03mm", "frequency": 1.1}),
+    (lambda **bar: sg.simulate(force="base", frequency=1.1, cells=20, **bar),
+     {"damping": 0.05, "amplitude_acceleration": 150.0, "time": 0.02, "resolve": 2e-5},
+     {"damping": "5%", "amplitude_acceleration": "150m/s2", "time": "20ms", "resolve": "20us"}),
+    (lambda **bar: sg.continuum(225, 675, points=3, **bar), {"energy": 8.0}, {"energy": "8J"}),
+])
+def test_numbers_carry_their_units(ask: Any, plain: dict[str, Any],
+                                   in_words: dict[str, Any]) -> None:
+    asked, told = ask(**STEEL, **plain), ask(**IN_WORDS, **in_words)
+    assert repr(asked) == repr(told)
+
+
+def test_a_study_takes_units() -> None:
+    common: dict[str, Any] = {"force": "base", "points": 2, "cells": 10, "periods": 20}
+    plain = sg.study(gap=[1e-4, 2e-4], damping=0.05, amplitude=2e-5, **common)
+    told = sg.study(gap=["0.1mm", "0.2mm"], damping="5%", amplitude="20um", **common)
+    assert [p.to_dict() for p in plain] == [p.to_dict() for p in told]
+
+
+@pytest.mark.parametrize("ask, named", [
+    (lambda: sg.Bar(young="210GHz"),
+     r"young = 210GHz is out of range: allowed finite numbers \[Pa\]"),
+    (lambda: sg.find(150, 900, energy="2N"), r"energy = 2N .* \[J\]"),
+    (lambda: sg.response(damping="5%", force="base", amplitude="20kN"),
+     r"amplitude = 20kN .* \[m\]"),
+    (lambda: sg.study(gap="1s", damping=0.1, amplitude=1.0, force="tip"), r"gap = 1s .* \[m\]"),
+    (lambda: sg.find(hertz="1 m", damping=0.1, force="tip"), r"hertz = 1 m .* \[Hz\]"),
+])
+def test_a_unit_that_does_not_fit_is_named(ask: Callable[[], object], named: str) -> None:
+    with pytest.raises(ValueError, match=f"^{named}"):
+        ask()

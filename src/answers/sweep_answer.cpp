@@ -16,6 +16,21 @@ double unitOf(Swept over, Excited place, const Bar& bar)
     return 1.0;
 }
 
+const char* unitName(Swept over, Excited place)
+{
+    switch (over) {
+        case Swept::frequency:
+            return "omega_1";
+        case Swept::amplitude:
+            return amplitudeUnitName(place);
+        case Swept::gap:
+            return "m";
+        case Swept::damping:
+            return "-";
+    }
+    return "-";
+}
+
 double SweepPointOf::given() const
 {
     return value.value * unitOf(over, place, bar);

@@ -23,6 +23,8 @@ struct SweepPointOf {
 
 /// What one unit of a sweep's numbers is: ω₁, N or m, m, -.
 [[nodiscard]] double unitOf(Swept over, Excited place, const Bar& bar);
+/// "omega_1", "N" or "m", "m", "-": the unit in which the ends of a range are given.
+[[nodiscard]] const char* unitName(Swept over, Excited place);
 
 /// The outcome of one call.
 struct SweepAnswer {

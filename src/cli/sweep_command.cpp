@@ -16,22 +16,6 @@ namespace signorini::cli {
 
 namespace {
 
-/// The unit in which the ends of a range are given.
-const char* unitName(Swept over, Excited place)
-{
-    switch (over) {
-        case Swept::frequency:
-            return "omega_1";
-        case Swept::amplitude:
-            return amplitudeUnitName(place);
-        case Swept::gap:
-            return "m";
-        case Swept::damping:
-            return "-";
-    }
-    return "-";
-}
-
 /// The motions with one contact over the same frequencies, as many periods as there are values;
 /// none where no period of the grid lies there, or the response does not know such a bar.
 std::vector<FrequencyResponse> exactUnder(const SweepRange& sweep)
@@ -82,7 +66,7 @@ double SweepCommand::end(const char* option, double otherwise, const Bar& bar) c
         return FrequencyOption(given, option, twin.c_str()).ratioFor(firstHertz(bar), otherwise);
     }
     refuseIf(given.has(twin.c_str()), twin, given.text(twin), "it only with --over frequency");
-    const char* unit = unitName(over, force.place.value());
+    const char* unit = answers::unitName(over, force.place.value());
     const std::string text = given.text(option);
     refuseIf(text.empty(), option, "missing", fmt::format("numbers > 0 [{}]", unit));
     return parsePositive(option, text, unit) / answers::unitOf(over, force.place.value(), bar);
