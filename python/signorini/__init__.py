@@ -36,10 +36,12 @@ from ._forced import Response, force_range, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
 from ._notebook import be_at_home
 from ._question import Question
+from ._records import be_records
 from ._study import study
 from ._tables import Table
 
 let_speak(_core)
+be_records()
 be_at_home()
 
 if TYPE_CHECKING:

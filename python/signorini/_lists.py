@@ -71,11 +71,11 @@ def modes(*, phases: int = 1, max_order: int | None = None,
         "max_order": order if max_order is None else max_order,
         "max_period_ratio": period if max_period is None else max_period,
         "max_energy_ratio": max_energy_ratio}
-    asked = {**bounds, "bar": units, "phases": phases, "progress": listener(progress)}
+    rows = _core.modes({**bounds, "bar": units, "phases": phases,
+                        "progress": listener(progress)})
     if phases == 1:
-        return Table("modes", _core.modes(asked), bar=units, complete=True, **bounds)
-    return Table("polytopes", _core.polytopes(asked), bar=units, phases=phases,
-                 complete=True, **bounds)
+        return Table("modes", rows, bar=units, complete=True, **bounds)
+    return Table("polytopes", rows, bar=units, phases=phases, complete=True, **bounds)
 
 
 @asks("mode")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._core import Bar, Result
-from ._tables import Table
+from ._tables import Table, plain
 from ._words import Number, fraction_of, number, whole
 
 #: What fits the library's numbers, with room for sums.
@@ -127,9 +127,9 @@ def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     energy, energy_ratio = asked["energy"], asked["energy_ratio"]
     if energy is not None:
         energy_ratio = number("energy", energy) / scene.bar.energy_unit
-    head = _core.question(
+    head = plain(_core.question(
         {"option": name, "word": str(word), "steps": steps, "cells": cells,
-         "scene": scene, "energy_ratio": energy_ratio}, sets)
+         "scene": scene, "energy_ratio": energy_ratio}, sets))
     del head["motions"]
     return Question("motions", [r for r in sets if r.status == "found"],
                     **{**head, "bar": scene.bar})

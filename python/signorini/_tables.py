@@ -48,6 +48,19 @@ def keys_of(record: Any) -> Iterator[tuple[str, Any, str]]:
         yield from keys_of(record.to_dict())
 
 
+def plain(value: Any) -> Any:
+    """A value as JSON has it: of records dictionaries, of what is not finite None."""
+    if hasattr(value, "to_dict"):
+        return value.to_dict()
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, (list, tuple)):
+        return [plain(one) for one in value]
+    if isinstance(value, dict):
+        return {key: plain(held) for key, held in value.items()}
+    return value
+
+
 def is_record(value: Any) -> bool:
     """Is it shown key by key?"""
     return isinstance(value, dict) or (hasattr(value, "_keys") and
@@ -242,12 +255,7 @@ class Table(Sequence[R], Generic[R]):
 
     def to_dict(self) -> dict[str, Any]:
         """The same as a dictionary, with the keys of the program's JSON."""
-        def plain(value: Any) -> Any:
-            if isinstance(value, list):
-                return [plain(one) for one in value]
-            return value.to_dict() if hasattr(value, "to_dict") else value
-
-        head = {key: plain(value) for key, value in self._head.items()}
+        head: dict[str, Any] = plain(self._head)
         return {**head, self._name: [row.to_dict() for row in self._rows]}
 
     def frame(self) -> Any:

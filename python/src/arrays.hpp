@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "numbers.hpp"
+
 namespace signorini::python {
 
 namespace py = pybind11;

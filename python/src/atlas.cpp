@@ -2,6 +2,7 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <mutex>
 
 #include "asked.hpp"
@@ -36,19 +37,18 @@ using Shared = std::shared_ptr<Atlas>;
 using Cells = std::optional<std::int64_t>;
 
 /// A question to the database, asked in a thread of its own.
-template <typename Result, typename... Given, typename... Names>
+template <typename Result, typename... Given>
 void addQuestion(py::class_<Atlas, Shared>& shown, const char* name,
-                 Result (*question)(const Atlas&, const Wires&, Given...), const Names&... names)
+                 const std::array<const char*, sizeof...(Given)>& names,
+                 Result (*question)(const Atlas&, const Wires&, Given...))
 {
-    shown.def(
-        name,
-        [question](const Shared& atlas, Given... given) {
-            return patiently([=](const Wires& wires) {
-                const std::lock_guard lock(atlas->mutex);
-                return question(*atlas, wires, given...);
-            });
-        },
-        py::arg(names)...);
+    const auto asking = [question](const Shared& atlas, Given... given) {
+        return patiently([=](const Wires& wires) {
+            const std::lock_guard lock(atlas->mutex);
+            return question(*atlas, wires, given...);
+        });
+    };
+    std::apply([&](auto... word) { shown.def(name, asking, py::arg(word)...); }, names);
 }
 
 /// Visits each row that `visit` shows, until the call is cancelled.
@@ -75,23 +75,19 @@ void addAtlasFile(py::module_& module)
     py::class_<Atlas, Shared> shown(module, "AtlasFile", "A database opened for asking.");
     shown.def(py::init<const std::string&, const Bar&>(), py::arg("database"), py::arg("bar"));
     addQuestion(
-        shown, "runs", +[](const Atlas& a, const Wires&) { return a.database.runs(); });
+        shown, "runs", {}, +[](const Atlas& a, const Wires&) { return a.database.runs(); });
     addQuestion(
-        shown, "families",
-        +[](const Atlas& a, const Wires& wires, Cells cells) {
+        shown, "families", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
             return allRows<FamilyOf, AtlasFamily>(
                 wires, a.bar, [&](const auto& keep) { a.database.forEachFamily(cells, keep); });
-        },
-        "cells");
+        });
     addQuestion(
-        shown, "schedules",
-        +[](const Atlas& a, const Wires& wires, Cells cells) {
+        shown, "schedules", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
             return allRows<EntryOf, AtlasEntry>(
                 wires, a.bar, [&](const auto& keep) { a.database.forEachFound(cells, keep); });
-        },
-        "cells");
+        });
     addQuestion(
-        shown, "frequency_energy_figure",
+        shown, "frequency_energy_figure", {"cells", "left", "right", "top", "max_order"},
         +[](const Atlas& a, const Wires&, Cells cells, double left, double right, double top,
             std::int64_t order) {
             return asJson(frequencyEnergyFigure(a.database, cells,
@@ -100,49 +96,40 @@ void addAtlasFile(py::module_& module)
                                                  .bar = a.bar,
                                                  .leastFrequencyRatio = left,
                                                  .maxOrder = order}));
-        },
-        "cells", "left", "right", "top", "max_order");
+        });
     addQuestion(
-        shown, "existence_figure",
-        +[](const Atlas& a, const Wires&, Cells cells) {
+        shown, "existence_figure", {"cells"}, +[](const Atlas& a, const Wires&, Cells cells) {
             return asJson(existenceFigure(a.database, cells));
-        },
-        "cells");
+        });
     addQuestion(
-        shown, "families_near",
+        shown, "families_near", {"frequency_ratio", "energy_ratio", "within", "cells"},
         +[](const Atlas& a, const Wires&, double w, double e, double within, Cells cells) {
             return withUnits(a.database.familiesNear(w, e, within, cells), a.bar, e);
-        },
-        "frequency_ratio", "energy_ratio", "within", "cells");
+        });
     addQuestion(
-        shown, "schedules_near",
+        shown, "schedules_near", {"frequency_ratio", "energy_ratio", "within", "cells"},
         +[](const Atlas& a, const Wires&, double w, double e, double within, Cells cells) {
             return withUnits(a.database.schedulesNear(w, e, within, cells), a.bar);
-        },
-        "frequency_ratio", "energy_ratio", "within", "cells");
+        });
     addQuestion(
-        shown, "families_of_period",
+        shown, "families_of_period", {"period", "denominator", "cells"},
         +[](const Atlas& a, const Wires&, std::int64_t p, std::int64_t q, Cells cells) {
             return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.bar);
-        },
-        "period", "denominator", "cells");
+        });
     addQuestion(
-        shown, "schedules_of_period",
+        shown, "schedules_of_period", {"period", "denominator", "cells"},
         +[](const Atlas& a, const Wires&, std::int64_t p, std::int64_t q, Cells cells) {
             return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells), a.bar);
-        },
-        "period", "denominator", "cells");
+        });
     addQuestion(
-        shown, "twins",
-        +[](const Atlas& a, const Wires&, Cells cells) {
+        shown, "twins", {"cells"}, +[](const Atlas& a, const Wires&, Cells cells) {
             std::vector<std::tuple<std::vector<FamilyOf>, std::vector<EntryOf>>> groups;
             for (const Twins& twins : a.database.twins(cells)) {
                 groups.emplace_back(withUnits(twins.families, a.bar),
                                     withUnits(twins.schedules, a.bar));
             }
             return groups;
-        },
-        "cells");
+        });
 }
 
 AtlasRun build(const Asked& asked)

@@ -8,19 +8,15 @@ namespace signorini::python {
 
 namespace py = pybind11;
 
-/// The smaller records that answers hold.
-void addParts(py::module_& module);
 void addFind(py::module_& module);
 void addContinuum(py::module_& module);
-/// Families, modes, polytopes, and the motions of both.
+/// Families and modes; polytopes, and the motions of both.
 void addLists(py::module_& module);
 void addPolytopes(py::module_& module);
-void addModeMotions(py::module_& module);
 /// In files: made, and asked.
 void addAtlas(py::module_& module);
-/// Of one schedule, or under an exact harmonic.
+/// Of one schedule, or under an exact harmonic; of all frequencies.
 void addForced(py::module_& module);
-void addResponse(py::module_& module);
 void addSweep(py::module_& module);
 /// The bar, event by event.
 void addSimulate(py::module_& module);

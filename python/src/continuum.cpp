@@ -28,70 +28,40 @@ struct Members<ContinuumAnswer> {
 
 namespace {
 
-py::list pointsOf(const ContinuumAnswer& answer)
-{
-    return asPython(answer.points());
-}
-
 /// One number of each point.
-template <typename Get>
-auto column(Get get)
+auto column(double ContinuumPoint::*member)
 {
-    return [get](const ContinuumAnswer& answer) {
-        const std::vector<ContinuumPoint>& points = answer.curve->points;
-        return filled(static_cast<std::int64_t>(points.size()),
-                      [&](std::int64_t k) { return get(points[static_cast<std::size_t>(k)]); });
+    return [member](const std::shared_ptr<ContinuumAnswer>& answer) {
+        return view(answer->curve->points, member, answer);
     };
 }
 
 void addPoint(py::module_& module)
 {
     classOf<PointOf>(module)
-        ->more()
-        .def_property_readonly(
-            "state",
-            [](const PointOf& p) {
-                return StateOf{std::shared_ptr<const State>(p.point, &p.point->state),
-                               p.curve->scene.bar};
-            },
-            "At t = 0: a State.")
-        .def_property_readonly(
-            "motion",
-            [](const PointOf& p) {
-                return GridMotion{std::shared_ptr<const State>(p.point, &p.point->state),
-                                  p.curve->schedule, p.curve->scene};
-            },
-            "The field over one period: a Motion.")
-        .def("__repr__", [](const PointOf& p) {
-            return fmt::format(
-                "ContinuumPoint(lambda={:.6g}, E = {}, peak_strain={:.6g})", p.point->lambda,
-                energyAsText(p.point->energyRatio, p.curve->scene.bar), p.point->peakStrain);
+        ->has("state", "At t = 0: a State.",
+              [](const PointOf& p) {
+                  return StateOf{{p.point, &p.point->state}, p.curve->scene.bar};
+              })
+        .has("motion", "The field over one period: a Motion.", [](const PointOf& p) {
+            return GridMotion{{p.point, &p.point->state}, p.curve->schedule, p.curve->scene};
         });
 }
 
 void addCurve(py::module_& module)
 {
     classOf<ContinuumAnswer>(module)
-        ->more()
-        .def_property_readonly("lambda_", column([](const auto& p) { return p.lambda; }),
-                               "Of each point, shape (points,).")
-        .def_property_readonly("peak_strain", column([](const auto& p) { return p.peakStrain; }),
-                               "Of each point [-].")
-        .def_property_readonly("residual", column([](const auto& p) { return p.residual; }),
-                               "Of each point.")
-        .def(
-            "member",
-            [](const ContinuumAnswer& c, double lambda) {
-                return *ContinuumAnswer{c.curve, memberAt(*c.curve, lambda)}.member();
-            },
-            py::arg("lambda_"),
-            "The motion at a lambda: exact for the split pulse, else the nearest point. ValueError "
-            "out of range.")
+        ->has("lambda_", "Of each point, shape (points,).", column(&ContinuumPoint::lambda))
+        .has("peak_strain", "Of each point [-].", column(&ContinuumPoint::peakStrain))
+        .has("residual", "Of each point.", column(&ContinuumPoint::residual))
+        .can("member", {"lambda_"},
+             "The motion at a lambda: exact for the split pulse, else the nearest point. "
+             "ValueError out of range.",
+             [](const ContinuumAnswer& c, double lambda) {
+                 return *ContinuumAnswer{c.curve, memberAt(*c.curve, lambda)}.member();
+             })
+        .more()
         .def("_figure", [](const ContinuumAnswer& c) { return asJson(continuumFigure(*c.curve)); })
-        .def("__len__", [](const ContinuumAnswer& c) { return c.curve->points.size(); })
-        .def("__iter__", [](const ContinuumAnswer& c) { return py::iter(pointsOf(c)); })
-        .def("__getitem__", [](const ContinuumAnswer& c,
-                               const py::object& at) { return py::object(pointsOf(c)[at]); })
         .def("__repr__", [](const ContinuumAnswer& answer) {
             const Continuum& c = *answer.curve;
             return fmt::format("Continuum({}, {}, E = {}, {} points, {} orbits{})", name(c.status),

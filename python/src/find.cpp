@@ -7,6 +7,7 @@
 #include "asked.hpp"
 #include "demand_names.hpp"
 #include "described.hpp"
+#include "find_answer.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
 #include "question_answer.hpp"
@@ -47,28 +48,23 @@ std::string represent(const Answer& answer)
 void addResult(py::module_& module)
 {
     classOf<Answer>(module)
-        ->more()
-        .def_property_readonly(
-            "state",
-            [](const Shared& a) -> py::object {
-                const auto& motion = a->result.motion;
-                return motion ? py::cast(StateOf{std::shared_ptr<const State>(a, &motion->state),
-                                                 firstMaterial(a->result.scene),
-                                                 a->result.scene.segments})
-                              : py::none();
-            },
-            "At t = 0, the start of the first contact: a State, or None.")
-        .def_property_readonly(
-            "motion",
-            [](const Shared& a) -> py::object {
-                const auto& motion = a->result.motion;
-                return motion ? py::cast(GridMotion{std::shared_ptr<const State>(a, &motion->state),
-                                                    a->result.schedule, a->result.scene})
-                              : py::none();
-            },
-            "The field over one period: a Motion, or None.")
-        .def_property_readonly(
-            "scene", [](const Answer& a) { return a.result.scene; }, "Asked about: a Scene.")
+        ->has("state", "At t = 0, the start of the first contact: a State, or None.",
+              [](const Shared& a) -> std::optional<StateOf> {
+                  const auto& motion = a->result.motion;
+                  return motion ? std::optional(StateOf{{a, &motion->state},
+                                                        firstMaterial(a->result.scene),
+                                                        a->result.scene.segments})
+                                : std::nullopt;
+              })
+        .has("motion", "The field over one period: a Motion, or None.",
+             [](const Shared& a) -> std::optional<GridMotion> {
+                 const auto& motion = a->result.motion;
+                 return motion ? std::optional(GridMotion{
+                                     {a, &motion->state}, a->result.schedule, a->result.scene})
+                               : std::nullopt;
+             })
+        .has("scene", "Asked about: a Scene.", [](const Answer& a) { return a.result.scene; })
+        .more()
         .def(
             "is_proof", [](const Answer& a) { return isProof(a.result); },
             "Checks the certificate once more, against rows made anew.")
@@ -127,7 +123,18 @@ Answer find(const Asked& asked)
 
 void addFind(py::module_& module)
 {
-    addParts(module);
+    classOf<Physical>(module);
+    classOf<Residuals>(module)->more().def("worst", &Residuals::worst, "The largest of them.");
+    classOf<FarkasCertificate>(module);
+    classOf<ProgramProof>(module);
+    classOf<SteppedProof>(module);
+    classOf<EnergyFloorProof>(module);
+    classOf<EnergyExclusion>(module);
+    classOf<answers::SolutionSet>(module);
+    classOf<HeldEnergy>(module);
+    classOf<SolverReport>(module);
+    classOf<TentPlace>(module);
+    classOf<Of<Damping>>(module);
     addResult(module);
     addCall(module, "find", &find);
     module.def("question", [](const py::dict& given, std::vector<Answer> sets) {
@@ -140,7 +147,7 @@ void addFind(py::module_& module)
                                  asked.get<std::int64_t>("steps")},
                                 asked.get<std::int64_t>("cells"), options);
         answer.answers = std::move(sets);
-        return plain(dictionaryOf(answer));
+        return dictionaryOf(answer);
     });
     module.def("schedules_of_period",
                [](std::int64_t cells, std::int64_t steps, const Scene& scene) {

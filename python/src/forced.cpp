@@ -11,7 +11,9 @@
 #include "harmonic_answer.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
+#include "response_answer.hpp"
 #include "scene_answer.hpp"
+#include "share_work.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/response.hpp"
 #include "stops.hpp"
@@ -23,29 +25,23 @@ using answers::ForcedMotionOf;
 using answers::HarmonicAnswer;
 using answers::HarmonicContactOf;
 using answers::HarmonicMotionOf;
+using answers::ResponseAnswer;
 
 namespace {
 
 void addMotionOf(py::module_& module)
 {
     classOf<ForcedMotionOf>(module)
-        ->more()
-        .def_property_readonly(
-            "impulse_ratio", [](const ForcedMotionOf& m) { return m.value.extremes.impulse; },
-            "[EA g/c] a period.")
-        .def_property_readonly(
-            "peak_force_ratio", [](const ForcedMotionOf& m) { return m.value.extremes.peakForce; },
-            "[EA g/L]")
-        .def_property_readonly(
-            "tip_lowest_ratio", [](const ForcedMotionOf& m) { return m.value.extremes.lowestTip; },
-            "[g]")
-        .def_property_readonly(
-            "state",
-            [](const std::shared_ptr<ForcedMotionOf>& m) {
-                return StateOf{std::shared_ptr<const State>(m, &m->value.state), m->bar,
-                               m->segments};
-            },
-            "At the start of contact: a State.");
+        ->has("impulse_ratio", "[EA g/c] a period.",
+              [](const ForcedMotionOf& m) { return m.value.extremes.impulse; })
+        .has("peak_force_ratio", "[EA g/L]",
+             [](const ForcedMotionOf& m) { return m.value.extremes.peakForce; })
+        .has("tip_lowest_ratio", "[g]",
+             [](const ForcedMotionOf& m) { return m.value.extremes.lowestTip; })
+        .has("state", "At the start of contact: a State.",
+             [](const std::shared_ptr<ForcedMotionOf>& m) {
+                 return StateOf{{m, &m->value.state}, m->bar, m->segments};
+             });
 }
 
 ForcedAnswer findForced(const Asked& asked)
@@ -111,6 +107,61 @@ answers::ForceRange forceRange(const Asked& asked)
         [=](const Wires&) { return answers::forceRangeOf(assembly, low, high, time); });
 }
 
+ResponseAnswer response(const Asked& asked)
+{
+    const Scene scene = asked.scene();
+    validate(scene);
+    const Bar bar = answers::unitsOf(scene);
+    const Excited place = asked.place();
+    const auto derivative = asked.get<int>("derivative");
+    if (!asked.has("amplitude")) {
+        throw std::invalid_argument("amplitude is missing: allowed numbers > 0 [N or m]");
+    }
+    const auto amplitude = asked.get<double>("amplitude");
+    ResponseAnswer answer{{.cells = asked.maybe<std::int64_t>("cells").value_or(usualCells),
+                           .damping = {asked.get<double>("damping")},
+                           .place = place,
+                           .amplitude = amplitude / amplitudeUnit(place, bar, derivative),
+                           .derivative = derivative,
+                           .cycles = asked.get<std::int64_t>("cycles"),
+                           .leastFrequencyRatio = asked.frequency("start", bar),
+                           .mostFrequencyRatio = asked.frequency("to", bar),
+                           .stops = stopsOf(scene),
+                           .segments = scene.segments},
+                          scene,
+                          bar,
+                          amplitude,
+                          {}};
+    (void)stepsOf(answer.range);
+    const auto threads = asked.threads();
+    const bool stability = asked.get<bool>("stability");
+    return patiently(
+        [answer, stability, threads](const Wires& wires) mutable {
+            const std::vector<std::int64_t> steps = stepsOf(answer.range);
+            std::vector<std::optional<FrequencyResponse>> responses(steps.size());
+            StabilityOptions options;
+            options.cancel = wires.cancel;
+            options.segments = answer.range.segments;
+            const auto serve = [&](std::size_t k) {
+                responses[k] = responseAt(answer.range, steps[k], wires.cancel);
+                if (responses[k] && stability) {
+                    for (ForcedMotion& motion : responses[k]->motions) {
+                        motion.stability = stabilityOf(motion, options).stability;
+                    }
+                }
+                return responses[k].has_value() && !isRequested(wires.cancel);
+            };
+            shareWork(steps.size(), threads, serve, wires.progress);
+            for (std::optional<FrequencyResponse>& at : responses) {
+                if (at) {
+                    answer.frequencies.push_back(std::move(*at));
+                }
+            }
+            return answer;
+        },
+        asked.progress());
+}
+
 }  // namespace
 
 void addForced(py::module_& module)
@@ -146,6 +197,12 @@ void addForced(py::module_& module)
     addCall(module, "find_harmonic", &findHarmonic);
     classOf<answers::ForceRange>(module);
     addCall(module, "force_range", &forceRange);
+    classOf<answers::PermanentOf>(module);
+    classOf<answers::FrequencyOf>(module);
+    classOf<ResponseAnswer>(module)->more().def("_figure", [](const ResponseAnswer& answer) {
+        return asJson(responseFigure(answer.frequencies, answer.range, answer.bar));
+    });
+    addCall(module, "response", &response);
 }
 
 }  // namespace signorini::python

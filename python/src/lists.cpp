@@ -29,77 +29,42 @@ int gapSign(const Bar& bar)
 void addFamily(py::module_& module)
 {
     classOf<FamilyOf>(module)
-        ->more()
-        .def_property_readonly(
-            "bar", [](const FamilyOf& f) { return f.bar; }, "Its units.")
-        .def(
-            "schedule",
-            [](const FamilyOf& f, std::int64_t cells) {
-                return signorini::scheduleOf(f.value, cells);
-            },
-            py::arg("cells"), "That has the whole set on N cells. ValueError unless w | 2N.")
-        .def("__hash__",
-             [](const FamilyOf& f) {
-                 return py::hash(
-                     py::make_tuple(f.value.order, f.value.blocks, f.value.contactBlocks));
-             })
-        .def("__repr__", [](const FamilyOf& f) {
-            return fmt::format(
-                "Family(order={}, nu={}, contact_blocks={}, T = {}/{} L/c, E >= "
-                "{:.6g} E_1)",
-                f.value.order, f.value.blocks, f.value.contactBlocks, 2 * f.value.blocks,
-                f.value.order, leastEnergy(f.value).value());
-        });
+        ->has("bar", "Its units.", [](const FamilyOf& of) { return of.bar; })
+        .can("schedule", {"cells"}, "That has the whole set on N cells. ValueError unless w | 2N.",
+             [](const FamilyOf& f, std::int64_t cells) {
+                 return signorini::scheduleOf(f.value, cells);
+             });
 }
 
 void addMode(py::module_& module)
 {
     classOf<ModeOf>(module)
-        ->more()
-        .def_property_readonly(
-            "bar", [](const ModeOf& m) { return m.bar; }, "Its units.")
-        .def_property_readonly(
-            "kappa", [](const ModeOf& m) { return m.value.kappa; }, "E/E_1 = 1/(kappa T - mu)^2.")
-        .def_property_readonly(
-            "mu", [](const ModeOf& m) { return m.value.mu; }, "See kappa.")
-        .def(
-            "energy_ratio",
-            [](const ModeOf& m, const py::object& periods) {
-                return onPeriods(periods, [&m](double t) { return energyRatio(m.value, t); });
-            },
-            py::arg("period_ratio"),
-            "E/E_1 at T [L/c], any array. ValueError outside the interval.")
-        .def(
-            "contact_time_ratio",
-            [](const ModeOf& m, const py::object& periods) {
-                return onPeriods(periods, [&m](double t) { return contactTime(m.value, t); });
-            },
-            py::arg("period_ratio"), "t_c [L/c] at T [L/c], any array. ValueError as above.")
-        .def(
-            "schedule",
-            [](const ModeOf& m, std::int64_t cells, std::int64_t steps) {
-                return signorini::scheduleOf(m.value, cells, steps);
-            },
-            py::arg("cells"), py::arg("steps"), "Of the motion with T = steps/cells L/c.")
-        .def(
-            "families",
-            [](const ModeOf& m, std::int64_t maxOrder) {
-                return withUnits(familiesOf(m.value, maxOrder), m.bar);
-            },
-            py::arg("max_order"), "Those of order w <= max_order that stand on it.")
-        .def(
-            "motion",
-            [](const ModeOf& m, double period) {
-                return ModeAnswer{m.value, m.bar, ModeMotion(m.value, period)};
-            },
-            py::arg("period_ratio"), "At T [L/c]: a ModeMotion. ValueError outside the interval.")
-        .def("__hash__",
-             [](const ModeOf& m) { return py::hash(asPython(answers::contactOf(m.value))); })
-        .def("__repr__", [](const ModeOf& m) {
-            return fmt::format("Mode(t_c = {} - {} T, {}/{} < T < {}/{} L/c)", 4 * m.value.a,
-                               -m.value.b, m.value.lowest.numerator, m.value.lowest.denominator,
-                               m.value.highest.numerator, m.value.highest.denominator);
-        });
+        ->has("bar", "Its units.", [](const ModeOf& of) { return of.bar; })
+        .has("kappa", "E/E_1 = 1/(kappa T - mu)^2.", [](const ModeOf& m) { return m.value.kappa; })
+        .has("mu", "See kappa.", [](const ModeOf& m) { return m.value.mu; })
+        .can("energy_ratio", {"period_ratio"},
+             "E/E_1 at T [L/c], any array. ValueError outside the interval.",
+             [](const ModeOf& m, const py::object& periods) {
+                 return onPeriods(periods, [&m](double t) { return energyRatio(m.value, t); });
+             })
+        .can("contact_time_ratio", {"period_ratio"},
+             "t_c [L/c] at T [L/c], any array. ValueError as above.",
+             [](const ModeOf& m, const py::object& periods) {
+                 return onPeriods(periods, [&m](double t) { return contactTime(m.value, t); });
+             })
+        .can("schedule", {"cells", "steps"}, "Of the motion with T = steps/cells L/c.",
+             [](const ModeOf& m, std::int64_t cells, std::int64_t steps) {
+                 return signorini::scheduleOf(m.value, cells, steps);
+             })
+        .can("families", {"max_order"}, "Those of order w <= max_order that stand on it.",
+             [](const ModeOf& m, std::int64_t maxOrder) {
+                 return withUnits(familiesOf(m.value, maxOrder), m.bar);
+             })
+        .can("motion", {"period_ratio"},
+             "At T [L/c]: a ModeMotion. ValueError outside the interval.",
+             [](const ModeOf& m, double period) {
+                 return ModeAnswer{m.value, m.bar, ModeMotion(m.value, period)};
+             });
 }
 
 std::vector<FamilyOf> families(const Asked& asked)
@@ -140,20 +105,26 @@ int modeSign(const Bar& bar)
     return gapSign(bar);
 }
 
-std::vector<ModeOf> modes(const Asked& asked)
+/// Those with one contact, or what several fill.
+py::object modes(const Asked& asked)
 {
     const Bar bar = asked.bar();
+    const auto phases = asked.get<std::int64_t>("phases");
     ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
                       .maxPeriod = asked.get<double>("max_period_ratio"),
                       .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
-                      .gapSign = modeSign(bar)};
-    return patiently(
-        [=](const Wires& wires) mutable {
-            bounds.cancel = wires.cancel;
-            bounds.progress = wires.progress;
-            return withUnits(findModes(bounds), bar);
-        },
-        asked.progress());
+                      .gapSign = phases == 1 ? modeSign(bar) : gapSign(bar)};
+    const auto listed = [&](auto search) {
+        return py::cast(patiently(
+            [=](const Wires& wires) mutable {
+                bounds.cancel = wires.cancel;
+                bounds.progress = wires.progress;
+                return withUnits(search(bounds), bar);
+            },
+            asked.progress()));
+    };
+    return phases == 1 ? listed(&findModes)
+                       : listed([phases](const ModeBounds& b) { return findPolytopes(phases, b); });
 }
 
 ModeOf mode(const Asked& asked)

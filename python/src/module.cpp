@@ -152,11 +152,9 @@ PYBIND11_MODULE(_core, module)
     addFind(module);
     addLists(module);
     addPolytopes(module);
-    addModeMotions(module);
     addContinuum(module);
     addAtlas(module);
     addForced(module);
-    addResponse(module);
     addSimulate(module);
     addSweep(module);
 }

@@ -87,73 +87,82 @@ struct OnNoGrid {
 };
 
 /// Fields of a `Field` made from a `T` that has a bar: in SI units, and without.
-template <typename T, typename Field, typename Class>
-void addFieldsOf(Class& shown)
+template <typename T, typename Field>
+void addFieldsOf(Record<T>& record)
 {
-    const auto both = [&shown](const char* name, auto member, auto unitOf, const char* what,
-                               const char* unit, const char* ratioUnit) {
-        const auto on = [member](const T& motion, const py::object& x, const py::object& t,
-                                 double length, double time, double one, const char* lengthUnit) {
-            const Field field(motion);
-            return Grid(x, t).of([&](double place, double instant) {
-                if (!(place >= 0.0 && place <= length && std::isfinite(instant))) {
-                    refusePlace(place, instant, length, lengthUnit);
-                }
-                return one * (field.*member)(place / length, instant / time);
-            });
-        };
-        shown.def(
-            name,
-            [on, unitOf](const T& motion, const py::object& x, const py::object& t) {
-                const Scales scale = scales(motion.bar);
-                return on(motion, x, t, motion.bar.length, scale.time, unitOf(scale), "m");
-            },
-            py::arg("x"), py::arg("t"),
-            fmt::format("{} [{}] at x [m] and t [s], any arrays that NumPy can broadcast together.",
-                        what, unit)
-                .c_str());
-        shown.def((std::string(name) + "_ratio").c_str(),
-                  [on](const T& motion, const py::object& x, const py::object& t) {
-                      return on(motion, x, t, 1.0, 1.0, 1.0, "L");
-                  },
-                  py::arg("x"), py::arg("t"),
-                  fmt::format("{} [{}] at x [L] and t [L/c], any arrays that NumPy can broadcast "
-                              "together.",
-                              what, ratioUnit)
-                      .c_str());
+    const auto add = [&record](const std::string& name, auto member, auto unitOf, const char* what,
+                               const char* unit, bool isRatio) {
+        record.can(name.c_str(), {"x", "t"},
+                   fmt::format("{} [{}] at x [{}] and t [{}], any arrays that NumPy can broadcast "
+                               "together.",
+                               what, unit, isRatio ? "L" : "m", isRatio ? "L/c" : "s")
+                       .c_str(),
+                   [=](const T& motion, const py::object& x, const py::object& t) {
+                       const Field field(motion);
+                       const Scales scale = scales(motion.bar);
+                       const double length = isRatio ? 1.0 : motion.bar.length;
+                       const double time = isRatio ? 1.0 : scale.time;
+                       const double one = isRatio ? 1.0 : scale.*unitOf;
+                       return Grid(x, t).of([&](double place, double instant) {
+                           if (!(place >= 0.0 && place <= length && std::isfinite(instant))) {
+                               refusePlace(place, instant, length, isRatio ? "L" : "m");
+                           }
+                           return one * (field.*member)(place / length, instant / time);
+                       });
+                   });
     };
-    both(
-        "displacement", &Field::displacement, [](const Scales& s) { return s.displacement; },
-        "u(x, t)", "m", "g");
-    both(
-        "velocity", &Field::velocity, [](const Scales& s) { return s.velocity; }, "v(x, t)", "m/s",
-        "c g/L");
-    both(
-        "strain", &Field::strain, [](const Scales& s) { return s.strain; }, "s(x, t), tension > 0,",
-        "-", "g/L");
-    shown.def(
-        "wall_force",
-        [](const T& motion, const py::object& t) {
-            const Field field(motion);
-            const double time = scales(motion.bar).time;
-            const double unit = forceUnit(motion.bar);
-            return Grid(py::float_(0.0), t).of([&](double, double instant) {
-                return unit * field.wallForce(instant / time);
-            });
-        },
-        py::arg("t"), "Force of the tip on the wall [N] at t [s], any array; 0 in flight.");
-    shown.def(
-        "wall_force_ratio",
-        [](const T& motion, const py::object& t) {
-            const Field field(motion);
-            return Grid(py::float_(0.0), t).of([&](double, double instant) {
-                return field.wallForce(instant);
-            });
-        },
-        py::arg("t"), "Force of the tip on the wall [EA g/L] at t [L/c], any array.");
+    const auto both = [&add](const std::string& name, auto member, auto unitOf, const char* what,
+                             const char* unit, const char* ratioUnit) {
+        add(name, member, unitOf, what, unit, false);
+        add(name + "_ratio", member, unitOf, what, ratioUnit, true);
+    };
+    both("displacement", &Field::displacement, &Scales::displacement, "u(x, t)", "m", "g");
+    both("velocity", &Field::velocity, &Scales::velocity, "v(x, t)", "m/s", "c g/L");
+    both("strain", &Field::strain, &Scales::strain, "s(x, t), tension > 0,", "-", "g/L");
+    const auto force = [](const T& motion, const py::object& t, double time, double unit) {
+        const Field field(motion);
+        return onPeriods(t, [&](double instant) { return unit * field.wallForce(instant / time); });
+    };
+    record
+        .can("wall_force", {"t"},
+             "Force of the tip on the wall [N] at t [s], any array; 0 in flight.",
+             [force](const T& motion, const py::object& t) {
+                 return force(motion, t, scales(motion.bar).time, forceUnit(motion.bar));
+             })
+        .can("wall_force_ratio", {"t"},
+             "Force of the tip on the wall [EA g/L] at t [L/c], any array.",
+             [force](const T& motion, const py::object& t) { return force(motion, t, 1.0, 1.0); });
 }
 
-void addGridMotion(py::module_& module)
+/// 0, step, ..., count step.
+py::array_t<double> multiples(double step, std::int64_t count)
+{
+    return filled(count + 1, [step](std::int64_t k) { return static_cast<double>(k) * step; });
+}
+
+StateOf stateAt(const GridMotion& m, std::int64_t step)
+{
+    const Motion& field = *m.field();
+    if (step < 0 || step > field.steps()) {
+        Faults faults;
+        faults.add("step", step, fmt::format("whole numbers 0..{}", field.steps()));
+        faults.throwIfAny();
+    }
+    auto state = std::make_shared<State>();
+    state->a.resize(field.cells());
+    state->b.resize(field.cells());
+    for (std::int64_t cell = 1; cell <= field.cells(); ++cell) {
+        const double v = field.velocity(cell, step);
+        const double s = field.strain(cell, step) * speedOf(m.scene.segments, cell);
+        state->a[cell - 1] = (v - s) / 2.0;
+        state->b[cell - 1] = (v + s) / 2.0;
+    }
+    return {state, m.bar, m.scene.segments};
+}
+
+}  // namespace
+
+void addMotion(py::module_& module)
 {
     Record<GridMotion> record(module, "Motion", R"(What a bar does over one period.
 
@@ -174,7 +183,6 @@ Raises
 ValueError
     If state and schedule do not have the same cells.
 )");
-    const auto instants = [](const GridMotion& motion) { return motion.field()->steps(); };
     auto& shown = record.more();
     shown
         .def(py::init([](const StateOf& state, const Schedule& schedule,
@@ -192,116 +200,58 @@ ValueError
         .def(
             "_figure",
             [](const GridMotion& m) { return asJson(motionFigure(*m.state, m.schedule, m.scene)); })
-        .def_property_readonly(
-            "bar", [](const GridMotion& m) { return m.bar; }, "Its units.")
-        .def_property_readonly(
-            "scene", [](const GridMotion& m) { return m.scene; }, "Where it happens.")
-        .def_property_readonly(
-            "schedule", [](const GridMotion& m) { return m.schedule; }, "That it follows.")
-        .def_property_readonly(
-            "state",
-            [](const GridMotion& m) {
-                return StateOf{m.state, m.bar, m.scene.segments};
-            },
-            "At t = 0.")
-        .def_property_readonly(
-            "cells", [](const GridMotion& m) { return m.schedule.cells; }, "N.")
-        .def_property_readonly(
-            "steps", instants,
-            "n, steps after which the motion is back at its start: those of the schedule, less "
-            "what long flights only repeat.")
-        .def_property_readonly(
-            "period", [](const GridMotion& m) { return period(m.schedule) * scales(m.bar).time; },
-            "T of the schedule [s].")
-        .def_property_readonly(
-            "period_ratio", [](const GridMotion& m) { return period(m.schedule); },
-            "T of the schedule [L/c].")
-        .def_property_readonly(
-            "p",
-            [](const GridMotion& m) {
-                const std::span<const double> p = m.field()->arriving();
-                return view(p.data(), p.size(), m.field());
-            },
-            "p_0 ... p_{n-1}, the wave arriving at the tip in each step [g/L]; read-only, no copy.")
-        .def_property_readonly(
-            "t",
-            [instants](const GridMotion& m) {
-                const double step = scales(m.bar).time / static_cast<double>(m.schedule.cells);
-                return filled(instants(m) + 1,
-                              [step](std::int64_t k) { return static_cast<double>(k) * step; });
-            },
-            "t_0 ... t_n [s].")
-        .def_property_readonly(
-            "x",
-            [](const GridMotion& m) {
-                const double cell = m.bar.length / static_cast<double>(m.schedule.cells);
-                return filled(m.schedule.cells + 1,
-                              [cell](std::int64_t k) { return static_cast<double>(k) * cell; });
-            },
-            "x_0 ... x_N [m], clamp to tip.")
-        .def_property_readonly(
-            "tip",
-            [instants](const GridMotion& m) {
-                const Motion& field = *m.field();
-                const double unit = scales(m.bar).displacement;
-                return filled(instants(m) + 1, [&](std::int64_t k) {
-                    return unit * field.displacement(field.cells(), k);
-                });
-            },
-            "u(L, t) at t_0 ... t_n [m]; straight between.")
-        .def_property_readonly(
-            "tip_ratio",
-            [instants](const GridMotion& m) {
-                const Motion& field = *m.field();
-                return filled(instants(m) + 1,
-                              [&](std::int64_t k) { return field.displacement(field.cells(), k); });
-            },
-            "u(L, t) at t_0 ... t_n [g].")
-        .def_property_readonly(
-            "force",
-            [instants](const GridMotion& m) {
-                const Motion& field = *m.field();
-                const double unit = forceUnit(m.bar);
-                return filled(instants(m),
-                              [&](std::int64_t k) { return unit * field.wallForce(k); });
-            },
-            "Force of the tip on the wall in steps 0 ... n-1 [N].")
-        .def_property_readonly(
-            "force_ratio",
-            [instants](const GridMotion& m) {
-                const Motion& field = *m.field();
-                return filled(instants(m), [&](std::int64_t k) { return field.wallForce(k); });
-            },
-            "Force of the tip on the wall in steps 0 ... n-1 [EA g/L].")
-        .def(
-            "state_at",
-            [](const GridMotion& m, std::int64_t step) {
-                const Motion& field = *m.field();
-                if (step < 0 || step > field.steps()) {
-                    Faults faults;
-                    faults.add("step", step, fmt::format("whole numbers 0..{}", field.steps()));
-                    faults.throwIfAny();
-                }
-                auto state = std::make_shared<State>();
-                state->a.resize(field.cells());
-                state->b.resize(field.cells());
-                for (std::int64_t cell = 1; cell <= field.cells(); ++cell) {
-                    const double v = field.velocity(cell, step);
-                    const double s = field.strain(cell, step) * speedOf(m.scene.segments, cell);
-                    state->a[cell - 1] = (v - s) / 2.0;
-                    state->b[cell - 1] = (v + s) / 2.0;
-                }
-                return StateOf{state, m.bar, m.scene.segments};
-            },
-            py::arg("step"), "The state right after t_m.")
         .def("__repr__", [](const GridMotion& m) {
             return fmt::format("Motion({}, period_ratio={:.10g})", describe(m.schedule),
                                period(m.schedule));
         });
-    addFieldsOf<GridMotion, OnGrid>(shown);
+    record.has("bar", "Its units.", [](const GridMotion& m) { return m.bar; })
+        .has("scene", "Where it happens.", [](const GridMotion& m) { return m.scene; })
+        .has("schedule", "That it follows.", [](const GridMotion& m) { return m.schedule; })
+        .has("state", "At t = 0.",
+             [](const GridMotion& m) {
+                 return StateOf{m.state, m.bar, m.scene.segments};
+             })
+        .has("cells", "N.", [](const GridMotion& m) { return m.schedule.cells; })
+        .has("steps",
+             "n, steps after which the motion is back at its start: those of the schedule, less "
+             "what long flights only repeat.",
+             [](const GridMotion& m) { return m.field()->steps(); })
+        .both("period", "time_unit", "T of the schedule [s].", "T of the schedule [L/c].",
+              [](const GridMotion& m) { return period(m.schedule); })
+        .has("p",
+             "p_0 ... p_{n-1}, the wave arriving at the tip in each step [g/L]; read-only, no "
+             "copy.",
+             [](const GridMotion& m) {
+                 const std::span<const double> p = m.field()->arriving();
+                 return view(p.data(), p.size(), m.field());
+             })
+        .has("t", "t_0 ... t_n [s].",
+             [](const GridMotion& m) {
+                 return multiples(scales(m.bar).time / static_cast<double>(m.schedule.cells),
+                                  m.field()->steps());
+             })
+        .has("x", "x_0 ... x_N [m], clamp to tip.",
+             [](const GridMotion& m) {
+                 return multiples(m.bar.length / static_cast<double>(m.schedule.cells),
+                                  m.schedule.cells);
+             })
+        .both("tip", "displacement_unit", "u(L, t) at t_0 ... t_n [m]; straight between.",
+              "u(L, t) at t_0 ... t_n [g].",
+              [](const GridMotion& m) {
+                  const Motion& field = *m.field();
+                  return filled(field.steps() + 1, [&](std::int64_t k) {
+                      return field.displacement(field.cells(), k);
+                  });
+              })
+        .both("force", "force_unit", "Force of the tip on the wall in steps 0 ... n-1 [N].",
+              "Force of the tip on the wall in steps 0 ... n-1 [EA g/L].",
+              [](const GridMotion& m) {
+                  const Motion& field = *m.field();
+                  return filled(field.steps(), [&](std::int64_t k) { return field.wallForce(k); });
+              })
+        .can("state_at", {"step"}, "The state right after t_m.", &stateAt);
+    addFieldsOf<GridMotion, OnGrid>(record);
 }
-
-}  // namespace
 
 const std::shared_ptr<const Motion>& GridMotion::field() const
 {
@@ -323,19 +273,14 @@ std::vector<std::string> framesOf(const MotionSamples& samples, std::int64_t mos
     return frames;
 }
 
-void addModeFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown)
+void addModeFields(Record<ModeAnswer>& record)
 {
-    addFieldsOf<ModeAnswer, OnNoGrid>(shown);
+    addFieldsOf<ModeAnswer, OnNoGrid>(record);
 }
 
-void addModeFields(py::class_<PolytopeAnswer, std::shared_ptr<PolytopeAnswer>>& shown)
+void addModeFields(Record<PolytopeAnswer>& record)
 {
-    addFieldsOf<PolytopeAnswer, OnNoGrid>(shown);
-}
-
-void addMotion(py::module_& module)
-{
-    addGridMotion(module);
+    addFieldsOf<PolytopeAnswer, OnNoGrid>(record);
 }
 
 }  // namespace signorini::python

@@ -47,7 +47,7 @@ void addMotion(py::module_& module);
 [[nodiscard]] std::vector<std::string> framesOf(const MotionSamples& samples, std::int64_t most);
 
 /// u, v, s and the force on the wall, on arrays of x and t.
-void addModeFields(py::class_<ModeAnswer, std::shared_ptr<ModeAnswer>>& shown);
-void addModeFields(py::class_<PolytopeAnswer, std::shared_ptr<PolytopeAnswer>>& shown);
+void addModeFields(Record<ModeAnswer>& record);
+void addModeFields(Record<PolytopeAnswer>& record);
 
 }  // namespace signorini::python

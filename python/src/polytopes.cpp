@@ -6,8 +6,40 @@
 #include "described.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
+#include "signorini/output.hpp"
 
 namespace signorini::python {
+
+/// Motions are made anew of what they are the motions of.
+template <>
+inline void put(Writer& to, const ModeAnswer& m)
+{
+    put(to, m.mode);
+    put(to, m.bar);
+    put(to, m.motion.period());
+}
+template <>
+inline ModeAnswer take(Reader& from)
+{
+    const Mode mode = take<Mode>(from);
+    const Bar bar = take<Bar>(from);
+    return {mode, bar, ModeMotion(mode, take<double>(from))};
+}
+template <>
+inline void put(Writer& to, const PolytopeAnswer& m)
+{
+    put(to, m.polytope);
+    put(to, m.bar);
+    put(to, m.point);
+}
+template <>
+inline PolytopeAnswer take(Reader& from)
+{
+    const auto polytope = take<ModePolytope>(from);
+    const Bar bar = take<Bar>(from);
+    const auto point = take<ModePoint>(from);
+    return {polytope, bar, point, ModeMotion(polytope, point)};
+}
 
 namespace {
 
@@ -44,86 +76,67 @@ PolytopeAnswer motionOf(const PolytopeOf& p, double period,
     return {p.value, p.bar, point, ModeMotion(p.value, point)};
 }
 
+/// What motions of modes and of polytopes share.
+template <typename Answer>
+void addMotionOf(py::module_& module)
+{
+    const auto record = classOf<Answer>(module);
+    record
+        ->has("amplitude_ratio", "h = |p| [g/L].",
+              [](const Answer& m) { return m.motion.amplitude(); })
+        .has("jump_times_ratio",
+             "Where p changes its sign, ascending [L/c]: the first is the end of the first "
+             "contact; no copy.",
+             [](const std::shared_ptr<Answer>& m) {
+                 const auto& times = m->motion.jumpTimes();
+                 return view(times.data(), times.size(), m);
+             })
+        .can("p", {"t_ratio"}, "The wave arriving at the tip [g/L] at t [L/c], any array.",
+             [](const Answer& m, const py::object& t) {
+                 return onPeriods(t, [&m](double instant) { return m.motion.incoming(instant); });
+             })
+        .can("state", {"cells"}, "At t = 0, the means over each of N cells.",
+             [](const Answer& m, std::int64_t cells) {
+                 return StateOf{std::make_shared<const State>(cellMeans(m.motion, cells)), m.bar};
+             });
+    addModeFields(*record);
+}
+
 void addPolytope(py::module_& module)
 {
     classOf<PolytopeOf>(module)
-        ->more()
-        .def_property_readonly(
-            "bar", [](const PolytopeOf& p) { return p.bar; }, "Its units.")
-        .def_property_readonly(
-            "phases", [](const PolytopeOf& p) { return p.value.chains.size(); }, "K.")
-        .def(
-            "energy_ratio",
-            [](const PolytopeOf& p, const py::object& periods) {
-                return onPeriods(periods, [&p](double t) { return energyRatio(p.value, t); });
-            },
-            py::arg("period_ratio"),
-            "E/E_1 at T [L/c], any array. ValueError outside the interval.")
-        .def(
-            "slice",
-            [](const PolytopeOf& p, double period) {
-                return rowsOf(slice(p.value, period), p.value.chains.size() - 1);
-            },
-            py::arg("period_ratio"),
-            "Arrivals s_2 ... s_K [L/c] at the corners of T [L/c], an array of shape (corners, "
-            "K - 1): the motions of this period are their means, ends excluded. ValueError outside "
-            "the interval.")
-        .def(
-            "stretches",
-            [](const PolytopeOf& p, double period, const std::vector<double>& arrivals) {
-                const auto times = stretches(p.value, {period, arrivals});
-                return filled(static_cast<std::int64_t>(times.size()), [&times](std::int64_t k) {
-                    return times[static_cast<std::size_t>(k)];
-                });
-            },
-            py::arg("period_ratio"), py::arg("arrivals"),
-            "Contact and flight in turn, 2K lengths [L/c]. ValueError unless there are K - 1 "
-            "arrivals.")
+        ->has("bar", "Its units.", [](const PolytopeOf& of) { return of.bar; })
+        .has("phases", "K.", [](const PolytopeOf& p) { return p.value.chains.size(); })
+        .can("energy_ratio", {"period_ratio"},
+             "E/E_1 at T [L/c], any array. ValueError outside the interval.",
+             [](const PolytopeOf& p, const py::object& periods) {
+                 return onPeriods(periods, [&p](double t) { return energyRatio(p.value, t); });
+             })
+        .can("slice", {"period_ratio"},
+             "Arrivals s_2 ... s_K [L/c] at the corners of T [L/c], an array of shape (corners, "
+             "K - 1): the motions of this period are their means, ends excluded. ValueError "
+             "outside the interval.",
+             [](const PolytopeOf& p, double period) {
+                 return rowsOf(slice(p.value, period), p.value.chains.size() - 1);
+             })
+        .can("stretches", {"period_ratio", "arrivals"},
+             "Contact and flight in turn, 2K lengths [L/c]. ValueError unless there are K - 1 "
+             "arrivals.",
+             [](const PolytopeOf& p, double period, const std::vector<double>& arrivals) {
+                 const auto times = stretches(p.value, {period, arrivals});
+                 return filled(static_cast<std::int64_t>(times.size()), [&times](std::int64_t k) {
+                     return times[static_cast<std::size_t>(k)];
+                 });
+             })
+        .can("schedules", {"cells", "steps"},
+             "On N cells, of the motions with T = steps/cells L/c, one for each orbit.",
+             [](const PolytopeOf& p, std::int64_t cells, std::int64_t steps) {
+                 return schedulesOf(p.value, cells, steps);
+             })
+        .more()
         .def("motion", &motionOf, py::arg("period_ratio"), py::arg("arrivals") = py::none(),
              "At T and arrivals s_2 ... s_K [L/c], in the middle without: a PolytopeMotion. "
-             "ValueError outside.")
-        .def(
-            "schedules",
-            [](const PolytopeOf& p, std::int64_t cells, std::int64_t steps) {
-                return schedulesOf(p.value, cells, steps);
-            },
-            py::arg("cells"), py::arg("steps"),
-            "On N cells, of the motions with T = steps/cells L/c, one for each orbit.")
-        .def("__hash__",
-             [](const PolytopeOf& p) {
-                 py::list list;
-                 for (const ModeChain& chain : p.value.chains) {
-                     list.append(py::make_tuple(chain.k, chain.turns, chain.release));
-                 }
-                 return py::hash(py::tuple(list));
-             })
-        .def("__repr__", [](const PolytopeOf& p) {
-            std::string chains;
-            for (const ModeChain& chain : p.value.chains) {
-                chains += fmt::format("{}/{}->{}, ", chain.k, chain.turns, chain.release + 1);
-            }
-            return fmt::format("ModePolytope({}{}/{} < T < {}/{} L/c, {} free)", chains,
-                               p.value.lowest.numerator, p.value.lowest.denominator,
-                               p.value.highest.numerator, p.value.highest.denominator,
-                               p.value.dimension);
-        });
-}
-
-std::vector<PolytopeOf> polytopes(const Asked& asked)
-{
-    const Bar bar = asked.bar();
-    const auto phases = asked.get<std::int64_t>("phases");
-    ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
-                      .maxPeriod = asked.get<double>("max_period_ratio"),
-                      .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
-                      .gapSign = stopsOf(bar).right};
-    return patiently(
-        [=](const Wires& wires) mutable {
-            bounds.cancel = wires.cancel;
-            bounds.progress = wires.progress;
-            return answers::withUnits(findPolytopes(phases, bounds), bar);
-        },
-        asked.progress());
+             "ValueError outside.");
 }
 
 std::optional<PolytopeOf> polytope(const Asked& asked)
@@ -140,8 +153,9 @@ void addPolytopes(py::module_& module)
 {
     classOf<ModeChain>(module);
     addPolytope(module);
-    addCall(module, "polytopes", &polytopes);
     addCall(module, "polytope", &polytope);
+    addMotionOf<ModeAnswer>(module);
+    addMotionOf<PolytopeAnswer>(module);
 }
 
 }  // namespace signorini::python

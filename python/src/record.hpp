@@ -3,8 +3,8 @@
 /// A struct of the library as a Python class whose attributes are the keys of the program's JSON.
 ///
 /// Each key is said once: it becomes a read-only property with its docstring, a line of `to_dict`
-/// and a word of `repr`. Structs whose members are listed (members.hpp) can be compared, copied and
-/// pickled.
+/// and a word of `repr`, which the package makes of `_keys`. Structs whose members are listed
+/// (members.hpp) can be compared, hashed, copied and pickled.
 
 #include <pybind11/pybind11.h>
 
@@ -17,16 +17,6 @@
 #include "pickled.hpp"
 
 namespace signorini::python {
-
-/// A value as JSON has it: records become dictionaries, tuples lists, numbers that are not finite
-/// None.
-[[nodiscard]] py::object plain(const py::handle& value);
-
-/// The keys of a record, as `to_dict` gives them.
-[[nodiscard]] py::dict dictOf(const py::handle& record);
-
-/// "Name(key=value, ...)" with the first keys that have a value.
-[[nodiscard]] std::string represent(const py::handle& record);
 
 /// A class with keys.
 template <typename T>
@@ -50,16 +40,8 @@ public:
     ~Record()
     {
         class_.attr("_keys") = py::tuple(keys_);
-        if (lacks("to_dict")) {
-            class_.def(
-                "to_dict", [](const py::object& self) { return dictOf(self); },
-                "The same as a dictionary, key by key what the program prints as JSON.");
-        }
-        if (lacks("__repr__")) {
-            class_.def("__repr__", [](const py::object& self) { return represent(self); });
-        }
         if constexpr (isKept<T>) {
-            if (lacks("__eq__")) {
+            if (!class_.attr("__dict__").contains("__eq__")) {
                 class_.def("__eq__", [](const T& one, const py::object& other) -> py::object {
                     if (!py::isinstance<T>(other)) {
                         return py::reinterpret_borrow<py::object>(Py_NotImplemented);
@@ -68,6 +50,8 @@ public:
                                      bytesOf(py::cast<const T&>(other), true));
                 });
             }
+            class_.def("__hash__",
+                       [](const T& value) { return py::hash(py::bytes(bytesOf(value, true))); });
         }
     }
 
@@ -90,15 +74,42 @@ public:
         return *this;
     }
 
-    /// The class, for what is no key.
+    /// A property that is no key.
+    template <typename Get>
+    Record& has(const char* name, const char* doc, Get get)
+    {
+        class_.def_property_readonly(name, get, doc);
+        return *this;
+    }
+
+    /// Numbers without a unit as "name_ratio", and times a unit of the bar as "name".
+    template <typename Get>
+    Record& both(const std::string& name, const char* unit, const char* doc, const char* ratioDoc,
+                 Get get)
+    {
+        const std::string ratio = name + "_ratio";
+        has(ratio.c_str(), ratioDoc, get);
+        return has(name.c_str(), doc, [ratio, unit](const py::object& self) {
+            return self.attr(ratio.c_str()) * self.attr("bar").attr(unit);
+        });
+    }
+
+    /// A method, and the names of its arguments.
+    template <std::size_t count, typename Function>
+    Record& can(const char* name, const char* const (&names)[count], const char* doc, Function does)
+    {
+        const auto define = [&]<std::size_t... k>(std::index_sequence<k...>)
+        {
+            class_.def(name, does, py::arg(names[k])..., doc);
+        };
+        define(std::make_index_sequence<count>());
+        return *this;
+    }
+
+    /// The class, for all else.
     Class& more() { return class_; }
 
 private:
-    [[nodiscard]] bool lacks(const char* name) const
-    {
-        return !class_.attr("__dict__").contains(name);
-    }
-
     Class class_;
     py::list keys_;
 };

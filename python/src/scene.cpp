@@ -43,57 +43,51 @@ ValueError
     If a value is out of its range, or two of them clash.
 )");
     using Number = std::optional<Quantity>;
-    record->more()
-        .def(py::init([](const Quantity& length, const Number& waveSpeed,
-                         const Number& axialStiffness, const Quantity& gap, const Number& young,
-                         const Number& density, const Number& area) {
-                 Bar bar{.length = quantityOf("length", length),
-                         .gap = quantityOf("gap", gap),
-                         .young = quantityOf("young", young)};
-                 if (density || area) {
-                     if (!young || !density || !area) {
-                         throw std::invalid_argument(
-                             "young, density, area: allowed only all three together");
-                     }
-                     if (waveSpeed || axialStiffness) {
-                         throw std::invalid_argument(
-                             "young, density, area clash with wave_speed, axial_stiffness: allowed "
-                             "one set");
-                     }
-                     return barOfMaterial(bar.length, *bar.young, *quantityOf("density", density),
-                                          *quantityOf("area", area), bar.gap);
-                 }
-                 bar.waveSpeed = quantityOf("wave_speed", waveSpeed).value_or(bar.waveSpeed);
-                 bar.axialStiffness =
-                     quantityOf("axial_stiffness", axialStiffness).value_or(bar.axialStiffness);
-                 validate(bar);
-                 return bar;
-             }),
-             py::kw_only(), py::arg("length") = Bar{}.length, py::arg("wave_speed") = py::none(),
-             py::arg("axial_stiffness") = py::none(), py::arg("gap") = Bar{}.gap,
-             py::arg("young") = py::none(), py::arg("density") = py::none(),
-             py::arg("area") = py::none())
-        .def("__hash__", [](const Bar& bar) { return py::hash(py::bytes(bytesOf(bar, true))); })
-        .def_property_readonly(
-            "energy_unit", [](const Bar& bar) { return scales(bar).energy; },
-            "E_1 = EA g^2/(2L) [J]: the unit of every `energy_ratio`.")
-        .def_property_readonly(
-            "time_unit", [](const Bar& bar) { return scales(bar).time; },
-            "L/c [s]: the unit of every `period_ratio` and other times.")
-        .def_property_readonly(
-            "strain_unit", [](const Bar& bar) { return scales(bar).strain; },
-            "g/L [-]: the unit of waves and strains.")
-        .def_property_readonly(
-            "velocity_unit", [](const Bar& bar) { return scales(bar).velocity; },
-            "c g/L [m/s]: the unit of velocities.")
-        .def_property_readonly(
-            "displacement_unit", [](const Bar& bar) { return scales(bar).displacement; },
-            "g [m]: the unit of displacements.")
-        .def_property_readonly("force_unit", &forceUnit, "EA g/L [N]: the unit of forces.")
-        .def_property_readonly("impulse_unit", &impulseUnit, "EA g/c [N s]: the unit of impulses.")
-        .def_property_readonly(
-            "frequency_unit", [](const Bar& bar) { return 0.25 / scales(bar).time; },
-            "omega_1/(2 pi) = c/(4L) [Hz]: the unit of `frequency_ratio`.");
+    record->more().def(
+        py::init([](const Quantity& length, const Number& waveSpeed, const Number& axialStiffness,
+                    const Quantity& gap, const Number& young, const Number& density,
+                    const Number& area) {
+            Bar bar{.length = quantityOf("length", length),
+                    .gap = quantityOf("gap", gap),
+                    .young = quantityOf("young", young)};
+            if (density || area) {
+                if (!young || !density || !area) {
+                    throw std::invalid_argument(
+                        "young, density, area: allowed only all three together");
+                }
+                if (waveSpeed || axialStiffness) {
+                    throw std::invalid_argument(
+                        "young, density, area clash with wave_speed, axial_stiffness: allowed "
+                        "one set");
+                }
+                return barOfMaterial(bar.length, *bar.young, *quantityOf("density", density),
+                                     *quantityOf("area", area), bar.gap);
+            }
+            bar.waveSpeed = quantityOf("wave_speed", waveSpeed).value_or(bar.waveSpeed);
+            bar.axialStiffness =
+                quantityOf("axial_stiffness", axialStiffness).value_or(bar.axialStiffness);
+            validate(bar);
+            return bar;
+        }),
+        py::kw_only(), py::arg("length") = Bar{}.length, py::arg("wave_speed") = py::none(),
+        py::arg("axial_stiffness") = py::none(), py::arg("gap") = Bar{}.gap,
+        py::arg("young") = py::none(), py::arg("density") = py::none(),
+        py::arg("area") = py::none());
+    for (const auto& [name, unit, doc] :
+         {std::tuple("energy_unit", &Scales::energy,
+                     "E_1 = EA g^2/(2L) [J]: the unit of every `energy_ratio`."),
+          std::tuple("time_unit", &Scales::time,
+                     "L/c [s]: the unit of every `period_ratio` and other times."),
+          std::tuple("strain_unit", &Scales::strain, "g/L [-]: the unit of waves and strains."),
+          std::tuple("velocity_unit", &Scales::velocity, "c g/L [m/s]: the unit of velocities."),
+          std::tuple("displacement_unit", &Scales::displacement,
+                     "g [m]: the unit of displacements.")}) {
+        record->has(name, doc, [unit = unit](const Bar& bar) { return scales(bar).*unit; });
+    }
+    record->has("force_unit", "EA g/L [N]: the unit of forces.", &forceUnit)
+        .has("impulse_unit", "EA g/c [N s]: the unit of impulses.", &impulseUnit)
+        .has("frequency_unit", "omega_1/(2 pi) = c/(4L) [Hz]: the unit of `frequency_ratio`.",
+             [](const Bar& bar) { return 0.25 / scales(bar).time; });
 }
 
 void addWholeScene(py::module_& module)
@@ -215,49 +209,15 @@ ValueError
             "cells", [](const Schedule& s) { return s.cells; }, "N, cells of the bar.")
         .key(
             "phases", [](const Schedule& s) { return asPython(s.phases); },
-            "[(n_c, n_f), ...], contact and free steps.");
-    record.more()
-        .def(py::init([](const py::args& words, std::optional<std::int64_t> cells) {
-                 return scheduleOf(words, cells);
-             }),
-             py::arg("cells") = py::none())
-        .def_property_readonly(
-            "steps", [](const Schedule& s) { return steps(s); }, "n, all steps of a period.")
-        .def_property_readonly(
-            "period_ratio", [](const Schedule& s) { return period(s); }, "c T/L = n/N.")
-        .def_property_readonly(
-            "frequency_ratio", [](const Schedule& s) { return frequencyRatio(s); },
-            "omega/omega_1 = 4N/n.")
-        .def(
-            "to_dict", [](const Schedule& s) { return plain(asPython(s.phases)); },
-            "The pairs, as the program's JSON has them.")
-        .def("__len__", [](const Schedule& s) { return s.phases.size(); })
-        .def("__getitem__", [](const Schedule& s,
-                               const py::object& at) { return py::object(asPython(s.phases)[at]); })
-        .def("__iter__", [](const Schedule& s) { return py::iter(asPython(s.phases)); })
-        .def("__eq__",
-             [](const Schedule& s, const py::object& other) {
-                 if (py::isinstance<Schedule>(other)) {
-                     return s == py::cast<const Schedule&>(other);
-                 }
-                 return py::isinstance<py::sequence>(other) &&
-                        plain(py::list(other)).equal(plain(asPython(s.phases)));
-             })
-        .def("__hash__",
-             [](const Schedule& s) {
-                 return py::hash(py::make_tuple(s.cells, py::tuple(asPython(s.phases))));
-             })
-        .def("__repr__", [](const Schedule& s) {
-            std::string text;
-            for (const Phase& phase : s.phases) {
-                const std::string pair = fmt::format("{}, {}{}", phase.contact, phase.free,
-                                                     phase.stop == Stop::left ? ", 'left'" : "");
-                text += s.phases.size() == 1 && s.phases.front().stop == Stop::right
-                            ? pair + ", "
-                            : "(" + pair + "), ";
-            }
-            return fmt::format("Schedule({}cells={})", shortened(text, 120), s.cells);
-        });
+            "[(n_c, n_f), ...], contact and free steps.")
+        .has("steps", "n, all steps of a period.", [](const Schedule& s) { return steps(s); })
+        .has("period_ratio", "c T/L = n/N.", [](const Schedule& s) { return period(s); })
+        .has("frequency_ratio", "omega/omega_1 = 4N/n.",
+             [](const Schedule& s) { return frequencyRatio(s); });
+    record.more().def(py::init([](const py::args& words, std::optional<std::int64_t> cells) {
+                          return scheduleOf(words, cells);
+                      }),
+                      py::arg("cells") = py::none());
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "arrays.hpp"
 #include "asked.hpp"
 #include "described.hpp"
-#include "numbers.hpp"
 #include "patience.hpp"
 #include "simulation_answer.hpp"
 
@@ -50,27 +49,12 @@ double second(const Bar& bar)
     return scales(bar).time;
 }
 
-double speed(const Bar& bar)
-{
-    return scales(bar).velocity;
-}
-
-double joule(const Bar& bar)
-{
-    return scales(bar).energy;
-}
-
-double metre(const Bar& bar)
-{
-    return scales(bar).displacement;
-}
-
 /// A number of each struct in a list, and its units.
 template <typename T>
 struct Column {
     const char* name;
     double T::*member;
-    double (*unit)(const Bar&);
+    const char* unit;  ///< of the bar
     const char* doc;
     const char* ratioDoc;
 };
@@ -81,19 +65,8 @@ void addColumns(Record<Simulated>& record, std::vector<T> Simulated::*list,
                 std::initializer_list<Column<T>> columns)
 {
     for (const Column<T>& column : columns) {
-        record.more().def_property_readonly(
-            column.name,
-            [list, column](const Simulated& s) {
-                const double one = column.unit(s.scene.bar);
-                return filled(static_cast<std::int64_t>((s.*list).size()), [&](std::int64_t k) {
-                    return one * ((s.*list)[static_cast<std::size_t>(k)].*column.member);
-                });
-            },
-            column.doc);
-        record.more().def_property_readonly(
-            fmt::format("{}_ratio", column.name).c_str(),
-            [list, column](const Shared& s) { return view((*s).*list, column.member, s); },
-            column.ratioDoc);
+        record.both(column.name, column.unit, column.doc, column.ratioDoc,
+                    [list, column](const Shared& s) { return view((*s).*list, column.member, s); });
     }
 }
 
@@ -113,30 +86,26 @@ void addWaves(py::module_& module)
             return view(w->value.*wave, &Piece::value, w);
         };
     };
-    record.more()
-        .def_property_readonly("a", values(&Waves::a), "Right-going, tip first [g/L]; no copy.")
-        .def_property_readonly("b", values(&Waves::b), "Left-going, base first [g/L]; no copy.")
-        .def_property_readonly("a_duration", durations(&Waves::a), "Of each piece [L/c].")
-        .def_property_readonly("b_duration", durations(&Waves::b), "Of each piece [L/c].")
-        .def_property_readonly(
-            "energy_ratio", [](const WavesOf& w) { return energyRatio(w.value); }, "E/E_1.")
-        .def(
-            "stretching",
-            [](const WavesOf& w, std::int64_t cells) {
-                if (cells < 1 || cells > mostCells) {
-                    throw std::invalid_argument(
-                        fmt::format("cells = {} is out of range: allowed whole numbers 1..{}",
-                                    cells, mostCells));
-                }
-                const Eigen::VectorXd u = stretching(w.value, cells);
-                const double unit = scales(w.bar).displacement;
-                return filled(u.size(), [&](std::int64_t k) { return unit * u[k]; });
-            },
-            py::arg("cells"), "u(x_i) - u(0) at x_0 ... x_N [m].")
-        .def("__repr__", [](const WavesOf& w) {
-            return fmt::format("Waves({} pieces, E = {})", w.value.a.size() + w.value.b.size(),
-                               energyAsText(energyRatio(w.value), w.bar));
-        });
+    record.has("a", "Right-going, tip first [g/L]; no copy.", values(&Waves::a))
+        .has("b", "Left-going, base first [g/L]; no copy.", values(&Waves::b))
+        .has("a_duration", "Of each piece [L/c].", durations(&Waves::a))
+        .has("b_duration", "Of each piece [L/c].", durations(&Waves::b))
+        .has("energy_ratio", "E/E_1.", [](const WavesOf& w) { return energyRatio(w.value); })
+        .can("stretching", {"cells"}, "u(x_i) - u(0) at x_0 ... x_N [m].",
+             [](const WavesOf& w, std::int64_t cells) {
+                 if (cells < 1 || cells > mostCells) {
+                     throw std::invalid_argument(
+                         fmt::format("cells = {} is out of range: allowed whole numbers 1..{}",
+                                     cells, mostCells));
+                 }
+                 const Eigen::VectorXd u = stretching(w.value, cells);
+                 const double unit = scales(w.bar).displacement;
+                 return filled(u.size(), [&](std::int64_t k) { return unit * u[k]; });
+             });
+    record.more().def("__repr__", [](const WavesOf& w) {
+        return fmt::format("Waves({} pieces, E = {})", w.value.a.size() + w.value.b.size(),
+                           energyAsText(energyRatio(w.value), w.bar));
+    });
 }
 
 void addSimulated(py::module_& module)
@@ -144,46 +113,41 @@ void addSimulated(py::module_& module)
     const auto record = classOf<Simulated>(module);
     addColumns<ContactEvent>(
         *record, &Simulated::contacts,
-        {{"contact_start", &ContactEvent::start, second, "[s], shape (contacts,).",
+        {{"contact_start", &ContactEvent::start, "time_unit", "[s], shape (contacts,).",
           "[L/c]; no copy."},
-         {"contact_end", &ContactEvent::end, second, "[s]", "[L/c]; no copy."},
-         {"contact_impulse", &ContactEvent::impulse, impulseUnit, "[N s]", "[EA g/c]; no copy."},
-         {"contact_peak_force", &ContactEvent::peakForce, forceUnit, "[N]", "[EA g/L]; no copy."},
-         {"contact_mean_force", &ContactEvent::meanForce, forceUnit,
+         {"contact_end", &ContactEvent::end, "time_unit", "[s]", "[L/c]; no copy."},
+         {"contact_impulse", &ContactEvent::impulse, "impulse_unit", "[N s]", "[EA g/c]; no copy."},
+         {"contact_peak_force", &ContactEvent::peakForce, "force_unit", "[N]",
+          "[EA g/L]; no copy."},
+         {"contact_mean_force", &ContactEvent::meanForce, "force_unit",
           "Largest mean over the resolution [N].", "[EA g/L]; no copy."},
-         {"contact_speed", &ContactEvent::speed, speed,
+         {"contact_speed", &ContactEvent::speed, "velocity_unit",
           "With which the tip came to the stop [m/s].", "[c g/L]; no copy."},
-         {"contact_energy", &ContactEvent::energy, joule,
+         {"contact_energy", &ContactEvent::energy, "energy_unit",
           "Of the waves that the stop sent back [J].", "[E_1]; no copy."}});
     addColumns<TipPoint>(
         *record, &Simulated::path,
-        {{"tip_time", &TipPoint::time, second,
+        {{"tip_time", &TipPoint::time, "time_unit",
           "Instants of the path of the tip [s]; straight between.", "[L/c]; no copy."},
-         {"tip_displacement", &TipPoint::displacement, metre, "u(L) at these instants [m].",
-          "[g]; no copy."}});
-    record->more()
-        .def_property_readonly(
-            "contact_stop",
-            [](const Simulated& s) {
-                py::list stops;
-                for (const ContactEvent& contact : s.contacts) {
-                    stops.append(nameOf(contact.stop));
-                }
-                return stops;
-            },
-            "[\"right\" or \"left\", ...], which stop was touched.")
-        .def("_figure",
-             [](const Simulated& s) {
-                 const double period = s.drive ? s.drive->period / scales(s.scene.bar).time : 0.0;
-                 return asJson(simulationFigure(
-                     {s.time, stopsOf(s.scene), s.path, s.contacts, period}, s.scene.bar, true));
-             })
-        .def_property_readonly(
-            "waves",
-            [](const Simulated& s) {
-                return WavesOf{s.waves, s.scene.bar};
-            },
-            "At the end: a Waves, from which another simulation can go on.");
+         {"tip_displacement", &TipPoint::displacement, "displacement_unit",
+          "u(L) at these instants [m].", "[g]; no copy."}});
+    record->has("contact_stop", "[\"right\" or \"left\", ...], which stop was touched.",
+                [](const Simulated& s) {
+                    py::list stops;
+                    for (const ContactEvent& contact : s.contacts) {
+                        stops.append(nameOf(contact.stop));
+                    }
+                    return stops;
+                });
+    record->has("waves", "At the end: a Waves, from which another simulation can go on.",
+                [](const Simulated& s) {
+                    return WavesOf{s.waves, s.scene.bar};
+                });
+    record->more().def("_figure", [](const Simulated& s) {
+        const double period = s.drive ? s.drive->period / second(s.scene.bar) : 0.0;
+        return asJson(simulationFigure({s.time, stopsOf(s.scene), s.path, s.contacts, period},
+                                       s.scene.bar, true));
+    });
 }
 
 Excitation excitationOf(Drive& drive, double cells, const Bar& bar)

@@ -2,7 +2,6 @@
 
 #include "arrays.hpp"
 #include "faults.hpp"
-#include "numbers.hpp"
 #include "scene.hpp"
 #include "signorini/output.hpp"
 #include "stepped_bar.hpp"
@@ -36,7 +35,7 @@ std::shared_ptr<const State> stateOf(const Numbers& a, const Numbers& b)
 }
 
 /// One of the library's vectors, times a unit, as an array that is its own.
-py::array_t<double> array(const Eigen::VectorXd& values, double unit)
+py::array_t<double> array(const Eigen::VectorXd& values, double unit = 1.0)
 {
     return filled(values.size(), [&](std::int64_t k) { return values[k] * unit; });
 }
@@ -60,9 +59,24 @@ Eigen::VectorXd cellEnds(const StateOf& s)
     return ends;
 }
 
-Eigen::VectorXd strainOf(const StateOf& s)
+py::array_t<double> waveOf(const StateOf& s, Eigen::VectorXd State::*wave)
 {
-    return s.segments.empty() ? strain(*s.value) : strain(*s.value, s.segments);
+    const Eigen::VectorXd& values = (*s.value).*wave;
+    return view(values.data(), static_cast<std::size_t>(values.size()), s.value);
+}
+
+StateOf finer(const StateOf& s, std::int64_t factor)
+{
+    const std::int64_t most = mostCells / s.value->cells();
+    if (factor < 1 || factor > most) {
+        throw std::invalid_argument(
+            fmt::format("factor = {} is out of range: allowed whole numbers 1..{}", factor, most));
+    }
+    StateOf fine{std::make_shared<const State>(refined(*s.value, factor)), s.bar, s.segments};
+    for (Segment& segment : fine.segments) {
+        segment.cells *= factor;
+    }
+    return fine;
 }
 
 }  // namespace
@@ -88,24 +102,45 @@ Raises
 ValueError
     If the arrays do not have one length, are empty, or not finite.
 )");
-    const auto both = [&record](const char* name, auto values, double Scales::*unit,
-                                const char* doc, const char* ratioDoc) {
-        record.more().def_property_readonly(
-            name,
-            [values, unit](const StateOf& s) { return array(values(s), scales(s.bar).*unit); },
-            doc);
-        record.more().def_property_readonly(
-            fmt::format("{}_ratio", name).c_str(),
-            [values](const StateOf& s) { return array(values(s), 1.0); }, ratioDoc);
-    };
-    both(
-        "velocity", [](const StateOf& s) { return velocity(*s.value); }, &Scales::velocity,
-        "v on each cell [m/s].", "v on each cell [c g/L], a + b.");
-    both("strain", &strainOf, &Scales::strain, "s on each cell [-], tension > 0.",
-         "s on each cell [g/L], b - a over its relative speed.");
-    both(
-        "displacement", [](const StateOf& s) { return displacement(*s.value); },
-        &Scales::displacement, "u at x_1 ... x_N [m].", "u at x_1 ... x_N [g].");
+    record
+        .both("velocity", "velocity_unit", "v on each cell [m/s].",
+              "v on each cell [c g/L], a + b.",
+              [](const StateOf& s) { return array(velocity(*s.value)); })
+        .both(
+            "strain", "strain_unit", "s on each cell [-], tension > 0.",
+            "s on each cell [g/L], b - a over its relative speed.",
+            [](const StateOf& s) {
+                return array(s.segments.empty() ? strain(*s.value) : strain(*s.value, s.segments));
+            })
+        .both("displacement", "displacement_unit", "u at x_1 ... x_N [m].", "u at x_1 ... x_N [g].",
+              [](const StateOf& s) { return array(displacement(*s.value)); })
+        .both("energy", "energy_unit", "E [J].", "E/E_1.",
+              [](const StateOf& s) { return energyRatio(*s.value, s.segments); })
+        .has("cells", "N.", [](const StateOf& s) { return s.value->cells(); })
+        .has("bar", "Its units.", [](const StateOf& s) { return s.bar; })
+        .has("segments", "[Segment, ...]; none of a uniform bar.",
+             [](const StateOf& s) { return s.segments; })
+        .has("a", "Right-going wave r_1 on each cell [g/L]; read-only, no copy.",
+             [](const StateOf& s) { return waveOf(s, &State::a); })
+        .has("b", "Left-going wave r_2 on each cell [g/L]; read-only, no copy.",
+             [](const StateOf& s) { return waveOf(s, &State::b); })
+        .has("x", "x_1 ... x_N [m], where each cell ends.",
+             [](const StateOf& s) {
+                 return array(cellEnds(s), s.bar.length / static_cast<double>(s.value->cells()));
+             })
+        .can("refined", {"factor"}, "The same state on `factor` times as many cells.", &finer)
+        .can("write", {"path"},
+             "Writes the file that ``signorini find --state`` writes. OSError if it cannot be "
+             "written.",
+             [](const StateOf& s, const std::string& path) {
+                 if (!haveOneSpeed(s.segments)) {
+                     throw std::invalid_argument(
+                         "segments: allowed only with one speed where a state is written");
+                 }
+                 OutputFiles files;
+                 writeStateCsv(files.stage(path), *s.value, s.bar);
+                 files.commit();
+             });
     record.more()
         .def(py::init([](const py::object& a, const py::object& b, const std::optional<Bar>& bar,
                          const std::vector<Segment>& segments) {
@@ -118,72 +153,6 @@ ValueError
              }),
              py::arg("a"), py::arg("b"), py::arg("bar") = py::none(),
              py::arg("segments") = std::vector<Segment>{})
-        .def_property_readonly(
-            "cells", [](const StateOf& s) { return s.value->cells(); }, "N.")
-        .def_property_readonly(
-            "bar", [](const StateOf& s) { return s.bar; }, "Its units.")
-        .def_property_readonly(
-            "segments", [](const StateOf& s) { return s.segments; },
-            "[Segment, ...]; none of a uniform bar.")
-        .def_property_readonly(
-            "a",
-            [](const StateOf& s) {
-                return view(s.value->a.data(), static_cast<std::size_t>(s.value->a.size()),
-                            s.value);
-            },
-            "Right-going wave r_1 on each cell [g/L]; read-only, no copy.")
-        .def_property_readonly(
-            "b",
-            [](const StateOf& s) {
-                return view(s.value->b.data(), static_cast<std::size_t>(s.value->b.size()),
-                            s.value);
-            },
-            "Left-going wave r_2 on each cell [g/L]; read-only, no copy.")
-        .def_property_readonly(
-            "x",
-            [](const StateOf& s) {
-                return array(cellEnds(s), s.bar.length / static_cast<double>(s.value->cells()));
-            },
-            "x_1 ... x_N [m], where each cell ends.")
-        .def_property_readonly(
-            "energy_ratio", [](const StateOf& s) { return energyRatio(*s.value, s.segments); },
-            "E/E_1.")
-        .def_property_readonly(
-            "energy",
-            [](const StateOf& s) {
-                return energyRatio(*s.value, s.segments) * scales(s.bar).energy;
-            },
-            "E [J].")
-        .def(
-            "refined",
-            [](const StateOf& s, std::int64_t factor) {
-                const std::int64_t most = mostCells / s.value->cells();
-                if (factor < 1 || factor > most) {
-                    throw std::invalid_argument(fmt::format(
-                        "factor = {} is out of range: allowed whole numbers 1..{}", factor, most));
-                }
-                StateOf fine{std::make_shared<const State>(refined(*s.value, factor)), s.bar,
-                             s.segments};
-                for (Segment& segment : fine.segments) {
-                    segment.cells *= factor;
-                }
-                return fine;
-            },
-            py::arg("factor"), "The same state on `factor` times as many cells.")
-        .def(
-            "write",
-            [](const StateOf& s, const std::string& path) {
-                if (!haveOneSpeed(s.segments)) {
-                    throw std::invalid_argument(
-                        "segments: allowed only with one speed where a state is written");
-                }
-                OutputFiles files;
-                writeStateCsv(files.stage(path), *s.value, s.bar);
-                files.commit();
-            },
-            py::arg("path"),
-            "Writes the file that ``signorini find --state`` writes. OSError if it cannot be "
-            "written.")
         .def_static(
             "read",
             [](const std::string& path, const std::optional<Bar>& bar, std::int64_t cells) {
@@ -193,21 +162,7 @@ ValueError
             },
             py::arg("path"), py::arg("bar") = py::none(), py::arg("cells") = usualCells,
             "A state from a file: one that `write` wrote, or measurements, put onto so many cells.")
-        .def(
-            "to_dict",
-            [](const py::object& self) {
-                py::dict dict;
-                for (const char* name : {"x", "a", "b", "velocity", "strain", "displacement"}) {
-                    dict[name] = self.attr(name).attr("tolist")();
-                }
-                return dict;
-            },
-            "Lists of numbers; `a` and `b` in g/L, the others in SI units.")
-        .def("__len__", [](const StateOf& s) { return s.value->cells(); })
-        .def("__repr__", [](const StateOf& s) {
-            return fmt::format("State(cells={}, energy_ratio={:.10g})", s.value->cells(),
-                               energyRatio(*s.value, s.segments));
-        });
+        .def("__len__", [](const StateOf& s) { return s.value->cells(); });
 }
 
 }  // namespace signorini::python

@@ -1,0 +1,125 @@
+"""What the compiled records have from Python: dictionaries, text, and sequences."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+from . import _core
+from ._core import Schedule
+from ._tables import keys_of, plain
+
+#: Letters of a value in a text, and of all phases of a schedule.
+LONGEST, ALL_PHASES = 60, 120
+
+
+def to_dict(record: Any) -> dict[str, Any]:
+    """The same as a dictionary, key by key what the program prints as JSON."""
+    return {name: plain(value) for name, value, _ in keys_of(record)}
+
+
+def _shown(record: Any) -> str:
+    """Name(key=value, ...), of what has a value."""
+    words = []
+    for _, name, _ in record._keys:
+        value = getattr(record, name)
+        if value is not None:
+            text = repr(value)
+            words.append(f"{name}={'…' if len(text) > LONGEST else text}")
+    return f"{type(record).__name__}({', '.join(words)})"
+
+
+def _interval(of: _core.Mode | _core.ModePolytope) -> str:
+    (p, q), (r, s) = of.period_range
+    return f"{p}/{q} < T < {r}/{s} L/c"
+
+
+def _contact(mode: _core.Mode) -> str:
+    p, q = mode.contact
+    return f"t_c = {p} - {-q} T"
+
+
+def _energy(point: _core.ContinuumPoint) -> str:
+    ratio = point.energy_ratio
+    return f"{point.energy:.6g} J" if ratio is None else f"{ratio:.6g} E_1"
+
+
+def _chains(polytope: _core.ModePolytope) -> str:
+    return ", ".join(f"{at.k}/{at.turns}->{at.release}" for at in polytope.chains)
+
+
+def _steps(schedule: Schedule) -> str:
+    phases = schedule.phases
+    text = ", ".join(map(repr, phases[0] if len(phases) == 1 and len(phases[0]) == 2
+                         else phases[:ALL_PHASES]))
+    return text if len(text) <= ALL_PHASES else text[:ALL_PHASES] + "…"
+
+
+#: What stands in the brackets, where it is not all keys.
+_TEXTS: dict[type, Callable[[Any], str]] = {
+    _core.Family: lambda f: f"order={f.order}, nu={f.nu}, contact_blocks={f.contact_blocks}, "
+    f"T = {2 * f.nu}/{f.order} L/c, E >= {f.least_energy_ratio:.6g} E_1",
+    _core.Mode: lambda m: f"{_contact(m)}, {_interval(m)}",
+    _core.ModePolytope: lambda p: f"{_chains(p)}, {_interval(p)}, {p.free_times} free",
+    _core.ModeMotion: lambda m: f"{_contact(m.mode)}, period_ratio={m.period_ratio:.10g}, "
+    f"energy_ratio={m.energy_ratio:.10g}",
+    _core.PolytopeMotion: lambda m: f"{len(m.contacts)} contacts, "
+    f"period_ratio={m.period_ratio:.10g}, energy_ratio={m.energy_ratio:.10g}",
+    _core.ContinuumPoint: lambda p: f"lambda={p.lambda_:.6g}, E = {_energy(p)}, "
+    f"peak_strain={p.peak_strain:.6g}",
+    _core.State: lambda s: f"cells={s.cells}, energy_ratio={s.energy_ratio:.10g}",
+    Schedule: lambda s: f"{_steps(s)}, cells={s.cells}",
+}
+
+
+def _written(record: Any) -> str:
+    return f"{type(record).__name__}({_TEXTS[type(record)](record)})"
+
+
+_is_same: Callable[[Schedule, object], Any] = Schedule.__eq__
+
+
+def _is_schedule(one: Schedule, other: object) -> Any:
+    if isinstance(other, Schedule):
+        return _is_same(one, other)
+    return isinstance(other, Sequence) and plain(list(other)) == plain(one.phases)
+
+
+def _be_a_list_of(kind: Any, name: str) -> None:
+    def count(self: Any) -> int:
+        return len(getattr(self, name))
+
+    def item(self: Any, at: Any) -> Any:
+        return getattr(self, name)[at]
+
+    def each(self: Any) -> Iterator[Any]:
+        return iter(getattr(self, name))
+
+    kind.__len__, kind.__getitem__, kind.__iter__ = count, item, each
+
+
+def _waves_of(state: _core.State) -> dict[str, list[float]]:
+    """Lists of numbers; `a` and `b` in g/L, the others in SI units."""
+    return {name: getattr(state, name).tolist()
+            for name in ("x", "a", "b", "velocity", "strain", "displacement")}
+
+
+def _phases_of(schedule: Schedule) -> Any:
+    """The pairs, as the program's JSON has them."""
+    return plain(schedule.phases)
+
+
+def be_records() -> None:
+    """Give the compiled classes what all records have."""
+    for kind in vars(_core).values():
+        if isinstance(kind, type) and hasattr(kind, "_keys"):
+            made: Any = kind
+            made.to_dict = to_dict
+            if "__repr__" not in vars(kind):
+                made.__repr__ = _written if kind in _TEXTS else _shown
+    state: Any = _core.State
+    state.to_dict = _waves_of
+    schedule: Any = Schedule
+    schedule.to_dict, schedule.__eq__ = _phases_of, _is_schedule
+    _be_a_list_of(Schedule, "phases")
+    _be_a_list_of(_core.Continuum, "points")
