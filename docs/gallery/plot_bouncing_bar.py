@@ -13,6 +13,7 @@ import json
 import pathlib
 import subprocess
 import tempfile
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -20,7 +21,7 @@ import numpy as np
 folder = pathlib.Path(tempfile.mkdtemp())
 
 
-def simulate(*words: object) -> dict:
+def simulate(*words: object) -> Any:
     call = ["signorini", "simulate", *map(str, words), "--format", "json", "--quiet"]
     return json.loads(subprocess.run(call, capture_output=True, check=True, text=True).stdout)
 
@@ -57,12 +58,12 @@ for time in times[1:]:
     u[1:] += np.cumsum(strain) * length / cells
     heights.append(length + drop - places - u)
     velocities.append(-(up + down))
-heights = np.array(heights)
+paths = np.array(heights)
 
 figure, axes = plt.subplots()
-mesh = axes.pcolormesh(np.repeat(times[:, None], cells + 1, axis=1), heights, np.array(velocities),
+mesh = axes.pcolormesh(np.repeat(times[:, None], cells + 1, axis=1), paths, np.array(velocities),
                        cmap="RdBu", vmin=-15, vmax=15)
-axes.plot(times, heights[:, ::4], color="black", lw=0.6)
+axes.plot(times, paths[:, ::4], color="black", lw=0.6)
 axes.axhline(0, color="#d55e00", lw=3)
 axes.set(xlabel="time", ylabel="height above the ground", ylim=(-0.3, 15.5),
          title="A bar on its way through two bounces")
