@@ -603,6 +603,8 @@ class Waves:
     b: Array
     a_duration: Array
     b_duration: Array
+    bar: Bar
+    energy: float
     energy_ratio: float
     def stretching(self, cells: int) -> Array: ...
 

@@ -86,6 +86,7 @@ class Schedule:
     steps: int
     period_ratio: float
     frequency_ratio: float
+    _text: str
 
 class State:
     def __init__(self, a: ArrayLike, b: ArrayLike,

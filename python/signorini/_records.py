@@ -39,9 +39,23 @@ def _contact(mode: _core.Mode) -> str:
     return f"t_c = {p} - {-q} T"
 
 
-def _energy(point: _core.ContinuumPoint) -> str:
-    ratio = point.energy_ratio
-    return f"{point.energy:.6g} J" if ratio is None else f"{ratio:.6g} E_1"
+def _energy(of: Any) -> str:
+    is_without_gap = of.energy_ratio is None or hasattr(of, "bar") and of.bar.gap == 0
+    return f"{of.energy:.6g} J" if is_without_gap else f"{of.energy_ratio:.6g} E_1"
+
+
+def _result(r: _core.Result) -> str:
+    text = (f"{r.status}, {r.schedule._text}, T = {r.period:.6g} s, "
+            f"omega/omega_1 = {r.frequency_ratio:.6g}")
+    if r.status == "found":
+        text += f", E = {_energy(r)}, {r.contact}"
+    if r.solution_set and r.solution_set.kind != "empty":
+        text += f", {r.solution_set.kind} of dimension {r.solution_set.dimension}"
+    return text + ", ".join(["", r.reason] if r.reason else []) + _detail(r)
+
+
+def _detail(of: Any) -> str:
+    return f": {of.detail}" if getattr(of, "detail", None) else ""
 
 
 def _chains(polytope: _core.ModePolytope) -> str:
@@ -69,6 +83,11 @@ _TEXTS: dict[type, Callable[[Any], str]] = {
     f"peak_strain={p.peak_strain:.6g}",
     _core.State: lambda s: f"cells={s.cells}, energy_ratio={s.energy_ratio:.10g}",
     Schedule: lambda s: f"{_steps(s)}, cells={s.cells}",
+    _core.Result: _result,
+    _core.Motion: lambda m: f"{m.schedule._text}, period_ratio={m.period_ratio:.10g}",
+    _core.Continuum: lambda c: f"{c.status}, {c.schedule._text}, E = {_energy(c)}, "
+    f"{len(c.points)} points, {c.orbits} orbits{_detail(c)}",
+    _core.Waves: lambda w: f"{len(w.a) + len(w.b)} pieces, E = {_energy(w)}",
 }
 
 

@@ -61,13 +61,7 @@ void addCurve(py::module_& module)
                  return *ContinuumAnswer{c.curve, memberAt(*c.curve, lambda)}.member();
              })
         .more()
-        .def("_figure", [](const ContinuumAnswer& c) { return asJson(continuumFigure(*c.curve)); })
-        .def("__repr__", [](const ContinuumAnswer& answer) {
-            const Continuum& c = *answer.curve;
-            return fmt::format("Continuum({}, {}, E = {}, {} points, {} orbits{})", name(c.status),
-                               describe(c.schedule), energyAsText(c.energyRatio, c.scene.bar),
-                               c.points.size(), c.orbits, c.detail.empty() ? "" : ": " + c.detail);
-        });
+        .def("_figure", [](const ContinuumAnswer& c) { return asJson(continuumFigure(*c.curve)); });
 }
 
 Trace traceOf(const Asked& asked)

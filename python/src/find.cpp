@@ -26,25 +26,6 @@ namespace {
 using Answer = answers::FindAnswer;
 using Shared = std::shared_ptr<Answer>;
 
-std::string represent(const Answer& answer)
-{
-    const PeriodicResult& r = answer.result;
-    std::string text =
-        fmt::format("Result({}, {}, T = {:.6g} s, omega/omega_1 = {:.6g}", name(r.status),
-                    describe(r.schedule), r.period, r.frequencyRatio);
-    if (r.motion) {
-        text += fmt::format(", E = {}, {}", energyAsText(r.motion->energyRatio, r.scene.bar),
-                            name(r.motion->contact));
-    }
-    if (r.set.kind && *r.set.kind != SetKind::empty) {
-        text += fmt::format(", {} of dimension {}", name(*r.set.kind), r.set.dimension);
-    }
-    if (r.absence) {
-        text += fmt::format(", {}", name(r.absence->reason));
-    }
-    return text + (r.detail.empty() ? ")" : fmt::format(": {})", r.detail));
-}
-
 void addResult(py::module_& module)
 {
     classOf<Answer>(module)
@@ -67,8 +48,7 @@ void addResult(py::module_& module)
         .more()
         .def(
             "is_proof", [](const Answer& a) { return isProof(a.result); },
-            "Checks the certificate once more, against rows made anew.")
-        .def("__repr__", &represent);
+            "Checks the certificate once more, against rows made anew.");
 }
 
 /// Calls that end at once stay in the calling thread.

@@ -197,12 +197,8 @@ ValueError
                  const Motion& field = *m.field();
                  return framesOf(MotionSamples(field, m.scene, field.steps() + 1), most);
              })
-        .def(
-            "_figure",
-            [](const GridMotion& m) { return asJson(motionFigure(*m.state, m.schedule, m.scene)); })
-        .def("__repr__", [](const GridMotion& m) {
-            return fmt::format("Motion({}, period_ratio={:.10g})", describe(m.schedule),
-                               period(m.schedule));
+        .def("_figure", [](const GridMotion& m) {
+            return asJson(motionFigure(*m.state, m.schedule, m.scene));
         });
     record.has("bar", "Its units.", [](const GridMotion& m) { return m.bar; })
         .has("scene", "Where it happens.", [](const GridMotion& m) { return m.scene; })

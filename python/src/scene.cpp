@@ -213,7 +213,8 @@ ValueError
         .has("steps", "n, all steps of a period.", [](const Schedule& s) { return steps(s); })
         .has("period_ratio", "c T/L = n/N.", [](const Schedule& s) { return period(s); })
         .has("frequency_ratio", "omega/omega_1 = 4N/n.",
-             [](const Schedule& s) { return frequencyRatio(s); });
+             [](const Schedule& s) { return frequencyRatio(s); })
+        .has("_text", "For people.", [](const Schedule& s) { return describe(s); });
     record.more().def(py::init([](const py::args& words, std::optional<std::int64_t> cells) {
                           return scheduleOf(words, cells);
                       }),
@@ -221,12 +222,6 @@ ValueError
 }
 
 }  // namespace
-
-std::string energyAsText(double energyRatio, const Bar& bar)
-{
-    return bar.gap == 0.0 ? fmt::format("{:.6g} J", energyRatio * scales(bar).energy)
-                          : fmt::format("{:.6g} E_1", energyRatio);
-}
 
 double ratioOf(double energy, const Bar& bar)
 {

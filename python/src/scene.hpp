@@ -26,9 +26,6 @@ struct StateOf {
 using answers::forceUnit;
 using answers::impulseUnit;
 
-/// An energy for people: "4 E_1", without a gap "1e-06 J".
-[[nodiscard]] std::string energyAsText(double energyRatio, const Bar& bar);
-
 /// E/E_1 of an energy [J] to hold. \throws ValueError unless it is finite and > 0.
 [[nodiscard]] double ratioOf(double energy, const Bar& bar);
 

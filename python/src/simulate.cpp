@@ -90,7 +90,9 @@ void addWaves(py::module_& module)
         .has("b", "Left-going, base first [g/L]; no copy.", values(&Waves::b))
         .has("a_duration", "Of each piece [L/c].", durations(&Waves::a))
         .has("b_duration", "Of each piece [L/c].", durations(&Waves::b))
-        .has("energy_ratio", "E/E_1.", [](const WavesOf& w) { return energyRatio(w.value); })
+        .has("bar", "Its units.", [](const WavesOf& w) { return w.bar; })
+        .both("energy", "energy_unit", "E [J].", "E/E_1.",
+              [](const WavesOf& w) { return energyRatio(w.value); })
         .can("stretching", {"cells"}, "u(x_i) - u(0) at x_0 ... x_N [m].",
              [](const WavesOf& w, std::int64_t cells) {
                  if (cells < 1 || cells > mostCells) {
@@ -102,10 +104,6 @@ void addWaves(py::module_& module)
                  const double unit = scales(w.bar).displacement;
                  return filled(u.size(), [&](std::int64_t k) { return unit * u[k]; });
              });
-    record.more().def("__repr__", [](const WavesOf& w) {
-        return fmt::format("Waves({} pieces, E = {})", w.value.a.size() + w.value.b.size(),
-                           energyAsText(energyRatio(w.value), w.bar));
-    });
 }
 
 void addSimulated(py::module_& module)

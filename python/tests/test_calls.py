@@ -57,6 +57,7 @@ def test_records_survive_pickle_and_copy(tmp_path: Path) -> None:
             if not isinstance(record, (sg.Motion, sg.ModeMotion,
                                        sg.PolytopeMotion)):
                 assert again == record
+                assert hash(again) == hash(record)
     tables: list[Any] = [sg.families(), sg.modes()]
     for table in tables:
         assert pickle.loads(pickle.dumps(table)) == table
