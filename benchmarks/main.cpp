@@ -51,7 +51,7 @@ std::vector<Case> allCases(Extent extent)
 {
     std::vector<Case> cases;
     for (const auto suite : {extremesSuite, leavingOutSuite, scalingSuite, steppedSuite,
-                             rivalsSuite, forcedSuite, accuracySuite}) {
+                             rivalsSuite, forcedSuite, harmonicSuite, accuracySuite}) {
         std::vector<Case> more = suite(extent);
         std::move(more.begin(), more.end(), std::back_inserter(cases));
     }

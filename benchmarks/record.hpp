@@ -38,6 +38,9 @@ inline constexpr std::array figureColumns{
     "tip_error",       ///< root mean square over time, relative to the reach of the tip
     "force_error",     ///< the same of the wall's force, relative to its own root mean square
     "energy_drift",    ///< energy at the end over that at the start, - 1
+    "impulse_error",   ///< relative, of a period
+    "contact_error",   ///< relative, of the time of contact
+    "peak_error",      ///< relative, of the largest force
     "checked",         ///< how many schedules, periods or dimensions one record stands for
     "found",           ///< of them those with motions
     "families",        ///< sets of orbits that these belong to

@@ -26,5 +26,7 @@ inline constexpr double usualTolerance = 1e-6;
 [[nodiscard]] std::vector<Case> rivalsSuite(Extent extent);
 /// The same for forced, damped bars; part of the suite "rivals".
 [[nodiscard]] std::vector<Case> forcedSuite(Extent extent);
+/// One motion under an exact harmonic by all methods; part of it, too.
+[[nodiscard]] std::vector<Case> harmonicSuite(Extent extent);
 
 }  // namespace signorini::bench
