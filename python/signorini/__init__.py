@@ -18,21 +18,18 @@ from typing import TYPE_CHECKING
 from . import _core
 from ._atlas import Atlas
 from ._blame import let_speak
-from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable,
-                    Bar, Continuum, ContinuumPoint, Damping, Drive,
-                    EnergyBalance, EnergyExclusion, EnergyFloorProof,
-                    EnergySection, Family, FamilyPlace,
-                    FarkasCertificate, ForcedFrequency,
-                    ForcedMotion, ForcedResult, ForceRange, HarmonicContact, HarmonicMotion,
-                    HarmonicResult, Mode, ModeChain, ModeMotion,
-                    ModePolytope, Motion, PermanentContact, Physical,
-                    PolytopeMotion,
-                    ProgramProof, Residuals, Result, Scene,
-                    Schedule, Segment, Settled, Simulation, SolutionSet,
-                    SolverReport, State, SteppedProof, StudyPoint, Sweep, SweepPoint,
-                    Waves, __version__, backends)
+from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable, Bar, Branch,
+                    BranchMark, BranchPoint, Continuum, ContinuumPoint, Damping, Drive,
+                    EnergyBalance, EnergyExclusion, EnergyFloorProof, EnergySection,
+                    ExactFrequency, ExactResponse, Family, FamilyPlace, FarkasCertificate,
+                    ForcedFrequency, ForcedMotion, ForcedResult, ForceRange, HarmonicContact,
+                    HarmonicMotion, HarmonicResult, Mode, ModeChain, ModeMotion, ModePolytope,
+                    Motion, PermanentContact, Physical, PolytopeMotion, ProgramProof, Residuals,
+                    Result, Scene, Schedule, Segment, Settled, Simulation, SolutionSet,
+                    SolverReport, State, SteppedProof, StudyPoint, Sweep, SweepPoint, Waves,
+                    __version__, backends)
 from ._find import continuum, find
-from ._forced import Response, force_range, response, simulate, sweep
+from ._forced import Response, exact_response, force_range, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
 from ._notebook import be_at_home
 from ._question import Question
@@ -50,19 +47,17 @@ if TYPE_CHECKING:
     from . import plot as plot
 
 __all__ = [
-    "Atlas", "AtlasFamily", "AtlasRun", "AtlasSchedule", "BackendUnavailable",
-    "Bar", "Continuum", "ContinuumPoint", "Damping", "Drive", "EnergyBalance",
-    "EnergyExclusion", "EnergyFloorProof", "EnergySection", "Family", "FamilyPlace",
-    "FarkasCertificate", "ForcedFrequency", "ForcedMotion", "ForcedResult", "ForceRange",
-    "HarmonicContact", "HarmonicMotion", "HarmonicResult",
-    "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
-    "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question",
-    "Residuals", "Response", "Result", "Scene", "Schedule", "Segment",
-    "Settled", "Simulation", "SolutionSet", "SolverReport", "State",
-    "SteppedProof", "StudyPoint", "Sweep", "SweepPoint", "Table", "Waves",
-    "__version__", "backends", "continuum",
-    "families", "find", "force_range", "mode", "modes", "plot", "polytope", "response",
-    "simulate", "study", "sweep",
+    "Atlas", "AtlasFamily", "AtlasRun", "AtlasSchedule", "BackendUnavailable", "Bar", "Branch",
+    "BranchMark", "BranchPoint", "Continuum", "ContinuumPoint", "Damping", "Drive",
+    "EnergyBalance", "EnergyExclusion", "EnergyFloorProof", "EnergySection", "ExactFrequency",
+    "ExactResponse", "Family", "FamilyPlace", "FarkasCertificate", "ForcedFrequency",
+    "ForcedMotion", "ForcedResult", "ForceRange", "HarmonicContact", "HarmonicMotion",
+    "HarmonicResult", "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
+    "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question", "Residuals",
+    "Response", "Result", "Scene", "Schedule", "Segment", "Settled", "Simulation", "SolutionSet",
+    "SolverReport", "State", "SteppedProof", "StudyPoint", "Sweep", "SweepPoint", "Table", "Waves",
+    "__version__", "backends", "continuum", "exact_response", "families", "find", "force_range",
+    "mode", "modes", "plot", "polytope", "response", "simulate", "study", "sweep",
 ]
 
 

@@ -517,6 +517,53 @@ class ResponseData(_Record):
     complete: bool
     frequencies: list[ForcedFrequency]
 
+class ExactFrequency(_Record):
+    steps: int
+    frequency_ratio: float
+    frequency: float
+    touches: bool
+    linear_peak: float
+    motions: list[HarmonicMotion]
+
+class BranchPoint(_Record):
+    frequency_ratio: float
+    frequency: float
+    contacts: int
+    phase: float
+    impulse: float
+    peak_force: float
+    tip_lowest: float
+    growth: Optional[float]
+    attracts: Optional[bool]
+
+class BranchMark(_Record):
+    event: str
+    after: int
+    frequency_ratio: float
+    frequency: float
+
+class Branch(_Record):
+    points: list[BranchPoint]
+    marks: list[BranchMark]
+
+class ExactResponse(_Record):
+    status: str
+    cells: int
+    bar: Bar
+    stops: list[dict[str, Any]]
+    segments: list[Segment]
+    static_force: float
+    damping: Damping
+    force: str
+    amplitude: float
+    cycles: int
+    frequencies: list[ExactFrequency]
+    branches: list[Branch]
+    found: bool
+    def _figure(self) -> str: ...
+    def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
+
 class Drive(_Record):
     force: str
     amplitude: float

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._asking import asks, gathered
-from ._core import (Bar, Damping, ForcedFrequency, ForcedMotion, ForceRange, Scene,
+from ._core import (Bar, Damping, ExactResponse, ForcedFrequency, ForcedMotion, ForceRange, Scene,
                     Simulation, State, Sweep, Waves)
 from ._progress import Progress
 from ._tables import Table, flat, frame_of, keys_of
@@ -85,6 +85,28 @@ def response(*, damping: Quantity, force: str, amplitude: Quantity | None = None
     table = Response("frequencies", data.frequencies, **head)
     table._answer = data
     return table
+
+
+@asks("response")
+def exact_response(*, damping: Quantity, force: str, amplitude: Quantity,
+                   start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
+                   cells: int | None = None, threads: int = 1, bar: Bar | None = None,
+                   scene: Scene | None = None, second_stop: Quantity | None = None,
+                   progress: Progress = None,
+                   **bar_options: Quantity | None) -> ExactResponse:
+    """List motions under an exact harmonic over a range, and the curves they lie on.
+
+    Parameters
+    ----------
+    scene : Scene, optional
+        In place of `bar` and `second_stop`; without segments.
+
+    Returns
+    -------
+    ExactResponse
+    """
+    return _core.exact_response(gathered(
+        {**locals(), "amplitude_velocity": None, "amplitude_acceleration": None}))
 
 
 @asks("simulation")

@@ -234,6 +234,7 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Simulation: ("simulation", (8, 5)),
     _core.Sweep: ("sweep", (8, 6)),
     Response: ("response", (8, 6)),
+    _core.ExactResponse: ("response", (8, 6)),
     _core.ForcedResult: ("motion", (9, 7)),
     _core.HarmonicResult: ("motion", (8, 6)),
     _core.ModeMotion: ("simulation", (8, 5)),
@@ -255,6 +256,8 @@ def _has_a_figure(record: Any) -> bool:
         return bool(record.status == "found")
     if isinstance(record, _core.Simulation):
         return len(record.tip_time) > 0
+    if isinstance(record, _core.ExactResponse):
+        return len(record.frequencies) > 0
     if isinstance(record, _core.Sweep):
         return len(record.points) > 0
     return not isinstance(record, (_core.Continuum, Table)) or len(record) > 0
@@ -349,10 +352,11 @@ def be_at_home() -> None:
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)
     for kind in (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.Continuum,
-                 _core.AtlasSchedule, Question, Response):
+                 _core.AtlasSchedule, _core.ExactResponse, Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)
     for kind, rows in ((_core.Continuum, "points"), (_core.Sweep, "points"),
+                       (_core.ExactResponse, "frequencies"),
                        (_core.ForcedResult, "motions"),
                        (_core.HarmonicResult, "motions")):
         _set(kind, "frame", _frame_of(rows))

@@ -6,6 +6,7 @@
 
 #include "asked.hpp"
 #include "described.hpp"
+#include "exact_answer.hpp"
 #include "exact_figure.hpp"
 #include "forced_answer.hpp"
 #include "harmonic_answer.hpp"
@@ -16,10 +17,12 @@
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/response.hpp"
+#include "stepped_bar.hpp"
 #include "stops.hpp"
 
 namespace signorini::python {
 
+using answers::ExactAnswer;
 using answers::ForcedAnswer;
 using answers::ForcedMotionOf;
 using answers::HarmonicAnswer;
@@ -107,7 +110,8 @@ answers::ForceRange forceRange(const Asked& asked)
         [=](const Wires&) { return answers::forceRangeOf(assembly, low, high, time); });
 }
 
-ResponseAnswer response(const Asked& asked)
+/// What is asked of a response, without answers yet.
+ResponseAnswer responseAsked(const Asked& asked)
 {
     const Scene scene = asked.scene();
     validate(scene);
@@ -133,6 +137,12 @@ ResponseAnswer response(const Asked& asked)
                           amplitude,
                           {}};
     (void)stepsOf(answer.range);
+    return answer;
+}
+
+ResponseAnswer response(const Asked& asked)
+{
+    ResponseAnswer answer = responseAsked(asked);
     const auto threads = asked.threads();
     const bool stability = asked.get<bool>("stability");
     return patiently(
@@ -157,6 +167,36 @@ ResponseAnswer response(const Asked& asked)
                     answer.frequencies.push_back(std::move(*at));
                 }
             }
+            return answer;
+        },
+        asked.progress());
+}
+
+/// Under the harmonic itself in place of a staircase.
+ExactAnswer exactResponse(const Asked& asked)
+{
+    const ResponseAnswer question = responseAsked(asked);
+    if (!isUniform(question.scene.segments)) {
+        throw std::invalid_argument("segments: allowed only a uniform bar under an exact harmonic");
+    }
+    const auto threads = asked.threads();
+    return patiently(
+        [question, threads](const Wires& wires) {
+            ExactAnswer answer{
+                question.range, question.scene, question.bar, question.amplitude, {}, {}};
+            const std::vector<std::int64_t> steps = stepsOf(answer.range);
+            std::vector<std::optional<ExactFrequency>> found(steps.size());
+            const auto serve = [&](std::size_t k) {
+                found[k] = exactAt(answer.range, steps[k], wires.cancel);
+                return found[k].has_value();
+            };
+            shareWork(steps.size(), threads, serve, wires.progress);
+            for (std::optional<ExactFrequency>& at : found) {
+                if (at) {
+                    answer.frequencies.push_back(std::move(*at));
+                }
+            }
+            answer.branches = exactBranches(answer.range, answer.frequencies, wires.cancel);
             return answer;
         },
         asked.progress());
@@ -203,6 +243,14 @@ void addForced(py::module_& module)
         return asJson(responseFigure(answer.frequencies, answer.range, answer.bar));
     });
     addCall(module, "response", &response);
+    classOf<answers::ExactFrequencyOf>(module);
+    classOf<answers::BranchPointOf>(module);
+    classOf<answers::BranchMarkOf>(module);
+    classOf<answers::ExactBranchOf>(module);
+    classOf<ExactAnswer>(module)->more().def("_figure", [](const ExactAnswer& answer) {
+        return asJson(exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar));
+    });
+    addCall(module, "exact_response", &exactResponse);
 }
 
 }  // namespace signorini::python

@@ -256,3 +256,16 @@ def test_wrong_types_are_type_errors() -> None:
         sg.find(150.5, 900)  # type: ignore[call-overload]
     with pytest.raises(TypeError):
         sg.find(150, 900, gapp=1.0)  # type: ignore[call-overload]
+
+
+def test_responses_to_an_exact_harmonic_agree(program: Program) -> None:
+    """Their curves, too; kept and drawn as other responses."""
+    drive: dict[str, Any] = {"damping": 0.05, "force": "tip", "amplitude": 3e-4}
+    said = program("response", "--exact", "--cells", 4, "--from", 1.1, "--to", 1.2,
+                   *words_of(drive))
+    ours = sg.exact_response(cells=4, start=1.1, to=1.2, **drive)
+    alike(said, ours.to_dict())
+    assert ours.found and ours.branches and len(ours.frame()) == len(ours.frequencies)
+    assert pickle.loads(pickle.dumps(ours)) == ours
+    with pytest.raises(ValueError, match="uniform"):
+        sg.exact_response(scene=sg.Scene(segments=[sg.Segment(2), sg.Segment(2, 1.3)]), **drive)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib import pyplot
 
 import signorini as sg
 from signorini import plot
@@ -79,6 +80,8 @@ def test_forced_motions_and_scenes(tmp_path: Path) -> None:
         assert unit * lowest == pytest.approx(
             answer.motions[-1].physical.tip_lowest, rel=0.01)
         drawn(axes, tmp_path)
+    _, three = pyplot.subplots(3)
+    assert plot.motion(found[0][0], axes=three)["tip"] is three[1] and three[1].lines
     assert len(plot.animate(found[0][0], frames=3).axes) == 2
     with pytest.raises(ValueError, match="nothing to draw"):
         plot.motion(sg.find(20, 109, cells=40, **options))
@@ -92,6 +95,13 @@ def test_response_and_simulation(tmp_path: Path) -> None:
     upper, lower = plot.response(sg.response(start=0.8, to=1.4, **options))
     drawn(upper, tmp_path)
     assert "m" in lower.get_ylabel()
+    asked: dict[str, Any] = {**options, "start": 1.1, "to": 1.2, "cells": 4}
+    exact = sg.exact_response(**asked)
+    _, two = pyplot.subplots(2)
+    upper, lower = plot.response(exact, axes=two)
+    assert upper is two[0] and lower is two[1]
+    assert "N s" in lower.get_ylabel() and len(upper.lines) >= len(exact.branches) > 0
+    drawn(upper, tmp_path)
     run = sg.simulate(frequency=1.1, periods=30, **options)
     drawn(plot.simulation(run)[0], tmp_path)
     upper, lower = plot.sweep(sg.sweep("frequency", 0.9, 1.2, points=4,

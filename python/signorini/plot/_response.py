@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._asking import asks
-from .._core import Simulation, Sweep
+from .._core import ExactResponse, Simulation, Sweep
 from ._draw import draw
 from ._style import axes_of, colour_map, unit_for
 
@@ -18,25 +18,30 @@ if TYPE_CHECKING:
 
 
 @asks("figure")
-def response(data: Response, *, figure: Any = None,
+def response(data: Response | ExactResponse, *, figure: Any = None,
              axes: Any = None) -> tuple[Any, Any]:
     """Draw impulse on the wall and swing of the tip against frequency.
 
     Motions with contact as marks, large where they attract and small where
-    they repel (if that was tried), the bar without a wall as a line.
+    they repel (if that was tried), the bar without a wall as a line. Under an
+    exact harmonic curves of the largest force, and of the impulse: full where
+    they attract.
 
     Returns
     -------
     (axes, axes)
-        Of the impulse, and of the tip.
+        Of the impulse, and of the tip; of the force, and of the impulse.
 
     Raises
     ------
     ValueError
         If the response has no frequency.
     """
-    if len(data) == 0:
+    if len(data.frequencies) == 0:
         raise ValueError("the response has no frequency: nothing to draw")
+    if isinstance(data, ExactResponse):
+        drawn = draw(data._figure(), ("force", "impulse"), axes, figure)
+        return drawn["force"], drawn["impulse"]
     drawn = draw(data._answer._figure(), ("impulse", "tip"), axes, figure)
     return drawn["impulse"], drawn["tip"]
 
