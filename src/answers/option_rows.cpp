@@ -169,13 +169,13 @@ std::vector<Option> ofForce()
              "leastFrequencyRatio"),
         text("--from", sweep, "V", "lowest value: ω/ω₁ or Hz, N or m, m, or a ratio", "0.5 ω₁", "-",
              "least"),
-        positive("--from-hertz", response | sweep, "F", "Hz", "the same in Hz", "",
-                 "leastFrequencyRatio"),
+        positive("--from-hertz", response, "F", "Hz", "the same in Hz", "", "leastFrequencyRatio"),
+        positive("--from-hertz", sweep, "F", "Hz", "the same in Hz", "", "least"),
         text("--to", response, "W", "highest frequency of the excitation, ω/ω₁", "2", "omega_1",
              "mostFrequencyRatio"),
         text("--to", sweep, "V", "highest value", "2 ω₁", "-", "most"),
-        positive("--to-hertz", response | sweep, "F", "Hz", "the same in Hz", "",
-                 "mostFrequencyRatio"),
+        positive("--to-hertz", response, "F", "Hz", "the same in Hz", "", "mostFrequencyRatio"),
+        positive("--to-hertz", sweep, "F", "Hz", "the same in Hz", "", "most"),
         whole("--cycles", forced | forcedPeriod | network | response, "K", 1, maxForcedSteps / 2,
               "cycles of the excitation in a period of the motion", "1"),
         whole("--contacts", forcedPeriod, "K", 1, maxHarmonicContacts,
@@ -221,7 +221,8 @@ std::vector<Option> ofSimulations()
         text("--force-range", simulation, "LO,HI",
              "what any force between these can do where a scene is driven, from rest [N]", "", "N"),
         text("--velocity", simulation, "V1,V2,...",
-             "start undeformed, each bar with its own speed [m/s], from the left", "", "m/s"),
+             "start undeformed, each bar with its own speed [m/s], from the left", "", "m/s",
+             "velocities"),
     };
 }
 

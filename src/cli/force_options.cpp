@@ -50,8 +50,9 @@ std::optional<double> yieldStressOf(const Given& given, const Bar& bar)
 {
     const auto yieldStress = given.number("--yield-stress");
     if (yieldStress && !bar.young) {
-        refuse("--yield-stress", fmt::format("{}", *yieldStress),
-               "it only with --young, --density and --area, of a bar of one material");
+        refuse("--yield-stress", given.text("--yield-stress"),
+               "it only of a bar with one modulus, by --young, --density and --area or "
+               "--segments-file: of several the largest strain is known, not in which it is");
     }
     return yieldStress;
 }
@@ -72,6 +73,24 @@ FrequencyOption::FrequencyOption(const Given& given, const char* name, const cha
 double FrequencyOption::ratioFor(double firstHertz, double otherwise) const
 {
     return hertz ? *hertz / firstHertz : ratio.value_or(otherwise);
+}
+
+std::pair<std::string, std::string> typedEnd(const Given& given, const char* name)
+{
+    const std::string twin = fmt::format("{}-hertz", name);
+    return given.has(twin.c_str()) ? std::pair(twin, given.text(twin))
+                                   : std::pair(std::string(name), given.text(name));
+}
+
+void requireOrder(const Given& given, double least, double most)
+{
+    if (least > most) {
+        const auto [low, from] = typedEnd(given, "--from");
+        const auto [high, to] = typedEnd(given, "--to");
+        refuse(
+            low, from.empty() ? fmt::format("{}", least) : from,
+            fmt::format("numbers up to {} = {}", high, to.empty() ? fmt::format("{}", most) : to));
+    }
 }
 
 double firstHertz(const Bar& bar)

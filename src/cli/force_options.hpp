@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "arguments.hpp"
 #include "signorini/simulation.hpp"
@@ -25,6 +26,11 @@ struct FrequencyOption {
     /// ω/ω₁, ω₁ being so many Hz; what is meant where nothing is given.
     [[nodiscard]] double ratioFor(double firstHertz, double otherwise = 0.0) const;
 };
+
+/// What was typed of --from or --to, in ω₁ or in Hz: the option and its value, "" if neither.
+[[nodiscard]] std::pair<std::string, std::string> typedEnd(const Given& given, const char* name);
+/// --from up to --to. \throws std::invalid_argument naming them as they were typed.
+void requireOrder(const Given& given, double least, double most);
 
 struct ForceOptions {
     std::optional<double> ratio;

@@ -111,8 +111,7 @@ void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
     double& most = range.mostFrequencyRatio;
     least = FrequencyOption(given, "--from", "--from-hertz").ratioFor(hertz, least);
     most = FrequencyOption(given, "--to", "--to-hertz").ratioFor(hertz, most);
-    refuseIf(least > most, "--from", fmt::format("{}", least),
-             fmt::format("numbers up to --to = {}", most));
+    requireOrder(given, least, most);
     const double unit = 4.0 * static_cast<double>(range.cells * range.cycles);
     const double first = std::max(std::ceil(unit / most), 2.0 * static_cast<double>(range.cycles));
     if (least >= high && first > std::floor(unit / least)) {

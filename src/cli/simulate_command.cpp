@@ -138,12 +138,12 @@ std::vector<double> SimulateCommand::forceHistory(double step, double newtons, d
         const std::size_t forces =
             table.columnOf(table.has("newtons") ? "newtons" : "force", allowed);
         while (table.next()) {
-            const double at = table.numberAt(times);
+            const double at = table.numberAt(times, "s");
             if (!points.empty() && !(at > points.back().time)) {
                 table.refuse(times, fmt::format("times that increase, in s: more than {}",
                                                 points.back().time));
             }
-            points.push_back({at, table.numberAt(forces) / newtons});
+            points.push_back({at, table.numberAt(forces, "N") / newtons});
         }
     });
     return meanForces(points, step, static_cast<std::int64_t>(whole));

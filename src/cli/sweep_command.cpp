@@ -107,12 +107,7 @@ SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
                      .resolution = given.number("--resolve").value_or(0.0) / scales(bar).time};
     range.amplitude = over == Swept::amplitude ? range.least : force.scaledAmplitude(bar);
     range.derivative = force.derivative;
-    if (range.most < range.least) {
-        const std::string from = given.text("--from");
-        const std::string to = given.text("--to");
-        refuse("--from", from.empty() ? fmt::format("{}", range.least) : from,
-               fmt::format("numbers up to --to = {}", to.empty() ? "2" : to));
-    }
+    requireOrder(given, range.least, range.most);
     return range;
 }
 
@@ -198,6 +193,7 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
         directions.push_back(SweepDirection::down);
     }
     Outputs outputs(given, {"--csv", "--figure", "--bifurcation"});
+    (void)valuesOf(answer.range);  // nothing is written of what is refused
     std::optional<Journal> journal;
     watched(common, "values", [&](const Cancel& cancel, const auto& show) {
         if (given.has("--csv")) {

@@ -22,7 +22,7 @@ const char* unitName(const SweepAnswer& answer)
         case Swept::gap:
             return "m";
         case Swept::damping:
-            return "[-]";
+            return "(ratio)";
     }
     return "";
 }

@@ -54,7 +54,7 @@ At at(SweepRange range, double value)
 /// The excitation, sin(0) at the start: a base stands at 0. Its steps divide both its period and
 /// L/c, so that echoes of one step meet the next ones, and pieces do not multiply: the fewest with
 /// which the frequency is that asked for within 1e-5, or the nearest.
-Excitation drivingOf(const SweepRange& range)
+Excitation drivingOf(const SweepRange& range, std::string_view field = "frequencyRatio")
 {
     constexpr double near = 1e-5;
     constexpr double most = 4.0;  // times as many steps
@@ -69,12 +69,12 @@ Excitation drivingOf(const SweepRange& range)
             cells = tried;
         }
     }
-    const double steps = std::max(std::round(4.0 * cells / range.frequencyRatio), 1.0);
+    const double steps = std::round(4.0 * cells / range.frequencyRatio);
     return excitationAt({.place = range.place,
                          .amplitude = range.amplitude,
                          .phase = std::numbers::pi / 2.0,
                          .stepsPerCrossing = cells},
-                        best < infinity ? 4.0 * cells / steps : range.frequencyRatio);
+                        steps >= 3.0 ? 4.0 * cells / steps : range.frequencyRatio, field);
 }
 
 Waves atRest(const SweepRange& range)
@@ -345,8 +345,9 @@ std::vector<double> valuesOf(const SweepRange& range)
             range.points > 1 ? static_cast<double>(k) / static_cast<double>(range.points - 1) : 0.0;
         values.push_back(range.least * (1.0 - part) + range.most * part);
     }
-    (void)drivingOf(at(range, values.front()).range);
-    (void)drivingOf(at(range, values.back()).range);
+    const bool isVaried = range.over == Swept::frequency;
+    (void)drivingOf(at(range, values.front()).range, isVaried ? "least" : "frequencyRatio");
+    (void)drivingOf(at(range, values.back()).range, isVaried ? "most" : "frequencyRatio");
     validate(at(range, values.back()).range.damping);
     return values;
 }

@@ -86,7 +86,7 @@ StateReading readMeasurements(Table& table, const Bar& bar, std::int64_t cells)
         if (static_cast<std::int64_t>(measured.x.size()) == maxMeasurements) {
             table.refuse(fmt::format("allowed at most {} rows", maxMeasurements));
         }
-        const double x = table.numberAt(atX) / bar.length;
+        const double x = table.numberAt(atX, "m") / bar.length;
         if (!(x >= 0.0 && x <= 1.0 + rounding)) {
             table.refuse(atX, fmt::format("0..{} [m], the bar", bar.length));
         }
@@ -94,8 +94,9 @@ StateReading readMeasurements(Table& table, const Bar& bar, std::int64_t cells)
             table.refuse(atX, "positions [m] that ascend from row to row");
         }
         measured.x.push_back(x);
-        measured.velocity.push_back(table.numberAt(atVelocity) / unit.velocity);
-        measured.other.push_back(table.numberAt(atOther) / unitOfOther);
+        measured.velocity.push_back(table.numberAt(atVelocity, "m/s") / unit.velocity);
+        measured.other.push_back(table.numberAt(atOther, measured.isDisplacement ? "m" : "-") /
+                                 unitOfOther);
     }
     const auto rows = static_cast<std::int64_t>(measured.x.size());
     if (rows < 2) {

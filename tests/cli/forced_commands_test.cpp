@@ -170,7 +170,7 @@ TEST_CASE(
     const auto bare = program.run(
         "response --damping 0.05 --force base --amplitude 2e-4 --cells 20 --yield-stress 1e6");
     CHECK(bare.status == 2);
-    CHECK_THAT(bare.err, containsText("--yield-stress = 1000000"));
+    CHECK_THAT(bare.err, containsText("--yield-stress = 1e6"));
 }
 
 TEST_CASE("cli response: threads share the work, units are those of the bar")
@@ -457,6 +457,12 @@ TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
         {"sweep --over amplitude --frequency 1" + force + out, "--amplitude = 1"},
         {"sweep --from 2 --to 1" + force + out, "--from = 2"},
         {"sweep --from 1 --from-hertz 1" + force + out, "--from = 1"},
+        {"sweep --from-hertz 2 --to-hertz 1Hz" + force + out,
+         "--from-hertz = 2 is out of range: allowed numbers up to --to-hertz = 1Hz"},
+        {"response --damping 0.1 --from-hertz 2 --to 1" + force + out, "--from-hertz = 2 is"},
+        {"sweep --from 4000 --to 5000" + force + out, "--from = 4000 is"},
+        {"sweep --from-hertz 4kHz --to-hertz 5kHz" + force + out, "--from-hertz = 4kHz is"},
+        {"sweep --to-hertz 1MHz" + force + out, "--to-hertz = 1MHz is"},
         {"sweep --points 0" + force + out, "--points = 0"},
         {"sweep --periods 0" + force + out, "--periods = 0"},
         {"sweep --over speed" + force + out, "frequency|amplitude|gap|damping"},
