@@ -104,7 +104,8 @@ TEST_CASE("cli: long work shows a line on a terminal, and only there")
     CHECK_THAT(shown, containsText(" %, tracing, ") && containsText(" s left"));
     CHECK_THAT(shownBy(program, "modes --max-order 6001"), containsText(" %, listing modes, "));
     CHECK(shownBy(program, trace + " --quiet").find("tracing") == std::string::npos);
-    CHECK(program.run(trace).err.empty());
+    // Elsewhere there are at most whole lines, every ten seconds.
+    CHECK(program.run(trace).err.find('\r') == std::string::npos);
 }
 
 TEST_CASE("cli: a command that works on one thread says so when more are allowed")
