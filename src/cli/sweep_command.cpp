@@ -108,6 +108,12 @@ SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
     range.amplitude = over == Swept::amplitude ? range.least : force.scaledAmplitude(bar);
     range.derivative = force.derivative;
     requireOrder(given, range.least, range.most);
+    constexpr double high = 10.0;  // hertz may have been meant
+    const auto [option, from] = typedEnd(given, "--from");
+    if (over == Swept::frequency && range.least >= high && option == "--from" &&
+        !from.ends_with("Hz")) {
+        common.say(fmt::format("--from {0} is {0} ω₁; {0} Hz are --from {0}Hz", from));
+    }
     return range;
 }
 

@@ -424,6 +424,10 @@ TEST_CASE("cli sweep: JSON, table and words say the same, in Hz as in omega_1")
           answer["points"]);
     const auto text = program.run(call + " --from 1 --to 1.2" + section15);
     CHECK_THAT(text.out, containsText("upward") && containsText("no yield"));
+    const std::string high =
+        "sweep --points 1 --periods 2 --from 12 --to 12 --cells 30 --damping 0.1 --force tip "
+        "--amplitude 1e-4";
+    CHECK_THAT(program.run(high).err, containsText("12 Hz are --from 12Hz"));
 }
 
 TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
