@@ -51,7 +51,16 @@ SweepAnswer withUnits(SweepRange range, const Scene& scene, const Asked& asked, 
         faults.add("to", most, fmt::format("at least start = {}", least));
     }
     faults.throwIfAny();
-    (void)valuesOf(range);
+    try {
+        (void)valuesOf(range);
+    } catch (const std::invalid_argument& error) {
+        const std::string fault = error.what();
+        const bool isFirst = fault.starts_with("least = ");
+        throw std::invalid_argument(isFirst || fault.starts_with("most = ")
+                                        ? (isFirst ? "start" : "to") +
+                                              fault.substr(fault.find(" ="))
+                                        : fault);
+    }
     return {range, scene, bar, {}, true, {}};
 }
 

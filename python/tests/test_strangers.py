@@ -117,7 +117,7 @@ def words_of(name: str, value: Any) -> list[str]:
               "to": ["frequency_ratio", "frequency ratios", "frequency = "],
               "second_stop": ["stop"], "target": ["nearest"],
               "density": ["young"], "area": ["young"], "young": ["density"],
-              "cells": ["steps_per_crossing", "frequency = ", "period = ",
+              "cells": ["steps_per_crossing", "frequency = ", "to = ", "period = ",
                         "gcd(2N"],
               "gap": ["period"], "a4": ["a = "], "period": ["schedule"]}
     if name == "progress":
