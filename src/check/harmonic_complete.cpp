@@ -70,7 +70,7 @@ public:
           cell_(given.omega * given.step * (1.0 + anglesAre))
     {
         for (std::int64_t m = 0; m <= given.cells; ++m) {
-            turns_.push_back(Disc(given.inCells(m), anglesAre));
+            turns_.emplace_back(given.inCells(m), anglesAre);
         }
     }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The motions with one contact under an exact harmonic are those of a staircase on ever finer grids: none less, none more."""
+"""Motions with one contact under an exact harmonic are those of staircases on ever finer grids, neither fewer nor more."""
 
 import json
 
