@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Motions with one contact under an exact harmonic are those of staircases on ever finer grids, neither fewer nor more."""
+"""Motions with one contact under an exact harmonic are those of staircases on ever finer grids, no more, no fewer."""
 
 import json
 
