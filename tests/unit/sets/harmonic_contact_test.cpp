@@ -402,6 +402,30 @@ TEST_CASE("harmonic contact: lists are proved complete, and those that lack one 
     CHECK(lists > 15);
 }
 
+TEST_CASE("harmonic contact: as force and damping fall together it comes down on the main mode")
+{
+    // T = 18/5: t_c = 4 - T, and p with g T = 2 p (t_f^2/4 - t_c), from the mean of u(L, t).
+    const double contact = 0.4;
+    const double flight = 3.2;
+    const double impulse = 3.6 * contact / (0.25 * flight * flight - contact);
+    double before = 2.0;
+    for (int k = 1; k <= 64; k *= 2) {
+        const std::vector<HarmonicMotion> motions =
+            harmonicContacts({.ratio = 0.02 / k}, harmonicOf(30, 108, 0.2 / k));
+        REQUIRE(motions.size() == 2);
+        CHECK(motions[0].extremes.impulse < impulse);
+        CHECK(motions[1].extremes.impulse > impulse);
+        const double apart = motions[1].extremes.impulse - motions[0].extremes.impulse;
+        CHECK(apart < 0.6 * before);
+        before = apart;
+        if (k >= 8) {
+            CHECK(motions[0].extremes.contactTime == Approx(contact));
+        }
+        CHECK(motions[1].extremes.contactTime == Approx(contact));
+    }
+    CHECK(before < 0.03 * impulse);
+}
+
 TEST_CASE("harmonic contact: a call that makes no sense is refused")
 {
     const Damping damping{0.02};
