@@ -32,6 +32,9 @@ std::optional<JointWeights> exactWeights(double left, double right, double dashp
 {
     std::int64_t common = 1;
     for (const double value : {left, right, dashpot}) {
+        if (value > 0.0 && value * static_cast<double>(mostWeight) < 1.0) {
+            return std::nullopt;
+        }
         const std::int64_t denominator = fractionOf(value).denominator;
         const std::int64_t factor = denominator / std::gcd(common, denominator);
         if (factor > mostWeight / common) {

@@ -33,6 +33,10 @@ TEST_CASE("stepped bar: impedances are the fractions that were meant, without a 
     CHECK(jointWeights(0.001, 1000.0, 0.5) == JointWeights{1, 1000000, 1000501});
     CHECK(jointWeights(1.0 / 3.0, 2.0 / 7.0, 0.0) == JointWeights{7, 6, 13});
     // No common denominator is small enough: 15 digits are kept.
+    for (const double least : {1e-18, 1e-30, 1.3e-306}) {  // less than weights can say
+        const JointWeights none = jointWeights(1.0, 1.3, least);
+        CHECK(none.all == none.left + none.right);
+    }
     const JointWeights rounded = jointWeights(std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0));
     const auto left = static_cast<double>(rounded.left);
     CHECK(static_cast<double>(rounded.right) / left == Approx(std::sqrt(1.5)).epsilon(1e-14));
