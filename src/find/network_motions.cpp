@@ -49,12 +49,14 @@ LeastNormOf<Number> atRest(const RowSystemOf<Number>& system,
     least.z.resize(0);
     least.multipliers = VectorOf<Number>::Zero(system.rhs.size());
     least.end = LeastNormEnd::found;
+    using std::abs;
     for (Eigen::Index row = 0; row < system.rhs.size(); ++row) {
         const bool isOfWaves =
             system.rows.cols() > 0 &&
             conditions[static_cast<std::size_t>(row)].kind != BlockCondition::Kind::work;
-        if (!isOfWaves &&
-            (system.rhs[row] > 0 || (system.rhs[row] < 0 && row < system.equalities))) {
+        const Number missed =
+            row < system.equalities ? Number(abs(system.rhs[row])) : system.rhs[row];
+        if (!isOfWaves && missed > broken<Number>) {
             least.multipliers[row] = system.rhs[row] > 0 ? 1 : -1;
             least.end = LeastNormEnd::empty;
             break;

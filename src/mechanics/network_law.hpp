@@ -188,7 +188,7 @@ NetworkWaves<Number>::NetworkWaves(const Network& network, std::vector<Number> w
         rings_.push_back({next, size, 0});
         // Place k is that of the k-th to arrive.
         const auto first = values_.begin() + static_cast<std::ptrdiff_t>(next);
-        std::reverse(first, first + row.cells);
+        std::reverse(first, first + static_cast<std::ptrdiff_t>(size));
         const std::size_t channel = 2 * (rings_.size() - 1);
         now_[channel] = values_[next];
         now_[channel + 1] = values_[next + size];

@@ -80,7 +80,8 @@ private:
             const Number by = slack(row);
             const Number length = lengths_[row] * size + abs(system_.rhs[row]);
             const Number missing = row < system_.equalities ? Number(abs(by)) : Number(-by);
-            const Number broken = length > 0.0 ? Number(missing / length) : missing;
+            // A row that no z changes misses by what it misses.
+            const Number broken = lengths_[row] > 0.0 ? Number(missing / length) : missing;
             if (broken > most) {
                 most = broken;
                 worst = Broken{row, by > 0.0 ? -1.0 : 1.0};

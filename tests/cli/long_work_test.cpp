@@ -10,6 +10,7 @@
 #include <string>
 
 #include "command_line.hpp"
+#include "has_solver.hpp"
 
 using namespace signorini::test;
 
@@ -166,6 +167,9 @@ TEST_CASE("cli study: each row is the worst of a sweep, and a list may grow")
 
 TEST_CASE("cli response: --cells auto ends with what a fine grid says, in less time")
 {
+    if (!test::hasSimplex()) {
+        return;
+    }
     const CommandLine program;
     const std::string words = "response --force base --amplitude 20um" + steelRod;
     const json chosen = parsed(program, words + " --cells auto --csv r.csv");

@@ -14,8 +14,10 @@
 #include <string_view>
 
 #include "arguments.hpp"
+#include "json.hpp"
 #include "network.hpp"
 #include "request.hpp"
+#include "scene_answer.hpp"
 #include "scene_options.hpp"
 #include "segments_text.hpp"
 #include "signorini/output.hpp"
@@ -93,7 +95,7 @@ void readsScene(std::string_view text)
 void readsSceneFile(std::string_view text)
 {
     const Assembly assembly = cli::assemblyOfJson(text, "scene.json");
-    const std::string json = cli::asLine(cli::asJson(assembly));
+    const std::string json = cli::asLine(cli::jsonOf(assembly));
     require(cli::assemblyOfJson(json, "scene.json") == assembly);
 }
 

@@ -56,14 +56,20 @@ def strict(content):
     if header.count("a") != 1 or header.count("b") != 1 or not rows:
         return None
     columns = [header.index("a"), header.index("b")]
+    if "displacement" in header:  # of the first cell, which says where the base is
+        if header.count("displacement") != 1:
+            return None
+        columns.append(header.index("displacement"))
     numbers = []
     for row in rows:
         wanted = [row[at] for at in columns] if len(row) == len(header) else [""]
         if not all(NUMBER.fullmatch(word) for word in wanted):
             return None
-        numbers.append([float(word) for word in wanted])
-        if not all(is_representable(*pair) for pair in zip(wanted, numbers[-1])):
+        values = [float(word) for word in wanted]
+        if not all(is_representable(*pair) for pair in zip(wanted, values)):
             return None
+        numbers.append(values[:2])
+        del columns[2:]
     return numbers
 
 

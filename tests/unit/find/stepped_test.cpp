@@ -2,6 +2,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "has_solver.hpp"
 #include "network_kernel.hpp"
 #include "signorini/find_periodic.hpp"
 #include "solver.hpp"
@@ -321,6 +322,9 @@ TEST_CASE(
     "stepped: an energy is held, a tip floor kept, and the most impulse is at least the least",
     "[glpk][ipopt]")
 {
+    if (!test::hasSolver("ipopt") && !test::hasSolver("nlopt-slsqp")) {
+        return;
+    }
     const std::vector<Segment> halves{{.cells = 4}, {.cells = 4, .impedance = 1.3}};
     FindOptions options = optionsFor(halves);
     const PeriodicResult least = findPeriodic(8, 24, 8, options);
