@@ -15,7 +15,20 @@ EXAMPLES = {
     "simulate": "simulate --rest --damping 0.02 --force tip --amplitude 2e-4"
     " --frequency 1.1 --periods 300",
     "sweep": "sweep --damping 0.02 --force tip --amplitude 2e-4 --from 1.05 --to 1.25 --points 5 --cells 30",
+    "study": "study study.toml --csv study.csv",
     "scene": "scene clamp 150 gap=1e-3 200:1.3 clamp",
+}
+# Files that they read.
+FILES = {
+    "study.toml": """\
+force = "tip"
+damping = [0.02, 0.05]
+amplitude = [1e-4, 2e-4]
+from = 1.05
+to = 1.25
+points = 5
+cells = 30
+""",
 }
 TITLES = {"Positionals:": "Arguments", "Options:": "Options"}
 COLUMN = 30  # where the help has the words that explain an option
@@ -61,8 +74,13 @@ def page(program: Path, command: str, folder: Path) -> str:
             rest = rest[end:]
         elif line:
             text += f"{line}\n"
+    text += "\n## An example\n\n"
+    for name in EXAMPLES[command].split():
+        if name in FILES:
+            (folder / name).write_text(FILES[name], encoding="utf-8")
+            text += f"`{name}`:\n\n```toml\n{FILES[name]}```\n\n"
     answer = says(program, EXAMPLES[command], folder)
-    return text + f"\n## An example\n\n```text\n$ signorini {EXAMPLES[command]}\n{answer}```\n"
+    return text + f"```text\n$ signorini {EXAMPLES[command]}\n{answer}```\n"
 
 
 def commands(program: Path) -> list[str]:

@@ -205,7 +205,7 @@ TEST_CASE("cli progress: a file of words, and an estimate where work is long")
     const CommandLine program;
     const auto outcome = program.run(
         "response --damping 0.02 --force tip --amplitude 2e-4 --cells 500 --progress p.txt",
-        "timeout --signal=INT 4");
+        "timeout --signal=INT 8");
     CHECK_THAT(outcome.err, Catch::Contains("frequencies, about"));
     const std::string words = contentOf(program.file("p.txt"));
     CHECK_THAT(words, Catch::Contains(" left\n"));

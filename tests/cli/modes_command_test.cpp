@@ -121,7 +121,7 @@ TEST_CASE("cli: a wrong call of modes is exit status 2, one line, and no file")
 TEST_CASE("cli: an interrupted listing of modes says that it is not complete")
 {
     const CommandLine program;
-    const auto outcome = program.run("modes --max-order 10001 --format json", "timeout -s INT 0.5");
+    const auto outcome = program.run("modes --max-order 10001 --format json", "timeout -s INT 2");
     // timeout itself answers 124; what the program wrote counts.
     const json r = json::parse(outcome.out);
     CHECK(r["complete"] == false);
