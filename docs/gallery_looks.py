@@ -16,6 +16,7 @@ ORDER = [
     "steel",
     "response_with_fold",
     "what_it_settles_on",
+    "free_limit",
     "prestress_and_two_stops",
     "stepped_bar",
     "string_over_obstacle",
