@@ -148,25 +148,21 @@ ResponseAnswer response(const Asked& asked)
     return patiently(
         [answer, stability, threads](const Wires& wires) mutable {
             const std::vector<std::int64_t> steps = stepsOf(answer.range);
-            std::vector<std::optional<FrequencyResponse>> responses(steps.size());
             StabilityOptions options;
             options.cancel = wires.cancel;
             options.segments = answer.range.segments;
-            const auto serve = [&](std::size_t k) {
-                responses[k] = responseAt(answer.range, steps[k], wires.cancel);
-                if (responses[k] && stability) {
-                    for (ForcedMotion& motion : responses[k]->motions) {
+            const auto make = [&](std::size_t k) {
+                auto response = responseAt(answer.range, steps[k], wires.cancel);
+                if (response && stability) {
+                    for (ForcedMotion& motion : response->motions) {
                         motion.stability = stabilityOf(motion, options).stability;
                     }
                 }
-                return responses[k].has_value() && !isRequested(wires.cancel);
+                return isRequested(wires.cancel) ? std::nullopt : std::move(response);
             };
-            shareWork(steps.size(), threads, serve, wires.progress);
-            for (std::optional<FrequencyResponse>& at : responses) {
-                if (at) {
-                    answer.frequencies.push_back(std::move(*at));
-                }
-            }
+            answer.frequencies =
+                shareOut(std::vector<std::optional<FrequencyResponse>>(steps.size()), threads, make,
+                         wires.progress);
             return answer;
         },
         asked.progress());
@@ -185,17 +181,10 @@ ExactAnswer exactResponse(const Asked& asked)
             ExactAnswer answer{
                 question.range, question.scene, question.bar, question.amplitude, {}, {}};
             const std::vector<std::int64_t> steps = stepsOf(answer.range);
-            std::vector<std::optional<ExactFrequency>> found(steps.size());
-            const auto serve = [&](std::size_t k) {
-                found[k] = exactAt(answer.range, steps[k], wires.cancel);
-                return found[k].has_value();
-            };
-            shareWork(steps.size(), threads, serve, wires.progress);
-            for (std::optional<ExactFrequency>& at : found) {
-                if (at) {
-                    answer.frequencies.push_back(std::move(*at));
-                }
-            }
+            answer.frequencies = shareOut(
+                std::vector<std::optional<ExactFrequency>>(steps.size()), threads,
+                [&](std::size_t k) { return exactAt(answer.range, steps[k], wires.cancel); },
+                wires.progress);
             answer.branches = exactBranches(answer.range, answer.frequencies, wires.cancel);
             return answer;
         },

@@ -52,29 +52,22 @@ struct Worker {
     std::vector<FrequencyResponse> work(const ResponseRange& range)
     {
         const std::vector<std::int64_t> steps = stepsOf(range);
-        std::vector<std::optional<FrequencyResponse>> responses(steps.size());
-        const auto serve = [&](std::size_t at) {
-            if (!responses[at]) {
-                responses[at] = responseOf(range, steps[at], wantsStability, cancel);
-            }
-            return responses[at].has_value();
+        const auto make = [&](std::size_t at) {
+            return responseOf(range, steps[at], wantsStability, cancel);
         };
-        estimate(range, steps, serve);
+        std::vector<std::optional<FrequencyResponse>> responses(steps.size());
+        estimate(range, steps, responses, make);
         // The largest n takes longest and goes first.
-        shareWork(steps.size(), common.threads, serve, show);
-        std::vector<FrequencyResponse> all;
-        for (std::optional<FrequencyResponse>& response : responses) {
-            if (response) {
-                all.push_back(std::move(*response));
-            }
-        }
+        std::vector<FrequencyResponse> all =
+            shareOut(std::move(responses), common.threads, make, show);
         isComplete = isComplete && all.size() == steps.size();
         return all;
     }
 
     /// Times one of many, and says how long all will take, where that is long.
+    template <typename Make>
     void estimate(const ResponseRange& range, const std::vector<std::int64_t>& steps,
-                  const std::function<bool(std::size_t)>& serve) const
+                  std::vector<std::optional<FrequencyResponse>>& responses, const Make& make) const
     {
         constexpr std::size_t many = 50;
         constexpr double isLong = 5.0;  // [s]
@@ -84,7 +77,7 @@ struct Worker {
         using Clock = std::chrono::steady_clock;
         const std::size_t middle = steps.size() / 2;
         const auto start = Clock::now();
-        (void)serve(middle);
+        responses[middle] = make(middle);
         const double one = std::chrono::duration<double>(Clock::now() - start).count();
         const double order = range.contacts > 1 ? 4.0 : 2.0;  // of the cost in n
         double all = 0.0;
@@ -137,20 +130,10 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
     answers::ExactAnswer answer{asked, scene, answers::unitsOf(scene), *force.amplitude, {}, {}};
     Outputs outputs(given, {"--csv", "--figure"});
     const std::vector<std::int64_t> steps = stepsOf(asked);
-    std::vector<std::optional<ExactFrequency>> found(steps.size());
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
-        shareWork(
-            steps.size(), common.threads,
-            [&](std::size_t at) {
-                found[at] = exactAt(asked, steps[at], cancel);
-                return found[at].has_value();
-            },
-            show);
-        for (std::optional<ExactFrequency>& at : found) {
-            if (at) {
-                answer.frequencies.push_back(std::move(*at));
-            }
-        }
+        answer.frequencies = shareOut(
+            std::vector<std::optional<ExactFrequency>>(steps.size()), common.threads,
+            [&](std::size_t at) { return exactAt(asked, steps[at], cancel); }, show);
         answer.branches = exactBranches(asked, answer.frequencies, cancel);
         answer.isComplete = answer.frequencies.size() == steps.size() && !isRequested(cancel);
     });

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace signorini {
 
@@ -18,5 +21,30 @@ inline constexpr std::int64_t maxThreads = 1024;
 void shareWork(std::size_t count, std::int64_t threads,
                const std::function<bool(std::size_t)>& serve,
                const std::function<void(double done, double total)>& show);
+
+/// The items of a list, of which those that are missing are made by `make(k)`; a call that gives
+/// none ends the work, and what is missing then is left out. As shareWork.
+template <typename Item, typename Make>
+[[nodiscard]] std::vector<Item> shareOut(std::vector<std::optional<Item>> items,
+                                         std::int64_t threads, const Make& make,
+                                         const std::function<void(double, double)>& show)
+{
+    shareWork(
+        items.size(), threads,
+        [&](std::size_t k) {
+            if (!items[k]) {
+                items[k] = make(k);
+            }
+            return items[k].has_value();
+        },
+        show);
+    std::vector<Item> all;
+    for (std::optional<Item>& item : items) {
+        if (item) {
+            all.push_back(std::move(*item));
+        }
+    }
+    return all;
+}
 
 }  // namespace signorini
