@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "disc.hpp"
+#include "harmonic_discs.hpp"
 
 namespace signorini {
 
@@ -11,10 +11,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double anglesAre = 8e-15;   // this near what they should be, sines and cosines included
 constexpr double narrowest = 1e-11;   // [rad]
 constexpr double sampledBelow = 0.1;  // [rad]: a wider part is not looked at along its motion
 constexpr double insideOfBox = 0.9;   // of it, whatever is rounded
+constexpr double slack = 1e-12;       // of an angle
 
 Disc conjugate(const Disc& z)
 {
@@ -26,7 +26,7 @@ Disc unitOf(const Disc& z)
 {
     const Interval size = z.magnitude();
     const double middle = 0.5 * (size.low + size.high);
-    return z / Disc(middle, (size.high - size.low) * 0.5 + anglesAre * middle);
+    return z / Disc(middle, (size.high - size.low) * 0.5 + slack * middle);
 }
 
 /// A part of the range of an angle.
@@ -38,11 +38,10 @@ struct Part {
     [[nodiscard]] double width() const { return high - low; }
 };
 
-/// e^{i part angle} of all angles.
-Disc turn(const Part& angle, double part = 1.0)
+/// e^{i angle} of all angles.
+Disc turn(const Part& angle)
 {
-    return {turned(part * angle.middle()),
-            std::abs(part) * 0.5 * angle.width() * (1.0 + anglesAre) + anglesAre};
+    return HarmonicDiscs::turn(angle.middle(), (0.5 + slack) * angle.width());
 }
 
 /// Of a number of cells of contact.
@@ -63,14 +62,10 @@ struct Candidate {
 class Completeness {
 public:
     Completeness(const HarmonicCase& given, std::span<const ProvedHarmonic> known)
-        : given_(given),
-          known_(known),
-          integrate_({0.0, -1.0 / given.omega}, anglesAre / given.omega),
-          place_(given.place(), anglesAre),
-          cell_(given.omega * given.step * (1.0 + anglesAre))
+        : given_(given), discs_(given), known_(known), cell_(given.omega * given.step)
     {
         for (std::int64_t m = 0; m <= given.cells; ++m) {
-            turns_.emplace_back(given.inCells(m), anglesAre);
+            turns_.emplace_back(given.inCells(m), HarmonicDiscs::angleError);
         }
     }
 
@@ -105,45 +100,18 @@ private:
 
     [[nodiscard]] EnclosedChain chainOf(std::int64_t contact) const
     {
-        const Disc back = conjugate(turnOf(given_.back));
-        const Disc base = given_.isForce
-                              ? Disc(0.0)
-                              : Disc({0.0, given_.omega}, anglesAre * given_.omega) * place_;
-        const Disc force = given_.admittance() * given_.force();
-        EnclosedChain chain;
-        chain.waves.resize(static_cast<std::size_t>(given_.cells));
-        Disc factor = 1.0;
-        Disc wave = 0.0;
-        for (int round = 0; round < 2; ++round) {
-            std::int64_t m = 0;
-            for (std::int64_t k = 0; k < given_.cells; ++k) {
-                const bool isHeld = m < contact;
-                chain.waves[index(m)] = wave;
-                wave = back * (base + (isHeld ? wave : Disc(-given_.rho) * wave - force));
-                if (round == 0) {
-                    factor = back * (isHeld ? Disc(1.0) : Disc(-given_.rho)) * factor;
-                }
-                m = (m + given_.back) % given_.cells;
-            }
-            wave = round == 0 ? wave / (Disc(1.0) - factor) : wave;
-        }
+        EnclosedChain chain{discs_.waves([contact](std::int64_t m) { return m < contact; }), {}};
         for (std::int64_t m = 0; m < given_.back; ++m) {
             chain.sum = chain.sum + chain.waves[index(m)] * turnOf(m);
         }
         return chain;
     }
 
-    /// R of A = 1, at e^{i omega t} = 1.
-    [[nodiscard]] Disc push(const Disc& wave) const
-    {
-        return Disc(2.0) * wave + Disc(given_.force());
-    }
-
     /// Is there no motion that flies for less than h? late_ is the chain that flies in one cell.
     [[nodiscard]] bool fliesLonger() const
     {
         const Interval speed = Interval(given_.admittance()) * Interval(given_.amplitude) *
-                               push(late_.waves.back()).magnitude();
+                               discs_.push(late_.waves.back()).magnitude();
         const Interval least =
             speed * Interval(0.25 * given_.step / static_cast<double>(given_.cells));
         const double left = given_.stops.left ? -given_.placeOf(Stop::left) : infinity;
@@ -153,15 +121,16 @@ private:
     /// R(tau) = 0: A e^{i theta} is one of two numbers.
     void lookAtSmooth(std::int64_t j, Stop stop)
     {
-        const Disc alpha = place_ - (turnOf(1) * late_.sum - early_.sum) * integrate_;
-        const Disc beta = (late_.sum - early_.sum) * integrate_;
-        const Disc release = conjugate(unitOf(push(early_.waves[index(j)]))) *
+        const Disc alpha =
+            discs_.place() - (turnOf(1) * late_.sum - early_.sum) * discs_.integrate();
+        const Disc beta = (late_.sum - early_.sum) * discs_.integrate();
+        const Disc release = conjugate(unitOf(discs_.push(early_.waves[index(j)]))) *
                              conjugate(turnOf(j)) *
                              Disc(HarmonicCase::Complex(0.0, given_.amplitude));
         for (const double sign : {1.0, -1.0}) {
             const Disc atRelease = Disc(sign) * release;
-            refute({0.0, cell_}, [&](const Part& theta) {
-                const Disc excitation = atRelease * turn(theta, -1.0);
+            refute({0.0, cell_ * (1.0 + slack)}, [&](const Part& theta) {
+                const Disc excitation = atRelease * conjugate(turn(theta));
                 const Interval gap = (alpha * excitation + beta * atRelease).real();
                 return isApart(gap, stop) ||
                        isSettled({j, theta, excitation, stop, false}, theta.width());
@@ -172,11 +141,11 @@ private:
     /// tau = jh, early_ that of j cells: A has any argument, R passes through 0 there.
     void lookAtPinned(std::int64_t j, Stop stop)
     {
-        const Disc gap = place_ - early_.sum * (turnOf(1) - Disc(1.0)) * integrate_;
+        const Disc gap = discs_.place() - early_.sum * (turnOf(1) - Disc(1.0)) * discs_.integrate();
         const double side = stop == Stop::right ? 1.0 : -1.0;
-        const Disc before = Disc(side) * push(early_.waves[index(j - 1)]) * turnOf(j);
-        const Disc after = Disc(side) * push(early_.waves[index(j)]) * turnOf(j);
-        refute({0.0, 2.0 * pi * (1.0 + anglesAre)}, [&](const Part& angle) {
+        const Disc before = Disc(side) * discs_.push(early_.waves[index(j - 1)]) * turnOf(j);
+        const Disc after = Disc(side) * discs_.push(early_.waves[index(j)]) * turnOf(j);
+        refute({0.0, 2.0 * pi * (1.0 + slack)}, [&](const Part& angle) {
             const Disc excitation = Disc(given_.amplitude) * turn(angle);
             return isApart((gap * excitation).real(), stop) ||
                    (before * excitation).real().isNegative() ||
@@ -226,19 +195,11 @@ private:
             };
             return contact.stop == one.stop && contact.isPinned == one.isPinned &&
                    isNear(one.theta.low) && isNear(one.theta.high) &&
-                   (one.excitation * turn({proved.motion->phase, proved.motion->phase}) -
+                   (one.excitation * HarmonicDiscs::turn(proved.motion->phase) -
                     Disc(given_.amplitude))
                            .magnitude()
                            .high < box * given_.amplitude;
         });
-    }
-
-    /// e^{i omega t} in cell m: before theta, or after it.
-    [[nodiscard]] Disc at(std::int64_t m, const Candidate& one, bool isLate, double part) const
-    {
-        const Disc begin = turnOf(m);
-        return isLate ? begin * turn(one.theta, 1.0 - part) * turn({cell_, cell_}, part)
-                      : begin * turn(one.theta, part);
     }
 
     /// Is a push seen to be a pull, or the tip to be beyond a stop?
@@ -247,27 +208,28 @@ private:
         const double side = one.stop == Stop::right ? 1.0 : -1.0;
         Interval tip = given_.placeOf(one.stop);
         for (std::int64_t m = 0; m < given_.cells; ++m) {
+            const Disc cut = turnOf(m) * turn(one.theta);
             for (const bool isLate : {false, true}) {
                 if (one.isPinned && !isLate) {
                     continue;  // no length
                 }
                 const EnclosedChain& chain = isLate && !one.isPinned ? late_ : early_;
-                const Disc force = push(chain.waves[index(m)]) * one.excitation;
+                const Disc force = discs_.push(chain.waves[index(m)]) * one.excitation;
+                const Disc way = Disc(given_.admittance()) * force * discs_.integrate();
                 const bool isHeld = isLate ? m < one.cells : m <= one.cells;
-                const Disc way = Disc(given_.admittance()) * force * integrate_;
-                const Disc start = at(m, one, isLate, 0.0);
-                const Disc end = at(m, one, isLate, 1.0);
+                const Disc start = isLate ? cut : turnOf(m);
+                const Disc end = isLate ? turnOf(m + 1) : cut;
                 const auto isFault = [&](const Disc& now) {
                     return isHeld ? (Disc(side) * force * now).real().isNegative()
                                   : isBeyond(tip + (way * (now - start)).real());
                 };
-                // Where push or place is extreme, between the ends.
+                // So much later push or place is extreme, if it is before the end.
                 const double turns = -angleOf((isHeld ? force : way).middle * start.middle);
-                const double least = turns - pi * std::floor(turns / pi);
-                const double part =
-                    least / (isLate ? cell_ - one.theta.middle() : one.theta.middle());
+                const double later = turns - pi * std::floor(turns / pi);
+                const double length = isLate ? cell_ - one.theta.high : one.theta.low;
                 if (isFault(start) || isFault(end) ||
-                    (part < 1.0 && isFault(at(m, one, isLate, part)))) {
+                    (later < (1.0 - slack) * length &&
+                     isFault(start * HarmonicDiscs::turn(later)))) {
                     return true;
                 }
                 if (!isHeld) {
@@ -285,10 +247,9 @@ private:
     }
 
     const HarmonicCase& given_;
+    HarmonicDiscs discs_;
     std::span<const ProvedHarmonic> known_;
-    Disc integrate_;  ///< 1/(i omega)
-    Disc place_;      ///< y(t + 1) of A = 1
-    double cell_;     ///< [rad], omega h
+    double cell_;  ///< [rad], omega h
     std::vector<Disc> turns_;
     EnclosedChain early_;  ///< before theta in each cell
     EnclosedChain late_;   ///< after it

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "disc.hpp"
+#include "harmonic_discs.hpp"
 #include "portable.hpp"
 
 namespace signorini {
@@ -14,9 +14,7 @@ namespace signorini {
 namespace {
 
 constexpr std::array boxRadii{1e-9, 1e-8, 1e-7};  // L/c, and rad of the phase
-constexpr double angleError = 8e-15;              // of an angle below 4 pi and its sine and cosine
 constexpr double wholeWithin = 1e-6;              // cells: a travel is whole cells
-constexpr double relativeError = 1e-15;
 
 /// Of a beginning or release: a place within a cell, and the cell.
 struct Mark {
@@ -33,7 +31,7 @@ struct Held {
 class Enclosure {
 public:
     Enclosure(const HarmonicCase& given, const HarmonicMotion& motion)
-        : given_(given), phase_(motion.phase)
+        : given_(given), discs_(given), phase_(motion.phase)
     {
         for (const HarmonicContact& one : motion.contacts) {
             const Mark begin = marked(one.begin);
@@ -142,36 +140,21 @@ private:
         const auto cycles = static_cast<double>(given_.cycles);
         const auto part = static_cast<double>((m * given_.cycles) % given_.cells);
         const double angle = 2.0 * std::numbers::pi * ((part + cycles * sigma) / cells);
-        return {turned(angle), angleError + 7.0 * cycles / cells * within};
+        return HarmonicDiscs::turn(angle, 7.0 * cycles / cells * within);
     }
 
-    /// kappa is what goes once around and comes back the same.
     bool setWaves()
     {
-        const Disc back = turn(given_.cells - given_.back % given_.cells, 0.0, 0.0);
-        const Disc base = given_.isForce ? Disc(0.0)
-                                         : Disc({0.0, given_.omega}, relativeError * given_.omega) *
-                                               Disc(given_.place(), angleError);
-        const Disc force = given_.admittance() * given_.force();
         waves_.resize(pieces());
         for (std::size_t p = 0; p < count(); ++p) {
-            Disc factor = 1.0;
-            Disc wave = 0.0;
-            for (int round = 0; round < 2; ++round) {
-                std::int64_t m = 0;
-                for (std::int64_t k = 0; k < given_.cells; ++k) {
-                    const std::size_t i = static_cast<std::size_t>(m) * count() + p;
-                    waves_[i] = wave;
-                    const Disc by = isHeld_[i] ? Disc(1.0) : Disc(-given_.rho);
-                    wave = back * (base + (isHeld_[i] ? wave : by * wave - force));
-                    factor = round == 0 ? back * by * factor : factor;
-                    m = (m + given_.back) % given_.cells;
-                }
-                wave = round == 0 ? wave / (Disc(1.0) - factor) : wave;
-                if (!std::isfinite(wave.radius)) {
-                    why_ = "a wave that is always in contact is free";
-                    return false;
-                }
+            const std::vector<Disc> chain = discs_.waves(
+                [&](std::int64_t m) { return isHeld_[static_cast<std::size_t>(m) * count() + p]; });
+            if (!std::isfinite(chain[0].radius)) {
+                why_ = "a wave that is always in contact is free";
+                return false;
+            }
+            for (std::size_t m = 0; m < chain.size(); ++m) {
+                waves_[m * count() + p] = chain[m];
             }
         }
         return true;
@@ -179,7 +162,7 @@ private:
 
     void setBox(double within)
     {
-        excitation_ = Disc(given_.amplitude) * Disc(turned(-phase_), angleError + within);
+        excitation_ = Disc(given_.amplitude) * HarmonicDiscs::turn(-phase_, within);
         turns_.resize(pieces());
         for (std::size_t i = 0; i < pieces(); ++i) {
             const std::size_t place = order_[i % count()];
@@ -194,24 +177,14 @@ private:
         return waves_[(i + pieces() - 1) % pieces()];
     }
     [[nodiscard]] const Disc& turnAt(std::size_t i) const { return turns_[i % pieces()]; }
-    /// 1/(i omega).
-    [[nodiscard]] Disc integrate() const
-    {
-        return {{0.0, -1.0 / given_.omega}, 4.0 * relativeError / given_.omega};
-    }
     /// y(t + 1) of A = 1.
     [[nodiscard]] Disc base(std::size_t i) const
     {
-        return given_.isForce ? Disc(0.0) : Disc(given_.place(), angleError) * turnAt(i);
+        return given_.isForce ? Disc(0.0) : discs_.place() * turnAt(i);
     }
     [[nodiscard]] Disc push(const Disc& wave, std::size_t at) const
     {
-        return (Disc(2.0) * wave + Disc(given_.force())) * turnAt(at) * excitation_;
-    }
-    /// i omega z.
-    [[nodiscard]] Disc slope(const Disc& z) const
-    {
-        return Disc({0.0, given_.omega}, relativeError * given_.omega) * z;
+        return discs_.push(wave) * turnAt(at) * excitation_;
     }
 
     /// f of the box, and its derivatives: by the phase first.
@@ -227,14 +200,15 @@ private:
             Disc gap = base(from);
             std::vector<Disc> moves(n, Disc(0.0));
             for (std::size_t i = from; i < to; ++i) {
-                gap = gap - wave(i) * (turnAt(i + 1) - turnAt(i)) * integrate();
+                gap = gap - wave(i) * (turnAt(i + 1) - turnAt(i)) * discs_.integrate();
                 if (i > from) {
                     const std::size_t place = order_[i % n];
                     moves[place] = moves[place] + (wave(i) - before(i)) * turnAt(i);
                 }
             }
             Disc& own = moves[one.begin.place];
-            own = own + slope(base(from)) + wave(from) * turnAt(from) - before(to) * turnAt(to);
+            own = own + discs_.slope(base(from)) + wave(from) * turnAt(from) -
+                  before(to) * turnAt(to);
             const std::size_t row = f.size();
             f.push_back((gap * excitation_).real() - Interval(given_.placeOf(one.contact.stop)));
             slopes[row * n] = (gap * excitation_ * turned).real();
@@ -249,7 +223,7 @@ private:
                 const std::size_t row = f.size();
                 f.push_back(force.real());
                 slopes[row * n] = (force * turned).real();
-                slopes[row * n + one.end.place] = slope(force).real();
+                slopes[row * n + one.end.place] = discs_.slope(force).real();
             }
         }
     }
@@ -341,7 +315,7 @@ private:
             }
         }
         const Interval after = Interval(sign) * push(wave(last), last).real();
-        const Interval fading = Interval(sign) * slope(push(before(last), last)).real();
+        const Interval fading = Interval(sign) * discs_.slope(push(before(last), last)).real();
         if (one.contact.isPinned ? !after.isNegative() : !fading.isNegative()) {
             return fails("a release is not seen to be one");
         }
@@ -353,9 +327,8 @@ private:
     {
         Interval tip = given_.placeOf(one.contact.stop);
         for (std::size_t i = from; i < to; ++i) {
-            const Disc speed = Disc(given_.admittance()) *
-                               (Disc(2.0) * wave(i) + Disc(given_.force())) * excitation_;
-            const Disc way = speed * integrate();
+            const Disc speed = Disc(given_.admittance()) * discs_.push(wave(i)) * excitation_;
+            const Disc way = speed * discs_.integrate();
             const Interval after = tip + (way * (turnAt(i + 1) - turnAt(i))).real();
             for (const Stop stop : {Stop::right, Stop::left}) {
                 if (stop == Stop::left && !given_.stops.left) {
@@ -383,6 +356,7 @@ private:
     }
 
     const HarmonicCase& given_;
+    HarmonicDiscs discs_;
     double phase_;
     std::vector<Held> contacts_;
     std::vector<double> places_;  ///< middles, in cells
