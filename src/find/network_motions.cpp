@@ -40,31 +40,6 @@ bool isDelicate(const Network& network)
     return false;
 }
 
-/// Of what no waves can change: work of constant forces, and, without waves, distances, the gaps.
-template <typename Number>
-LeastNormOf<Number> atRest(const RowSystemOf<Number>& system,
-                           const std::vector<BlockCondition>& conditions)
-{
-    LeastNormOf<Number> least;
-    least.z.resize(0);
-    least.multipliers = VectorOf<Number>::Zero(system.rhs.size());
-    least.end = LeastNormEnd::found;
-    using std::abs;
-    for (Eigen::Index row = 0; row < system.rhs.size(); ++row) {
-        const bool isOfWaves =
-            system.rows.cols() > 0 &&
-            conditions[static_cast<std::size_t>(row)].kind != BlockCondition::Kind::work;
-        const Number missed =
-            row < system.equalities ? Number(abs(system.rhs[row])) : system.rhs[row];
-        if (!isOfWaves && missed > broken<Number>) {
-            least.multipliers[row] = system.rhs[row] > 0 ? 1 : -1;
-            least.end = LeastNormEnd::empty;
-            break;
-        }
-    }
-    return least;
-}
-
 /// Is a row met, or broken, by so little that rounding may have done it, and by too much to be 0?
 bool isDoubtful(const RowSystem& system, const Eigen::VectorXd& z)
 {
@@ -135,11 +110,8 @@ private:
             from = nearest(*kernel);
             system.rhs -= system.rows * from;
         }
-        LeastNormOf<Number> least = atRest(system, rows.conditions);
-        if (least.end == LeastNormEnd::found && system.rows.cols() > 0) {
-            least = leastNorm(system, broken<Number>, std::sqrt(demands_.absent * hugeFactor),
-                              demands_.cancel);
-        }
+        const LeastNormOf<Number> least = leastNorm(
+            system, broken<Number>, std::sqrt(demands_.absent * hugeFactor), demands_.cancel);
         result_.iterations += least.steps;
         if (least.end == LeastNormEnd::stopped) {
             result_.detail = isRequested(demands_.cancel)
