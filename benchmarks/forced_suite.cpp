@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "rival_cases.hpp"
 #include "signorini/response.hpp"
 #include "signorini/settling.hpp"
 #include "suites.hpp"
@@ -12,15 +13,12 @@ namespace signorini::bench {
 
 namespace {
 
-/// The bar of theory.md, section 15: rho = 0.9, a force of 0.25 EA g/L.
-constexpr double rho = 0.9;
-constexpr double forceAmplitude = 0.25;
 ResponseRange responseRange(std::int64_t cells)
 {
     ResponseRange range;
     range.cells = cells;
-    range.damping = dampingOfRho(rho);
-    range.amplitude = forceAmplitude;
+    range.damping = dampingOfRho(drivenRho);
+    range.amplitude = drivenForce;
     range.leastFrequencyRatio = 0.95;
     range.mostFrequencyRatio = 1.25;
     return range;

@@ -155,9 +155,6 @@ RivalCase string()
     return one;
 }
 
-constexpr double forcedRho = 0.9;
-constexpr double amplitude = 0.25;
-constexpr double forcedPeriod = 3.6;
 constexpr double mostPeriods = 101.0;
 
 /// The motion of larger impulse, (12, 96) on 30 cells: its state is the start of all. The truth is
@@ -166,21 +163,21 @@ RivalCase forcedBar()
 {
     const Schedule schedule{30, {{12, 96}}};
     const std::vector<ForcedMotion> motions =
-        motionsOfAmplitude(forcedMotions(schedule, dampingOfRho(forcedRho), {}), amplitude);
+        motionsOfAmplitude(forcedMotions(schedule, dampingOfRho(drivenRho), {}), drivenForce);
     if (motions.empty()) {
         throw std::runtime_error("the motion to be followed is not there");
     }
     const ForcedMotion motion = motions.back();
     const auto truth = std::make_shared<DrivenMarch>(
-        motion.state, DrivenCase{motion.damping.eta(), amplitude, motion.phase, forcedPeriod},
-        forcedPeriod * mostPeriods);
+        motion.state, DrivenCase{motion.damping.eta(), drivenForce, motion.phase, drivenPeriod},
+        drivenPeriod * mostPeriods);
     RivalCase one;
     one.name = "forced, damped";
-    one.period = forcedPeriod;
+    one.period = drivenPeriod;
     one.isSampled = true;
     one.bar.dashpot = motion.damping.eta();
     one.bar.force = [phase = motion.phase](double time) {
-        return amplitude * std::cos(2.0 * std::numbers::pi * time / forcedPeriod - phase);
+        return drivenForce * std::cos(2.0 * std::numbers::pi * time / drivenPeriod - phase);
     };
     const auto nodes = std::make_shared<Eigen::VectorXd>(displacement(motion.state));
     const auto speeds = std::make_shared<Eigen::VectorXd>(velocity(motion.state));
@@ -198,16 +195,16 @@ RivalCase forcedBar()
     one.impulse = [truth](double time) { return truth->impulse(time); };
     double low = 1.0;
     for (int k = 0; k < 1000; ++k) {
-        low = std::min(low, truth->tip(0.001 * forcedPeriod * k));
+        low = std::min(low, truth->tip(0.001 * drivenPeriod * k));
     }
     one.reach = 1.0 - low;
     one.ours = [motion](int periods, int kept, std::int64_t perCrossing) {
         const double begin = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
         const auto steps = static_cast<std::int64_t>(
-            std::llround(forcedPeriod * static_cast<double>(perCrossing)));
+            std::llround(drivenPeriod * static_cast<double>(perCrossing)));
         BarSimulation simulation(
             wavesOf(motion.state), motion.damping,
-            excitationOf({.amplitude = amplitude,
+            excitationOf({.amplitude = drivenForce,
                           .phase = motion.phase,
                           .steps = steps,
                           .stepsPerCrossing = static_cast<double>(perCrossing)}));
@@ -216,7 +213,7 @@ RivalCase forcedBar()
         TimeSteps result;
         result.energyBefore = simulation.energyRatio();
         follow(
-            forcedPeriod, periods, kept, perCrossing, [&] { simulation.advance(step); },
+            drivenPeriod, periods, kept, perCrossing, [&] { simulation.advance(step); },
             [&] { return simulation.tip(); }, [&] { return simulation.impulse(); }, result);
         result.energyAfter = simulation.energyRatio();
         result.seconds = static_cast<double>(std::clock()) / CLOCKS_PER_SEC - begin;
