@@ -14,17 +14,10 @@ using answers::SweepPointOf;
 
 const char* unitName(const SweepAnswer& answer)
 {
-    switch (answer.range.over) {
-        case Swept::frequency:
-            return "ω₁";
-        case Swept::amplitude:
-            return amplitudeUnitName(answer.range.place);
-        case Swept::gap:
-            return "m";
-        case Swept::damping:
-            return "(ratio)";
-    }
-    return "";
+    const Swept over = answer.range.over;
+    return over == Swept::frequency ? "ω₁"
+           : over == Swept::damping ? "(ratio)"
+                                    : answers::unitName(over, answer.range.place);
 }
 
 /// "1.02 ω₁ (431.2 Hz)", "3 N", "ζ = 0.02".

@@ -9,6 +9,7 @@
 
 #include "echo.hpp"
 #include "faults.hpp"
+#include "network.hpp"
 #include "one_material.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
@@ -32,7 +33,7 @@ std::optional<JointWeights> exactWeights(double left, double right, double dashp
 {
     std::int64_t common = 1;
     for (const double value : {left, right, dashpot}) {
-        if (value > 0.0 && value * static_cast<double>(mostWeight) < 1.0) {
+        if (!isSimple(value)) {
             return std::nullopt;
         }
         const std::int64_t denominator = fractionOf(value).denominator;
