@@ -22,12 +22,6 @@ namespace {
 
 constexpr std::int64_t mostWeight = std::int64_t{1} << 50;
 
-/// 0 or the simplest fraction that rounds to the value.
-Fraction fractionOf(double value)
-{
-    return value > 0.0 ? simplestFraction(value) : Fraction{0, 1};
-}
-
 /// Over one denominator, if all numbers stay small.
 std::optional<JointWeights> exactWeights(double left, double right, double dashpot)
 {
@@ -36,7 +30,7 @@ std::optional<JointWeights> exactWeights(double left, double right, double dashp
         if (!isSimple(value)) {
             return std::nullopt;
         }
-        const std::int64_t denominator = fractionOf(value).denominator;
+        const std::int64_t denominator = exactly(value).denominator;
         const std::int64_t factor = denominator / std::gcd(common, denominator);
         if (factor > mostWeight / common) {
             return std::nullopt;
@@ -48,7 +42,7 @@ std::optional<JointWeights> exactWeights(double left, double right, double dashp
         return std::nullopt;
     }
     const auto times = [common](double value) {
-        const Fraction fraction = fractionOf(value);
+        const Fraction fraction = exactly(value);
         return fraction.numerator * (common / fraction.denominator);
     };
     return JointWeights{times(left), times(right), times(left) + times(right) + times(dashpot)};
