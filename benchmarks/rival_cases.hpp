@@ -11,8 +11,8 @@
 
 namespace signorini::bench {
 
-/// The driven bar of theory.md, sections 15 and 21: a dashpot with this rho, a force [EA g/L] on the
-/// tip, a period [L/c] that grids of 30, 60, ... cells have.
+/// The driven bar of theory.md, sections 15 and 21: a dashpot with this rho, a force [EA g/L] on
+/// the tip, a period [L/c] that grids of 30, 60, ... cells have.
 inline constexpr double drivenRho = 0.9;
 inline constexpr double drivenForce = 0.25;
 inline constexpr double drivenPeriod = 3.6;
