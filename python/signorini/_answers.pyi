@@ -468,6 +468,7 @@ class HarmonicResult(_Record):
     frequency_ratio: float
     motions: list[HarmonicMotion]
     complete_from: Optional[float]
+    rests: Optional[bool]
     bar: Bar
     stops: list[dict[str, Any]]
     segments: list[Segment]

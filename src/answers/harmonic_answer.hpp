@@ -148,6 +148,10 @@ void describe(D& d, Type<HarmonicAnswer>)
         "Enclosed numbers prove that no motion with one contact is left out that flies as long or "
         "longer; 0: none at all. Nothing where they do not, or of several contacts.",
         &T::completeFrom);
+    d.key("rests", "-",
+          "May the tip, pressed at rest, stay on a stop for good, without a flight? Nothing where "
+          "it is too near to tell, or of several contacts.",
+          [](const T& a) { return a.all.rests; });
     describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
     d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
 }

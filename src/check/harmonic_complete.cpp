@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 #include "harmonic_discs.hpp"
+#include "portable.hpp"
 
 namespace signorini {
 
@@ -72,7 +74,7 @@ public:
     HarmonicCompleteness run(const Cancel& cancel)
     {
         if (given_.cells + given_.back > mostCompleteCells) {
-            return {std::nullopt, "its period has too many cells"};
+            return {std::nullopt, "its period has too many cells", rests()};
         }
         late_ = chainOf(0);
         for (std::int64_t j = 0; j + 1 < given_.cells; ++j) {
@@ -84,11 +86,11 @@ public:
                 }
             }
             if (!why_.empty() || isRequested(cancel)) {
-                return {std::nullopt, why_.empty() ? "stopped" : why_};
+                return {std::nullopt, why_.empty() ? "stopped" : why_, rests()};
             }
             late_ = std::move(early_);
         }
-        return {fliesLonger() ? 0.0 : given_.step, {}};
+        return {fliesLonger() ? 0.0 : given_.step, {}, rests()};
     }
 
 private:
@@ -110,12 +112,44 @@ private:
     /// Is there no motion that flies for less than h? late_ is the chain that flies in one cell.
     [[nodiscard]] bool fliesLonger() const
     {
+        if (given_.isForce || given_.cycles % given_.cells != 0) {
+            return true;
+        }
         const Interval speed = Interval(given_.admittance()) * Interval(given_.amplitude) *
                                discs_.push(late_.waves.back()).magnitude();
         const Interval least =
             speed * Interval(0.25 * given_.step / static_cast<double>(given_.cells));
         const double left = given_.stops.left ? -given_.placeOf(Stop::left) : infinity;
         return (Interval(std::min(given_.placeOf(Stop::right), left)) - least).isPositive();
+    }
+
+    [[nodiscard]] std::optional<bool> rests() const
+    {
+        const std::int64_t phases = given_.cells / std::gcd(given_.cycles, given_.cells);
+        if (!given_.isForce && phases == 1) {
+            return false;  // what the base sends adds up
+        }
+        const double part = pi / static_cast<double>(phases);
+        const auto sine = [](double angle) {
+            const double error = HarmonicDiscs::angleError * std::max(1.0, angle);
+            return Interval(portable::sin(angle)) + Interval(-error, error);
+        };
+        Interval least = Interval(given_.amplitude) * sine(part) / Interval(part).widened();
+        if (!given_.isForce) {
+            least = least * Interval(given_.omega) / sine(given_.omega).magnitude();
+        }
+        bool isClear = true;
+        for (const Stop stop : {Stop::right, Stop::left}) {
+            if (stop == Stop::right || given_.stops.left) {
+                const double side = stop == Stop::right ? 1.0 : -1.0;
+                const Interval spare = Interval(-side * given_.placeOf(stop)) - least;
+                if (spare.isPositive()) {
+                    return true;
+                }
+                isClear = isClear && spare.isNegative();
+            }
+        }
+        return isClear ? std::optional(false) : std::nullopt;
     }
 
     /// R(tau) = 0: A e^{i theta} is one of two numbers.

@@ -127,6 +127,9 @@ std::string asText(const answers::HarmonicAnswer& answer)
                       : " (tried: disturbed a little, 150 periods)");
         }
     }
+    if (answer.all.rests.value_or(false)) {
+        print(text, "rests       the tip may stay on a stop for good, without a flight\n");
+    }
     if (const auto flight = answer.completeFrom(); flight && answer.status() != Status::undecided) {
         print(text, "all         enclosed numbers: no {}motion with one contact in a period{}\n",
               answer.motions.empty() ? "" : "other ",
