@@ -24,7 +24,7 @@ ForceOptions::ForceOptions(const Given& given)
             refuseIf(amplitude.has_value(), name, given.text(name),
                      "one amplitude: --amplitude, its velocity or its acceleration");
             refuseIf(order > 0 && place == Excited::tip, name, given.text(name),
-                     "it only with --force base");
+                     "only with --force base");
             const char* unit = place ? amplitudeUnitName(*place, order) : "N or m";
             amplitude =
                 order == 0 ? parsePositive(name, given.text(name), unit) : given.number(name);
@@ -51,7 +51,7 @@ std::optional<double> yieldStressOf(const Given& given, const Bar& bar)
     const auto yieldStress = given.number("--yield-stress");
     if (yieldStress && !bar.young) {
         refuse("--yield-stress", given.text("--yield-stress"),
-               "it only of a bar with one modulus, by --young, --density and --area or "
+               "only for a bar with one modulus, by --young, --density and --area or "
                "--segments-file: of several the largest strain is known, not in which it is");
     }
     return yieldStress;
@@ -62,7 +62,7 @@ FrequencyOption::FrequencyOption(const Given& given, const char* name, const cha
 {
     const std::string text = given.text(name);
     refuseIf(!text.empty() && hertz, name, text,
-             fmt::format("it without {}: both are one frequency", twin));
+             fmt::format("only without {}: both are one frequency", twin));
     if (text.ends_with("Hz")) {
         hertz = parsePositive(name, text, "Hz");
     } else if (!text.empty()) {

@@ -208,7 +208,7 @@ void Given::requireOnly(unsigned question) const
         throw std::invalid_argument(
             fmt::format("{} clashes with {}: allowed {}", other->name, answers::inWords(question),
                         question == answers::asks::network
-                            ? "of one bar, clamped on the left, with stops at its tip"
+                            ? "with one bar, clamped on the left, with stops at its tip"
                             : "with " + answers::inWords(other->of & usage_.questions)));
     }
 }

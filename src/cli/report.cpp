@@ -186,7 +186,7 @@ std::string asText(const EnergyFloorProof& proof)
 {
     return fmt::format(
         "none below {:.3g} E₁: multipliers of {} distances, {} pushes and of periodicity, checked "
-        "by a march backwards",
+        "by stepping backwards in time",
         proof.energyRatio, proof.multipliers.places.size(), proof.multipliers.pushes.size());
 }
 

@@ -100,19 +100,34 @@ void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
 {
     constexpr double high = 10.0;
     const double hertz = firstHertz(bar);
-    double& least = range.leastFrequencyRatio;
-    double& most = range.mostFrequencyRatio;
-    least = FrequencyOption(given, "--from", "--from-hertz").ratioFor(hertz, least);
-    most = FrequencyOption(given, "--to", "--to-hertz").ratioFor(hertz, most);
+    const FrequencyOption from(given, "--from", "--from-hertz");
+    const FrequencyOption to(given, "--to", "--to-hertz");
+    const double least = from.ratioFor(hertz, range.leastFrequencyRatio);
+    const double most = to.ratioFor(hertz, range.mostFrequencyRatio);
     requireOrder(given, least, most);
+    range.leastFrequencyRatio = least;
+    range.mostFrequencyRatio = most;
     const double unit = 4.0 * static_cast<double>(range.cells * range.cycles);
-    const double first = std::max(std::ceil(unit / most), 2.0 * static_cast<double>(range.cycles));
-    if (least >= high && first > std::floor(unit / least)) {
-        refuse("--from", fmt::format("{}", least),
-               fmt::format("4NK/n for some whole n, n >= 2K [ω₁]; {0:.6g} looks like Hz: ω₁ is "
-                           "{1:.6g} Hz ({2}), so it is --from {3:.6g}",
-                           least, hertz, sizeOf(bar), least / hertz));
+    const double fewest = 2.0 * static_cast<double>(range.cycles);  // steps
+    const bool isAbove = unit / most <= fewest;
+    const double first = std::max(std::ceil(unit / most), fewest);
+    if (least < high || (!isAbove && first <= std::floor(unit / least))) {
+        return;
     }
+    const auto [name, text] = typedEnd(given, isAbove ? "--to" : "--from");
+    const FrequencyOption& wrong = isAbove ? to : from;
+    std::string allowed =
+        isAbove ? fmt::format("below {:.6g} [ω₁] on {} cells", unit / fewest, range.cells)
+                : "4NK/n for some whole n, n > 2K [ω₁]";
+    const std::string size = fmt::format("ω₁ is {:.6g} Hz ({})", hertz, sizeOf(bar));
+    if (wrong.hertz) {
+        allowed += "; " + size;
+    } else if (wrong.ratio) {
+        allowed +=
+            fmt::format("; {0:.6g} looks like Hz: {1}, so it is {2} {0:.6g}Hz, or {2} {3:.6g}",
+                        *wrong.ratio, size, name, *wrong.ratio / hertz);
+    }
+    refuse(name, text, allowed);
 }
 
 /// The harmonic itself in place of a staircase.
@@ -154,12 +169,12 @@ void requireTogether(const Given& given, const CommonOptions& common, const Forc
 {
     const bool hasMap = given.has("--map");
     refuseIf(force.derivative > 0 && hasMap, "--map", given.text("--map"),
-             "it only with --amplitude: at each frequency another displacement is meant");
+             "only with --amplitude: at each frequency another displacement is meant");
     refuseIf(!isUniform(range.segments) && given.has("--backbone-csv"),
              "--backbone-csv: allowed only for a uniform bar: modes of several segments are not "
              "known");
     refuseIf(given.has("--band") && range.contacts < 2, "--band", given.text("--band"),
-             "it only together with --contacts 2");
+             "only together with --contacts 2");
     refuseIf(
         common.choosesCells && (!isUniform(range.segments) || hasMap || given.has("--map-csv")),
         "--cells auto: allowed for a uniform bar, and without --map and --map-csv, which "

@@ -110,7 +110,7 @@ std::string asText(const FreeAnswer& answer)
     std::string text = answer.of.lines(motions.status) +
                        fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.of.period());
     if (motions.status == Status::none) {
-        text += fmt::format("proof       none below {}; checked by a march backwards\n",
+        text += fmt::format("proof       none below {}; verified by stepping backwards in time\n",
                             answer.inWords(motions.provedEnergy));
     } else if (motions.status == Status::undecided) {
         text += fmt::format("why         {}\n", motions.detail);

@@ -120,8 +120,9 @@ std::string asText(const SceneForcedAnswer& answer)
         text += fmt::format("residual    {:.2g}\n", one.residuals.worst());
     }
     if (answer.status() == Status::none) {
-        text += fmt::format("proof       none of {} amplitude; checked by a march backwards\n",
-                            answer.exclusion ? "this" : "any");
+        text += fmt::format(
+            "proof       none of {} amplitude; verified by stepping backwards in time\n",
+            answer.exclusion ? "this" : "any");
     } else if (answer.status() == Status::undecided) {
         text += fmt::format("why         {}\n", answer.detail());
     }

@@ -95,7 +95,7 @@ void setDrive(const SimulateCommand& command, Question& question)
     const bool isForce = question.place == Excited::tip;
     if (isForce && force.derivative > 0) {
         refuse("--amplitude-" + std::string(amplitudeOf(Excited::base, force.derivative)),
-               fmt::format("{}", *force.amplitude), "it only of a base that is shaken");
+               fmt::format("{}", *force.amplitude), "only for a base that is shaken");
     }
     question.amplitude = *force.at(1.0, question.frequency).amplitude;
     const Excitation excitation = excitationOf(

@@ -65,7 +65,7 @@ double SweepCommand::end(const char* option, double otherwise, const Bar& bar) c
     if (over == Swept::frequency) {
         return FrequencyOption(given, option, twin.c_str()).ratioFor(firstHertz(bar), otherwise);
     }
-    refuseIf(given.has(twin.c_str()), twin, given.text(twin), "it only with --over frequency");
+    refuseIf(given.has(twin.c_str()), twin, given.text(twin), "only with --over frequency");
     const char* unit = answers::unitName(over, force.place.value());
     const std::string text = given.text(option);
     refuseIf(text.empty(), option, "missing", fmt::format("numbers > 0 [{}]", unit));
@@ -77,17 +77,16 @@ SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
     force.requirePlace();
     if (force.amplitude.has_value() == (over == Swept::amplitude)) {
         refuse("--amplitude", force.amplitude ? fmt::format("{}", *force.amplitude) : "missing",
-               force.amplitude ? "it only where another number is varied"
+               force.amplitude ? "only where another number is varied"
                                : "finite numbers > 0 [N or m]");
     }
     if (frequency.isGiven() == (over == Swept::frequency)) {
         refuse("--frequency", frequency.isGiven() ? "given" : "missing",
-               over == Swept::frequency ? "it only where another number is varied: --over"
+               over == Swept::frequency ? "only where another number is varied: --over"
                                         : "numbers > 0 [ω₁]");
     }
     if (force.ratio && over == Swept::damping) {
-        refuse("--damping", fmt::format("{}", *force.ratio),
-               "it only where another number is varied");
+        refuse("--damping", fmt::format("{}", *force.ratio), "only where another number is varied");
     }
     if (over == Swept::gap && !(scene.bar.gap > 0.0)) {
         refuse("--gap", fmt::format("{}", scene.bar.gap), "numbers > 0 [m] with --over gap");
@@ -130,7 +129,7 @@ SweepAnswer SweepCommand::question(const Network& network) const
     refuseIf(over == Swept::gap || over == Swept::damping, "--over", name(over),
              "frequency|amplitude of a scene of several bars");
     refuseIf(given.has("--yield-stress"), "--yield-stress", given.text("--yield-stress"),
-             "it only of one bar: strains of several are not watched");
+             "only for one bar: strains of several are not recorded");
     const bool isForce = force.place == Excited::tip;
     if (std::none_of(network.nodes.begin(), network.nodes.end(), [&](const NetworkNode& node) {
             return isForce ? node.isDriven : node.isShaken;

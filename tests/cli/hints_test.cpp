@@ -116,6 +116,11 @@ TEST_CASE("cli hints: what find needs, and hertz where ω₁ was asked for")
     // c/(4L) = 500 Hz.
     checkRefused(program, "response --from 530 --to 540 --length 2.5 --wave-speed 5000",
                  {"ω₁ is 500 Hz", "--from 1.06"});
+    checkRefused(program, "response --from 300 --to 900 --length 2.5 --wave-speed 5000",
+                 {"--to = 900 is out of range: allowed below 600 [ω₁] on 300 cells",
+                  "900 looks like Hz: ω₁ is 500 Hz", "--to 900Hz, or --to 1.8"});
+    checkRefused(program, "response --from 300Hz --to 900Hz",
+                 {"--to = 900Hz", "; ω₁ is 0.25 Hz (L = 1 m, c = 1 m/s by default)"});
     // So high a frequency is one of the grid.
     CHECK(program
               .run("response --damping 0.02 --force tip --amplitude 1e-6 --from 19 --to 20 "

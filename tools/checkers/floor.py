@@ -1,4 +1,4 @@
-"""A bound below the energy of all motions of a bar of several segments: a march backwards.
+"""A bound below the energy of all motions of a bar of several segments: by stepping backwards in time.
 
 Multipliers y of W x - x, of distances and of pushes add up to eta . x - delta >= 0 for every motion x, so
 its energy sum Z x^2 is delta^2/(sum eta^2/Z) or more, whatever was rounded in finding them. They are taken
@@ -152,7 +152,7 @@ class Floor:
     def text(self):
         """What they are, in words."""
         count = sum(map(len, self.places.values())) + sum(map(len, self.pushes.values()))
-        return f"{count} conditions and {len(self.periodicity)} waves, marched backwards"
+        return f"{count} conditions and {len(self.periodicity)} waves, stepped backwards in time"
 
 
 def check_floor(scene, answer):

@@ -1,4 +1,4 @@
-"""What multipliers say of the excitations of a damped bar of several segments: a march backwards.
+"""What multipliers say of the excitations of a damped bar of several segments: by stepping backwards in time.
 
 As those of floor.py, with what drives the bar beside it: for every motion under C cos + S sin
 
@@ -148,7 +148,8 @@ def check_network(question, certificate):
     if certificate["rows"] != "network" or not isinstance(listed, list) or not 1 <= len(listed) <= MOST_CUTS:
         raise NoProof(f"certificate: allowed rows of a network, 1 to {MOST_CUTS} cuts")
     cuts = [Cut(question, one) for one in listed]
-    words = f"{len(cuts)} sums of {len(cuts[0].periodicity)} waves and conditions, marched backwards, below {HUGE} E_1"
+    words = (f"{len(cuts)} sums of {len(cuts[0].periodicity)} waves and conditions, stepped backwards in time, "
+             f"below {HUGE} E_1")
     if certificate["kind"] == "amplitude-range":
         if question.amplitude is None or not question.amplitude > 0:
             raise NoProof("amplitude: allowed above 0")

@@ -1,4 +1,4 @@
-"""A bound below the energy of all motions of bars in a row: a march backwards, as floor.py has it for one bar.
+"""A bound below the energy of all motions of bars in a row: by stepping backwards in time, as floor.py does for one.
 
 The law of docs/theory.md, section 20, is written down here once more, in fractions: at a node with branches of
 impedances Z_k and a dashpot D waves w_k arrive, v = 2 sum Z_k w_k/(sum Z_k + D), and v - w_k leaves. Closed gaps

@@ -91,7 +91,7 @@ def check_scene_forced(answer):
     if answer["motions"] != []:
         raise NoProof("motions: none are proved here")
     cuts = [Cut(claim, one, force, cycles) for one in lists]
-    words = f"{len(cuts)} sums of {len(claim.y)} waves and conditions, marched backwards, below {HUGE} E_1"
+    words = f"{len(cuts)} sums of {len(claim.y)} waves and conditions, stepped backwards in time, below {HUGE} E_1"
     if certificate["kind"] == "amplitude-range":
         amplitude = Fraction(number(answer["amplitude"], "amplitude"))
         unit = claim.bars.delta if force == "base" else claim.bars.joules() / claim.bars.delta
@@ -101,5 +101,5 @@ def check_scene_forced(answer):
     elif certificate["kind"] != "forced" or answer["kind"] != "empty" or answer["amplitude_range"] is not None or \
             not any(cut.excludes(MOST_AMPLITUDE) for cut in cuts):
         raise NoProof("cuts: they leave an excitation")
-    return (f"no forced motion of schedule {spans(answer)} of these bars: {words}; nothing is said of detail, "
-            "free_waves, and of the frequency and damping of reference")
+    return (f"no forced motion of schedule {spans(answer)} of these bars: {words}; not checked: detail, free_waves, "
+            "and the frequency and damping of reference")

@@ -159,4 +159,4 @@ class Scene:
 def unsaid(answer, more=()):
     """What an answer says besides, in words."""
     keys = sorted(key for key in (*BESIDES[2:], *more) if answer.get(key) not in (None, [], ""))
-    return f" (nothing is said of {', '.join(keys)})" if keys else ""
+    return f" (not checked: {', '.join(keys)})" if keys else ""
