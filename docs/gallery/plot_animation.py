@@ -3,7 +3,7 @@ An animation
 ============
 
 The bar over one period, coloured by its strain, with displacements enlarged, and below it u
-along the bar. The step of strain that the wall makes runs to and fro for ever.
+along the bar. The step of strain that the wall makes runs back and forth for ever.
 """
 
 import signorini as sg

@@ -3,8 +3,8 @@ Back ends compared
 ==================
 
 The closed form is not the only way. The paper's rows (30)–(32) as they stand are a linear
-program, and codes that know nothing of bars solve it. All answers are checked by the same code,
-which solved none of them.
+program, and codes that know nothing of bars solve it. All answers are verified by the same
+independent code.
 """
 
 import matplotlib.pyplot as plt

@@ -4,8 +4,8 @@ A bouncing bar, a million times
 
 Doyen, Ern and Piperno (2011) compare schemes for contact by an elastic bar that is dropped on the ground: L = 10,
 E = 900, ρ = 1, g = 10, from a height of 5. It falls for 1, is on the ground for 2/3, and flies for 2; all repeats after
-16/3. Schemes lose energy at each bounce, or shake, or do not come back. Here the program ``signorini`` is asked, as
-weight is a matter of bars in a row (:doc:`../commands`).
+16/3. Numerical schemes lose energy at each bounce, or oscillate, or do not come back. Here the program ``signorini`` is
+called, as weight belongs to scenes of bars in a row (:doc:`../commands`).
 """
 
 import csv
@@ -70,7 +70,7 @@ axes.set(xlabel="time", ylabel="height above the ground", ylim=(-0.3, 15.5),
 figure.colorbar(mesh, label="velocity upwards")
 
 # %%
-# Shocks run through the bar and leave it as it came, upside down in velocity: nothing is lost. In units in which all numbers
+# Shocks run through the bar and leave it as it came, with its velocity reversed: nothing is lost. In units in which all numbers
 # are short in binary (L = c = EA = g = 1, from 4.5), the state after a million bounces is that before, byte by byte.
 
 same = ("--scene", "2 stop=4.5", "--gravity", 1)

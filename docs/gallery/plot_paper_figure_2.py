@@ -26,6 +26,6 @@ for axes, values, name in zip(both, (strain, velocity), ("strain s(x, 0)", "velo
 both[0].set_ylabel("λ: pause of the force [L/c]")
 
 # %%
-# Each of the motions was checked by code that did not make it:
+# Each of the motions was verified independently of the code that made it:
 
 print("worst residual", curve.residual.max(), "energies", {round(p.energy_ratio, 9) for p in curve})
