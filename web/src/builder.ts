@@ -23,7 +23,7 @@ const palette = ['clamp', '100', 'gap=1e-3', 'stop=1e-3', 'stop=-1e-3', 'spring=
 const kindOf = (word: string): string => (/^\d/.test(word) ? 'bar' : word.split('=')[0]);
 const titles: Record<string, string> = {
   bar: 'cells[:impedance[:speed]]', gap: 'the bar is cut; faces so far apart [m]', stop: 'may move so far, to the left if negative [m]', spring: 'to the ground [N/m]', mass: '[kg]',
-  dash: 'a dashpot to the ground, in impedances', clamp: 'does not move', free: 'an end that nothing holds', driven: 'a harmonic force acts here', shaken: 'this clamp moves to and fro',
+  dash: 'a dashpot to the ground, in impedances', clamp: 'does not move', free: 'an end that nothing holds', driven: 'a harmonic force acts here', shaken: 'this clamp oscillates',
 };
 
 export const firstScene: SceneMotion = { show: 'scene', from: 0, ...models[0].motion };
@@ -163,7 +163,7 @@ export class Builder {
       field.onchange = () => this.build(this.words.with(k, name === 'bar' ? field.value.trim() : `${name}=${field.value.trim()}`));
       chip.append(field);
     }
-    const away = Object.assign(document.createElement('button'), { textContent: '×', ariaLabel: `Take part ${k + 1}, ${name}, away` });
+    const away = Object.assign(document.createElement('button'), { textContent: '×', ariaLabel: `Remove part ${k + 1}, ${name}` });
     away.onclick = () => this.build(this.words.toSpliced(k, 1));
     chip.append(away);
     chip.ondragstart = (event) => {

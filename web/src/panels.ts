@@ -41,7 +41,7 @@ export function headlineOf(motion: Motion, answer: Answer): string {
     const count = (a.contacts as { count: number }[]).map((one) => one.count).join(' + ');
     return `${(a.words as string).trim()}: ${count} contacts in ${withUnit('time', a.time, 4)}, ${a.events} events.`;
   }
-  const from = motion.start.kind === 'rest' ? 'Started at rest' : motion.start.kind === 'beside' ? `Started ${shown(100 * (1 - motion.start.share), 2)} % beside (${motion.phases![0].slice(0, 2).join(', ')})`
+  const from = motion.start.kind === 'rest' ? 'Started at rest' : motion.start.kind === 'beside' ? `Started ${shown(100 * (1 - motion.start.share), 2)} % away from (${motion.phases![0].slice(0, 2).join(', ')})`
     : `Held at ${withUnit('place', motion.start.place)}, pulled by ${withUnit('displacement', motion.start.displacement)}, let go`;
   const every = a.settled?.periods === 1 ? 'every period' : `every ${a.settled?.periods} periods`;
   const end = a.settled ? ` It settles: ${a.settled.contacts > 0 ? `${counted(a.settled.contacts, 'contact')} ${every}` : `clear of the wall, the same ${every}`}.`

@@ -93,7 +93,7 @@ export class Sweeps {
           : isThere ? `it settled on the other motion of this frequency, (${there.contact}, ${there.steps - there.contact}), impulse ${withUnit('impulse', impulse, 4)}, ${there.stays > 0 ? 'which attracts' : 'a dot of this map'}`
             : `it settled on a motion of ${settled.contacts} contacts in ${settled.periods} periods, impulse ${withUnit('impulse', impulse, 4)} a period, which is no dot of this map`;
     }
-    byId('settled-where').textContent = `Started 1 % beside (${from.phases[0].slice(0, 2).join(', ')}) at ${withUnit('frequency', frequency, 4)}. ${tried}; ${where}${map.settled ? ' (the diamond)' : ''}.`;
+    byId('settled-where').textContent = `Started 1 % away from (${from.phases[0].slice(0, 2).join(', ')}) at ${withUnit('frequency', frequency, 4)}. ${tried}; ${where}${map.settled ? ' (the diamond)' : ''}.`;
     map.plot.redrawOver();
   }
 }

@@ -219,7 +219,7 @@ function motionOf(words: Words, forcing: Forcing): Motion {
     simulation.amplitude = forcing.amplitude;
     if (simulation.start.kind === 'beside') Object.assign(simulation, { phases: words.phases(), which: words.whole('which', 0, 1) });
   } else {
-    if (simulation.start.kind === 'beside') throw new Error(`start = “${simulation.start.kind}”: allowed only beside a forced motion, with steps and periods`);
+    if (simulation.start.kind === 'beside') throw new Error(`start = “${simulation.start.kind}”: allowed only with a forced motion, with steps and periods`);
     simulation.crossings = words.number('crossings', 0.1, 1000);
   }
   return simulation;

@@ -17,7 +17,7 @@ export const glossary: [string, string][] = [
   ['E₁', 'EA g²/(2L), the least energy with which the tip can reach the wall.'],
   ['ω₁', 'πc/(2L), the first frequency of the bar without a wall. A period T in L/c is the frequency ω/ω₁ = 4/T.'],
   ['impulse', 'The force of the wall added up over a period, in EA g/c.'],
-  ['damping ratio ζ', 'A dashpot at the tip takes energy: a wave that is reflected there keeps the share ρ = exp(−πζ).'],
+  ['damping ratio ζ', 'A dashpot at the tip dissipates energy: a wave is reflected there with the factor ρ = exp(−πζ).'],
   ['attracts', 'A slightly perturbed bar returns to the motion: it is stable. This was tested, not proved.'],
 ];
 
@@ -74,22 +74,22 @@ export const controls: Record<string, Control> = {
   },
   damping: {
     title: 'Damping ζ',
-    text: 'A dashpot at the tip takes a share of every wave that is reflected in flight. All linear modes decay alike.',
+    text: 'A dashpot at the tip absorbs a share of every wave that is reflected in flight. All linear modes decay alike.',
     formula: 'q = ρp + F/(1 + η), ρ = exp(−πζ), η = tanh(πζ/2).',
   },
   amplitude: {
     title: 'Amplitude of the excitation',
-    text: 'A harmonic force on the tip, or a base that moves to and fro. For each period and contact time at most two motions have this amplitude.',
+    text: 'A harmonic force on the tip, or a base that oscillates. For each period and contact time at most two motions have this amplitude.',
     formula: 'p = C pᶜ + S pˢ, u(L, 0) = g is a line in the plane (C, S), |(C, S)| = amplitude meets it at most twice.',
   },
   words: {
     title: 'A scene of parts',
-    text: 'Bars in a row, from left to right, with all that stands at them. Drag a wall to move it, a bar to pull it (or to throw it, where nothing holds it), a part to another place; × takes it away. All bars together are 1 L long.',
+    text: 'Bars in a row, from left to right, with all that stands at them. Drag a wall to move it, a bar to pull it (or to throw it, where nothing holds it), a part to another place; × removes it. All bars together are 1 L long.',
     formula: 'v = (2ΣZₖwₖ + f)/(ΣZₖ + D) at each node; followed front by front, no time step.',
   },
   sweep: {
     title: 'Sweep',
-    text: 'The frequency goes up or down, and the bar goes on from where it was: what it settles on fills in while you watch. Where the way up and the way down differ, the bar remembers.',
+    text: 'The frequency goes up or down, and the bar continues from where it was: what it settles on fills in while you watch. Where the sweeps up and down differ, there is hysteresis.',
     formula: '60 frequencies, at most 200 periods at each. A bar from least to most impulse: it does not repeat itself every period.',
   },
   pace: {
@@ -134,7 +134,7 @@ export const tour: TourStep[] = [
   { title: 'Pluck it', at: '#release', link: 'show=simulation&cells=200&start=1:-3&dashpot=0&crossings=40&from=0&span=16&map=existence&magnified=60&pace=0.8',
     text: 'Pull the bar away from the wall and let go. It is followed exactly, event by event: no time step, no law of restitution. Drag the bar itself for another try. The map now shows for which contact and flight times periodic motions exist at all.' },
   { title: 'Forced resonance', at: '#start-beside', link: 'show=forced&cells=60&phases=24:192&which=1&damping=0.02&place=tip&amplitude=0.0002&grid=60&least=0.8&most=1.4&map=response&magnified=30&pace=0.8',
-    text: 'Shake it: a harmonic force on the tip, a little damping. All motions with one contact in a period are dots of the map; full ones attract, open ones repel. Start beside this motion and see where the bar settles, or sweep the frequency up and down.' },
+    text: 'Shake it: a harmonic force on the tip, a little damping. All motions with one contact in a period are dots of the map; full ones attract, open ones repel. Perturb this motion and see where the bar settles, or sweep the frequency up and down.' },
   { title: 'Several bars', at: '#parts', link: 'show=scene&words=clamp+100+gap%3D1e-3+140%3A1.3+clamp&hands=-4:2&from=0&span=16&map=energy&magnified=60&pace=0.8',
     text: 'Last, build your own: bars, walls, springs, dashpots. Drag a bar, a wall, or the parts that are marked; each front of a wave is followed through all of them.' },
 ];
