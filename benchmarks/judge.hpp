@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What a claim is worth, found out by code that did not solve: residuals and march of
+/// What a claim is worth, judged independently of the solvers: residuals and march of
 /// verification.hpp, the distance to the exact solution set, the energy. One rule for all.
 
 #include "problems.hpp"

@@ -198,8 +198,8 @@ struct PeriodicResult {
 /// - a bar of several segments: coordinates of ker(W - 1) (`Formulation::kernel`; `joints` asks for
 ///   the same), in which an active set method finds the motion of least energy, the nearest to a
 ///   target in the norm of the energy, or multipliers of a conflict, and programs find those of
-///   most impulse or of a given energy. A march of its own confirms a motion; rationals that there
-///   is none, or, where these would be too many, a march backwards that there is none below
+///   most impulse or of a given energy. Independent time stepping confirms a motion; rationals that
+///   there is none, or, where these would be too many, steps backwards in time: none below
 ///   `hugeEnergyRatio`. Equal segments without dashpots are one bar
 /// - the paper's equations in a, b (`Formulation::state`) when asked for, as a witness
 /// Where a program has no solution, absence is claimed only with an exact proof.

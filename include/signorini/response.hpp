@@ -121,7 +121,7 @@ struct ForcedSet {
     /// status none: conditions that with u(L, 0) = g contradict each other, two where nothing is
     /// undamped; certain whatever was rounded (isCertain).
     std::vector<ForcedCondition> conflict;
-    /// Of segments that differ: multipliers of these conditions, for a march backwards. They leave
+    /// Of segments that differ: multipliers of them, checked by stepping backwards in time. They leave
     /// no excitation up to `mostCutAmplitude` whose motion has less than `hugeEnergyRatio` E_1;
     /// without a gap none of any amplitude A with less than A^2 times that.
     std::vector<EnergyFloor> cuts = {};
@@ -336,7 +336,7 @@ struct StabilityResult {
     std::int64_t contacts = 0;  ///< of the undisturbed motion, in the time waited
 };
 
-/// Starts beside the motion and compares displacements after whole periods. It attracts if all end
+/// Perturbs the motion and compares displacements after whole periods. It attracts if all end
 /// below a tenth of their start, it repels if one ends above ten times its start.
 /// \throws std::invalid_argument on options out of range.
 [[nodiscard]] StabilityResult stabilityOf(const ForcedMotion& motion,

@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Checks by code that did not solve: residuals of (30)-(32), a march of the bar that decides
-/// contact by itself, and proofs of absence checked in integers.
+/// Checks that are independent of the solvers: residuals of (30)-(32), time stepping that is not
+/// told the schedule, and proofs of absence checked in integers.
 
 #include <cstdint>
 #include <vector>
@@ -62,7 +62,7 @@ struct Verification {
 
 /// Recomputes (30)-(32) for a state and a schedule with its stops by stepping, and marches the bar
 /// over a period; where the pressed phases repeat, also over the shorter periods they suggest. The
-/// march decides by itself; as long as it does what the schedule says, both are one walk. O(N +
+/// march is not told the schedule; as long as it follows it, both are one walk. O(N +
 /// min(n, 12N)) time per phase, no copy of the state. \throws std::invalid_argument if the state
 /// does not have the schedule's cells.
 [[nodiscard]] Verification verify(const State& state, const Schedule& schedule,

@@ -18,7 +18,7 @@ struct BarVerification {
                         ///< g/L of the first segment
 };
 
-/// Walks a state along the schedule, and marches it, which decides contact by itself. Damping and
+/// Walks a state along the schedule, and steps it in time without telling the schedule. Damping and
 /// excitation, one period of it, drive the tip or the base; without a gap a driven bar's lengths
 /// are relative to its amplitude. O(N + n segments). `tolerance` as for `march`. \throws
 /// std::invalid_argument on an invalid schedule, or unless state, segments (none: a uniform bar),

@@ -72,7 +72,7 @@ struct NetworkResiduals {
 [[nodiscard]] NetworkResiduals walk(const Network& network, const NetworkClaim& claim,
                                     double tolerance = 1e-9);
 
-/// What a march saw that decides contact by itself.
+/// What time stepping saw that is not told the schedule.
 struct NetworkMarch {
     double residual = 0.0;         ///< change of the waves over the period / largest wave, or the
                                    ///< overlap / length at a fault

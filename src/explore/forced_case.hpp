@@ -43,7 +43,7 @@ struct ForcedCase {
                                         std::span<const Excitation> shapes, Plane place);
 
 /// Enters the state of a bar of segments, what it reaches over the period, and how far it breaks
-/// what a walk along the schedule and a march that decides contact by itself ask for. O(n segments
+/// what a walk along the schedule and time stepping that is not told it ask for. O(n segments
 /// + N).
 void enterState(ForcedMotion& motion, std::span<const Segment> segments, State state);
 
