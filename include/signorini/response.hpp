@@ -121,7 +121,7 @@ struct ForcedSet {
     /// status none: conditions that with u(L, 0) = g contradict each other, two where nothing is
     /// undamped; certain whatever was rounded (isCertain).
     std::vector<ForcedCondition> conflict;
-    /// Of segments that differ: multipliers of them, checked by stepping backwards in time. They leave
+    /// Of segments that differ: multipliers of these conditions, for stepping backwards. They leave
     /// no excitation up to `mostCutAmplitude` whose motion has less than `hugeEnergyRatio` E_1;
     /// without a gap none of any amplitude A with less than A^2 times that.
     std::vector<EnergyFloor> cuts = {};
