@@ -70,6 +70,9 @@ std::optional<ExactPeriod> decimalOf(std::string_view text)
 
 void refuse(std::string_view name, std::string_view text, std::string_view allowed)
 {
+    if (text == "missing") {
+        throw std::invalid_argument(fmt::format("{} is missing: allowed {}", name, allowed));
+    }
     Faults faults;
     faults.add(name, text.empty() ? "''" : text, allowed);
     faults.throwIfAny();

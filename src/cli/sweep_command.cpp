@@ -80,11 +80,10 @@ SweepRange SweepCommand::range(const Scene& scene, const Bar& bar) const
                force.amplitude ? "only where another number is varied"
                                : "finite numbers > 0 [N or m]");
     }
-    if (frequency.isGiven() == (over == Swept::frequency)) {
-        refuse("--frequency", frequency.isGiven() ? "given" : "missing",
-               over == Swept::frequency ? "only where another number is varied: --over"
-                                        : "numbers > 0 [ω₁]");
-    }
+    refuseIf(frequency.isGiven() && over == Swept::frequency,
+             "--frequency, --hertz: allowed only where another number is varied: --over");
+    refuseIf(!frequency.isGiven() && over != Swept::frequency, "--frequency", "missing",
+             "numbers > 0 [ω₁]");
     if (force.ratio && over == Swept::damping) {
         refuse("--damping", fmt::format("{}", *force.ratio), "only where another number is varied");
     }

@@ -440,7 +440,7 @@ TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
     const std::string force = " --force tip --amplitude 1";
     const std::string out = " --csv r.csv";
     const std::pair<std::string, const char*> calls[] = {
-        {"response" + force + out, "--damping = missing"},
+        {"response" + force + out, "--damping is missing"},
         {"response --damping 0.1 --amplitude 1" + out, "--force"},
         {"response --damping 0.1 --force tip" + out, "--amplitude"},
         {"response --damping 0" + force + out, "--damping = 0"},
@@ -457,10 +457,10 @@ TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
         {"response --damping 0.1 --contacts 2" + force + out, "contacts: 2"},
         {"response --damping 0.1 --figure r.gif" + force + out, "figure"},
         {"response --damping 0.1 --from 1 --from-hertz 3" + force + out, "both are one"},
-        {"sweep --damping 0.1" + out, "--force = missing"},
-        {"sweep --damping 0.1 --force tip" + out, "--amplitude = missing"},
-        {"sweep --damping 0.1 --over gap" + force + out, "--frequency = missing"},
-        {"sweep --damping 0.1 --over gap --frequency 1" + force + out, "--from = missing"},
+        {"sweep --damping 0.1" + out, "--force is missing"},
+        {"sweep --damping 0.1 --force tip" + out, "--amplitude is missing"},
+        {"sweep --damping 0.1 --over gap" + force + out, "--frequency is missing"},
+        {"sweep --damping 0.1 --over gap --frequency 1" + force + out, "--from is missing"},
         {"sweep --over damping --damping 0.1 --frequency 1" + force + out, "--damping = 0.1"},
         {"sweep --over amplitude --frequency 1" + force + out, "--amplitude = 1"},
         {"sweep --from 2 --to 1" + force + out, "--from = 2"},

@@ -36,6 +36,7 @@ TEST_CASE("cli hints: an option or command that is spelt nearly right is named")
           std::pair{"find 150 900 --energyratio=20", "did you mean --energy-ratio?"},
           std::pair{"find 150 900 --enregy-ratio 20", "did you mean --energy-ratio?"},
           std::pair{"families --secondstop 1", "did you mean --second-stop?"},
+          std::pair{"response --yield 250MPa", "did you mean --yield-stress?"},
           std::pair{"fnd 150 900", "did you mean find?"},
           std::pair{"respnse --from 1", "did you mean response?"}}) {
         checkRefused(program, words, {meant, "see signorini --help"});
@@ -56,6 +57,7 @@ TEST_CASE("cli hints: names are as near as one or two letters")
     CHECK(cli::nearestName("--cels", names) == "--cells");
     CHECK(cli::nearestName("--enregi", names) == "--energy");
     CHECK(cli::nearestName("--energy_ratio=3", names) == "--energy-ratio");
+    CHECK(cli::nearestName("--energy-r", names) == "--energy-ratio");
     CHECK(cli::nearestName("--length", names).empty());
     CHECK(cli::nearestName("--p", names).empty());
     CHECK(cli::nearestName("--" + std::string(100'000, 'g'), names).empty());

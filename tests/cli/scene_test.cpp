@@ -192,7 +192,7 @@ TEST_CASE("cli scenes: forced motions with any gap and between two stops")
     CHECK(pressed["motions"][0]["residual"].get<double>() < 1e-9);
     const auto rest = program.run("find 12 8 --gap 0" + force);
     CHECK(rest.status == 2);
-    CHECK_THAT(rest.err, containsText("--amplitude = missing"));
+    CHECK_THAT(rest.err, containsText("--amplitude is missing"));
     const auto response = program.run(
         "response --amplitude 5e-4 --from 0.8 --to 1.6 --second-stop 1e-3 --csv r.csv --figure "
         "r.svg --map m.svg --format json" +
