@@ -8,7 +8,7 @@ from typing import Any, Callable, TypeVar
 
 from . import _core
 from ._progress import listener
-from ._words import amplitude_of, cells_of, path, scene_of, state_of
+from ._words import amplitude_of, arguments, cells_of, path, scene_of, state_of
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -17,7 +17,8 @@ _SAID = {
     "schedule": "n_c, n_f of each contact phase in turn; with a second stop "
                 'phases on it are (n_c, n_f, "left").',
     "bar": "What units mean in SI; or its parameters as keywords: `length`, "
-           "`wave_speed`, `axial_stiffness`, `gap`, `young`, `density`, `area`.",
+           "`wave_speed`, `axial_stiffness`, `gap`, `young`, `density`, `area` or "
+           "`diameter`.",
     "cells": "N, cells of the bar: those of all segments, or 300.",
     "second_stop": "h [m], to a stop on the other side of the tip.",
     "scene": "In place of `bar`, `second_stop` and `segments`.",
@@ -64,6 +65,7 @@ def _parameters(function: Any, question: str, told: dict[str, str]) -> str:
     code = function.__code__
     names = code.co_varnames
     count = code.co_argcount, code.co_argcount + code.co_kwonlyargcount
+    arguments.update(names[:count[1]])
     stars = names[count[1]:count[1] + 1] if code.co_flags & VARARGS else ()
     for name in (*names[:count[0]], *stars, *names[count[0]:count[1]]):
         if name in ("self", "cls"):

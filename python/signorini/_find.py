@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         young: Quantity | None
         density: Quantity | None
         area: Quantity | None
+        diameter: Quantity | None
 
     class _Options(_Parameters, total=False):
         """What any motion can be asked with."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import difflib
+import math
 import operator
 import os
 import reprlib
@@ -24,6 +26,12 @@ Number = Union[int, float, str, Fraction]
 
 #: A number in the unit of its argument, or text with its own: 1e-4, "0.1mm".
 Quantity = Union[float, str]
+
+#: What a bar is made of; the diameter is that of a round one, in place of its area.
+_OF_BAR = ("length", "wave_speed", "axial_stiffness", "gap", "young", "density", "area", "diameter")
+
+#: Names of all arguments, of which a misspelt one may have been meant.
+arguments = set(_OF_BAR)
 
 _usual = Bar()
 _usual_scene = Scene(_usual)
@@ -69,6 +77,17 @@ def bar_of(bar: Bar | None, options: Mapping[str, Quantity | None]) -> Bar:
     if bar is not None:
         names = ", ".join(given)
         raise ValueError(f"bar clashes with {names}: allowed one of them")
+    for name in given:
+        if name not in _OF_BAR:
+            near = difflib.get_close_matches(name, arguments, 1)
+            meant = f"; did you mean {near[0]}?" if near else ""
+            raise TypeError(f"{name} is not an argument here: of a bar these are "
+                            f"{', '.join(_OF_BAR)}{meant}")
+    if "diameter" in given:
+        diameter = number("diameter", given.pop("diameter"), "m")
+        if "area" in given:
+            raise ValueError("area clashes with diameter: allowed one of them")
+        given["area"] = 0.25 * math.pi * diameter * diameter
     return Bar(**given)
 
 

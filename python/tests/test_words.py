@@ -71,6 +71,8 @@ def test_an_error_has_the_number_that_was_given(ask: Callable[[], object],
     (lambda: untyped.Bar(1, 2), r"Bar\(1, 2\): allowed Bar\(\*, length: Union\[float, str\]"),
     (lambda: untyped.Bar(gap=None), r"Bar\(gap=None\): allowed Bar\("),
     (lambda: untyped.Segment("x"), r"Segment\('x'\): allowed Segment\(cells: int"),
+    (lambda: untyped.find(150, 900, energy_ration=20),
+     r"energy_ration is not an argument here: .*; did you mean energy_ratio\?$"),
     (lambda: untyped.families()[0].schedule("x"),
      r"schedule\('x'\): allowed schedule\(cells: int\)"),
 ])
@@ -79,6 +81,14 @@ def test_wrong_kinds_are_refused_in_words(ask: Any, told: str) -> None:
         ask()
     assert "signorini._core" not in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_a_round_bar_has_its_diameter_in_place_of_its_area() -> None:
+    steel: Any = {"young": "210GPa", "density": 7850}
+    round_bar = untyped.find(150, 900, diameter="20mm", **steel)
+    assert round_bar == untyped.find(150, 900, area=0.25 * math.pi * 0.02 * 0.02, **steel)
+    with pytest.raises(ValueError, match="area clashes with diameter"):
+        untyped.find(150, 900, diameter="20mm", area=1e-4, **steel)
 
 
 def test_none_is_a_bar_as_usual() -> None:
