@@ -79,10 +79,10 @@ std::optional<std::string> HarmonicAnswer::detail() const
                    : "a bar at rest settles on no motion that touches a stop";
     }
     const double flight = all.flight.value_or(given().step) * scales(bar).time;
-    return fmt::format("no motion with one contact in a period flies for {:.6g} s or more: {}",
-                       flight,
-                       all.flight ? "proved with enclosed numbers, but there may be shorter flights"
-                                  : fmt::format("computed, not proved ({})", all.why));
+    return fmt::format(
+        "no motion with one contact in a period flies for {:.6g} s or more: {}", flight,
+        all.flight ? "proved by interval arithmetic, but there may be shorter flights"
+                   : fmt::format("computed, not proved ({})", all.why));
 }
 
 }  // namespace signorini::answers

@@ -79,7 +79,7 @@ std::string asText(const answers::ForcedAnswer& answer)
         print(text,
               "proof       the tip rests at the wall, and without a gap nothing presses it\n");
     } else if (!set.conflict.empty()) {
-        print(text, "proof       {} contradicts {}{}; checked with enclosed numbers\n",
+        print(text, "proof       {} contradicts {}{}; verified by interval arithmetic\n",
               asText({ForcedRule::gap, 0}), asText(set.conflict),
               set.cuts.empty() ? ""
                                : fmt::format(": none below 1e9 E₁ and an amplitude of {:.6g} {}",
@@ -112,8 +112,8 @@ std::string asText(const answers::HarmonicAnswer& answer)
               motion.value.residual, asText(motion.physical()));
         if (motion.proof.isProved) {
             print(text,
-                  "proof       enclosed numbers: such a motion within {:.1e} L/c of these numbers, "
-                  "and only one within {:.0e}\n",
+                  "proof       interval arithmetic: one such motion within {:.1e} L/c of these, "
+                  "and no other within {:.0e}\n",
                   motion.proof.within, motion.proof.aloneWithin);
         }
         if (motion.attracts || motion.growth) {
@@ -131,7 +131,7 @@ std::string asText(const answers::HarmonicAnswer& answer)
         print(text, "rests       the tip may stay on a stop for good, without a flight\n");
     }
     if (const auto flight = answer.completeFrom(); flight && answer.status() != Status::undecided) {
-        print(text, "all         enclosed numbers: no {}motion with one contact in a period{}\n",
+        print(text, "all         interval arithmetic: no {}motion with one contact in a period{}\n",
               answer.motions.empty() ? "" : "other ",
               *flight > 0.0 ? fmt::format(" that flies for {:.6g} s or more", *flight) : "");
     }

@@ -127,7 +127,7 @@ TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and 
     CHECK(none["certificate"]["verified"] == true);
     CHECK(none["certificate"]["cuts"][0]["periodicity"].size() == 16);
     CHECK(json::parse(contentOf(program.file("none.json")))["certificate"] == none["certificate"]);
-    CHECK_THAT(program.run("find " + absent).out, containsText("checked with enclosed numbers"));
+    CHECK_THAT(program.run("find " + absent).out, containsText("verified by interval arithmetic"));
     const json pressed = program.find(
         "6 26 --segments 4:1,4:1.3 --damping 0.1 --force tip --gap -1e-3 --second-stop 3e-3", 1);
     CHECK(pressed["reason"] == "penetration");

@@ -8,7 +8,7 @@ docs/certificates.md says what each number of a certificate means. Modules, each
     sums, lift     rows of sums of waves; such a proof over the paper's rows
     polyhedra, energies       least and most energy of one bar
     segments       rows of a bar of several segments
-    enclosed, forced_rows, forced      bars that are driven, in enclosed numbers
+    enclosed, forced_rows, forced      bars that are driven, by interval arithmetic
     apart          that no curve joins two motions
     whole, quadratic, verdicts, atlas  whole ranges of schedules
     certificate    what an answer of `find` proves: chooses among the rows
