@@ -343,7 +343,7 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     report(common, AtlasBuilt{run, database, common.scene()});
     if (!run.isFinished()) {
         common.say(
-            fmt::format("interrupted after {} of {} batches; the same call with --resume goes on",
+            fmt::format("interrupted after {} of {} batches; the same call with --resume continues",
                         run.nextBatch, run.batches));
         return exitUndecided;
     }

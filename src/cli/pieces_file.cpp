@@ -55,7 +55,7 @@ const PiecedBar& CommonOptions::pieces() const
                              waveSpeed_ || axialStiffness_ || young_ || density_ || area_;
         refuseIf(isClash,
                  "--segments-file clashes with --scene, --segments, --length, --wave-speed, "
-                 "--axial-stiffness, --young, --density, --area: the file says them");
+                 "--axial-stiffness, --young, --density, --area: the file gives them");
         pieces_ = barOfPieces(readPieces(piecesFile_), bar_.gap, cells.value_or(300));
     }
     return *pieces_;

@@ -96,7 +96,7 @@ std::string energyAsText(const FoundMotion& motion, const std::optional<EnergyRa
                          bool hasUnit)
 {
     if (!hasUnit) {
-        return fmt::format("{:.6g} J   (without a gap every size is a motion)", motion.energy);
+        return fmt::format("{:.6g} J   (without a gap every multiple is a motion)", motion.energy);
     }
     std::string text = fmt::format("{:.6g} J = {:.10g} E₁", motion.energy, motion.energyRatio);
     if (range && std::isinf(range->most)) {

@@ -134,7 +134,7 @@ Assembly readAssembly(const std::string& text, const Bar& bar, double gravity)
         refuseIf(!(bar == Bar{}) || gravity != 0.0,
                  "--scene FILE.json clashes with --length, --wave-speed, --axial-stiffness, "
                  "--young, "
-                 "--density, --area, --gravity: the file says them");
+                 "--density, --area, --gravity: the file gives them");
         assembly = assemblyOfJson(contentOf(text), text);
     } else {
         assembly = {.parts = partsOf(text),

@@ -31,7 +31,7 @@ std::string tomlOf(const std::string& path)
     std::ostringstream text;
     text << file.rdbuf();
     if (!file || text.str().size() > most) {
-        throw FileError(path, file ? "it is no question: too long" : "cannot read it");
+        throw FileError(path, file ? "too long for a question" : "cannot read it");
     }
     return text.str();
 }
@@ -146,7 +146,7 @@ ExitStatus runStudy(const Given& given)
         outputs.commit();
     } else if (!given.has("--quiet")) {
         tell(fmt::format("signorini study: interrupted; the list is not complete{}\n",
-                         csvFile.empty() ? "" : "; the same call with --resume goes on"));
+                         csvFile.empty() ? "" : "; the same call with --resume continues"));
     }
     writeOut(given.text("--format") == "json" ? asLine(wholeJsonOf(answer)) : asText(answer));
     return exitStatusOf(answer.status());

@@ -217,7 +217,7 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
         }
     } else {
         common.say(fmt::format("interrupted; the list is not complete, and no file was written{}",
-                               journal ? "; the same call with --resume goes on" : ""));
+                               journal ? "; the same call with --resume continues" : ""));
     }
     if (network != nullptr && !common.wantsJson) {
         writeOut(headline(common.assembly(), *network) + asText(answer));

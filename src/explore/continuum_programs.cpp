@@ -153,7 +153,7 @@ private:
         }
         record_.stop(fmt::format(
             "the trace broke at lambda = {:.6g}, {:.3g} before the other end: no motion of this "
-            "energy within {:.3g} goes on from there, in units of sqrt(E/E_1) = 1",
+            "energy within {:.3g} continues it, in units of sqrt(E/E_1) = 1",
             record_.result.points.back().lambda, rest, finest * longest_));
     }
 

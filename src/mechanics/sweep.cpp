@@ -336,7 +336,7 @@ std::vector<double> valuesOf(const SweepRange& range)
         faults.add("resolution", range.resolution, "finite and >= 0 [L/c]");
     }
     if (range.over == Swept::gap && range.stops.right != 1) {
-        faults.add("over", name(range.over), "it only where there is a gap > 0");
+        faults.add("over", name(range.over), "only where there is a gap > 0");
     }
     faults.throwIfAny();
     std::vector<double> values;

@@ -86,7 +86,7 @@ std::string now()
 void requireAtlas(const std::string& path, SQLite::Database& database)
 {
     if (database.execAndGet("PRAGMA application_id").getInt64() != applicationId) {
-        throw FileError(path, "cannot use: it is no atlas of signorini");
+        throw FileError(path, "cannot use: it is not an atlas of signorini");
     }
     const std::int64_t version = database.execAndGet("PRAGMA user_version").getInt64();
     if (version != schemaVersion) {
