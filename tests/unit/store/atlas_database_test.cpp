@@ -341,7 +341,7 @@ TEST_CASE("atlas database: what cannot be used is refused and left as it is")
     opened(folder.file("other.sqlite"), SQLite::OPEN_CREATE)
         .exec("CREATE TABLE mine(x); INSERT INTO mine VALUES(1)");
     CHECK_THROWS_WITH(AtlasDatabase::create(folder.file("other.sqlite")),
-                      containsText("no atlas of signorini"));
+                      containsText("not an atlas of signorini"));
     CHECK(number(folder.file("other.sqlite"), "SELECT COUNT(*) FROM sqlite_master") == 1);
 
     // Atlases of the former tables are refused in words that say what to do.
