@@ -89,7 +89,7 @@ private:
     /// From start to end, where the face is just then.
     [[nodiscard]] Series pressesOf(std::size_t contact) const
     {
-        Series presses = plot::line(Role::contact, 4.0).named("they press");
+        Series presses = plot::line(Role::contact, 4.0).named("in contact");
         std::size_t events = 0;
         for (const NetworkContactEvent& event : simulation_.contacts()) {
             if (event.contact != contact || event.end < begin_ || ++events > mostPoints) {
@@ -108,19 +108,20 @@ private:
     void fill(Panel& panel, std::size_t j) const
     {
         const NetworkContact& contact = network_.contacts[j];
-        if (contact.kind == ContactKind::gap) {
-            panel.add(pathOf(contact.node + 1, contact.gap, Role::strain, "the other face"));
+        const bool isGap = contact.kind == ContactKind::gap;
+        if (isGap) {
+            panel.add(pathOf(contact.node + 1, contact.gap, Role::strain, "right face"));
         } else {
             const double stop =
                 metre_.factor *
                 (contact.kind == ContactKind::stopRight ? contact.gap : -contact.gap);
             panel.add({.role = Role::faint,
                        .width = 3.0,
-                       .legend = "its stop",
+                       .legend = "stop",
                        .x = {*panel.x.low, *panel.x.high},
                        .y = {stop, stop}});
         }
-        panel.add(pathOf(contact.node, 0.0, Role::ink, "the face"));
+        panel.add(pathOf(contact.node, 0.0, Role::ink, isGap ? "left face" : "face"));
         panel.add(pressesOf(j));
     }
 
