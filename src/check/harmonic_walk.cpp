@@ -37,19 +37,6 @@ std::vector<Peak> peaksOf(Complex z, double from, double to)
     return peaks;
 }
 
-struct Bounds {
-    double least;
-    double most;
-};
-
-Bounds boundsOf(Complex z, double from, double to)
-{
-    const auto peaks = peaksOf(z, from, to);
-    const auto [least, most] = std::minmax_element(
-        peaks.begin(), peaks.end(), [](const Peak& x, const Peak& y) { return x.value < y.value; });
-    return {least->value, most->value};
-}
-
 class PieceWalk {
 public:
     PieceWalk(const HarmonicCase& given, HarmonicMotion& motion)
@@ -139,7 +126,7 @@ private:
     {
         const double sign = contact.stop == Stop::right ? 1.0 : -1.0;
         const Complex force = sign * push(piece);
-        const Bounds seen = boundsOf(force, given_.omega * begin, given_.omega * piece.end);
+        const HarmonicBounds seen = boundsOf(force, given_.omega * begin, given_.omega * piece.end);
         contact.peakForce = std::max(contact.peakForce, seen.most);
         contact.impulse += integral(force, begin, piece.end);
         return std::max(-seen.least, std::abs(tip_ - given_.placeOf(contact.stop)));
@@ -153,7 +140,7 @@ private:
         const double from = given_.omega * begin;
         const double to = given_.omega * piece.end;
         const double start = tip_ - (place * turned(from)).real();
-        const Bounds way = boundsOf(place, from, to);
+        const HarmonicBounds way = boundsOf(place, from, to);
         seen_.lowestTip = std::min(seen_.lowestTip, start + way.least);
         speed_ = (speed * turned(to)).real();
         tip_ += integral(speed, begin, piece.end);
@@ -190,7 +177,8 @@ private:
             addPeaks(arriving, piece.wave, begin, piece.end);
             addPeaks(left, base - piece.wave, begin, piece.end);
             for (const Complex end : {base - 2.0 * piece.wave, leaving - piece.wave}) {
-                const Bounds seen = boundsOf(end, given_.omega * begin, given_.omega * piece.end);
+                const HarmonicBounds seen =
+                    boundsOf(end, given_.omega * begin, given_.omega * piece.end);
                 stretch(seen.least);
                 stretch(seen.most);
             }
@@ -256,6 +244,14 @@ private:
 };
 
 }  // namespace
+
+HarmonicBounds boundsOf(Complex z, double from, double to)
+{
+    const auto peaks = peaksOf(z, from, to);
+    const auto [least, most] = std::minmax_element(
+        peaks.begin(), peaks.end(), [](const Peak& x, const Peak& y) { return x.value < y.value; });
+    return {least->value, most->value};
+}
 
 void measure(const HarmonicCase& given, HarmonicMotion& motion)
 {

@@ -11,6 +11,15 @@
 
 namespace signorini {
 
+/// What a harmonic reaches.
+struct HarmonicBounds {
+    double least;
+    double most;
+};
+
+/// Re(z e^{i angle}) for from <= angle <= to.
+[[nodiscard]] HarmonicBounds boundsOf(std::complex<double> z, double from, double to);
+
 /// Fills in extremes, residual, and of each contact impulse, force and speed; strains only where
 /// the residual is one of a motion. \pre phase, pieces, and of each contact begin, end and stop
 /// are there. O(pieces log pieces).

@@ -167,8 +167,10 @@ unsigned FindCommand::kind() const
 ExitStatus FindCommand::run() const
 {
     if (common.hasScene()) {
-        if (given.outside(asks::network) == nullptr) {
-            return findInScene(*this);
+        const bool isOfBar = question.isAsked() && (!isForced() || force.ratio);
+        if (given.outside(asks::network) == nullptr && !(isOfBar && barOf(common.assembly()))) {
+            return question.isAsked() ? findHarmonicInBars(*this, common.assembly())
+                                      : findInScene(*this);
         }
         if (!barOf(common.assembly())) {
             given.requireOnly(asks::network);
@@ -184,8 +186,8 @@ ExitStatus FindCommand::run() const
         "one speed");
     refuseIf(question.isAsked() && !given.words().empty(),
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
-    refuseIf(question.isAsked() && !isUniform(bar.segments),
-             "--segments: allowed only together with NC NF");
+    refuseIf(question.isAsked() && !isForced() && !isUniform(bar.segments),
+             "--segments: allowed only together with NC NF, or with --force");
     ExitStatus status = exitUndecided;
     if (asked == asks::forcedPeriod) {
         status = answerHarmonic(*this);

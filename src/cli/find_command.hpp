@@ -55,6 +55,9 @@ private:
 /// All motions with one contact in a period under an exact harmonic of the amplitude given.
 [[nodiscard]] ExitStatus answerHarmonic(const FindCommand& call);
 
+/// The same of several bars, or of a bar of several segments, whose words say what is damped.
+[[nodiscard]] ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly);
+
 /// Free motions of a schedule of a network, in SI.
 [[nodiscard]] ExitStatus findInScene(const FindCommand& command);
 

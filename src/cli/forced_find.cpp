@@ -88,6 +88,10 @@ ExitStatus answerHarmonic(const FindCommand& call)
         refuse("--damping", "0", fmt::format("numbers > 0, at most {} [-]", maxDampingRatio));
     }
     force.requireAmplitude();
+    if (!isUniform(scene.segments)) {
+        return findHarmonicInBars(call,
+                                  answers::assemblyOf(scene, common.usualCells(), force.damping()));
+    }
     FindOutputs files(call);
     const ExactPeriod period = call.question.exactly(common.usualCells(), scene.bar, call.cycles);
     const double frequencyRatio = 4.0 * static_cast<double>(call.cycles) / period.value();

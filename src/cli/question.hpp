@@ -37,7 +37,7 @@ struct PeriodQuestion {
     [[nodiscard]] ExactPeriod exactly(std::int64_t cells, const Bar& bar,
                                       std::int64_t cycles) const;
 
-private:
+    /// \throws std::invalid_argument unless one is given.
     void requireOne() const;
 };
 

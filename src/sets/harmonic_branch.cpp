@@ -101,9 +101,10 @@ public:
           excitation_(excitation),
           stops_(stops),
           range_(range),
-          ticks_(excitation.steps * range.fine)
+          fine_(finest(excitation, range)),
+          ticks_(excitation.steps * fine_)
     {
-        excitation_.stepsPerCrossing *= static_cast<double>(range.fine);
+        excitation_.stepsPerCrossing *= static_cast<double>(fine_);
     }
 
     /// Starts with the motion itself. `sense` 1: to longer periods.
@@ -111,11 +112,11 @@ public:
     {
         given_ = caseAt(ticks_);
         begin(motion);
-        std::int64_t step = range_.fine;
+        std::int64_t step = fine_;
         while (branch_.points.size() < range_.mostPoints && !isRequested(range_.cancel)) {
             const std::int64_t to = ticks_ + sense * step;
             const double ratio = ratioAt(to);
-            if (ratio < range_.least || ratio > range_.most) {
+            if (ratio < range_.least || ratio > range_.most || to > maxHarmonicCells) {
                 if (step == 1) {
                     break;
                 }
@@ -123,7 +124,7 @@ public:
                 continue;
             }
             if (tryTo(to, step == 1)) {
-                step = std::min(2 * step, range_.fine);
+                step = std::min(2 * step, fine_);
                 // Coarse points stand on coarse periods.
                 while (ticks_ % step != 0) {
                     step /= 2;
@@ -151,6 +152,21 @@ public:
     }
 
 private:
+    /// Parts of a step: fewer where the longest period would have too many.
+    static std::int64_t finest(const Harmonic& excitation, const BranchRange& range)
+    {
+        const double longest = 4.0 * static_cast<double>(excitation.cycles) *
+                               excitation.stepsPerCrossing / range.least;
+        const double most = std::max(
+            {longest, static_cast<double>(excitation.steps), 2.0 * excitation.stepsPerCrossing});
+        std::int64_t fine = range.fine;
+        while (fine > 1 &&
+               most * static_cast<double>(fine) > static_cast<double>(maxHarmonicCells)) {
+            fine /= 2;
+        }
+        return fine;
+    }
+
     void begin(const HarmonicMotion& motion)
     {
         last_ = motion;
@@ -183,9 +199,10 @@ private:
     /// Over a period at which so many fronts meet that no motion was found.
     bool jumps(std::int64_t sense)
     {
-        for (std::int64_t step = 2; step <= 2 * range_.fine; step *= 2) {
+        for (std::int64_t step = 2; step <= 2 * fine_; step *= 2) {
             const std::int64_t to = ticks_ + sense * (step + 1);
-            if (ratioAt(to) >= range_.least && ratioAt(to) <= range_.most && tryTo(to, true)) {
+            if (ratioAt(to) >= range_.least && ratioAt(to) <= range_.most &&
+                to <= maxHarmonicCells && tryTo(to, true)) {
                 return true;
             }
         }
@@ -278,6 +295,7 @@ private:
     Harmonic excitation_;  ///< on the finest periods
     const Stops& stops_;
     const BranchRange& range_;
+    std::int64_t fine_;
     std::int64_t ticks_;
     HarmonicCase given_;
     HarmonicMotion last_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "harmonic_release.hpp"
 #include "harmonic_walk.hpp"
 #include "portable.hpp"
 
@@ -15,7 +16,6 @@ using Complex = HarmonicCase::Complex;
 using std::numbers::pi;
 
 constexpr double sameMotion = 1e-7;      // what rounding makes of a double root
-constexpr double nearEnd = 1e-12;        // of an angle, in which a release may be the next cell's
 constexpr double shortestPiece = 1e-13;  // of a period
 
 /// Of a number of cells of contact.
@@ -175,35 +175,16 @@ private:
         return turns_[static_cast<std::size_t>(m % given_.cells)];
     }
 
-    /// R(tau) = 0 in cell j: A = +-i |A| unit e^{-i omega sigma h}.
+    /// R(tau) = 0 in cell j.
     void addSmooth(std::int64_t j, const Chain& early, const Chain& late, Stop stop)
     {
         const Complex integrate = Complex(0.0, -1.0) / given_.omega;  // 1/(i omega)
-        const Complex alpha = given_.place() - (inCells(1) * late.sum - early.sum) * integrate;
-        const Complex beta = (late.sum - early.sum) * integrate;
-        const Complex release = given_.push(early.last);
-        if (lengthOf(alpha) == 0.0 || lengthOf(release) == 0.0) {
-            return;  // u(L, 0) or R is the same for all sigma
-        }
-        const Complex unit =
-            Complex(0.0, 1.0) * std::conj(release) / lengthOf(release) * std::conj(inCells(j));
-        const double wall = given_.placeOf(stop) / given_.amplitude;
-        const double cell = given_.omega * given_.step;
-        for (const double sign : {1.0, -1.0}) {
-            const double cosine = (sign * wall - (unit * beta).real()) / lengthOf(alpha);
-            if (!(std::abs(cosine) <= 1.0 + nearEnd)) {
-                continue;
-            }
-            const double apart = portable::acos(std::clamp(cosine, -1.0, 1.0));
-            const double middle = angleOf(unit * alpha);
-            for (double angle : {middle - apart, middle + apart}) {
-                angle -= 2.0 * pi * std::floor((angle + nearEnd) / (2.0 * pi));
-                for (; angle <= cell + nearEnd; angle += 2.0 * pi) {
-                    const double part = std::clamp(angle / cell, 0.0, 1.0);
-                    add(j, part, sign * unit * turned(-part * cell), early, late, stop);
-                }
-            }
-        }
+        const Complex jump = late.sum - early.sum;
+        const ReleaseCell cell{given_.place() - (inCells(1) * late.sum - early.sum) * integrate,
+                               jump * integrate, given_.push(early.last) * inCells(j),
+                               given_.placeOf(stop) / given_.amplitude, given_.omega * given_.step};
+        forEachSmoothRelease(
+            cell, [&](double part, Complex unit) { add(j, part, unit, early, late, stop); });
     }
 
     /// tau = jh, R passes through 0 there.
@@ -211,13 +192,7 @@ private:
     {
         const Complex gap =
             given_.place() + Complex(0.0, 1.0) / given_.omega * chain.sum * (inCells(1) - 1.0);
-        const double cosine = given_.placeOf(stop) / given_.amplitude / lengthOf(gap);
-        if (!(std::abs(cosine) <= 1.0 + nearEnd)) {
-            return;
-        }
-        const double apart = portable::acos(std::clamp(cosine, -1.0, 1.0));
-        for (const double angle : {apart, -apart}) {
-            const Complex unit = turned(angle - angleOf(gap));
+        forEachPinnedRelease(gap, given_.placeOf(stop) / given_.amplitude, [&](Complex unit) {
             const Complex now = unit * inCells(j);
             const double sign = stop == Stop::right ? 1.0 : -1.0;
             const double before = sign * (given_.push(chain.last) * now).real();
@@ -227,7 +202,7 @@ private:
             if (before >= -near && after <= near) {
                 add(j, 0.0, unit, chain, chain, stop);
             }
-        }
+        });
     }
 
     /// With contact to (j + part) h and the excitation |A| unit, if it is a motion.

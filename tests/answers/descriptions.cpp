@@ -12,6 +12,7 @@
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
 #include "response_answer.hpp"
+#include "scene_harmonic_answer.hpp"
 #include "simulation_answer.hpp"
 #include "study_answer.hpp"
 #include "sweep_answer.hpp"
@@ -164,6 +165,7 @@ int main()
                {"atlas", nameOf<AtlasBuilt>()},
                {"atlas-query", nameOf<AtlasAnswer>()},
                {"find-harmonic", nameOf<HarmonicAnswer>()},
+               {"find-harmonic-bars", nameOf<SceneHarmonicAnswer>()},
                {"response-exact", nameOf<ExactAnswer>()},
                {"study", nameOf<StudyAnswer>()},
                {"simulate-reach", nameOf<ForceRange>()}};

@@ -76,6 +76,8 @@ CALLS = [
     ("find-forced", f"find 8 72 --cells 20 {FORCE}"),
     ("find-forced", "find 8 72 --cells 20 --damping 0.05 --force base"),
     ("find-harmonic", f"find --frequency 1.1 {FORCE}"),
+    ("find-harmonic-bars", "find --period 21/14 --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'"
+     " --force tip --amplitude 2e-3"),
     ("find-harmonic", "find --period 18/5 --contacts 1 --damping 0.05 --force base --amplitude 1e-9"),
     ("find-forced", "find 12 96 --cells 30 --damping 0.03 --force tip --amplitude 1e-5"),
     ("find-forced", "find 30 40 --cells 20 --damping 0.03 --force tip"),

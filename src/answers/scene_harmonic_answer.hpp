@@ -1,0 +1,91 @@
+#pragma once
+/// \file
+/// What is said of bars in a row whose excitation is an exact harmonic.
+
+#include "harmonic_network.hpp"
+#include "scene_answer.hpp"
+
+namespace signorini::answers {
+
+/// One motion, and what its units are in SI.
+struct SceneHarmonicMotion {
+    NetworkHarmonicMotion value;
+    NetworkScales scales;
+};
+
+/// The motions with one contact in a period of n steps.
+struct SceneHarmonicAnswer {
+    Excited place;
+    std::int64_t cycles;  ///< of the excitation in a period
+    double amplitude;     ///< [N] or [m]
+    std::int64_t steps;   ///< n
+    NetworkScales scales;
+    SeveralBars bars;
+    std::vector<SceneHarmonicMotion> motions;  ///< by ascending impulse
+
+    [[nodiscard]] Status status() const
+    {
+        return motions.empty() ? Status::undecided : Status::found;
+    }
+    [[nodiscard]] double period() const { return static_cast<double>(steps) * scales.time; }
+    /// Of the excitation [Hz].
+    [[nodiscard]] double frequency() const { return static_cast<double>(cycles) / period(); }
+    [[nodiscard]] std::optional<double> frequencyRatio() const;
+    [[nodiscard]] std::optional<std::string> detail() const;
+};
+
+/// \throws as harmonicContacts (harmonic_network_contact.hpp).
+[[nodiscard]] SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place,
+                                           std::int64_t cycles, std::int64_t steps,
+                                           double amplitude);
+
+template <typename D>
+void describe(D& d, Type<SceneHarmonicMotion>)
+{
+    using T = SceneHarmonicMotion;
+    d.record("SceneHarmonicMotion",
+             "One motion of bars under an exact harmonic; contact is at any times.");
+    d.key("contact", "- >= 1", "The one that closes.",
+          [](const T& m) { return m.value.contact + 1; });
+    d.key("contact_time", "s > 0", "In a period.",
+          [](const T& m) { return m.value.release * m.scales.time; });
+    d.key("contact_steps", "- > 0", "The same in steps.",
+          [](const T& m) { return m.value.release; });
+    d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
+          [](const T& m) { return m.value.isPinned ? "pinned" : "smooth"; });
+    d.key("phase", "rad", "Of the excitation at the start of contact.",
+          [](const T& m) { return m.value.phase; });
+    d.key("impulse", "N s > 0", "Of the contact in a period.",
+          [](const T& m) { return m.value.impulse * m.scales.force() * m.scales.time; });
+    d.key("peak_force", "N > 0", "Largest.",
+          [](const T& m) { return m.value.peakForce * m.scales.force(); });
+    d.key("speed", "m/s >= 0", "With which the contact closes.",
+          [](const T& m) { return m.value.speed * m.scales.velocity(); });
+    d.key("residual", "- >= 0", "The worst that was seen moving its waves by the law; relative.",
+          [](const T& m) { return m.value.residual; });
+}
+
+template <typename D>
+void describe(D& d, Type<SceneHarmonicAnswer>)
+{
+    using T = SceneHarmonicAnswer;
+    d.record("SceneHarmonicResult",
+             "Motions of bars in a row with one contact in a period, under an exact harmonic.");
+    d.key("status", "-", R"("found" or "undecided".)", &T::status);
+    d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).", &T::place);
+    d.key("cycles", "- >= 1", "Of the excitation in a period.", &T::cycles);
+    d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);
+    d.key("steps", "- >= 2", "Of the period.", &T::steps);
+    d.key("period", "s > 0", "T.", &T::period);
+    d.key("frequency", "Hz > 0", "Of the excitation.", &T::frequency);
+    d.key("frequency_ratio", "- > 0", "The same in omega_1 of these bars, if they vibrate.",
+          &T::frequencyRatio);
+    d.key("motions", "-", "By ascending impulse.", &T::motions);
+    d.key("scene", "-", "Asked about.", [](const T& a) { return a.bars.assembly; });
+    d.key("reference", "-", "What the bars are measured with.",
+          [](const T& a) { return a.bars.reference; });
+    d.key("contacts", "-", "[dict, ...], of the bars.", [](const T& a) { return a.bars.contacts; });
+    d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,114 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "find_command.hpp"
+#include "harmonic_network_contact.hpp"
+#include "reports.hpp"
+#include "scene_harmonic_answer.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+/// The steps of the period that is asked for: whole for one in L/c, the nearest for a frequency.
+std::int64_t stepsOf(const PeriodQuestion& question, const Assembly& assembly,
+                     const Network& network, std::int64_t cycles)
+{
+    question.requireOne();
+    const double second = 1.0 / network.scales.time;
+    const auto from = [&](double wanted, const char* option, const std::string& word,
+                          const std::string& remedy) {
+        const double nearest = std::round(wanted);
+        if (!(nearest >= 2.0 && nearest <= static_cast<double>(maxHarmonicSteps)) ||
+            (!remedy.empty() && std::abs(wanted - nearest) > 1e-9 * nearest)) {
+            refuse(option, word,
+                   fmt::format("periods of 2..{} steps of {:.6g} s{}", maxHarmonicSteps,
+                               network.scales.time, remedy));
+        }
+        return static_cast<std::int64_t>(nearest);
+    };
+    if (!question.period.empty()) {
+        const double crossing = assembly.length / assembly.waveSpeed * second;
+        return from(parseNumber("--period", question.period, "L/c").value * crossing, "--period",
+                    question.period, fmt::format(", {:.10g} to L/c", crossing));
+    }
+    const auto periods = static_cast<double>(cycles);
+    if (question.hertz) {
+        return from(periods * second / *question.hertz, "--hertz",
+                    fmt::format("{}", *question.hertz), "");
+    }
+    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    refuseIf(!(first > 0.0), "--frequency", question.frequency,
+             "bars that vibrate with their contacts open; --hertz is of any");
+    return from(
+        periods * second / (first * parseNumber("--frequency", question.frequency, "ω₁").value),
+        "--frequency", question.frequency, "");
+}
+
+std::string asText(const answers::SceneHarmonicAnswer& answer)
+{
+    std::string text = fmt::format(
+        "{:<12}one contact in {} steps, {}{} of amplitude {:.6g} {}\n", name(answer.status()),
+        answer.steps, answer.place == Excited::tip ? "force on what is driven" : "moving base",
+        answer.cycles == 1 ? "" : fmt::format(", {} cycles", answer.cycles), answer.amplitude,
+        answer.place == Excited::tip ? "N" : "m");
+    text += fmt::format("frequency   {:.6g} Hz", answer.frequency());
+    if (const auto ratio = answer.frequencyRatio()) {
+        text += fmt::format(", {:.6g} ω₁", *ratio);
+    }
+    text += "\n";
+    for (const answers::SceneHarmonicMotion& motion : answer.motions) {
+        const NetworkHarmonicMotion& value = motion.value;
+        const NetworkScales& scales = motion.scales;
+        text += fmt::format(
+            "motion      contact {} for {:.6g} s, ended {}; phase {:.6g} rad, residual {:.2g}\n",
+            value.contact + 1, value.release * scales.time,
+            value.isPinned ? "by a wave front" : "smoothly", value.phase, value.residual);
+        text += fmt::format("force       at most {:.6g} N, impulse {:.6g} N s; met at {:.6g} m/s\n",
+                            value.peakForce * scales.force(),
+                            value.impulse * scales.force() * scales.time,
+                            value.speed * scales.velocity());
+    }
+    if (const auto detail = answer.detail()) {
+        text += fmt::format("why         {}\n", *detail);
+    }
+    return text;
+}
+
+}  // namespace
+
+ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
+{
+    const ForceOptions& force = call.force;
+    refuseIf(!call.isForced(),
+             "--period, --frequency, --hertz: of several bars allowed only together with --force");
+    force.requirePlace();
+    force.requireAmplitude();
+    refuseIf(force.ratio.has_value() && call.common.hasScene(),
+             "--damping clashes with --scene: allowed dash=D among its words");
+    for (const char* name : {"--state", "--certificate", "--figure", "--motion", "--animate"}) {
+        refuseIf(call.given.has(name), name, call.given.text(name),
+                 "none with --period, --frequency and --hertz of several bars or segments");
+    }
+    refuseIf(!call.given.words().empty(),
+             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
+    refuseIf(call.given.whole("--contacts").value_or(1) != 1, "--contacts",
+             call.given.text("--contacts"), "1 of several bars or segments");
+    const Network network = networkOf(assembly);
+    const std::int64_t steps = stepsOf(call.question, assembly, network, call.cycles);
+    const double hertz =
+        static_cast<double>(call.cycles) / (static_cast<double>(steps) * network.scales.time);
+    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    const double amplitude =
+        first > 0.0 ? *force.at(hertz / first, first).amplitude : *force.amplitude;
+    const answers::SceneHarmonicAnswer answer =
+        answers::answerOf(assembly, *force.place, call.cycles, steps, amplitude);
+    call.common.useOneThread();
+    writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))
+                                   : headline(assembly, network) + asText(answer));
+    return exitStatusOf(answer.status());
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// All motions with one contact in a period of a network under an exact harmonic.
+///
+/// A network answers a push of a step at contact k with rates g_m of its distance, and a harmonic
+/// with the rate Y: in contact pushes Q_i, the same harmonics in all steps, keep it closed,
+///
+///     Y e^{i omega m} + sum over i < j of g_{m - i} Q_i = 0,   m = 0 ... j - 1,
+///
+/// a Toeplitz system, solved for all j by Levinson's recursion. The distance at the start sums the
+/// displacements H that pushes leave, so the release is found as for a bar (harmonic_release.hpp):
+/// four candidates with a smooth one for each j, two with a pinned one. docs/theory.md, section 21.
+
+#include <vector>
+
+#include "harmonic_network.hpp"
+
+namespace signorini {
+
+/// Longest period, in steps.
+inline constexpr std::int64_t maxHarmonicSteps = 2'000;
+
+/// The motions by ascending impulse, measured; residuals are at most `harmonicTolerance`. Every
+/// contact in turn is the one that closes. O(n^2) and, for each frequency, channels^3; O(n^2) for
+/// each candidate. \throws std::invalid_argument unless n is in 2..maxHarmonicSteps and K
+/// in 1..n/2, something is driven and damped, all bars are held, and no wave resonates.
+[[nodiscard]] std::vector<NetworkHarmonicMotion> harmonicContacts(const HarmonicNetwork& given);
+
+}  // namespace signorini

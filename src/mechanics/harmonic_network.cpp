@@ -1,0 +1,55 @@
+#include "harmonic_network.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+#include "harmonic_motion.hpp"
+#include "statics.hpp"
+
+namespace signorini {
+
+double HarmonicNetwork::omega() const
+{
+    return 2.0 * std::numbers::pi * static_cast<double>(cycles) / static_cast<double>(steps);
+}
+
+std::complex<double> HarmonicNetwork::turn(std::int64_t m) const
+{
+    const std::int64_t part = (cycles % steps) * (m % steps) % steps;
+    return turned(2.0 * std::numbers::pi * static_cast<double>(part) / static_cast<double>(steps));
+}
+
+Network underConstantForces(Network network)
+{
+    Network shape = network;
+    std::vector<double> forces;
+    for (NetworkNode& node : network.nodes) {
+        forces.push_back(node.force);
+        node.force = 0.0;
+    }
+    for (std::size_t bar = 0; bar < network.bars.size(); ++bar) {
+        const NetworkBar& one = network.bars[bar];
+        const auto first = forces.begin() + static_cast<std::ptrdiff_t>(one.firstNode);
+        const auto last = forces.begin() + static_cast<std::ptrdiff_t>(one.lastNode) + 1;
+        if (std::all_of(first, last, [](double force) { return force == 0.0; })) {
+            continue;
+        }
+        if (one.drifts()) {
+            throw std::invalid_argument("a constant force on a bar that nothing holds");
+        }
+        addShapeUnder(shape, bar, forces, std::nullopt);
+    }
+    const auto moved = [&](std::size_t node) {
+        return shape.nodes[node].rest - network.nodes[node].rest;
+    };
+    for (NetworkContact& contact : network.contacts) {
+        contact.gap += contact.kind == ContactKind::stopRight ? -moved(contact.node)
+                       : contact.kind == ContactKind::stopLeft
+                           ? moved(contact.node)
+                           : moved(contact.node + 1) - moved(contact.node);
+    }
+    return network;
+}
+
+}  // namespace signorini

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Motions of a network under an exact harmonic, with one contact in a period, of any real length.
+///
+/// Units of the network: a step is 1. The period is n steps and K cycles. Contact is [0, tau), tau
+/// = j + sigma, so at the times m + s, m = 0, 1, ..., the waves of one s follow the law (N) with j
+/// + 1 steps of contact if s < sigma, "early", and with j if not, "late". On either part each wave
+/// is one harmonic, Re(z e^{i omega s}), s from the beginning of the step: a vector z says all.
+/// docs/theory.md, section 21.
+
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+#include "network.hpp"
+#include "signorini/simulation.hpp"
+
+namespace signorini {
+
+/// A network and what drives it: its driven nodes, or its shaken clamps.
+struct HarmonicNetwork {
+    Network network;  ///< without constant forces: gaps are those under them
+    Excited place = Excited::tip;
+    double amplitude = 1.0;   ///< |A|, of the force, or of the displacement of the base
+    std::int64_t steps = 0;   ///< n
+    std::int64_t cycles = 1;  ///< K
+
+    [[nodiscard]] double omega() const;
+    /// e^{i omega m}.
+    [[nodiscard]] std::complex<double> turn(std::int64_t m) const;
+};
+
+/// One motion; t = 0 is where contact begins.
+struct NetworkHarmonicMotion {
+    std::size_t contact = 0;                  ///< the one that closes
+    double phase = 0.0;                       ///< [rad], of |A| cos(omega t - phase)
+    double release = 0.0;                     ///< tau
+    bool isPinned = false;                    ///< is it a front that ends it?
+    std::vector<std::complex<double>> early;  ///< waves at t = 0 in the order of Network::waves
+    std::vector<std::complex<double>> late;
+    double impulse = 0.0;  ///< what follows is measured
+    double peakForce = 0.0;
+    double speed = 0.0;  ///< with which the contact closes
+    /// [-], the worst defect: waves that do not come back, distance at the start or the end, a
+    /// pull, an overlap of any contact; of the largest wave, or of the gap.
+    double residual = 0.0;
+};
+
+/// Gaps under the constant forces of a network, which are taken away: what moves is counted from
+/// the shape under them. \throws std::invalid_argument if they pull at a bar that nothing holds.
+[[nodiscard]] Network underConstantForces(Network network);
+
+}  // namespace signorini

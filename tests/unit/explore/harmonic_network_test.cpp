@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "catch.hpp"
+#include "harmonic_contact.hpp"
+#include "harmonic_network_contact.hpp"
+#include "infinity.hpp"
+#include "network_forced.hpp"
+#include "signorini/assembly.hpp"
+
+using namespace signorini;
+
+namespace {
+
+Network barsOf(std::string_view words)
+{
+    Assembly assembly;
+    assembly.parts = partsOf(words);
+    return networkOf(assembly);
+}
+
+/// The same bars on a grid q times as fine: wider gaps in units of it.
+Network finer(std::string_view words, std::int64_t q)
+{
+    Assembly assembly;
+    assembly.parts = partsOf(words);
+    for (AssemblyPart& part : assembly.parts) {
+        part.cells *= q;
+    }
+    return networkOf(assembly);
+}
+
+}  // namespace
+
+TEST_CASE("harmonic network: of one bar the list is that of the closed form")
+{
+    std::mt19937 random(3);
+    const auto draw = [&](double least, double most) {
+        return std::uniform_real_distribution<>(least, most)(random);
+    };
+    std::size_t count = 0;
+    for (int i = 0; i < 300; ++i) {
+        const std::int64_t cells = 3 + i % 6;
+        const auto steps = static_cast<std::int64_t>(draw(2.0, 5.5) * static_cast<double>(cells));
+        const Damping damping{.ratio = std::pow(10.0, draw(-2.0, -0.7))};
+        Scene scene;
+        Stops stops;
+        if (i % 5 == 4) {
+            stops.left = Fraction{2, 1};
+            scene.secondStop = 2.0 * scene.bar.gap;
+        }
+        const Excited place = i % 2 == 0 ? Excited::tip : Excited::base;
+        const double amplitude = std::pow(10.0, draw(-1.0, 0.5));
+        const auto bar = harmonicContacts(
+            damping, {place, amplitude, 0.0, 1, steps, static_cast<double>(cells)}, stops);
+        const double unit = place == Excited::tip ? 1.0 : static_cast<double>(cells);
+        const auto network = harmonicContacts(
+            HarmonicNetwork{networkOf(scene, cells, damping), place, unit * amplitude, steps, 1});
+        INFO(i << ": " << cells << " cells, n = " << steps << ", " << amplitude);
+        REQUIRE(network.size() == bar.size());
+        for (std::size_t k = 0; k < bar.size(); ++k) {
+            const auto size = static_cast<double>(cells);
+            CHECK(network[k].release == Approx(size * bar[k].contacts[0].end).epsilon(1e-7));
+            CHECK(network[k].impulse == Approx(size * bar[k].extremes.impulse).epsilon(1e-7));
+            CHECK(network[k].peakForce == Approx(bar[k].extremes.peakForce).epsilon(1e-7));
+            CHECK(network[k].speed == Approx(bar[k].contacts[0].speed).epsilon(1e-6).margin(1e-8));
+            CHECK(network[k].isPinned == bar[k].contacts[0].isPinned);
+            CHECK(network[k].residual < 1e-9);
+        }
+        count += bar.size();
+    }
+    CHECK(count > 120);
+}
+
+namespace {
+
+/// Impulses, in steps of the coarse grid, of all motions with one contact of more than a step under
+/// a staircase with q steps in each.
+std::vector<double> staircase(std::string_view words, std::int64_t q, std::int64_t steps,
+                              Excited place, double amplitude)
+{
+    const Network fine = finer(words, q);
+    const double unit = place == Excited::tip ? 1.0 : static_cast<double>(fine.cells());
+    std::vector<double> impulses;
+    for (std::int64_t contact = 2; contact < q * steps; ++contact) {
+        const ForcedSet set =
+            forcedScene(fine, {{1, contact}, {0, q * steps - contact}}, {place, 1, {}}, 1e6);
+        if (set.status == Status::found) {
+            for (const ForcedMotion& motion : motionsOfAmplitude(set, unit * amplitude)) {
+                impulses.push_back(motion.extremes.impulse / static_cast<double>(q));
+            }
+        }
+    }
+    std::sort(impulses.begin(), impulses.end());
+    return impulses;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "harmonic network: bars that meet, a stepped bar, an obstacle: lists are those of staircases")
+{
+    std::mt19937 random(5);
+    const auto draw = [&](double least, double most) {
+        return std::uniform_real_distribution<>(least, most)(random);
+    };
+    std::size_t count = 0;
+    for (const char* words :
+         {"clamp 3 dash=0.1 driven gap=1e-3 2:1.3 dash=0.2 2:1.3 clamp",
+          "clamp 3 4:1.7 dash=0.1 driven stop=1e-3", "clamp shaken 2 3:0.6 dash=0.1 stop=1e-3",
+          "clamp 3 driven stop=5e-4 4 dash=0.3 2 clamp"}) {
+        const Network network = barsOf(words);
+        const bool isShaken = network.nodes.front().isShaken;
+        const Excited place = isShaken ? Excited::base : Excited::tip;
+        const double unit = isShaken ? static_cast<double>(network.cells()) : 1.0;
+        for (int i = 0; i < 12; ++i) {
+            const auto n =
+                static_cast<std::int64_t>(draw(2.2, 4.5) * static_cast<double>(network.cells()));
+            const double amplitude = std::exp2(draw(-1.0, 2.0));
+            const auto exact =
+                harmonicContacts(HarmonicNetwork{network, place, unit * amplitude, n, 1});
+            std::vector<double> coarse;
+            bool areOne = false;
+            for (std::int64_t q = 4; q <= 16 && !areOne; q *= 2) {
+                coarse = staircase(words, q, n, place, amplitude);
+                areOne = std::equal(exact.begin(), exact.end(), coarse.begin(), coarse.end(),
+                                    [](const auto& motion, double impulse) {
+                                        return std::abs(motion.impulse - impulse) < 0.05 * impulse;
+                                    });
+            }
+            INFO(words << ", n = " << n << ", " << amplitude << ": " << exact.size() << " and "
+                       << coarse.size());
+            CHECK(areOne);
+            count += exact.size();
+        }
+    }
+    CHECK(count >= 8);
+}
+
+TEST_CASE("harmonic network: what cannot be asked")
+{
+    const auto ask = [](const char* words, double amplitude, std::int64_t steps) {
+        return harmonicContacts(HarmonicNetwork{barsOf(words), Excited::tip, amplitude, steps, 1});
+    };
+    const char* bar = "clamp 5 dash=0.1 driven stop=1e-3";
+    CHECK_THROWS_AS(ask(bar, 0.0, 18), std::invalid_argument);
+    CHECK_THROWS_AS(ask(bar, 1.0, maxHarmonicSteps + 1), std::invalid_argument);
+    CHECK_THROWS_AS(ask("clamp 5 driven stop=1e-3", 1.0, 18), std::invalid_argument);
+    CHECK_THROWS_AS(ask("clamp 5 dash=0.1 stop=1e-3", 1.0, 18), std::invalid_argument);
+    CHECK_THROWS_AS(ask("stop=-1e-3 5 dash=0.1 driven stop=1e-3", 1.0, 18), std::invalid_argument);
+}
