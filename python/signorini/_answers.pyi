@@ -455,6 +455,32 @@ class HarmonicMotion(_Record):
     enclosed: Optional[float]
     alone_within: Optional[float]
 
+class SceneHarmonicMotion(_Record):
+    contact: int
+    contact_time: float
+    contact_steps: float
+    release: str
+    phase: float
+    impulse: float
+    peak_force: float
+    speed: float
+    residual: float
+
+class SceneHarmonicResult(_Record):
+    status: str
+    force: str
+    cycles: int
+    amplitude: float
+    steps: int
+    period: float
+    frequency: float
+    frequency_ratio: Optional[float]
+    motions: list[SceneHarmonicMotion]
+    scene: dict[str, Any]
+    reference: dict[str, Any]
+    contacts: list[dict[str, Any]]
+    detail: Optional[str]
+
 class HarmonicResult(_Record):
     status: str
     contacts: int

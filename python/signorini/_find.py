@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, overload
 from . import _core
 from ._asking import asks, gathered
 from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
-                    Scene, State)
+                    Scene, SceneHarmonicResult, State)
 from ._progress import Progress
-from ._question import Question, ask, period_of
+from ._question import Question, ask, of_bars, period_of
 from ._words import Number, Quantity, Segments, Steps, whole
 
 
@@ -83,10 +83,21 @@ def find(*, damping: Quantity, force: str,
          **options: Unpack[_Options]) -> HarmonicResult: ...
 
 
+@overload
+def find(*, scene: str, force: str, gravity: Quantity = 0.0,
+         period: Number | None = None, frequency: Number | None = None,
+         hertz: Quantity | None = None,
+         amplitude: Quantity | None = None,
+         amplitude_velocity: Quantity | None = None,
+         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
+         **scales: Unpack[_Parameters]) -> SceneHarmonicResult: ...
+
+
 @asks("find")
 def find(
          *schedule: Steps, cells: int | None = None, bar: Bar | None = None,
-         scene: Scene | None = None, second_stop: Quantity | None = None,
+         scene: Scene | str | None = None, gravity: Quantity = 0.0,
+         second_stop: Quantity | None = None,
          segments: Segments | None = None,
          solver: str = "auto", formulation: str = "auto",
          objective: str = "auto", target: State | str | None = None,
@@ -101,7 +112,7 @@ def find(
          amplitude_acceleration: Quantity | None = None, cycles: int = 1,
          contacts: int = 1,
          **bar_options: Quantity | None
-         ) -> Result | Question | ForcedResult | HarmonicResult:
+         ) -> Result | Question | ForcedResult | HarmonicResult | SceneHarmonicResult:
     """Decide a schedule: a verified motion, or the proof that there is none.
 
     With `period`, `frequency` or `hertz` in place of a schedule all motions of
@@ -111,6 +122,11 @@ def find(
 
     Parameters
     ----------
+    scene : Scene or str, optional
+        In place of `bar`, `second_stop` and `segments`; or the words of
+        several bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 clamp",
+        whose scales are `length`, `wave_speed` and `axial_stiffness`, with
+        `force`, `amplitude` and a period or frequency.
     target : State or file name, optional
         For the objective "nearest".
     frequency : float, str or Fraction, optional
@@ -123,10 +139,11 @@ def find(
 
     Returns
     -------
-    Result, Question, ForcedResult or HarmonicResult
+    Result, Question, ForcedResult, HarmonicResult or SceneHarmonicResult
         A Question, a sequence of Result, for a period or frequency; a
         ForcedResult where `damping` and `force` are given, and of a period
-        or frequency with them a HarmonicResult.
+        or frequency with them a HarmonicResult, of several bars a
+        SceneHarmonicResult.
 
     Raises
     ------
@@ -139,6 +156,8 @@ def find(
     where = asked["scene"]
     is_timed = period is not None or frequency is not None or hertz is not None
     times = {"period": period, "frequency": frequency, "hertz": hertz} if is_timed else {}
+    if "words" in asked:
+        return _core.find_harmonic_bars(of_bars(asked, times, schedule, damping))
     if damping is not None or force is not None:
         if damping is None or force is None:
             raise ValueError("damping, force: allowed only together")

@@ -116,6 +116,25 @@ def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
     return period
 
 
+def of_bars(asked: dict[str, Any], times: dict[str, Any], schedule: tuple[Any, ...],
+            damping: Any) -> dict[str, Any]:
+    """What is asked about several bars under an exact harmonic."""
+    if not times or schedule or damping is not None or asked["force"] is None:
+        raise ValueError("a scene of words: allowed with force, amplitude and one of "
+                         "period, frequency and hertz, without a schedule and damping "
+                         "(dash=D among its words)")
+    others = ("cells", "energy", "energy_ratio", "strain_limit", "target", "time_limit",
+              "tip_floor")
+    clash = [name for name in others if asked[name] is not None]
+    if clash or asked["contacts"] != 1:
+        raise ValueError(f"{', '.join(clash or ['contacts'])}: allowed only without a "
+                         "scene of words")
+    name, word = _one_of(times)
+    value = word if name == "hertz" else float(
+        fraction_of(str(word) if isinstance(word, float) else word, name))
+    return {**asked, "period": None, "frequency": None, "hertz": None, name: value}
+
+
 def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     """Answer a question by `find` for each set of motions of a period."""
     name, word = _one_of(times)

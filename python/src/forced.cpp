@@ -14,6 +14,7 @@
 #include "patience.hpp"
 #include "response_answer.hpp"
 #include "scene_answer.hpp"
+#include "scene_harmonic_answer.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/response.hpp"
@@ -92,6 +93,27 @@ HarmonicAnswer findHarmonic(const Asked& asked)
                                               answers::unitsOf(scene));
     return patiently([=](const Wires&) {
         return answers::answerOf(period, damping, place, cycles, *amplitude, scene, contacts);
+    });
+}
+
+answers::SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
+{
+    const Assembly assembly = asked.assembly();
+    if (!asked.has("amplitude")) {
+        throw std::invalid_argument("amplitude is missing: allowed numbers > 0 [N or m]");
+    }
+    const auto cycles = asked.get<std::int64_t>("cycles");
+    const std::int64_t steps =
+        answers::stepsOf(assembly,
+                         {asked.maybe<double>("period"), asked.maybe<double>("frequency"),
+                          asked.positive("hertz", "Hz")},
+                         cycles);
+    const Excited place = asked.place();
+    const double period = static_cast<double>(steps) * networkOf(assembly).scales.time;
+    const Bar unit;  // L/c of 1 s
+    const auto amplitude = asked.displacement(4.0 * static_cast<double>(cycles) / period, unit);
+    return patiently([=](const Wires&) {
+        return answers::answerOf(assembly, place, cycles, steps, *amplitude);
     });
 }
 
@@ -224,6 +246,9 @@ void addForced(py::module_& module)
             return framesOf(MotionSamples(field(a), a.scene, usualCells), most);
         });
     addCall(module, "find_harmonic", &findHarmonic);
+    classOf<answers::SceneHarmonicMotion>(module);
+    classOf<answers::SceneHarmonicAnswer>(module);
+    addCall(module, "find_harmonic_bars", &findHarmonicBars);
     classOf<answers::ForceRange>(module);
     addCall(module, "force_range", &forceRange);
     classOf<answers::PermanentOf>(module);

@@ -253,3 +253,26 @@ def test_what_any_force_can_do_agrees(program: Program) -> None:
             assert abs(peak["reached"]) <= abs(peak["bound"])
     with pytest.raises(ValueError, match="low, high"):
         sg.force_range("clamp 7 stop=1 3 driven", 1.0, 0.9, time=3.0)
+
+
+BARS = "clamp 30 dash=0.1 driven gap=1e-3 20:1.3 dash=0.2 20:1.3 clamp"
+
+
+def test_bars_that_meet_under_an_exact_harmonic() -> None:
+    """As a simulation from rest settles on it."""
+    found = sg.find(scene=BARS, hertz=0.5, force="tip", amplitude=2e-3)
+    assert found.status == "found" and found.steps == 140
+    motion, = found.motions
+    assert motion.release == "pinned" and motion.residual < 1e-9
+    assert motion.contact_time == pytest.approx(2 / 7)
+    # 1.35451e-3 N s: what `simulate --rest` settles on, on ten times as many cells.
+    assert motion.impulse == pytest.approx(1.35451e-3, rel=1e-5)
+    again = sg.find(scene=BARS, frequency=found.frequency_ratio, force="tip", amplitude=2e-3)
+    assert again == found
+    with pytest.raises(ValueError, match="allowed with force"):
+        sg.find(scene=BARS, hertz=0.5)  # type: ignore[call-overload]
+    with pytest.raises(ValueError, match="energy"):
+        sg.find(  # type: ignore[call-overload]
+            scene=BARS, hertz=0.5, force="tip", amplitude=2e-3, energy=1.0)
+    with pytest.raises(ValueError, match="70 to L/c"):
+        sg.find(scene=BARS, period="1/3", force="tip", amplitude=2e-3)

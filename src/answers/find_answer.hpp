@@ -143,7 +143,7 @@ void describeRoute(D& d)
     d.key("route_reason", "-", "Why that one.", [](const T& a) { return a.result.how.reason; });
     d.key("left_out", "-", "What the request did not need.",
           [](const T& a) { return a.result.how.leftOut; });
-    d.key("solver", "-", "Who solved.", [](const T& a) { return a.result.how.solver; });
+    d.key("solver", "-", "Which solver answered.", [](const T& a) { return a.result.how.solver; });
 }
 
 template <typename D>
@@ -161,7 +161,7 @@ frequencies in omega_1.
     describeSet(d);
     d.key("objective", "-", "Which motion of the set this is.",
           [](const T& a) { return a.result.how.objective; });
-    d.key("contact", "-", "Does the wall feel it?", ofMotion(&M::contact), When::found);
+    d.key("contact", "-", "Is the wall pressed?", ofMotion(&M::contact), When::found);
     d.key("canonical_schedule", "-",
           "[(n_c, n_f), ...] with contact exactly where the wall is pressed.",
           ofMotion(&M::canonical), When::found);
@@ -181,7 +181,7 @@ frequencies in omega_1.
           When::found);
     d.key("admissible", "-", "Is s > -1 everywhere?",
           ofMotion([](const M& m) { return m.physical.isAdmissible(); }), When::found);
-    d.key("residuals", "-", "Recomputed by code that did not solve.", ofMotion(&M::residuals),
+    d.key("residuals", "-", "Recomputed independently of the solver.", ofMotion(&M::residuals),
           When::found);
     d.key("reason", "-", "Why there is no motion, in a word.", &T::reason, When::none);
     d.key("near_schedule", "-",

@@ -78,7 +78,7 @@ inline constexpr bool isDictionary<EnergyFloor> = true;
 template <typename D>
 void describe(D& d, Type<EnergyFloor>)
 {
-    d.record("EnergyFloor", "Multipliers for a march backwards.");
+    d.record("EnergyFloor", "Multipliers, verified by stepping backwards in time.");
     d.key("periodicity", "-", "One for each wave.", &EnergyFloor::periodicity);
     d.key("places", "-", "[(contact, step, multiplier), ...], contacts from 1.",
           &EnergyFloor::places);

@@ -1,8 +1,40 @@
 #include "scene_harmonic_answer.hpp"
 
+#include <cmath>
+
+#include "faults.hpp"
 #include "harmonic_network_contact.hpp"
 
 namespace signorini::answers {
+
+std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked, std::int64_t cycles)
+{
+    const Network network = networkOf(assembly);
+    const double second = 1.0 / network.scales.time;
+    const double crossing = assembly.length / assembly.waveSpeed * second;
+    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    const auto periods = static_cast<double>(cycles);
+    const char* name = asked.period ? "period" : asked.hertz ? "hertz" : "frequency";
+    const double value = asked.period  ? *asked.period
+                         : asked.hertz ? *asked.hertz
+                                       : *asked.frequency;
+    const double wanted = asked.period  ? value * crossing
+                          : asked.hertz ? periods * second / value
+                                        : periods * second / (first * value);
+    const double nearest = std::round(wanted);
+    Faults faults;
+    if (!asked.period && !asked.hertz && !(first > 0.0)) {
+        faults.add(name, value, "bars that vibrate with their contacts open; hertz is of any");
+    } else if (!(nearest >= 2.0 && nearest <= static_cast<double>(maxHarmonicSteps)) ||
+               (asked.period && std::abs(wanted - nearest) > 1e-9 * nearest)) {
+        faults.add(name, value,
+                   fmt::format("periods of 2..{} steps of {:.6g} s{}", maxHarmonicSteps,
+                               network.scales.time,
+                               asked.period ? fmt::format(", {:.10g} to L/c", crossing) : ""));
+    }
+    faults.throwIfAny();
+    return static_cast<std::int64_t>(nearest);
+}
 
 SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64_t cycles,
                              std::int64_t steps, double amplitude)

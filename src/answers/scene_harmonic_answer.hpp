@@ -7,6 +7,18 @@
 
 namespace signorini::answers {
 
+/// A period that is asked for: one of the three.
+struct AskedSteps {
+    std::optional<double> period = {};     ///< [L/c]
+    std::optional<double> frequency = {};  ///< [omega_1] of these bars, of the excitation
+    std::optional<double> hertz = {};      ///< [Hz], of the excitation
+};
+
+/// Its steps: whole for a period, the nearest for a frequency.
+/// \throws std::invalid_argument naming it and what is allowed.
+[[nodiscard]] std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked,
+                                   std::int64_t cycles);
+
 /// One motion, and what its units are in SI.
 struct SceneHarmonicMotion {
     NetworkHarmonicMotion value;

@@ -54,7 +54,7 @@ std::string nearestName(std::string_view word, const std::vector<std::string>& n
     // The beginning of a single name.
     const auto begins = [&plain](const std::string& name) { return name.starts_with(plain); };
     const auto first = std::find_if(names.begin(), names.end(), begins);
-    if (nearest.empty() && letters >= 4 && first != names.end() &&
+    if (letters >= 4 && first != names.end() &&
         std::none_of(first, names.end(),
                      [&](const std::string& name) { return begins(name) && name != *first; })) {
         nearest = *first;

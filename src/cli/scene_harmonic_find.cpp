@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <numbers>
 
 #include "find_command.hpp"
@@ -11,41 +10,6 @@
 namespace signorini::cli {
 
 namespace {
-
-/// The steps of the period that is asked for: whole for one in L/c, the nearest for a frequency.
-std::int64_t stepsOf(const PeriodQuestion& question, const Assembly& assembly,
-                     const Network& network, std::int64_t cycles)
-{
-    question.requireOne();
-    const double second = 1.0 / network.scales.time;
-    const auto from = [&](double wanted, const char* option, const std::string& word,
-                          const std::string& remedy) {
-        const double nearest = std::round(wanted);
-        if (!(nearest >= 2.0 && nearest <= static_cast<double>(maxHarmonicSteps)) ||
-            (!remedy.empty() && std::abs(wanted - nearest) > 1e-9 * nearest)) {
-            refuse(option, word,
-                   fmt::format("periods of 2..{} steps of {:.6g} s{}", maxHarmonicSteps,
-                               network.scales.time, remedy));
-        }
-        return static_cast<std::int64_t>(nearest);
-    };
-    if (!question.period.empty()) {
-        const double crossing = assembly.length / assembly.waveSpeed * second;
-        return from(parseNumber("--period", question.period, "L/c").value * crossing, "--period",
-                    question.period, fmt::format(", {:.10g} to L/c", crossing));
-    }
-    const auto periods = static_cast<double>(cycles);
-    if (question.hertz) {
-        return from(periods * second / *question.hertz, "--hertz",
-                    fmt::format("{}", *question.hertz), "");
-    }
-    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
-    refuseIf(!(first > 0.0), "--frequency", question.frequency,
-             "bars that vibrate with their contacts open; --hertz is of any");
-    return from(
-        periods * second / (first * parseNumber("--frequency", question.frequency, "ω₁").value),
-        "--frequency", question.frequency, "");
-}
 
 std::string asText(const answers::SceneHarmonicAnswer& answer)
 {
@@ -97,7 +61,15 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     refuseIf(call.given.whole("--contacts").value_or(1) != 1, "--contacts",
              call.given.text("--contacts"), "1 of several bars or segments");
     const Network network = networkOf(assembly);
-    const std::int64_t steps = stepsOf(call.question, assembly, network, call.cycles);
+    const PeriodQuestion& question = call.question;
+    question.requireOne();
+    answers::AskedSteps asked{.hertz = question.hertz};
+    if (!question.period.empty()) {
+        asked.period = parseNumber("--period", question.period, "L/c").value;
+    } else if (!question.frequency.empty()) {
+        asked.frequency = parseNumber("--frequency", question.frequency, "ω₁").value;
+    }
+    const std::int64_t steps = answers::stepsOf(assembly, asked, call.cycles);
     const double hertz =
         static_cast<double>(call.cycles) / (static_cast<double>(steps) * network.scales.time);
     const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);

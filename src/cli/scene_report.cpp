@@ -92,6 +92,16 @@ Json multipliersAsJson(const EnergyFloor& multipliers)
             {"pushes", listed(multipliers.pushes)}};
 }
 
+namespace {
+
+/// What is rounded below 0 where nothing presses is 0.
+double impulseOf(const NetworkResiduals& residuals, std::size_t contact)
+{
+    return std::max(0.0, residuals.impulses[contact]);
+}
+
+}  // namespace
+
 void addForces(Json& contacts, const Network& network, const std::vector<ContactSpan>& schedule,
                const NetworkResiduals& residuals)
 {
@@ -102,7 +112,7 @@ void addForces(Json& contacts, const Network& network, const std::vector<Contact
             steps += contains(span.closed, j) ? static_cast<double>(span.steps) : 0.0;
         }
         contacts[j]["peak_force"] = residuals.peakForces[j] * scales.force();
-        contacts[j]["impulse"] = residuals.impulses[j] * scales.force() * scales.time;
+        contacts[j]["impulse"] = impulseOf(residuals, j) * scales.force() * scales.time;
         contacts[j]["contact_time"] = scales.time * steps;
     }
 }
@@ -114,7 +124,7 @@ std::string forcesAsText(const Network& network, const NetworkResiduals& residua
     for (std::size_t j = 0; j < network.contacts.size(); ++j) {
         text += fmt::format("contact {:<4}force at most {:.6g} N, impulse {:.6g} N s per period\n",
                             j + 1, residuals.peakForces[j] * scales.force(),
-                            residuals.impulses[j] * scales.force() * scales.time);
+                            impulseOf(residuals, j) * scales.force() * scales.time);
     }
     return text;
 }

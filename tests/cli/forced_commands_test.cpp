@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "command_line.hpp"
+#include "signorini/simulation.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -320,12 +321,51 @@ TEST_CASE("cli find: a period in place of a schedule has motions on no grid")
           "find --period 18/5 --contacts 61 --damping 0.1 --force tip --amplitude 1e-4",
           "find --period 1.23456789 --damping 0.1 --force tip --amplitude 1e-4",
           "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --state s.csv",
-          "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --energy 1",
-          "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --segments 2:1,3:2"}) {
+          "find --period 18/5 --damping 0.1 --force tip --amplitude 1e-4 --energy 1"}) {
         const auto outcome = program.run(wrong);
         INFO(wrong << "\n" << outcome.err);
         CHECK(outcome.status == 2);
         CHECK(lines(outcome.err) == 1);
+    }
+}
+
+TEST_CASE("cli find: a frequency of several bars, or of segments, has motions on no grid")
+{
+    const CommandLine program;
+    const std::string force = " --force tip --amplitude 2e-4";
+    // Equal segments are a bar: its own list, from its own engine.
+    const json bar = parsed(program, "find --period 18/5 --damping 0.02 --cells 30" + force);
+    const std::string dash = fmt::format("{:.17g}", Damping{.ratio = 0.02}.eta());
+    const json words = parsed(program, "find --period 18/5 --scene 'clamp 30 dash=" + dash +
+                                           " driven stop=1e-3'" + force);
+    REQUIRE(words["motions"].size() == bar["motions"].size());
+    for (std::size_t k = 0; k < bar["motions"].size(); ++k) {
+        const json& one = words["motions"][k];
+        const json& other = bar["motions"][k]["contacts"][0];
+        CHECK(one["contact_time"].get<double>() ==
+              Approx(other["end"].get<double>()).epsilon(1e-7));
+        CHECK(one["impulse"].get<double>() == Approx(other["impulse"].get<double>()).epsilon(1e-7));
+        CHECK(one["release"] == other["release"]);
+    }
+    const json stepped = parsed(
+        program,
+        "find --hertz 0.27 --segments 15:1,15:1.3 --damping 0.02 --force tip --amplitude 6e-4");
+    CHECK(stepped["status"] == "found");
+    CHECK(stepped["steps"] == 111);
+    CHECK(stepped["motions"][0]["residual"].get<double>() < 1e-9);
+    const std::string bars = "find --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'";
+    for (const std::string& wrong :
+         {bars + " --hertz 1", bars + " --hertz 1 --force base --amplitude 1e-4",
+          bars + " --hertz 1 --force tip", bars + " --hertz 1e-9" + force,
+          bars + " --period 0.3" + force, bars + " 3 4 --hertz 1" + force,
+          bars + " --hertz 1 --state s.csv" + force, bars + " --hertz 1 --certificate c" + force,
+          std::string("find --hertz 1 --scene 'clamp 6 driven stop=1e-3'") + force,
+          std::string("find --hertz 1 --segments 5:1,5:2")}) {
+        const auto outcome = program.run(wrong);
+        INFO(wrong << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+        CHECK(outcome.out.empty());
     }
 }
 
