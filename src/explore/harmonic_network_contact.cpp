@@ -1,201 +1,23 @@
 #include "harmonic_network_contact.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "faults.hpp"
 #include "harmonic_network_walk.hpp"
 #include "harmonic_release.hpp"
-#include "statics.hpp"
+#include "open_network.hpp"
 
 namespace signorini {
 
 namespace {
 
-using Complex = std::complex<double>;
-using Vector = Eigen::VectorXcd;
+using Complex = OpenNetwork::Complex;
+using Vector = OpenNetwork::Vector;
 
 constexpr double sameContact = 1e-7;  // motions nearer than this are one
-constexpr double resonance = 1e-12;   // of a matrix that is nearly singular
-
-/// A network with its contacts open, at one frequency.
-class OpenNetwork {
-public:
-    explicit OpenNetwork(const HarmonicNetwork& given)
-        : given_(given),
-          network_(given.network),
-          law_(network_, 0),
-          scatter_(channels(), channels())
-    {
-        std::vector<double> arriving(network_.channels(), 0.0);
-        std::vector<double> entering(network_.channels(), 0.0);
-        for (Eigen::Index c = 0; c < channels(); ++c) {
-            arriving[static_cast<std::size_t>(c)] = 1.0;
-            law_.scatter(arriving, entering);
-            scatter_.col(c) = Eigen::Map<const Eigen::VectorXd>(entering.data(), channels());
-            arriving[static_cast<std::size_t>(c)] = 0.0;
-        }
-        for (std::size_t row = 0; row < network_.rows.size(); ++row) {
-            delays_.insert(delays_.end(), 2, network_.rows[row].cells);
-        }
-        delays_.resize(network_.channels(), 1);
-    }
-
-    [[nodiscard]] Eigen::Index channels() const
-    {
-        return static_cast<Eigen::Index>(network_.channels());
-    }
-
-    /// What arrives, for what enters, with the factor e^{2 pi i k/n} of a step: (I - DS) w = D s.
-    [[nodiscard]] Vector arriving(std::int64_t k, const Vector& entering) const
-    {
-        Vector delay(channels());
-        for (Eigen::Index c = 0; c < channels(); ++c) {
-            delay[c] = std::conj(power(k, delays_[static_cast<std::size_t>(c)]));
-        }
-        Eigen::MatrixXcd matrix = delay.asDiagonal() * scatter_.cast<Complex>();
-        matrix = Eigen::MatrixXcd::Identity(channels(), channels()) - matrix;
-        const Vector right = delay.asDiagonal() * entering;
-        const Eigen::PartialPivLU<Eigen::MatrixXcd> parts(matrix);
-        if (parts.rcond() > resonance) {
-            return parts.solve(right);
-        }
-        // Waves without damping that nothing excites are left out.
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> least(matrix);
-        least.setThreshold(resonance);
-        Vector waves = least.solve(right);
-        if (!((matrix * waves - right).norm() <= harmonicTolerance * right.norm())) {
-            throw std::invalid_argument("waves that nothing damps resonate at this period");
-        }
-        return waves;
-    }
-
-    /// e^{2 pi i k m/n}.
-    [[nodiscard]] Complex power(std::int64_t k, std::int64_t m) const
-    {
-        const std::int64_t n = given_.steps;
-        return turned(2.0 * std::numbers::pi * static_cast<double>((k % n) * (m % n) % n) /
-                      static_cast<double>(n));
-    }
-
-    /// What a push of 1 at a contact sends into the channels.
-    [[nodiscard]] Vector sentBy(std::size_t contact) const
-    {
-        Vector sent = Vector::Zero(channels());
-        forEachNode(contact, [&](std::size_t node, double sign) {
-            for (std::size_t c = 0; c < network_.channels(); ++c) {
-                if (network_.nodeOf(c) == node) {
-                    sent[static_cast<Eigen::Index>(network_.entered(c))] +=
-                        network_.sign(c) * sign / impedance(node);
-                }
-            }
-        });
-        return sent;
-    }
-
-    /// What A = 1 sends.
-    [[nodiscard]] Vector sentByDrive() const
-    {
-        const std::vector<Complex> still(network_.channels(), 0.0);
-        std::vector<Complex> sent(network_.channels(), 0.0);
-        NetworkLaw<Complex>(network_, 0).scatter(still, sent, force(), base());
-        return Eigen::Map<const Vector>(sent.data(), channels());
-    }
-
-    /// The rate of a contact's distance, when this arrives, a push acts, and the drive.
-    [[nodiscard]] Complex rate(std::size_t contact, const Vector& arriving, double push,
-                               bool isDriven) const
-    {
-        Complex sum = 0.0;
-        forEachNode(contact, [&](std::size_t node, double sign) {
-            const LinearForm<double>& form = law_.velocity(node);
-            for (const auto& term : form.terms) {
-                sum += sign * term.coefficient * arriving[static_cast<Eigen::Index>(term.channel)];
-            }
-            sum += push / impedance(node);
-            if (isDriven) {
-                sum += sign * (form.perForce * force() + form.perBase * base());
-            }
-        });
-        return sum;
-    }
-
-    /// What arrives while a push of 1 holds the network still: of a bar that is held twice waves of
-    /// frequency 0 do not tell how far it is stretched.
-    [[nodiscard]] Vector arrivingStill(std::size_t contact) const
-    {
-        Network shape = network_;
-        std::vector<double> forces(shape.nodes.size(), 0.0);
-        for (NetworkNode& node : shape.nodes) {
-            node.rest = 0.0;
-        }
-        forEachNode(contact, [&](std::size_t node, double sign) { forces[node] = sign; });
-        for (std::size_t bar = 0; bar < shape.bars.size(); ++bar) {
-            addShapeUnder(shape, bar, forces, std::nullopt);
-        }
-        Vector arriving = Vector::Zero(channels());
-        Eigen::Index next = 0;
-        for (const CellRow& row : shape.rows) {
-            const double stretch = (shape.nodes[row.right].rest - shape.nodes[row.left].rest) /
-                                   static_cast<double>(row.cells);
-            arriving[next++] = -0.5 * stretch;
-            arriving[next++] = 0.5 * stretch;
-        }
-        for (const Stub& stub : shape.stubs) {
-            arriving[next++] = stub.kind == StubKind::spring ? -shape.nodes[stub.node].rest : 0.0;
-        }
-        return arriving;
-    }
-
-    /// Distance by a constant push.
-    [[nodiscard]] double compliance(std::size_t contact) const
-    {
-        double sum = 0.0;
-        forEachNode(contact,
-                    [&](std::size_t node, double) { sum += complianceAt(network_, node); });
-        return sum;
-    }
-
-    /// Steps until a wave arrives, by channel.
-    [[nodiscard]] const std::vector<std::int64_t>& delays() const { return delays_; }
-
-private:
-    [[nodiscard]] Complex force() const { return given_.place == Excited::tip ? 1.0 : 0.0; }
-    [[nodiscard]] Complex base() const
-    {
-        return given_.place == Excited::tip ? 0.0 : Complex(0.0, given_.omega());
-    }
-
-    /// Nodes that a push acts on, and by how much their way is that of the distance.
-    template <typename Visit>
-    void forEachNode(std::size_t contact, const Visit& visit) const
-    {
-        const NetworkContact& one = network_.contacts[contact];
-        visit(one.node, one.kind == ContactKind::stopLeft ? 1.0 : -1.0);
-        if (one.kind == ContactKind::gap) {
-            visit(one.node + 1, 1.0);
-        }
-    }
-
-    /// Sum of Z_k + D.
-    [[nodiscard]] double impedance(std::size_t node) const
-    {
-        double sum = network_.nodes[node].dashpot;
-        for (std::size_t c = 0; c < network_.channels(); ++c) {
-            sum += network_.nodeOf(c) == node ? network_.impedanceOf(c) : 0.0;
-        }
-        return sum;
-    }
-
-    const HarmonicNetwork& given_;
-    const Network& network_;
-    NetworkLaw<double> law_;
-    Eigen::MatrixXd scatter_;
-    std::vector<std::int64_t> delays_;
-};
 
 /// Pushes of a number of steps of contact, for A = 1.
 struct HeldSteps {
@@ -219,12 +41,12 @@ public:
         rates[0] = 0.0;
         for (std::int64_t k = 1; 2 * k <= n; ++k) {
             answers_.col(k) = open.arriving(k, sent);
-            rates[k] = open.rate(contact, answers_.col(k), 1.0, false);
+            rates[k] = open.rate(contact, answers_.col(k), 1.0, 0.0);
             answers_.col(n - k) = answers_.col(k).conjugate();
             rates[n - k] = std::conj(rates[k]);
         }
         driven_ = open.arriving(given.cycles, open.sentByDrive());
-        drivenRate_ = open.rate(contact, driven_, 0.0, true);
+        drivenRate_ = open.rate(contact, driven_, 0.0, 1.0);
         for (std::int64_t m = 0; m < n; ++m) {
             double sum = 0.0;
             for (std::int64_t k = 0; k < n; ++k) {

@@ -1,0 +1,154 @@
+#include "open_network.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <numbers>
+#include <stdexcept>
+
+#include "harmonic_motion.hpp"
+#include "statics.hpp"
+
+namespace signorini {
+
+namespace {
+
+constexpr double resonance = 1e-12;  // of a matrix that is nearly singular
+
+/// Visits the nodes that a push acts on, and by how much their way is that of the distance.
+template <typename Visit>
+void forEachPushed(const NetworkContact& contact, const Visit& visit)
+{
+    visit(contact.node, contact.kind == ContactKind::stopLeft ? 1.0 : -1.0);
+    if (contact.kind == ContactKind::gap) {
+        visit(contact.node + 1, 1.0);
+    }
+}
+
+}  // namespace
+
+OpenNetwork::OpenNetwork(const HarmonicNetwork& given)
+    : given_(given), network_(given.network), law_(network_, 0)
+{
+    for (const CellRow& row : network_.rows) {
+        delays_.insert(delays_.end(), 2, row.cells);
+    }
+    delays_.resize(network_.channels(), 1);
+    std::vector<double> arriving(network_.channels(), 0.0);
+    std::vector<double> entering(network_.channels(), 0.0);
+    scatter_.resize(channels(), channels());
+    for (Eigen::Index c = 0; c < channels(); ++c) {
+        arriving[static_cast<std::size_t>(c)] = 1.0;
+        law_.scatter(arriving, entering);
+        scatter_.col(c) = Eigen::Map<const Eigen::VectorXd>(entering.data(), channels());
+        arriving[static_cast<std::size_t>(c)] = 0.0;
+    }
+    for (std::int64_t m = 0; m < given.steps; ++m) {
+        turns_.push_back(turned(2.0 * std::numbers::pi * static_cast<double>(m) /
+                                static_cast<double>(given.steps)));
+    }
+}
+
+OpenNetwork::Vector OpenNetwork::sentBy(std::size_t contact) const
+{
+    Vector sent = Vector::Zero(channels());
+    forEachPushed(network_.contacts[contact], [&](std::size_t node, double sign) {
+        for (std::size_t c = 0; c < network_.channels(); ++c) {
+            if (network_.nodeOf(c) == node) {
+                sent[static_cast<Eigen::Index>(network_.entered(c))] +=
+                    network_.sign(c) * sign / impedance(node);
+            }
+        }
+    });
+    return sent;
+}
+
+OpenNetwork::Vector OpenNetwork::sentByDrive() const
+{
+    const std::vector<Complex> still(network_.channels(), 0.0);
+    std::vector<Complex> sent(network_.channels(), 0.0);
+    NetworkLaw<Complex>(network_, 0).scatter(still, sent, force(), base());
+    return Eigen::Map<const Vector>(sent.data(), channels());
+}
+
+OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent) const
+{
+    Vector delay(channels());
+    for (Eigen::Index c = 0; c < channels(); ++c) {
+        delay[c] = std::conj(power(k, delays_[static_cast<std::size_t>(c)]));
+    }
+    Eigen::MatrixXcd matrix = delay.asDiagonal() * scatter_.cast<Complex>();
+    matrix = Eigen::MatrixXcd::Identity(channels(), channels()) - matrix;
+    const Vector right = delay.asDiagonal() * sent;
+    const Eigen::PartialPivLU<Eigen::MatrixXcd> parts(matrix);
+    if (parts.rcond() > resonance) {
+        return parts.solve(right);
+    }
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> least(matrix);
+    least.setThreshold(resonance);
+    Vector waves = least.solve(right);
+    if (!((matrix * waves - right).norm() <= harmonicTolerance * right.norm())) {
+        throw std::invalid_argument("waves that nothing damps resonate at this period");
+    }
+    return waves;
+}
+
+OpenNetwork::Vector OpenNetwork::arrivingStill(std::size_t contact) const
+{
+    Network shape = network_;
+    std::vector<double> forces(shape.nodes.size(), 0.0);
+    for (NetworkNode& node : shape.nodes) {
+        node.rest = 0.0;
+    }
+    forEachPushed(network_.contacts[contact],
+                  [&](std::size_t node, double sign) { forces[node] = sign; });
+    for (std::size_t bar = 0; bar < shape.bars.size(); ++bar) {
+        addShapeUnder(shape, bar, forces, std::nullopt);
+    }
+    Vector arriving = Vector::Zero(channels());
+    Eigen::Index next = 0;
+    for (const CellRow& row : shape.rows) {
+        const double stretch = (shape.nodes[row.right].rest - shape.nodes[row.left].rest) /
+                               static_cast<double>(row.cells);
+        arriving[next++] = -0.5 * stretch;
+        arriving[next++] = 0.5 * stretch;
+    }
+    for (const Stub& stub : shape.stubs) {
+        arriving[next++] = stub.kind == StubKind::spring ? -shape.nodes[stub.node].rest : 0.0;
+    }
+    return arriving;
+}
+
+OpenNetwork::Complex OpenNetwork::rate(std::size_t contact, const Vector& arriving, double push,
+                                       double drive) const
+{
+    Complex sum = 0.0;
+    forEachPushed(network_.contacts[contact], [&](std::size_t node, double sign) {
+        const LinearForm<double>& form = law_.velocity(node);
+        for (const auto& term : form.terms) {
+            sum += sign * term.coefficient * arriving[static_cast<Eigen::Index>(term.channel)];
+        }
+        sum += push / impedance(node);
+        sum += drive * sign * (form.perForce * force() + form.perBase * base());
+    });
+    return sum;
+}
+
+double OpenNetwork::compliance(std::size_t contact) const
+{
+    double sum = 0.0;
+    forEachPushed(network_.contacts[contact],
+                  [&](std::size_t node, double) { sum += complianceAt(network_, node); });
+    return sum;
+}
+
+/// Sum of Z_k + D.
+double OpenNetwork::impedance(std::size_t node) const
+{
+    double sum = network_.nodes[node].dashpot;
+    for (std::size_t c = 0; c < network_.channels(); ++c) {
+        sum += network_.nodeOf(c) == node ? network_.impedanceOf(c) : 0.0;
+    }
+    return sum;
+}
+
+}  // namespace signorini

@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// A network whose contacts are open, at the frequencies of a period of n steps.
+///
+/// What enters a channel arrives after its delay d, and scatters (N): with S the scattering and D =
+/// diag e^{-2 pi i k d/n}, what arrives is w = D (S w + s), s what pushes and the drive send.
+
+#include <Eigen/Core>
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+#include "harmonic_network.hpp"
+
+namespace signorini {
+
+class OpenNetwork {
+public:
+    using Complex = std::complex<double>;
+    using Vector = Eigen::VectorXcd;
+
+    /// O(n + channels^2). \pre no constant forces.
+    explicit OpenNetwork(const HarmonicNetwork& given);
+
+    [[nodiscard]] Eigen::Index channels() const
+    {
+        return static_cast<Eigen::Index>(delays_.size());
+    }
+    /// Steps until a wave arrives, by channel.
+    [[nodiscard]] const std::vector<std::int64_t>& delays() const { return delays_; }
+    /// e^{2 pi i k m/n}. \pre k, m >= 0.
+    [[nodiscard]] Complex power(std::int64_t k, std::int64_t m) const
+    {
+        const auto n = static_cast<std::int64_t>(turns_.size());
+        return turns_[static_cast<std::size_t>((k % n) * (m % n) % n)];
+    }
+
+    /// What a push of 1 at a contact sends into the channels, and what A = 1 sends.
+    [[nodiscard]] Vector sentBy(std::size_t contact) const;
+    [[nodiscard]] Vector sentByDrive() const;
+    /// w, for the k-th frequency. Waves without damping that nothing excites are left out.
+    /// O(channels^3). \throws std::invalid_argument if such waves resonate.
+    [[nodiscard]] Vector arriving(std::int64_t k, const Vector& sent) const;
+    /// The same where a constant push of 1 holds the network still: of a bar that is held twice
+    /// waves of frequency 0 do not tell how far it is stretched.
+    [[nodiscard]] Vector arrivingStill(std::size_t contact) const;
+    /// The rate of a contact's distance, when this arrives, a push acts, and A = 1 or 0.
+    [[nodiscard]] Complex rate(std::size_t contact, const Vector& arriving, double push,
+                               double drive) const;
+    /// Distance by a constant push of 1.
+    [[nodiscard]] double compliance(std::size_t contact) const;
+
+private:
+    [[nodiscard]] Complex force() const { return given_.place == Excited::tip ? 1.0 : 0.0; }
+    [[nodiscard]] Complex base() const
+    {
+        return given_.place == Excited::tip ? 0.0 : Complex(0.0, given_.omega());
+    }
+    [[nodiscard]] double impedance(std::size_t node) const;
+
+    const HarmonicNetwork& given_;
+    const Network& network_;
+    NetworkLaw<double> law_;
+    std::vector<std::int64_t> delays_;
+    Eigen::MatrixXd scatter_;
+    std::vector<Complex> turns_;  ///< e^{2 pi i m/n}
+};
+
+}  // namespace signorini
