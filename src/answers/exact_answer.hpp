@@ -81,7 +81,7 @@ void describe(D& d, Type<BranchMarkOf>)
 {
     using T = BranchMarkOf;
     d.record("BranchMark", "A named point of a curve of motions.");
-    d.key("event", "-", R"("fold", "new contact", "lost contact", "pin" or "end".)",
+    d.key("event", "-", R"("fold", "grazing", "new contact", "lost contact", "pin" or "end".)",
           [](const T& m) { return name(m.value.event); });
     d.key("after", "- >= 0", "The point of the curve before it.",
           [](const T& m) { return static_cast<std::int64_t>(m.value.after); });

@@ -189,6 +189,8 @@ std::vector<Option> ofForce()
         flag("--exact", response,
              "the harmonic itself in place of a staircase, contacts of any times: all motions "
              "with one, and what a bar at rest settles on; curves with folds"),
+        whole("--force-steps", response, "N", 1, maxCells,
+              "with --exact and --figure: draw beside it what a staircase of N steps in L/c has"),
         positive("--band", response, "B", "-",
                  "largest relative deviation from the amplitude for motions with two contacts",
                  "0.05", "", 1.0),

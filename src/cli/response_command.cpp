@@ -142,6 +142,9 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
             "--exact: allowed with --amplitude, --cycles, --csv and --figure, of a uniform bar; "
             "it says how disturbances grow by itself");
     }
+    const auto forceSteps = given.whole("--force-steps");
+    refuseIf(forceSteps && !given.has("--figure"), "--force-steps", given.text("--force-steps"),
+             "only with --figure");
     answers::ExactAnswer answer{asked, scene, answers::unitsOf(scene), *force.amplitude, {}, {}};
     Outputs outputs(given, {"--csv", "--figure"});
     const std::vector<std::int64_t> steps = stepsOf(asked);
@@ -155,7 +158,11 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
     if (answer.isComplete) {
         outputs.put("--csv", writeExactCsv, answer);
         outputs.draw("--figure", [&] {
-            return exactFigure(answer.frequencies, answer.branches, asked, answer.bar);
+            ResponseRange coarse = asked;
+            coarse.cells = forceSteps.value_or(0);
+            return exactFigure(
+                answer.frequencies, answer.branches, asked, answer.bar,
+                forceSteps ? frequencyResponse(coarse) : std::vector<FrequencyResponse>());
         });
         outputs.commit();
     }
@@ -223,6 +230,8 @@ ExitStatus runResponse(const Given& given)
     if (given.has("--exact")) {
         return runExact(given, common, force, answer.range, answer.scene);
     }
+    refuseIf(given.has("--force-steps"), "--force-steps", given.text("--force-steps"),
+             "only with --exact: without it the force is a staircase of --cells steps");
     Outputs outputs(given, {"--csv", "--map-csv", "--backbone-csv", "--figure", "--map"});
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
         Worker worker{common, given.has("--stability"), cancel, show};

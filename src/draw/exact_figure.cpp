@@ -58,7 +58,8 @@ public:
         hertz_ = 0.25 / unit.time;
     }
 
-    FigureData figure(const std::vector<ExactFrequency>& frequencies)
+    FigureData figure(const std::vector<ExactFrequency>& frequencies,
+                      const std::vector<FrequencyResponse>& staircase)
     {
         FigureData figure;
         figure.title =
@@ -79,6 +80,7 @@ public:
                     .low = low_ * hertz_,
                     .high = high_ * hertz_};
         lower_.y = axisIn(impulseUnit_, "impulse a period", 0.0, 1.15 * impulse_);
+        addStaircase(staircase);
         for (const bool areSeveral : {false, true}) {
             for (std::size_t kind = 0; kind < partSorts.size(); ++kind) {
                 addCurves(kind, areSeveral);
@@ -138,6 +140,22 @@ private:
              fmt::format("{}: {}", areSeveral ? "several contacts" : "one contact", words));
     }
 
+    /// What a force in steps has, to compare.
+    void addStaircase(const std::vector<FrequencyResponse>& staircase)
+    {
+        Series above = dots(Role::faint, 0.6);
+        Series below = above;
+        std::int64_t steps = 0;
+        for (const FrequencyResponse& at : staircase) {
+            for (const ForcedMotion& one : at.motions) {
+                steps = one.schedule.cells;
+                above.add(at.frequencyRatio * hertz_, one.extremes.peakForce * forceUnit_.factor);
+                below.add(at.frequencyRatio * hertz_, one.extremes.impulse * impulseUnit_.factor);
+            }
+        }
+        push(std::move(above), below, fmt::format("staircase, {} steps in L/c", steps));
+    }
+
     /// Attractors of many contacts have curves too short to be seen.
     void addLone(const std::vector<ExactFrequency>& frequencies)
     {
@@ -160,8 +178,9 @@ private:
         Series below = above;
         for (const ExactBranch& branch : branches_) {
             for (const BranchMark& mark : branch.curve.marks) {
-                const bool isChange =
-                    mark.event == BranchEvent::newContact || mark.event == BranchEvent::lostContact;
+                const bool isChange = mark.event == BranchEvent::grazing ||
+                                      mark.event == BranchEvent::newContact ||
+                                      mark.event == BranchEvent::lostContact;
                 if ((areFolds ? mark.event == BranchEvent::fold : isChange) &&
                     branch.curve.points.size() >= 4) {
                     add(above, below, mark.frequencyRatio, branch.curve.points[mark.after].motion);
@@ -204,12 +223,12 @@ Panel tipPanel(Series tip, const Stops& stops, const Unit& place)
 
 FigureData exactFigure(const std::vector<ExactFrequency>& frequencies,
                        const std::vector<ExactBranch>& branches, const ResponseRange& range,
-                       const Bar& bar)
+                       const Bar& bar, const std::vector<FrequencyResponse>& staircase)
 {
     if (frequencies.empty()) {
         throw std::invalid_argument("figure: the response holds no frequency to draw");
     }
-    return ExactPanels(frequencies, branches, range, bar).figure(frequencies);
+    return ExactPanels(frequencies, branches, range, bar).figure(frequencies, staircase);
 }
 
 FigureData harmonicFigure(const HarmonicField& motion, const Scene& scene)

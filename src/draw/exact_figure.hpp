@@ -11,11 +11,13 @@
 namespace signorini {
 
 /// Largest force and impulse against frequency: what attracts full, what repels dashed, what is
-/// not known dotted; several contacts in another colour; folds and new contacts named. \throws
-/// std::invalid_argument without frequencies.
+/// not known dotted; several contacts in another colour; folds and new contacts named; behind them,
+/// if there are any, dots for the motions of a force in steps. \throws std::invalid_argument
+/// without frequencies.
 [[nodiscard]] plot::FigureData exactFigure(const std::vector<ExactFrequency>& frequencies,
                                            const std::vector<ExactBranch>& branches,
-                                           const ResponseRange& range, const Bar& bar);
+                                           const ResponseRange& range, const Bar& bar,
+                                           const std::vector<FrequencyResponse>& staircase = {});
 
 /// A motion over one period, on one axis of time: u(x, t), the tip between its stops, the force on
 /// them.

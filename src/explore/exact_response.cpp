@@ -41,6 +41,26 @@ bool areSame(const HarmonicMotion& x, const HarmonicMotion& y)
            std::abs(std::remainder(x.phase - y.phase, 2.0 * std::numbers::pi)) <= onCurve;
 }
 
+/// Of a point of a curve: as the list says, or at periods between those of the list what growth
+/// says by itself where it is known.
+ExactStability stabilityAt(const BranchPoint& point, const std::vector<ExactFrequency>& all)
+{
+    const double ratio = point.frequencyRatio;
+    const auto at = std::find_if(all.begin(), all.end(), [&](const ExactFrequency& one) {
+        return std::abs(one.frequencyRatio - ratio) <= oneFrequency * ratio;
+    });
+    if (at != all.end()) {
+        const auto same =
+            std::find_if(at->motions.begin(), at->motions.end(),
+                         [&](const ExactMotion& one) { return areSame(one.motion, point.motion); });
+        return same != at->motions.end() ? same->stability
+                                         : exactStability(point.given, point.motion);
+    }
+    const std::optional<double> growth = growthOf(point.given, point.motion);
+    return growth ? ExactStability{growth, *growth < 1.0}
+                  : exactStability(point.given, point.motion);
+}
+
 }  // namespace
 
 ExactStability exactStability(const HarmonicCase& given, const HarmonicMotion& motion)
@@ -120,7 +140,7 @@ std::vector<ExactBranch> exactBranches(const ResponseRange& range,
             ExactBranch branch{
                 alongFrequency(range.damping, excitation, range.stops, one.motion, follow), {}};
             for (const BranchPoint& point : branch.curve.points) {
-                branch.stability.push_back(exactStability(point.given, point.motion));
+                branch.stability.push_back(stabilityAt(point, all));
             }
             branches.push_back(std::move(branch));
         }

@@ -37,7 +37,8 @@ struct ExactFrequency {
     std::vector<ExactMotion> motions;
 };
 
-/// A curve, and stability at each of its points.
+/// A curve, and stability at each of its points: tried at the periods of the list and where growth
+/// is not known, else as growth says.
 struct ExactBranch {
     HarmonicBranch curve;
     std::vector<ExactStability> stability;

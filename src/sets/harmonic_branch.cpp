@@ -47,7 +47,17 @@ std::optional<BranchEvent> change(const std::vector<HarmonicContact>& expected,
                                   const std::vector<HarmonicContact>& found)
 {
     if (expected.size() != found.size()) {
-        return expected.size() < found.size() ? BranchEvent::newContact : BranchEvent::lostContact;
+        const auto& [fewer, more] = std::minmax(
+            expected, found, [](const auto& x, const auto& y) { return x.size() < y.size(); });
+        // Is there one where none was?
+        const bool isTouch = std::any_of(more.begin(), more.end(), [&](const auto& one) {
+            return std::none_of(fewer.begin(), fewer.end(), [&](const auto& other) {
+                return one.begin < other.end && other.begin < one.end;
+            });
+        });
+        return isTouch                          ? BranchEvent::grazing
+               : expected.size() < found.size() ? BranchEvent::newContact
+                                                : BranchEvent::lostContact;
     }
     for (std::size_t k = 0; k < found.size(); ++k) {
         const HarmonicContact& a = expected[k];
@@ -336,6 +346,8 @@ const char* name(BranchEvent event)
     switch (event) {
         case BranchEvent::fold:
             return "fold";
+        case BranchEvent::grazing:
+            return "grazing";
         case BranchEvent::newContact:
             return "new contact";
         case BranchEvent::lostContact:

@@ -19,13 +19,14 @@ namespace signorini {
 /// What happens at a named point.
 enum class BranchEvent {
     fold,         ///< the curve turns back
-    newContact,   ///< a contact begins to be
-    lostContact,  ///< one ends to be
+    grazing,      ///< the tip comes to touch a stop where it flew, or no longer does
+    newContact,   ///< a release parts a contact in two
+    lostContact,  ///< two become one
     pin,          ///< another front ends a contact, or none does any more
     end,          ///< not followed further
 };
 
-/// "fold", "new contact", "lost contact", "pin", "end".
+/// "fold", "grazing", "new contact", "lost contact", "pin", "end".
 [[nodiscard]] const char* name(BranchEvent event);
 
 struct BranchPoint {

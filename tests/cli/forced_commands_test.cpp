@@ -537,6 +537,39 @@ TEST_CASE("cli response, simulate: wrong use is one line, status 2 and no file")
     CHECK(program.run("simulate --time 1 --from no.csv").status == 4);
 }
 
+TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
+{
+    const CommandLine program;
+    const std::string asked =
+        "response --exact --cells 10 --damping 0.05 --force tip --amplitude 4e-4 --from 0.9 --to "
+        "1.3";
+    const json answer = parsed(program, asked);
+    REQUIRE(answer["branches"].size() > 0);
+    for (const json& branch : answer["branches"]) {
+        for (const json& mark : branch["marks"]) {
+            const std::string event = mark["event"];
+            INFO(event);
+            CHECK((event == "fold" || event == "grazing" || event == "new contact" ||
+                   event == "lost contact" || event == "pin" || event == "end"));
+        }
+    }
+    const auto drawn = program.run(asked + " --quiet --force-steps 40 --figure exact.svg");
+    if (drawn.status != 4) {  // there is gnuplot
+        CHECK(drawn.status == 0);
+        CHECK_THAT(contentOf(program.file("exact.svg")),
+                   containsText("staircase, 40 steps in L/c") && containsText("one contact"));
+    }
+    for (const std::string& wrong :
+         {asked + " --force-steps 40", asked + " --force-steps 0 --figure f.svg",
+          std::string("response --cells 10 --damping 0.05 --force tip "
+                      "--amplitude 4e-4 --force-steps 40")}) {
+        const auto outcome = program.run(wrong);
+        INFO(wrong << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+    }
+}
+
 TEST_CASE("cli response, simulate: figures with their labels")
 {
     const CommandLine program;
