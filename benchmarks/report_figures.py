@@ -23,10 +23,10 @@ STYLES = {
     "ipopt": ("#d55e00", "X"), "nlopt-slsqp": ("#cc79a7", "d"),
     "nlopt-auglag": ("#cc79a7", "h"), "nlopt-cobyla": ("#cc79a7", "*"),
     "characteristics": ("#0072b2", "p"), "Moreau-Jean": ("#777777", "x"),
-    "Newmark, penalty": ("#d55e00", "v"),
-    "damped Newmark, penalty": ("#cc79a7", "^"),
-    "mass redistribution": ("#009e73", "s"),
-    "CVODE, penalty": ("#e69f00", "p"),
+    "Newmark, penalty": ("#d55e00", "H"),
+    "damped Newmark, penalty": ("#cc79a7", "+"),
+    "mass redistribution": ("#009e73", "1"),
+    "CVODE, penalty": ("#e69f00", "4"),
     "march from rest": ("#56b4e9", "8"),
 }
 
