@@ -16,6 +16,7 @@ namespace {
 
 using Complex = OpenNetwork::Complex;
 using Vector = OpenNetwork::Vector;
+using Eigen::Index;
 
 constexpr double sameContact = 1e-7;  // motions nearer than this are one
 
@@ -33,13 +34,13 @@ public:
                          std::vector<NetworkHarmonicMotion>& found)
         : given_(given), open_(open), contact_(contact), found_(found)
     {
-        const std::int64_t n = given.steps;
+        const auto n = static_cast<Index>(given.steps);
         const Vector sent = open.sentBy(contact);
         Vector rates(n);
         answers_.resize(open.channels(), n);
         answers_.col(0) = open.arrivingStill(contact);
         rates[0] = 0.0;
-        for (std::int64_t k = 1; 2 * k <= n; ++k) {
+        for (Index k = 1; 2 * k <= n; ++k) {
             answers_.col(k) = open.arriving(k, sent);
             rates[k] = open.rate(contact, answers_.col(k), 1.0, 0.0);
             answers_.col(n - k) = answers_.col(k).conjugate();
@@ -47,9 +48,9 @@ public:
         }
         driven_ = open.arriving(given.cycles, open.sentByDrive());
         drivenRate_ = open.rate(contact, driven_, 0.0, 1.0);
-        for (std::int64_t m = 0; m < n; ++m) {
+        for (Index m = 0; m < n; ++m) {
             double sum = 0.0;
-            for (std::int64_t k = 0; k < n; ++k) {
+            for (Index k = 0; k < n; ++k) {
                 sum += (rates[k] * open.power(k, m)).real();
             }
             rates_.push_back(sum / static_cast<double>(n));
@@ -67,7 +68,7 @@ public:
     void run()
     {
         levinson();
-        for (std::int64_t j = 1; j < given_.steps; ++j) {
+        for (Index j = 1; j < given_.steps; ++j) {
             const auto i = static_cast<std::size_t>(j);
             addSmooth(j - 1, held_[i], held_[i - 1]);
             addPinned(j, held_[i]);
@@ -75,9 +76,9 @@ public:
     }
 
 private:
-    [[nodiscard]] double rateAfter(std::int64_t steps) const
+    [[nodiscard]] double rateAfter(Index steps) const
     {
-        const std::int64_t n = given_.steps;
+        const auto n = static_cast<Index>(given_.steps);
         return rates_[static_cast<std::size_t>((steps % n + n) % n)];
     }
 
@@ -87,10 +88,10 @@ private:
         Vector pushes(0);
         Eigen::VectorXd first(0);  // pushes with rate 1 in the first step, 0 in the others
         Eigen::VectorXd last(0);
-        for (std::int64_t j = 0;; ++j) {
+        for (Index j = 0;; ++j) {
             Complex next = drivenRate_ * given_.turn(j);
             Complex displaced = 0.0;
-            for (std::int64_t i = 0; i < j; ++i) {
+            for (Index i = 0; i < j; ++i) {
                 next += rateAfter(j - i) * pushes[i];
                 displaced += ways_[static_cast<std::size_t>(given_.steps - 1 - i)] * pushes[i];
             }
@@ -100,7 +101,7 @@ private:
             }
             double below = 0.0;
             double above = 0.0;
-            for (std::int64_t i = 0; i < j; ++i) {
+            for (Index i = 0; i < j; ++i) {
                 below += rateAfter(j - i) * first[i];
                 above += rateAfter(-(i + 1)) * last[i];
             }
@@ -141,7 +142,7 @@ private:
     }
 
     /// R(tau) = 0 in step j.
-    void addSmooth(std::int64_t j, const HeldSteps& early, const HeldSteps& late)
+    void addSmooth(Index j, const HeldSteps& early, const HeldSteps& late)
     {
         const ReleaseCell cell{
             (drivenRate_ + given_.turn(1) * late.displaced - early.displaced) * integrate(),
@@ -155,7 +156,7 @@ private:
     }
 
     /// tau = j, where a front ends the contact.
-    void addPinned(std::int64_t j, const HeldSteps& held)
+    void addPinned(Index j, const HeldSteps& held)
     {
         const Complex gap = (drivenRate_ + (given_.turn(1) - 1.0) * held.displaced) * integrate();
         const double near = harmonicTolerance * (lengthOf(held.next) + lengthOf(drivenRate_));
@@ -205,32 +206,33 @@ private:
     /// All waves at t = 0, in the order of Network::waves: what arrives in the steps to come.
     [[nodiscard]] std::vector<Complex> wavesOf(const Vector& pushes, Complex excitation) const
     {
-        const std::int64_t n = given_.steps;
+        const auto n = static_cast<Index>(given_.steps);
         Vector spectrum = Vector::Zero(n);
-        for (std::int64_t k = 0; k < n; ++k) {
-            for (std::int64_t i = 0; i < pushes.size(); ++i) {
+        for (Index k = 0; k < n; ++k) {
+            for (Index i = 0; i < pushes.size(); ++i) {
                 spectrum[k] += pushes[i] * std::conj(open_.power(k, i));
             }
         }
-        const auto arriving = [&](Eigen::Index channel, std::int64_t m) {
+        const auto arriving = [&](Index channel, Index m) {
             Complex sum = 0.0;
-            for (std::int64_t k = 0; k < n; ++k) {
+            for (Index k = 0; k < n; ++k) {
                 sum += answers_(channel, k) * spectrum[k] * open_.power(k, m);
             }
             return excitation * (sum / static_cast<double>(n) + driven_[channel] * given_.turn(m));
         };
         std::vector<Complex> waves;
-        const auto rows = static_cast<Eigen::Index>(given_.network.rows.size());
-        for (Eigen::Index row = 0; row < rows; ++row) {
-            const std::int64_t cells = open_.delays()[static_cast<std::size_t>(2 * row)];
-            for (std::int64_t cell = cells; cell-- > 0;) {
+        const auto rows = static_cast<Index>(given_.network.rows.size());
+        for (Index row = 0; row < rows; ++row) {
+            const auto cells =
+                static_cast<Index>(open_.delays()[static_cast<std::size_t>(2 * row)]);
+            for (Index cell = cells; cell-- > 0;) {
                 waves.push_back(arriving(2 * row, cell));
             }
-            for (std::int64_t cell = 0; cell < cells; ++cell) {
+            for (Index cell = 0; cell < cells; ++cell) {
                 waves.push_back(arriving(2 * row + 1, cell));
             }
         }
-        for (Eigen::Index channel = 2 * rows; channel < open_.channels(); ++channel) {
+        for (Index channel = 2 * rows; channel < open_.channels(); ++channel) {
             waves.push_back(arriving(channel, 0));
         }
         return waves;

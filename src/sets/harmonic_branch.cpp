@@ -47,17 +47,18 @@ std::optional<BranchEvent> change(const std::vector<HarmonicContact>& expected,
                                   const std::vector<HarmonicContact>& found)
 {
     if (expected.size() != found.size()) {
-        const auto& [fewer, more] = std::minmax(
-            expected, found, [](const auto& x, const auto& y) { return x.size() < y.size(); });
+        const bool isLess = expected.size() < found.size();
+        const auto& fewer = isLess ? expected : found;
+        const auto& more = isLess ? found : expected;
         // Is there one where none was?
         const bool isTouch = std::any_of(more.begin(), more.end(), [&](const auto& one) {
             return std::none_of(fewer.begin(), fewer.end(), [&](const auto& other) {
                 return one.begin < other.end && other.begin < one.end;
             });
         });
-        return isTouch                          ? BranchEvent::grazing
-               : expected.size() < found.size() ? BranchEvent::newContact
-                                                : BranchEvent::lostContact;
+        return isTouch  ? BranchEvent::grazing
+               : isLess ? BranchEvent::newContact
+                        : BranchEvent::lostContact;
     }
     for (std::size_t k = 0; k < found.size(); ++k) {
         const HarmonicContact& a = expected[k];
