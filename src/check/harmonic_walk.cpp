@@ -220,8 +220,10 @@ private:
     void addPeaks(std::vector<Peak>& peaks, Complex z, double begin, double end) const
     {
         const auto first = static_cast<std::ptrdiff_t>(peaks.size());
+        const double middle = 0.5 * (begin + end);  // of a piece that may be shorter than that
         for (Peak peak : peaksOf(z, given_.omega * begin, given_.omega * end)) {
-            peak.angle = std::clamp(peak.angle / given_.omega, begin + besides, end - besides);
+            peak.angle = std::clamp(peak.angle / given_.omega, std::min(begin + besides, middle),
+                                    std::max(end - besides, middle));
             peaks.push_back(peak);
         }
         std::sort(peaks.begin() + first, peaks.end(),
