@@ -5,6 +5,7 @@
 #include "catch.hpp"
 #include "harmonic_contact.hpp"
 #include "harmonic_network_contact.hpp"
+#include "has_solver.hpp"
 #include "infinity.hpp"
 #include "network_forced.hpp"
 #include "signorini/assembly.hpp"
@@ -111,6 +112,9 @@ TEST_CASE(
           "clamp 3 4:1.7 dash=0.1 driven stop=1e-3", "clamp shaken 2 3:0.6 dash=0.1 stop=1e-3",
           "clamp 3 driven stop=5e-4 4 dash=0.3 2 clamp"}) {
         const Network network = barsOf(words);
+        if (network.bars.size() == 1 && network.nodes.back().isClamped && !test::hasSimplex()) {
+            continue;  // some of its waves have a node at the dashpot: staircases need programs
+        }
         const bool isShaken = network.nodes.front().isShaken;
         const Excited place = isShaken ? Excited::base : Excited::tip;
         const double unit = isShaken ? static_cast<double>(network.cells()) : 1.0;
