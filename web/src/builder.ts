@@ -54,7 +54,11 @@ export class Builder {
     this.listenToBars();
   }
 
-  private get motion(): SceneMotion { return this.explorer.view.motion as SceneMotion; }
+  /** Of quick clicks each changes what the one before has asked for. */
+  private get motion(): SceneMotion {
+    const { asked, view } = this.explorer;
+    return (asked.show === 'scene' ? asked : view.motion) as SceneMotion;
+  }
   private get words(): string[] { return this.motion.words.trim().split(/\s+/); }
 
   private slide(id: string, change: (value: number) => Change): void {
