@@ -15,8 +15,9 @@ namespace signorini::answers {
 
 using HarmonicContactOf = Of<HarmonicContact>;
 
-/// "pinned", or "smooth".
-[[nodiscard]] inline const char* releaseOf(const HarmonicContact& contact)
+/// "pinned", or "smooth": of a contact, or of a motion with one.
+template <typename T>
+[[nodiscard]] const char* releaseOf(const T& contact)
 {
     return contact.isPinned ? "pinned" : "smooth";
 }
@@ -86,7 +87,7 @@ void describe(D& d, Type<HarmonicContactOf>)
     d.key("end_ratio", "L/c > 0", "The same.", ofValue(&C::end));
     d.key("stop", "-", R"("right", or "left".)", ofValue(&C::stop));
     d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
-          ofValue(&releaseOf));
+          ofValue(&releaseOf<HarmonicContact>));
     d.key("impulse", "N s > 0", "Of the stop on the tip.", ofValue(&C::impulse, &impulseUnit));
     d.key("peak_force", "N > 0", "Largest.", ofValue(&C::peakForce, &forceUnit));
     d.key("speed", "m/s >= 0", "Of the tip when it meets the stop.",

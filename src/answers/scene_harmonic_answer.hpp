@@ -2,6 +2,7 @@
 /// \file
 /// What is said of bars in a row whose excitation is an exact harmonic.
 
+#include "harmonic_answer.hpp"
 #include "harmonic_network.hpp"
 #include "scene_answer.hpp"
 
@@ -64,7 +65,7 @@ void describe(D& d, Type<SceneHarmonicMotion>)
     d.key("contact_steps", "- > 0", "The same in steps.",
           [](const T& m) { return m.value.release; });
     d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
-          [](const T& m) { return m.value.isPinned ? "pinned" : "smooth"; });
+          [](const T& m) { return releaseOf(m.value); });
     d.key("phase", "rad", "Of the excitation at the start of contact.",
           [](const T& m) { return m.value.phase; });
     d.key("impulse", "N s > 0", "Of the contact in a period.",

@@ -108,11 +108,8 @@ private:
             }
         }
         for (const NetworkContact& contact : network_.contacts) {
-            const double here = places[contact.node];
-            distances_.push_back(contact.gap + (contact.kind == ContactKind::stopRight ? -here
-                                                : contact.kind == ContactKind::stopLeft
-                                                    ? here
-                                                    : places[contact.node + 1] - here));
+            distances_.push_back(
+                contact.gap + openingOf(contact, [&](std::size_t node) { return places[node]; }));
         }
     }
 
@@ -129,15 +126,9 @@ private:
     /// The distance of a contact that is open.
     void part(const NetworkLaw<Complex>& law, const Lane& lane, std::size_t j)
     {
-        const NetworkContact& contact = network_.contacts[j];
-        const auto speed = [&](std::size_t node) {
+        const Complex rate = openingOf(network_.contacts[j], [&](std::size_t node) {
             return law.velocity(node).at(lane.waves.arriving(), force_, base_);
-        };
-        const Complex here = speed(contact.node);
-        const Complex rate = contact.kind == ContactKind::stopRight ? -here
-                             : contact.kind == ContactKind::stopLeft
-                                 ? here
-                                 : speed(contact.node + 1) - here;
+        });
         const Complex way = rate / slope_;
         const double begin = given_.omega() * lane.from;
         const HarmonicBounds seen = boundsOf(way, begin, given_.omega() * lane.to);

@@ -50,8 +50,6 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
              "--period, --frequency, --hertz: of several bars allowed only together with --force");
     force.requirePlace();
     force.requireAmplitude();
-    refuseIf(force.ratio.has_value() && call.common.hasScene(),
-             "--damping clashes with --scene: allowed dash=D among its words");
     for (const char* name : {"--state", "--certificate", "--figure", "--motion", "--animate"}) {
         refuseIf(call.given.has(name), name, call.given.text(name),
                  "none with --period, --frequency and --hertz of several bars or segments");

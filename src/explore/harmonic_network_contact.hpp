@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// All motions with one contact in a period of a network under an exact harmonic.
+/// All motions with one contact in a period of a network under an exact harmonic, where dashpots
+/// damp all its waves; computed in doubles, so an empty list is no proof.
 ///
 /// A network answers a push of a step at contact k with rates g_m of its distance, and a harmonic
 /// with the rate Y: in contact pushes Q_i, the same harmonics in all steps, keep it closed,

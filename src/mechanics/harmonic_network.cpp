@@ -44,10 +44,7 @@ Network underConstantForces(Network network)
         return shape.nodes[node].rest - network.nodes[node].rest;
     };
     for (NetworkContact& contact : network.contacts) {
-        contact.gap += contact.kind == ContactKind::stopRight ? -moved(contact.node)
-                       : contact.kind == ContactKind::stopLeft
-                           ? moved(contact.node)
-                           : moved(contact.node + 1) - moved(contact.node);
+        contact.gap += openingOf(contact, moved);
     }
     return network;
 }

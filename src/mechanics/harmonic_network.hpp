@@ -30,6 +30,16 @@ struct HarmonicNetwork {
     [[nodiscard]] std::complex<double> turn(std::int64_t m) const;
 };
 
+/// What the distance of a contact grows by while nodes move by way(node): -u, u, or u_next - u.
+template <typename Way>
+[[nodiscard]] auto openingOf(const NetworkContact& contact, const Way& way)
+{
+    const auto here = way(contact.node);
+    return contact.kind == ContactKind::stopRight  ? -here
+           : contact.kind == ContactKind::stopLeft ? here
+                                                   : way(contact.node + 1) - here;
+}
+
 /// One motion; t = 0 is where contact begins.
 struct NetworkHarmonicMotion {
     std::size_t contact = 0;                  ///< the one that closes
