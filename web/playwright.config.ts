@@ -1,3 +1,4 @@
+import { availableParallelism } from 'node:os';
 import { defineConfig } from '@playwright/test';
 
 export default defineConfig({
@@ -5,7 +6,9 @@ export default defineConfig({
   testMatch: '*.spec.ts',
   timeout: 180_000,
   expect: { timeout: 30_000 },
-  workers: 1,
+  // The page has a thread for itself and one for the library.
+  workers: Math.max(1, Math.floor(availableParallelism() / 2)),
+  fullyParallel: true,
   reporter: 'dot',
   outputDir: '../build/web-tests',
   use: {

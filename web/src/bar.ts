@@ -29,6 +29,7 @@ export class Film {
   readonly mostForce: number;
   readonly mostDisplacement: number;
   readonly mostCompression: number;  // of a part between two nodes [g/L]
+  readonly reach: [number, number];
 
   constructor(answer: Answer, gap: number, stop: number | undefined) {
     const { json } = answer;
@@ -58,6 +59,7 @@ export class Film {
     }
     this.mostCompression = -shortest;
     this.mostStrain = Math.max(-shortest, longest) || 1;
+    this.reach = this.reachOf();
   }
 
   get isScene(): boolean { return this.tip.length === 0; }
@@ -86,7 +88,7 @@ export class Film {
     return contact === 0 ? this.force[place] : -this.force[place];
   }
   /** How far to the left and to the right of the bars at rest things go [g]. */
-  get reach(): [number, number] {
+  private reachOf(): [number, number] {
     const last = this.nodes - 1;
     const end = this.offsets[last];
     let [low, high] = [0, end];
@@ -123,8 +125,7 @@ export interface Kept { film: Film; name: string }
 export class BarView {
   private readonly context: Drawing;
   private lut: string[] = [];
-  private film_: Film | undefined;
-  private reach: [number, number] = [0, 1];
+  film: Film | undefined;
   kept: Kept | undefined;     // drawn below, at the same time
   magnified = 100;            // as the reader wants it
   pluck: Pluck | undefined;   // shown instead of the motion while the bar is held
@@ -140,30 +141,32 @@ export class BarView {
     }).observe(canvas);
   }
 
-  get film(): Film | undefined { return this.film_; }
-  set film(film: Film | undefined) {
-    this.film_ = film;
-    if (film) this.reach = film.reach;
-  }
-
   recolour(): void {
     const map = diverging();
     this.lut = Array.from({ length: levels }, (_, k) => asText(map(k / (levels - 1))));
+  }
+
+  /** How far to the left and to the right of bars at rest the motions go [g]. */
+  private get reach(): [number, number] {
+    const all = [this.film, this.kept?.film].flatMap((film) => (film ? [film.reach] : []));
+    return [Math.min(0, ...all.map(([low]) => low)), Math.max(0, ...all.map(([, high]) => high))];
   }
 
   /** Displacements are drawn so many times larger, of both motions where there are two. */
   get drawn(): number {
     const { pluck, kept, film } = this;
     const compression = pluck ? -pluck.displacement / pluck.place : Math.max(film?.mostCompression ?? 0, kept?.film.mostCompression ?? 0);
-    return drawnTimes(this.magnified, compression, this.reach[1] - this.reach[0]);
+    const [low, high] = this.reach;
+    return drawnTimes(this.magnified, compression, high - low);
   }
 
   /** Where x = 0 stands, pixels of a length L, and of one g. */
   private frame(): { left: number; length: number; unit: number } {
     const room = 36 * letters();
     const share = gapShare * this.drawn;
-    const length = (this.canvas.clientWidth - 2 * room) / (1 + share * (this.reach[1] - this.reach[0]));
-    return { left: room - share * length * this.reach[0], length, unit: share * length };
+    const [low, high] = this.reach;
+    const length = (this.canvas.clientWidth - 2 * room) / (1 + share * (high - low));
+    return { left: room - share * length * low, length, unit: share * length };
   }
 
   /** Where on the bar at rest a pointer is, 0..1 and beyond. */
@@ -211,7 +214,7 @@ export class BarView {
     const line = 18 * letters();
     const bottom = height - 1.1 * line;
     const most = Math.max(film?.mostStrain ?? 1, kept?.film.mostStrain ?? 0);
-    const thick = kept ? bottom / 2 - 1.7 * line : bottom - 2 * line;
+    const thick = kept ? bottom / 2 - 2.1 * line : bottom - 2 * line;
     if (film) this.drawBars(c, film, this.share, 1.3 * line, thick, most, this.pluck);
     if (film && kept) {
       const period = kept.film.end - kept.film.begin;
@@ -221,14 +224,16 @@ export class BarView {
       c.font = fontOf(12);
       c.textAlign = 'left';
       c.textBaseline = 'top';
-      c.fillText(`kept: ${kept.name}`, 40, bottom / 2 + 2, width - 110);
+      const room = width - 40 - 80 * letters();
+      const whole = `kept: ${kept.name}`;
+      c.fillText(c.measureText(whole).width < room ? whole : whole.split(': ').slice(0, 2).join(': '), 40, bottom / 2 + 2, room);
     }
     c.fillStyle = ink;
     c.font = fontOf(12);
     c.textBaseline = 'alphabetic';
     c.textAlign = 'left';
     const why = this.drawn < this.magnified * 0.999 ? `, for × ${this.magnified} would draw one thing through another` : '';
-    const times = `displacements × ${shown(this.drawn, 3)}${width > 560 ? why : ''}`;
+    const times = `displacements × ${shown(this.drawn, 3)}${width > 700 ? why : ''}`;
     c.fillText(times, 8, height - 5);
     this.drawScale(c, height, most, width - 8, 16 + c.measureText(times).width);
   }

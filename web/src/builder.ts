@@ -38,11 +38,14 @@ export class Builder {
     list.append(new Option('a scene of your own', ''), ...models.map(({ name }, k) => new Option(name, String(k))));
     list.onchange = () => { if (list.value !== '') void explorer.show({ show: 'scene', from: 0, ...models[Number(list.value)].motion }); };
     byId('palette').append(...palette.map((word) => {
-      const button = Object.assign(document.createElement('button'), { textContent: `+ ${kindOf(word)}`, title: titles[kindOf(word)], draggable: true });
+      const button = Object.assign(document.createElement('button'), { textContent: `+ ${word.includes('=-') ? 'left ' : ''}${kindOf(word)}`, title: titles[kindOf(word)], draggable: true });
       button.onclick = () => this.build([...this.words, word]);
       button.ondragstart = (event) => event.dataTransfer?.setData('text/plain', word);
       return button;
     }));
+    const parts = byId('parts');
+    parts.ondragover = (event) => event.preventDefault();
+    parts.ondrop = (event) => { if (event.target === parts) this.drop(event, this.words.length); };
     byId<HTMLFormElement>('words-form').onsubmit = (event) => {
       event.preventDefault();
       this.build(input('words').value.trim().split(/\s+/));
@@ -123,7 +126,7 @@ export class Builder {
     const of = models.findIndex((one) => one.motion.words === motion.words);
     byId<HTMLSelectElement>('scene-model').value = of < 0 ? '' : String(of);
     if (document.activeElement !== input('words')) input('words').value = motion.words;
-    if (!byId('parts').contains(document.activeElement)) byId('parts').replaceChildren(...this.words.map((word, k) => this.chip(word, k)));
+    this.followParts(motion.words);
     this.followHands(motion);
     input('weight').value = String(motion.gravity ?? 0);
     byId('weight-value').textContent = motion.gravity ? withUnit('weight', motion.gravity / 1e-3, 3) : 'none';
@@ -133,6 +136,17 @@ export class Builder {
     input('scene-frequency').value = String(motion.frequency ?? 0.9);
     byId('scene-amplitude-value').textContent = withUnit(words.includes('driven') ? 'force' : 'displacement', (motion.amplitude ?? 0) / 1e-3, 3);
     byId('scene-frequency-value').textContent = `${shown(motion.frequency ?? 0.9, 3)} of its own first`;
+  }
+
+  /** What is typed in a part stays until it is done, and the focus where it was. */
+  private followParts(words: string): void {
+    const parts = byId('parts');
+    if (parts.dataset.words === words) return;
+    parts.dataset.words = words;
+    const focusable = (): HTMLElement[] => [...parts.querySelectorAll<HTMLElement>('input, button')];
+    const at = focusable().indexOf(document.activeElement as HTMLElement);
+    parts.replaceChildren(...this.words.map((word, k) => this.chip(word, k)));
+    focusable()[at]?.focus();
   }
 
   /** A slider for each bar: pulled, or thrown. */
@@ -180,12 +194,15 @@ export class Builder {
       chip.classList.add('over');
     };
     chip.ondragleave = () => chip.classList.remove('over');
-    chip.ondrop = (event) => {
-      event.preventDefault();
-      const from = this.dragged;
-      const words = from < 0 ? this.words : this.words.toSpliced(from, 1);
-      this.build(words.toSpliced(from >= 0 && from < k ? k - 1 : k, 0, event.dataTransfer?.getData('text/plain') ?? ''));
-    };
+    chip.ondrop = (event) => this.drop(event, k);
     return chip;
+  }
+
+  /** A part is dropped before the part k, or after all of them. */
+  private drop(event: DragEvent, k: number): void {
+    event.preventDefault();
+    const from = this.dragged;
+    const words = from < 0 ? this.words : this.words.toSpliced(from, 1);
+    this.build(words.toSpliced(from >= 0 && from < k ? k - 1 : k, 0, event.dataTransfer?.getData('text/plain') ?? ''));
   }
 }

@@ -318,7 +318,6 @@ export class Controls {
     byId('forcing').hidden = view.map !== 'response' || motion.show === 'scene';
     byId('units').textContent = view.units === 'si' ? 'Scaled units' : 'SI units';
     byId('beside').setAttribute('aria-pressed', String(Boolean(this.explorer.bar.kept)));
-    byId('beside').textContent = this.explorer.bar.kept ? 'Stop comparing' : 'Compare';
     this.labels();
     if (isShown('take')) this.followTake(motion);
   }

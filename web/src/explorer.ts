@@ -47,7 +47,7 @@ export class Explorer {
     this.asked = this.view.motion;
     this.map = new MapView(byId('map'), (pick) => void this.pick(pick));
     this.sweeps = new Sweeps(this);
-    addEventListener('hashchange', () => this.follow(location.hash));
+    addEventListener('hashchange', () => void this.follow(location.hash));
     const isDragged = (event: Event): boolean => event.target instanceof HTMLInputElement && event.target.type === 'range';
     for (const kind of ['click', 'change', 'submit', 'input']) {
       addEventListener(kind, (event) => { this.isChoice = !isDragged(event); }, { capture: true });
@@ -63,11 +63,13 @@ export class Explorer {
     this.onShown();
   }
 
-  follow(link: string): void {
-    this.view = this.read(link);
+  follow(link: string): Promise<void> {
+    const { motion, ...rest } = this.read(link);
+    this.view = { ...rest, motion: this.view.motion };
+    this.asked = motion;
     units.system = this.view.units;
     this.showMap(this.view.map);
-    void this.show(this.view.motion, true);
+    return this.show(motion, true);
   }
 
   /** The view of a link; what was wrong with it is said when its motion is shown. */
@@ -96,7 +98,7 @@ export class Explorer {
         this.film = answer.has('u') ? this.filmOf(motion, answer) : undefined;
         this.showAnswer(motion, answer);
       } catch (fault) {
-        this.say(`${(fault as Error).message}. What is shown stays as it was.`);
+        this.say(`${(fault as Error).message}. ${this.answer ? 'What is shown stays as it was.' : 'The paper’s case is shown instead.'}`);
         if (!this.answer) {
           this.view = fromLink('').view;
           const answer = await this.library.ask(this.view.motion as unknown as Question);
@@ -266,8 +268,8 @@ export class Explorer {
       const seen: [number, number, number][] = [];
       for (let done = 0, all = 1; done < all; ) {
         const answer = await this.library.ask({ show: 'response', cells, damping, place, amplitude, least, most, stability, done,
-          count: stability ? 1 : 8 });
-        if (run !== this.responseRun) return;
+          count: stability ? 1 : 8 }).catch((fault: Error) => { byId('progress').textContent = `${fault.message}.`; });
+        if (!answer || run !== this.responseRun) return;
         [done, all] = [Number(answer.json.done), Number(answer.json.all)];
         const rows = answer.array('motions');
         for (let i = 0; i < rows.length; i += 6) {
@@ -361,7 +363,7 @@ export class Explorer {
   keepLink(): void {
     clearTimeout(this.linkTimer);
     this.linkTimer = window.setTimeout(() => {
-      const link = `#${asLink(this.view)}`;
+      const link = `#${asLink({ ...this.view, motion: this.asked })}`;
       const isEntry = this.isChoice && location.hash !== '' && whatOf(link) !== whatOf(location.hash);
       this.isChoice = false;
       history[isEntry ? 'pushState' : 'replaceState'](null, '', link);

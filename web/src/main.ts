@@ -29,7 +29,7 @@ byId('copy-link').onclick = async () => {
   } catch {
     explorer.say(`The link of this view: ${location.href}`);
   }
-  setTimeout(() => { byId('copy-link').textContent = 'Copy link'; }, 2000);
+  setTimeout(() => { byId('copy-link').textContent = 'Link'; }, 2000);
 };
 
 listenToLecture(() => explorer.redraw());

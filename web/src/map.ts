@@ -225,7 +225,7 @@ export class MapView {
 
   showResponse(forcing: Forcing): void {
     const most = Math.max(0.5, ...this.response.map((p) => p.impulse), ...this.sweep.map((p) => p.most));
-    this.plot.show({ x: ['frequency of the excitation', 'frequency'], y: ['impulse in a period', 'impulse'], xRange: [forcing.least, forcing.most],
+    this.plot.show({ x: ['frequency of the excitation', 'frequency'], y: ['impulse', 'impulse'], xRange: [forcing.least, forcing.most],
       yRange: [0, 1.08 * most], zoom: true }, [[forcing.least, forcing.most], [0, 1]], [{ show: false }], (plot) => this.drawResponse(plot));
   }
 
@@ -261,13 +261,18 @@ export class MapView {
     c.fill();
     c.restore();
     const { left, width } = plot.bbox;
-    c.fillStyle = tones().ink;
     c.font = fontOf(13 * devicePixelRatio);
-    c.textAlign = x > left + width / 2 ? 'right' : 'left';
+    c.textAlign = 'center';
     c.textBaseline = 'middle';
     const { x: hereX, y: hereY } = this.here!;
     const what = this.kind === 'energy' ? `E = ${withUnit('energy', hereY, 4)} at ${withUnit('frequency', hereX, 4)}` : `at ${Number(hereX.toPrecision(4))}, ${Number(hereY.toPrecision(4))}`;
-    c.fillText(what, x + (c.textAlign === 'left' ? 3 : -3) * r, y);
+    // Behind the arrow, on paper of its own: curves pass below.
+    const half = c.measureText(what).width / 2;
+    const [atX, atY] = [Math.min(Math.max(x, left + half), left + width - half), y + (angle < 0 ? 2.5 : -2.5) * r];
+    c.fillStyle = tones().paper;
+    c.fillRect(atX - half, atY - r, 2 * half, 2 * r);
+    c.fillStyle = tones().ink;
+    c.fillText(what, atX, atY);
   }
 
   private drawRing(c: CanvasRenderingContext2D, x: number, y: number, r: number): void {
@@ -344,6 +349,21 @@ export class MapView {
       c.fillRect(x - size / 2, y - size / 2, size, size);
     }
     c.globalAlpha = 1;
+    // What the colours mean, in the corner where there are no motions.
+    const unit = devicePixelRatio * letters();
+    const { left, top, width } = plot.bbox;
+    c.font = fontOf(12 * devicePixelRatio);
+    c.textAlign = 'right';
+    c.textBaseline = 'middle';
+    c.fillStyle = tones().ink;
+    const [ends, y] = [[withUnit('energy', 1), withUnit('energy', mostEnergy)], top + 12 * unit];
+    const right = left + width - 8 * unit - c.measureText(ends[1]).width;
+    c.fillText(ends[1], left + width - 4 * unit, y);
+    c.fillText(`least energy ${ends[0]}`, right - 84 * unit, y);
+    for (let k = 0; k < 40; ++k) {
+      c.fillStyle = asText(colour(k / 39));
+      c.fillRect(right - (80 - 2 * k) * unit, y - 5 * unit, 2 * unit + 0.6, 10 * unit);
+    }
   }
 
   private drawContacts(plot: uPlot, motion: Motion): void {

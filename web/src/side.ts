@@ -48,8 +48,7 @@ export function addHelp(): void {
       box.style.left = `${Math.max(8, Math.min(left, innerWidth - box.offsetWidth - 8))}px`;
       box.style.top = `${bottom + box.offsetHeight + 8 < innerHeight ? bottom + 4 : Math.max(8, top - box.offsetHeight - 4)}px`;
     };
-    // Beside the label, so that a click on it does not move a slider.
-    place.closest('label')?.before(details) ?? place.append(' ', details);
+    place.append(' ', details);
     if (place.closest('label')) details.classList.add('beside');
   }
   addEventListener('pointerdown', (event) => close((details) => !details.contains(event.target as Node)));

@@ -22,23 +22,21 @@ export class Tour {
     this.step = step;
     const { title, text, link, at } = tour[step];
     showPanel('motion');
-    this.mark(at);
     byId('tour').hidden = false;
     byId('tour-title').textContent = `${step + 1}. ${title}`;
     byId('tour-text').textContent = text;
     byId('tour-place').textContent = `${step + 1} of ${tour.length}`;
     byId<HTMLButtonElement>('tour-back').disabled = step === 0;
     byId('tour-next').textContent = step + 1 < tour.length ? 'Next' : 'Done';
-    this.explorer.follow(link);
     byId('tour-next').focus({ preventScroll: true });
+    this.mark(at);
+    // Of another kind of motion it is there only once that motion is.
+    void this.explorer.follow(link).then(() => document.querySelector('.pointed')?.scrollIntoView({ block: 'nearest' }));
   }
 
   private mark(at?: string): void {
     document.querySelector('.pointed')?.classList.remove('pointed');
-    const found = at ? document.querySelector(at) : null;
-    found?.classList.add('pointed');
-    // Of another kind of motion it is there only once that motion is.
-    if (found) setTimeout(() => found.scrollIntoView({ block: 'nearest' }), 600);
+    if (at) document.querySelector(at)?.classList.add('pointed');
   }
 
   private end(): void {

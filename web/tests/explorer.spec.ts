@@ -210,7 +210,14 @@ test('scene: parts are dragged, added, taken away; nonsense gets a sentence', as
   await page.locator('#palette button', { hasText: 'dash' }).click();
   await expect(page.locator(headline)).toContainText('dash=0.1');
   await page.locator('#parts button').last().click();
-  await expect(page.locator(headline)).not.toContainText('dash');
+  await expect(page.locator('#words')).toHaveValue('spring=2 200 stop=1e-3');
+  await expect(page.locator('.part')).toHaveCount(3);
+  // Parts are dragged: a new one behind the others, and that one before the second.
+  const room = (await page.locator('#parts').boundingBox())!;
+  await page.locator('#palette button', { hasText: 'dash' }).dragTo(page.locator('#parts'), { targetPosition: { x: room.width - 4, y: room.height - 4 } });
+  await expect(page.locator('#words')).toHaveValue('spring=2 200 stop=1e-3 dash=0.1');
+  await page.locator('.part.dash').dragTo(page.locator('.part.bar'), { sourcePosition: { x: 8, y: 12 } });
+  await expect(page.locator('#words')).toHaveValue('spring=2 dash=0.1 200 stop=1e-3');
   await page.fill('#words', 'clamp dragon');
   await page.click('#words-form button');
   await expect(page.locator('#notice')).toContainText('dragon');
@@ -242,12 +249,22 @@ for (const [width, height] of [[1440, 900], [1280, 720], [1024, 768], [390, 844]
   test(`${width} × ${height}: bar, map and the slider in hand are on the screen together`, async ({ page }) => {
     await page.setViewportSize({ width, height });
     await open(page, 'show=schedule&cells=300&phases=150:900&energy=20&pause=0.25');
+    const requireSeen = async (...ids: string[]): Promise<void> => {
+      for (const id of ids) {
+        const box = (await page.locator(`#${id}`).boundingBox())!;
+        expect(box.y, id).toBeGreaterThanOrEqual(0);
+        expect(box.y + box.height, id).toBeLessThanOrEqual(height);
+      }
+    };
+    await requireSeen('bar-canvas', 'map');
     await page.locator('#pause').scrollIntoViewIfNeeded();
-    for (const id of width > 400 ? ['bar-canvas', 'map', 'pause'] : ['bar-canvas', 'pause']) {
-      const box = (await page.locator(`#${id}`).boundingBox())!;
-      expect(box.y, id).toBeGreaterThanOrEqual(0);
-      expect(box.y + box.height, id).toBeLessThanOrEqual(height);
-    }
+    await requireSeen('bar-canvas', 'pause', ...(width > 400 ? ['map'] : []));
+    // What is pointed at on the map is seen to move.
+    const over = page.locator('#map .u-over');
+    const { width: wide, height: high } = (await over.boundingBox())!;
+    await over.click({ position: { x: 0.8 * wide, y: 0.4 * high } });
+    await expect(page.locator(headline)).not.toContainText('(150, 900)');
+    await requireSeen('bar-canvas', 'map');
     if (width > 400) expect(await page.evaluate(() => document.documentElement.scrollHeight)).toBeLessThanOrEqual(height);
   });
 }
@@ -285,6 +302,9 @@ for (const [link, says] of [
   [`show=schedule&cells=300&phases=${'1:1,'.repeat(20_000)}1:1`, 'phases'],
   [`show=schedule&cells=${'9'.repeat(100_000)}&phases=150:900`, 'cells'],
   ['%00%ff=%zz&&=&show', 'show'],
+  ['show=schedule&cells=5001&phases=150:900', 'cells = 5001: allowed whole numbers 1..5000'],
+  ['show=simulation&cells=20&start=beside:0.99&dashpot=0.1&crossings=9&from=0&span=9', 'place is missing'],
+  [`show=scene&words=${'<b>'.repeat(900)}&from=0&span=9`, 'allowed'],
 ] as const) {
   test(`link: “${link.slice(0, 80)}” gets a sentence, not a blank page`, async ({ page }) => {
     await open(page, link);
@@ -448,7 +468,8 @@ test('pictures: every view is saved as PNG and as SVG', async ({ page }) => {
   }
 });
 
-test('tour: each step has a motion, and marks what is on the screen', async ({ page }) => {
+for (const [width, height] of [[1280, 900], [390, 844]] as const) test(`tour: each step has a motion, and marks what is on the screen, ${width} wide`, async ({ page }) => {
+  await page.setViewportSize({ width, height });
   await open(page);
   await page.click('#start-tour');
   const seen = new Set<string>();
@@ -459,6 +480,11 @@ test('tour: each step has a motion, and marks what is on the screen', async ({ p
     seen.add(await page.locator(headline).innerText());
     await expect(page.locator(headline)).not.toContainText('No motion');
     await expect(page.locator('.pointed')).toBeInViewport();
+    // Nothing stands over it: neither the tour nor the bar.
+    await expect.poll(() => page.locator('.pointed').evaluate((marked) => {
+      const { left, top, width: wide, height: high } = marked.getBoundingClientRect();
+      return marked.contains(document.elementFromPoint(left + wide / 2, top + high / 2));
+    })).toBe(true);
     await page.click('#tour-next');
   }
   await expect(page.locator('#tour')).toBeHidden();
