@@ -282,8 +282,9 @@ for (const link of links) {
     await page.emulateMedia({ reducedMotion: 'reduce' });
     await open(page, link);
     await expect(page.locator('#notice')).toBeHidden();
-    await slide(page, 'magnified', 2);
-    await slide(page, 'magnified', Math.log10(Number(/magnified=(\d+)/.exec(link)![1])));
+    await page.click('#units');
+    await expect.poll(() => page.evaluate(() => location.hash.slice(1))).toBe(`${link}&units=si`);
+    await page.click('#units');
     await expect.poll(() => page.evaluate(() => location.hash.slice(1))).toBe(link);
   });
 }
