@@ -47,14 +47,12 @@ export class SurfaceView {
     const c = this.image.getContext('2d')!;
     const pixels = c.createImageData(width, height);
     const map = diverging();
-    const table = Array.from({ length: 256 }, (_, k) => map(k / 255));
+    // A dot is one word: opaque, blue, green, red.
+    const table = Uint32Array.from({ length: 256 }, (_, k) => map(k / 255).reduceRight((word, part) => (word << 8) | part, 0xff));
+    const dots = new Uint32Array(pixels.data.buffer);
     for (let m = 0; m < width; ++m) {
       for (let i = 0; i < height; ++i) {
-        const value = 0.5 + (0.5 * film.u[m * height + i]) / film.mostDisplacement;
-        const colour = table[Math.round(255 * Math.min(Math.max(value, 0), 1))];
-        const at = 4 * ((height - 1 - i) * width + m);
-        pixels.data.set(colour, at);
-        pixels.data[at + 3] = 255;
+        dots[(height - 1 - i) * width + m] = table[Math.round(127.5 + (127.5 * film.u[m * height + i]) / film.mostDisplacement)];
       }
     }
     c.putImageData(pixels, 0, 0);
