@@ -103,7 +103,6 @@ Reply showPolygons(const Request& request)
     std::vector<double> samples;  // T, E/E_1, least and most first contact
     for (const ModePolytope& polytope : listingOf(request).polytopes) {
         Json one = cli::jsonOf(answers::PolytopeOf{polytope, bar});
-        one["text"] = cli::chainsAsText(polytope.chains);
         one["lowest"] = polytope.lowest.value();
         one["highest"] = polytope.highest.value();
         reply.json["polygons"].push_back(std::move(one));
@@ -139,7 +138,6 @@ Reply showPolygon(const Request& request)
                             {"stretches", stretches(polytope, point)},
                             {"first_contact_range", motions.contacts},
                             {"physical", cli::jsonOf(physicalOf(motion.extremes(), bar))}};
-    reply.json["period"] = period;
     reply.json["nearest"] = nullptr;
     if (const auto schedule = nearestSchedule(polytope, motion, cells)) {
         reply.json["nearest"] = cli::jsonOf(schedule->phases);

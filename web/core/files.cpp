@@ -109,8 +109,6 @@ const std::map<Text, std::function<Text(const Request&)>>& files()
 {
     static const std::map<Text, std::function<Text(const Request&)>> table{
         {"schedule.json", scheduleJson},
-        {"schedule.text",
-         [](const Request& of) { return cli::asText(answers::FindAnswer{found(of)}, true); }},
         {"schedule.state", scheduleState},
         {"schedule.motion", scheduleMotion},
         {"schedule.continuum",

@@ -208,7 +208,6 @@ Reply showForced(const Request& request)
     Reply reply;
     const answers::ForcedAnswer answer = forcedAnswer(request);
     reply.json["answer"] = cli::wholeJsonOf(answer);
-    reply.json["period"] = period(answer.set.schedule);
     if (answer.motions.empty()) {
         return reply;
     }
@@ -276,9 +275,7 @@ Reply showSimulation(const Request& request)
     const auto frames = static_cast<std::int64_t>(std::clamp(
         span * static_cast<double>(request.whole("frames", 4, 240)), 2.0, 2.0 * mostRows));
     film(reply, simulation, course.cells, frames, span * perCrossing, span);
-    reply.json["period"] = span;
     reply.json["end"] = end;
-    reply.json["excitation_period"] = course.period();
     return reply;
 }
 

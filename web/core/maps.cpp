@@ -35,7 +35,6 @@ void addModes(Reply& reply, double energy)
     for (const Mode& mode : findModes({.maxEnergyRatio = energy})) {
         Json one = cli::jsonOf(answers::ModeOf{mode, bar});
         one["contact_text"] = cli::contactAsText(mode);
-        one["root_text"] = cli::rootAsText(mode);
         one["lowest"] = mode.lowest.value();
         one["highest"] = mode.highest.value();
         reply.json["modes"].push_back(std::move(one));
@@ -95,20 +94,20 @@ KeptResponse& responseFor(const Request& request)
 
 void addResponses(Reply& reply, const std::vector<FrequencyResponse>& responses, std::size_t first)
 {
-    std::vector<double> lines;  // n, omega/omega_1, highest tip without a wall, would it touch?
-    std::vector<double> rows;   // n, omega/omega_1, n_c, impulse, peak force, does it stay?
+    std::vector<double> lines;  // omega/omega_1, highest tip without a wall, would it touch?
+    std::vector<double> rows;   // n, omega/omega_1, n_c, impulse, does it stay?
     for (std::size_t k = first; k < responses.size(); ++k) {
         const FrequencyResponse& response = responses[k];
         const auto n = static_cast<double>(response.steps);
-        lines.insert(lines.end(), {n, response.frequencyRatio, response.linearPeak,
-                                   response.touches ? 1.0 : 0.0});
+        lines.insert(lines.end(),
+                     {response.frequencyRatio, response.linearPeak, response.touches ? 1.0 : 0.0});
         for (const ForcedMotion& motion : response.motions) {
             const double stays = motion.stability == Stability::attracts ? 1.0
                                  : motion.stability == Stability::repels ? -1.0
                                                                          : 0.0;
             rows.insert(rows.end(), {n, response.frequencyRatio,
                                      static_cast<double>(motion.schedule.phases.front().contact),
-                                     motion.extremes.impulse, motion.extremes.peakForce, stays});
+                                     motion.extremes.impulse, stays});
         }
     }
     reply.add("lines", lines);
@@ -161,7 +160,6 @@ Reply showFamily(const Request& request)
     const Schedule schedule = scheduleOf(*family, cells);
     reply.json["cells"] = cells;
     reply.json["phases"] = cli::jsonOf(schedule.phases);
-    reply.json["least_energy_ratio"] = leastEnergy(*family).value();
     return reply;
 }
 
@@ -194,7 +192,6 @@ Reply showResponse(const Request& request)
     response.answer.isComplete = done.size() == response.steps.size();
     reply.json["done"] = done.size();
     reply.json["all"] = response.steps.size();
-    reply.json["undecided"] = response.answer.undecided();
     addResponses(reply, done, std::min(from, done.size()));
     return reply;
 }

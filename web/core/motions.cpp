@@ -84,7 +84,6 @@ Reply showSchedule(const Request& request)
     reply.json["answer"] = cli::wholeJsonOf(answers::FindAnswer{result});
     // The page has no use for the stopwatch, and two runs are to give one answer.
     reply.json["answer"]["solver"].erase("seconds");
-    reply.json["period"] = period(schedule);
     reply.json["pauses"] = nullptr;
     if (!result.motion) {
         return reply;
@@ -133,8 +132,6 @@ Reply showMode(const Request& request)
     const Mode mode = modeOf(request);
     const ModeMotion motion(mode, request.number("period", 0.0, 4.0));
     reply.json["answer"] = cli::wholeJsonOf(answers::ModeAnswer{mode, bar, motion});
-    reply.json["period"] = motion.period();
-    reply.json["least_energy_ratio"] = energyRange(mode).least;
     addMode(reply, motion, request.whole("cells", 2, mostCells));
     return reply;
 }

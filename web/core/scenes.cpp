@@ -26,7 +26,6 @@ struct SceneCourse {
     Network network;
     NetworkStart start;
     NetworkDrive drive = {};
-    double period = 0.0;  ///< [h], of the excitation
 };
 
 Assembly sceneOf(const Request& request)
@@ -120,12 +119,12 @@ void addDrive(SceneCourse& course, const Request& request)
                                      [](const NetworkNode& node) { return node.isDriven; });
     const SceneReference reference = referenceOf(course.network);
     const double omega = request.number("frequency", 0.01, 100.0) * reference.frequency;
-    course.period = 2.0 * std::numbers::pi / (omega * course.network.scales.time);
-    const double steps = std::round(course.period);
+    const double period = 2.0 * std::numbers::pi / (omega * course.network.scales.time);
+    const double steps = std::round(period);
     if (!(steps >= 3.0 && steps <= 1e6)) {
         throw std::invalid_argument("frequency: allowed where a period has 3 to 10^6 steps");
     }
-    course.drive.step = course.period / steps;
+    course.drive.step = period / steps;
     const NetworkScales& scales = course.network.scales;
     const Excitation excitation = excitationOf(
         {.place = isForce ? Excited::tip : Excited::base,
@@ -336,7 +335,6 @@ Reply showScene(const Request& request)
                                       {"impedance", row.impedance}});
     }
     reply.json["nodes"] = places.x.size();
-    reply.json["excitation_period"] = course.period / crossing;
     reply.add("x", places.x);
     reply.add("times", times);
     reply.add("u", u);

@@ -10,7 +10,7 @@ import { pictures } from './pictures';
 import { SceneControls } from './scene';
 import { paperCase, type MapKind } from './view';
 import { isShown, listenToTabs } from './side';
-import { withUnit } from './units';
+import { unitOf, withUnit } from './units';
 
 type Json = Record<string, any>;
 
@@ -150,7 +150,7 @@ export class Controls {
       event.preventDefault();
       const period = periodOf(input('period-text').value);
       if (Number.isFinite(period)) toMode(period);
-      else this.explorer.say(`T = “${input('period-text').value}”: allowed pi, 22/7, sqrt(10) or a number in L/c.`);
+      else this.explorer.say(`T = “${input('period-text').value}”: allowed pi, 22/7, sqrt(10) or a number in ${unitOf('time')}.`);
     };
   }
 
@@ -325,10 +325,11 @@ export class Controls {
   private fillLists(): void {
     const { atlas } = this.explorer.map;
     const families = byId<HTMLSelectElement>('family');
-    if (!atlas || families.options.length > 0) return;
-    families.append(option('', 'another one'), ...atlas.families.filter((f) => f.order <= 12).map((f) =>
-      option(`${f.order},${f.nu},${f.blocks}`, `(${f.order}, ${f.nu}, ${f.blocks})  T = ${shown(f.period, 5)}, from ${shown(f.least, 5)} E₁`)));
-    byId('mode').append(...atlas.modes.map((m) =>
+    if (!atlas || families.dataset.units === this.explorer.view.units) return;
+    families.dataset.units = this.explorer.view.units;
+    families.replaceChildren(option('', 'another one'), ...atlas.families.filter((f) => f.order <= 12).map((f) =>
+      option(`${f.order},${f.nu},${f.blocks}`, `(${f.order}, ${f.nu}, ${f.blocks})  T = ${withUnit('time', f.period, 5)}, from ${withUnit('energy', f.least, 5)}`)));
+    byId('mode').replaceChildren(...atlas.modes.map((m) =>
       option(m.contact.join(','), `t_c = ${m.contact_text}${m.family ? ` (${m.family})` : ''}`)));
   }
 

@@ -23,7 +23,3 @@ export const round = (value: number, digits = 6): number => Number(value.toPreci
 export function fill(list: HTMLElement, texts: string[]): void {
   list.replaceChildren(...texts.map((text) => Object.assign(document.createElement('li'), { textContent: text })));
 }
-
-export function select(value: string, list: HTMLSelectElement): void {
-  list.value = value;
-}

@@ -272,13 +272,13 @@ export class Explorer {
         if (!answer || run !== this.responseRun) return;
         [done, all] = [Number(answer.json.done), Number(answer.json.all)];
         const rows = answer.array('motions');
-        for (let i = 0; i < rows.length; i += 6) {
+        for (let i = 0; i < rows.length; i += 5) {
           const last = points[points.length - 1];
           const which = last && last.steps === rows[i] && last.contact === rows[i + 2] ? 1 : 0;
-          points.push({ steps: rows[i], frequency: rows[i + 1], contact: rows[i + 2], impulse: rows[i + 3], stays: rows[i + 5], which });
+          points.push({ steps: rows[i], frequency: rows[i + 1], contact: rows[i + 2], impulse: rows[i + 3], stays: rows[i + 4], which });
         }
         const places = answer.array('lines');
-        for (let i = 0; i < places.length; i += 4) seen.push([places[i + 1], places[i + 2], places[i + 3]]);
+        for (let i = 0; i < places.length; i += 3) seen.push([places[i], places[i + 1], places[i + 2]]);
         byId('progress').textContent = done < all ? `${stability ? 'testing stability' : 'computing'}: ${done} of ${all} frequencies`
           : `${points.length} motions at ${all} frequencies${stability ? ', each tried' : ''}`;
         if (!stability || done === all) {
@@ -336,6 +336,7 @@ export class Explorer {
     this.surface.recolour();
     this.showMap(this.view.map);
     if (this.answer) this.showAnswer(this.view.motion, this.answer);
+    this.sweeps.mark();
   }
 
   private frame(now: number): void {

@@ -10,7 +10,7 @@ import { withUnit } from './units';
 import type { Forcing, MapKind, View } from './view';
 
 export interface ModeLine {
-  contact: [number, number]; contact_text: string; root_text: string; family: string | null;
+  contact: [number, number]; contact_text: string; family: string | null;
   lowest: number; highest: number;
 }
 export interface FamilyPoint { order: number; nu: number; blocks: number; period: number; least: number }

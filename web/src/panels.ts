@@ -2,7 +2,7 @@
 
 import type { Answer, Motion } from './core';
 import { byId, counted, fill, shown } from './dom';
-import { withUnit, type Quantity } from './units';
+import { unitOf, withUnit, type Quantity } from './units';
 import { assumed } from './words';
 
 type Json = Record<string, any>;
@@ -60,7 +60,7 @@ function provedOf(motion: Motion, answer: Answer): string[] {
     if (set) {
       list.push(`All motions of this schedule form ${kinds[set.kind] ?? set.kind}${set.dimension > 0 ? ` of ${set.dimension} dimensions` : ''}, in closed form.`);
     }
-    if (a.energy_ratio_range?.[1]) list.push(`Their energies are all from ${shown(a.energy_ratio_range[0])} to ${shown(a.energy_ratio_range[1])} E₁ on this grid.`);
+    if (a.energy_ratio_range?.[1]) list.push(`Their energies are all from ${withUnit('energy', a.energy_ratio_range[0])} to ${withUnit('energy', a.energy_ratio_range[1])} on this grid.`);
     if (a.energy_section) {
       list.push(`Those of this energy have dimension ${a.energy_section.dimension} and are ${a.energy_section.connected ? 'connected: each can become any other' : `in ${a.energy_section.components} parts`}.`);
     }
@@ -69,14 +69,14 @@ function provedOf(motion: Motion, answer: Answer): string[] {
   }
   if (motion.show === 'mode') {
     const [[p, q], [r, s]] = a.mode.period_range;
-    return [`The mode has a motion for every T between ${p}/${q} and ${r}/${s} L/c, and no other one contact time 4a + bT.`,
+    return [`The mode has a motion for every T between ${p}/${q} and ${r}/${s} ${unitOf('time')}, and no other one contact time 4a + bT.`,
       'For irrational T motions with one contact are isolated: no continuum.'];
   }
   if (motion.show === 'polygon') {
     const [[p, q], [r, s]] = a.polytope.period_range;
     const [least, most] = a.first_contact_range as [number, number];
-    const where = `Its type (${a.text}) has motions for every T between ${p}/${q} and ${r}/${s} L/c, with an energy that depends on T alone.`;
-    return [where, most > least ? `At this T the first contact may last anything from ${shown(least, 4)} to ${shown(most, 4)} L/c; both together always ${shown(a.contact_time_ratio, 6)} L/c.`
+    const where = `Its type (${a.text}) has motions for every T between ${p}/${q} and ${r}/${s} ${unitOf('time')}, with an energy that depends on T alone.`;
+    return [where, most > least ? `At this T the first contact may last anything from ${withUnit('time', least, 4)} to ${withUnit('time', most, 4)}; both together always ${withUnit('time', a.contact_time_ratio)}.`
       : 'For irrational T they are isolated: nothing can be shared out otherwise.'];
   }
   if (motion.show === 'forced') {

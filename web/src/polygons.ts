@@ -5,12 +5,12 @@ import { palette } from './colours';
 import type { Answer, Chain, PolygonMotion } from './core';
 import { at } from './plots';
 
-export interface Polygon { chains: Chain[]; text: string; free: number; lowest: number; highest: number; contact: [number, number] }
+export interface Polygon { chains: Chain[]; free: number; lowest: number; highest: number; contact: [number, number] }
 
 /** A point of a polygon. */
 export interface PolygonPick { polygon: Polygon; period: number; split: number }
 
-interface Json { chains: { k: number; turns: number; release: number }[]; text: string; free_times: number; lowest: number; highest: number; contact: [number, number] }
+interface Json { chains: { k: number; turns: number; release: number }[]; free_times: number; lowest: number; highest: number; contact: [number, number] }
 
 const [leastSplit, mostSplit] = [0.001, 0.999];
 const inside = (share: number): number => Math.min(Math.max(share, leastSplit), mostSplit);
@@ -21,8 +21,8 @@ export class Polygons {
   private readonly samples: number;
 
   constructor(answer: Answer) {
-    this.all = (answer.json.polygons as Json[]).map(({ chains, text, free_times: free, lowest, highest, contact }) =>
-      ({ chains: chains.map(({ k, turns, release }): Chain => [k, turns, release]), text, free, lowest, highest, contact }));
+    this.all = (answer.json.polygons as Json[]).map(({ chains, free_times: free, lowest, highest, contact }) =>
+      ({ chains: chains.map(({ k, turns, release }): Chain => [k, turns, release]), free, lowest, highest, contact }));
     this.bands = answer.array('bands');
     this.samples = Number(answer.json.samples);
   }

@@ -15,6 +15,7 @@ const share = 0.99;  // of the motion beside which the bar starts
 
 export class Sweeps {
   private run = 0;
+  private started: [ForcedMotion, Answer] | undefined;
 
   constructor(private readonly explorer: Explorer) {
     byId('sweep-up').onclick = () => void this.sweep(false);
@@ -36,7 +37,7 @@ export class Sweeps {
   clear(): void {
     this.stop();
     this.explorer.map.sweep.length = 0;
-    this.explorer.map.settled = undefined;
+    this.explorer.map.settled = this.started = undefined;
   }
 
   private async sweep(isDown: boolean): Promise<void> {
@@ -69,10 +70,14 @@ export class Sweeps {
     const steps = phases[0][0] + phases[0][1];
     const simulation: Simulation = { show: 'simulation', cells, phases, which, start: { kind: 'beside', share }, damping, steps, periods: 400, place, amplitude, from: 0, span: 24, frames: 60 };
     await explorer.show(simulation);
-    if (explorer.view.motion === simulation) this.mark({ ...motion, which }, explorer.answer!);
+    if (explorer.view.motion === simulation) this.started = [{ ...motion, which }, explorer.answer!];
+    this.mark();
   }
 
-  private mark(from: ForcedMotion, answer: Answer): void {
+  /** Where the bar settled, and why; in the units that are chosen. */
+  mark(): void {
+    if (!this.started) return;
+    const [from, answer] = this.started;
     const { map } = this.explorer;
     const steps = from.phases[0][0] + from.phases[0][1];
     const settled = (answer.json.answer as { settled: { periods: number; contacts: number; impulse: number } | null; why?: string }).settled;

@@ -102,11 +102,6 @@ export const controls: Record<string, Control> = {
     text: 'Drag the bar itself, or set where you hold it and how far you pull; then let go. Nothing is on a grid then: the bar is followed event by event.',
     formula: 'u = d·min(x/x₀, 1), v = 0. Then p_{m+2N} = ±p_m, contact while R = F + 2p ≥ 0.',
   },
-  simulate: {
-    title: 'From where you let the bar go',
-    text: 'Starts the forced, damped bar from your pluck and follows it until it settles. Compare its impulse with the curve: the part of the fold that repels is never reached.',
-    formula: 'Next event: the end of a wave, of a step of F, or (g − u)/v, when the tip meets the wall.',
-  },
   time: {
     title: 'Time',
     text: 'The instant within the period. Space stops the motion, arrows move it.',
