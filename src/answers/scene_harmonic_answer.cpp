@@ -39,15 +39,29 @@ std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked, std::int
 SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64_t cycles,
                              std::int64_t steps, double amplitude)
 {
-    HarmonicNetwork given{networkOf(assembly), place, 1.0, steps, cycles};
-    const NetworkScales& scales = given.network.scales;
-    given.amplitude = amplitude / (place == Excited::tip ? scales.force() : scales.displacement);
+    const Network network = networkOf(assembly);
     SceneHarmonicAnswer answer{
-        place, cycles, amplitude, steps, scales, severalOf(assembly, given.network), {}};
-    for (NetworkHarmonicMotion& motion : harmonicContacts(given)) {
-        answer.motions.push_back({std::move(motion), scales});
+        place, cycles, amplitude, steps, network.scales, severalOf(assembly, network), {}};
+    for (NetworkHarmonicMotion& motion : harmonicContacts(answer.given())) {
+        answer.motions.push_back({std::move(motion), network.scales});
     }
     return answer;
+}
+
+HarmonicNetwork SceneHarmonicAnswer::given() const
+{
+    const double unit = place == Excited::tip ? scales.force() : scales.displacement;
+    return {networkOf(bars.assembly), place, amplitude / unit, steps, cycles};
+}
+
+std::vector<ContactInstant> SceneHarmonicAnswer::pathOf(std::size_t motion) const
+{
+    NetworkHarmonicMotion one = motions.at(motion).value;
+    std::vector<ContactInstant> path;
+    HarmonicNetwork still = given();
+    still.network = underConstantForces(std::move(still.network));
+    measure(still, one, &path);
+    return path;
 }
 
 std::optional<double> SceneHarmonicAnswer::frequencyRatio() const

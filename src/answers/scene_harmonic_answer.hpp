@@ -3,7 +3,7 @@
 /// What is said of bars in a row whose excitation is an exact harmonic.
 
 #include "harmonic_answer.hpp"
-#include "harmonic_network.hpp"
+#include "harmonic_network_walk.hpp"
 #include "scene_answer.hpp"
 
 namespace signorini::answers {
@@ -44,6 +44,10 @@ struct SceneHarmonicAnswer {
     /// Of the excitation [Hz].
     [[nodiscard]] double frequency() const { return static_cast<double>(cycles) / period(); }
     [[nodiscard]] std::optional<double> frequencyRatio() const;
+    /// What was asked, in units of the network.
+    [[nodiscard]] HarmonicNetwork given() const;
+    /// The contact of a motion over one period. \throws std::out_of_range.
+    [[nodiscard]] std::vector<ContactInstant> pathOf(std::size_t motion) const;
     [[nodiscard]] std::optional<std::string> detail() const;
 };
 

@@ -22,10 +22,12 @@ struct Lane {
 
 class HarmonicSteps {
 public:
-    HarmonicSteps(const HarmonicNetwork& given, NetworkHarmonicMotion& motion)
+    HarmonicSteps(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
+                  std::vector<ContactInstant>* path)
         : given_(given),
           network_(given.network),
           motion_(motion),
+          path_(path),
           open_(network_, 0),
           closed_(network_, ContactSet{1} << motion.contact),
           drive_(given.amplitude * turned(-motion.phase)),
@@ -53,6 +55,7 @@ public:
         startDistances();
         double defect = std::abs(distances_[motion_.contact]) / length();
         for (std::int64_t m = 0; m < given_.steps; ++m) {
+            step_ = static_cast<double>(m);
             const Complex drive = drive_ * given_.turn(m);
             force_ = given_.place == Excited::tip ? drive : 0.0;
             base_ = given_.place == Excited::tip ? 0.0 : slope_ * drive;
@@ -68,6 +71,9 @@ public:
                 }
                 lane.waves.step(law, force_, base_);
             }
+        }
+        if (path_ != nullptr) {
+            path_->push_back({step_ + 1.0, distances_[motion_.contact], 0.0});
         }
         for (const Lane& lane : lanes_) {
             const std::vector<Complex> after = lane.waves.waves();
@@ -121,6 +127,18 @@ private:
         pull_ = std::max(pull_, -seen.least);
         motion_.peakForce = std::max(motion_.peakForce, seen.most);
         motion_.impulse += integral(push, lane);
+        see(lane, 0.0, 0.0, push);
+    }
+
+    /// A distance that is `least` and a harmonic, and a push.
+    void see(const Lane& lane, double least, Complex way, Complex push)
+    {
+        constexpr int instants = 4;
+        for (int k = 0; path_ != nullptr && k < instants; ++k) {
+            const double s = lane.from + (lane.to - lane.from) * k / instants;
+            const Complex turn = turned(given_.omega() * s);
+            path_->push_back({step_ + s, least + (way * turn).real(), (push * turn).real()});
+        }
     }
 
     /// The distance of a contact that is open.
@@ -134,10 +152,11 @@ private:
         const HarmonicBounds seen = boundsOf(way, begin, given_.omega() * lane.to);
         const double start = (way * turned(begin)).real();
         overlap_ = std::max(overlap_, start - seen.least - distances_[j]);
-        distances_[j] += integral(rate, lane);
         if (j == motion_.contact) {
+            see(lane, distances_[j] - start, way, 0.0);
             motion_.speed = -(rate * turned(given_.omega() * lane.to)).real();
         }
+        distances_[j] += integral(rate, lane);
     }
 
     /// Of Re(z e^{i omega s}) over the part of a lane.
@@ -151,6 +170,8 @@ private:
     const HarmonicNetwork& given_;
     const Network& network_;
     NetworkHarmonicMotion& motion_;
+    std::vector<ContactInstant>* path_;
+    double step_ = 0.0;
     NetworkLaw<Complex> open_;
     NetworkLaw<Complex> closed_;
     Complex drive_;
@@ -167,11 +188,12 @@ private:
 
 }  // namespace
 
-void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion)
+void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
+             std::vector<ContactInstant>* path)
 {
     motion.impulse = 0.0;
     motion.peakForce = 0.0;
-    HarmonicSteps(given, motion).run();
+    HarmonicSteps(given, motion, path).run();
 }
 
 }  // namespace signorini

@@ -144,4 +144,34 @@ FigureData simulationFigure(const NetworkSimulation& simulation)
     return ContactPanels(simulation).figure();
 }
 
+FigureData contactFigure(const std::vector<ContactInstant>& path, const NetworkScales& scales)
+{
+    double wide = 0.0;
+    double pressed = 0.0;
+    for (const ContactInstant& one : path) {
+        wide = std::max(wide, one.distance);
+        pressed = std::max(pressed, one.push);
+    }
+    const Unit second = axisUnit(scales.time, path.back().time, "s");
+    const Unit metre = axisUnit(scales.displacement, wide, "m");
+    const Unit newton = axisUnit(scales.force(), pressed, "N");
+    Series gap{.width = 1.8};
+    Series force{.role = Role::contact, .width = 1.8};
+    for (const ContactInstant& one : path) {
+        gap.add(one.time * second.factor, one.distance * metre.factor);
+        force.add(one.time * second.factor, one.push * newton.factor);
+    }
+    FigureData figure{.title = "the contact over a period, under an exact harmonic"};
+    Panel above{.name = "gap", .place = {0.13, 0.96, 0.54, 0.9}};
+    above.x = {.low = 0.0, .high = gap.x.back(), .hasNumbers = false};
+    above.series.push_back(std::move(gap));
+    above.y = axisAround(above.series, labelled("open by", metre));
+    Panel below{.name = "force", .place = {0.13, 0.96, 0.12, 0.48}};
+    below.x = {.label = labelled("time  t", second), .low = 0.0, .high = force.x.back()};
+    below.series.push_back(std::move(force));
+    below.y = axisAround(below.series, labelled("force", newton));
+    figure.panels = {std::move(above), std::move(below)};
+    return figure;
+}
+
 }  // namespace signorini

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "harmonic_network_walk.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/figures.hpp"
 
@@ -20,5 +21,9 @@ class NetworkSimulation;
 /// over the last stretch of time; where it pressed is marked. \throws std::invalid_argument if the
 /// paths were not recorded.
 [[nodiscard]] FigureData simulationFigure(const NetworkSimulation& simulation);
+
+/// A contact over one period: how far it is open, and its force. \pre a path of some times.
+[[nodiscard]] FigureData contactFigure(const std::vector<ContactInstant>& path,
+                                       const NetworkScales& scales);
 
 }  // namespace signorini
