@@ -26,6 +26,7 @@ pushing, tip = np.array(p[:contact]), np.cumsum(p[contact:], axis=0)
 # The certificate in five lines: (30) is W − 1, (31) Σ(b − a) = N, (10) −p ≤ 0, (12) tip ≤ 0.
 
 proof = found.certificate
+assert isinstance(proof, sg.FarkasCertificate)
 total = proof.gap * np.repeat([-1, 1], N)
 for rows, pairs in ((x - unity, proof.periodicity), (-pushing, proof.pressure), (tip, proof.penetration)):
     total = total + sum(y * rows[at] for at, y in pairs)

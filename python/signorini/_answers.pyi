@@ -1,10 +1,11 @@
 """Types of the answers of the compiled part; stubs alone, no module."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any, Optional, TypeVar, Union, overload
+from typing import Any, Literal, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import NotRequired, TypedDict
 
 from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Fields,
                     _OfPeriod, _OfTimeRatio, _Record)
@@ -16,6 +17,91 @@ _T = TypeVar("_T")
 # What it is, or None: who has looked at the status, at the gap or at the
 # modulus need not look again.
 Known = Union[_T, Any]
+
+class StopPlace(TypedDict):
+    side: Literal["right", "left"]
+    place: float
+
+class QuestionPart(TypedDict):
+    asked: AskedWords
+    steps: int
+    period: float
+    period_ratio: float
+    frequency: float
+    frequency_ratio: float
+    energy: Optional[float]
+    energy_ratio: Optional[float]
+    nearest: NotRequired[float]
+
+class AskedWords(TypedDict):
+    period: NotRequired[str]
+    frequency: NotRequired[str]
+    hertz: NotRequired[str]
+
+class ForcedSetPart(TypedDict):
+    kind: Literal["empty", "point", "segment", "ray", "polytope"]
+    free_waves: int
+
+class ForcedProof(TypedDict):
+    kind: str
+    verified: bool
+    conditions: list[ForcedCondition]
+    rows: NotRequired[str]
+    cuts: NotRequired[list[EnergyFloor]]
+
+class ForcedCondition(TypedDict):
+    rule: Literal["gap", "pressure", "held", "penetration", "second-stop", "closure", "work",
+        "strain", "rest"]
+    step: int
+
+class EnergyFloor(TypedDict):
+    periodicity: list[float]
+    places: list[tuple[int, int, float]]
+    pushes: list[tuple[int, int, float]]
+
+class SceneWords(TypedDict):
+    length: float
+    wave_speed: float
+    axial_stiffness: float
+    young: Optional[float]
+    gravity: float
+    parts: list[ScenePart]
+
+class ScenePart(TypedDict):
+    kind: Literal["clamp", "free", "cells", "gap", "right stop", "left stop", "dash", "spring",
+        "mass", "force", "driven", "shaken"]
+    cells: NotRequired[int]
+    impedance: NotRequired[float]
+    speed: NotRequired[float]
+    gap: NotRequired[float]
+    stiffness: NotRequired[float]
+    mass: NotRequired[float]
+    force: NotRequired[float]
+
+class SceneReference(TypedDict):
+    frequency: Optional[float]
+    damping: Optional[float]
+    energy: Optional[float]
+    compliance: Optional[float]
+
+class SceneContact(TypedDict):
+    number: int
+    kind: Literal["right stop", "left stop", "gap"]
+    place: float
+    gap: float
+
+class ContactReach(TypedDict):
+    number: int
+    kind: Literal["right stop", "left stop", "gap"]
+    place: float
+    gap: float
+    velocity: tuple[ForcePeak, ForcePeak]
+    displacement: tuple[ForcePeak, ForcePeak]
+
+class ForcePeak(TypedDict):
+    bound: float
+    reached: float
+    time: float
 
 class Physical(_Record):
     frequency: float
@@ -50,7 +136,7 @@ class FarkasCertificate(_Record):
 class ProgramProof(_Record):
     kind: str
     verified: bool
-    rows: str
+    rows: Literal["auto", "state", "reduced", "lumped", "joints", "kernel"]
     strain_limit: Optional[float]
     tip_floor: Optional[float]
     equalities: list[tuple[int, int]]
@@ -59,7 +145,7 @@ class ProgramProof(_Record):
 class SteppedProof(_Record):
     kind: str
     verified: bool
-    rows: str
+    rows: Literal["auto", "state", "reduced", "lumped", "joints", "kernel"]
     tip_floor: Optional[float]
     equalities: list[tuple[int, str]]
     inequalities: list[tuple[int, str]]
@@ -80,7 +166,7 @@ class EnergyExclusion(_Record):
     note: Optional[str]
 
 class SolutionSet(_Record):
-    kind: str
+    kind: Literal["empty", "point", "simplex", "box", "polytope", "cone"]
     dimension: Optional[int]
 
 class EnergySection(_Record):
@@ -105,10 +191,10 @@ class FamilyPlace(_Record):
 
 class Result(_Record):
     bar: Bar
-    stops: list[dict[str, Any]]
+    stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
-    status: str
+    status: Literal["found", "none", "undecided"]
     cells: int
     schedule: Schedule
     period: float
@@ -117,8 +203,9 @@ class Result(_Record):
     kernel_dimension: Optional[int]
     solution_set: Known[SolutionSet]
     family: Known[FamilyPlace]
-    objective: str
-    contact: Optional[str]
+    objective: Literal["auto", "any", "min-energy", "max-energy", "min-peak-strain",
+        "max-impulse", "nearest"]
+    contact: Optional[Literal["pressing", "grazing"]]
     canonical_schedule: Known[list[tuple[int, int]]]
     approach_speeds: Known[list[float]]
     energy: Known[float]
@@ -128,9 +215,11 @@ class Result(_Record):
     physical: Known[Physical]
     admissible: Optional[bool]
     residuals: Known[Residuals]
-    reason: Optional[str]
+    reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
+        "constraints"]]
     near_schedule: Known[Schedule]
-    certificate: Any  # one of several, or None
+    certificate: Known[Union[FarkasCertificate, ProgramProof, EnergyExclusion, SteppedProof,
+        EnergyFloorProof]]
     route: str
     route_reason: str
     left_out: list[str]
@@ -162,7 +251,7 @@ class ContinuumPoint(_Record):
     motion: Motion
 
 class Continuum(_Record):
-    status: str
+    status: Literal["found", "none", "undecided"]
     cells: int
     schedule: Schedule
     period: float
@@ -177,12 +266,13 @@ class Continuum(_Record):
     resolution: Optional[float]
     engine: str
     family: str
-    parameter: str
-    reason: Optional[str]
+    parameter: Literal["arc length", "pause", "number"]
+    reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
+        "constraints"]]
     orbits: int
     points: list[ContinuumPoint]
     bar: Bar
-    stops: list[dict[str, Any]]
+    stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
     detail: Optional[str]
@@ -222,7 +312,8 @@ class Mode(_Record):
     period_range: tuple[tuple[int, int], tuple[int, int]]
     inverse_sqrt_energy: tuple[int, int]
     family: Optional[str]
-    ends: tuple[str, str]
+    ends: tuple[Literal["contact-vanishes", "energy-infinite", "jumps-meet"],
+        Literal["contact-vanishes", "energy-infinite", "jumps-meet"]]
     energy_ratio_range: Bounds
     frequency_range: tuple[float, float]
     energy_range: Bounds
@@ -243,7 +334,7 @@ class _OnNoGrid(_Fields):
     def state(self, cells: int) -> State: ...
 
 class ModeMotion(_OnNoGrid):
-    status: str
+    status: Literal["found", "none", "undecided"]
     bar: Bar
     mode: Mode
     period: float
@@ -286,7 +377,8 @@ class ModePolytope(_Record):
     contact: tuple[int, int]
     period_range: tuple[tuple[int, int], tuple[int, int]]
     inverse_sqrt_energy: tuple[int, int, int]
-    ends: tuple[str, str]
+    ends: tuple[Literal["contact-vanishes", "energy-infinite", "jumps-meet"],
+        Literal["contact-vanishes", "energy-infinite", "jumps-meet"]]
     vertices: list[list[tuple[int, int]]]
     energy_ratio_range: Bounds
     frequency_range: tuple[float, float]
@@ -313,8 +405,8 @@ class AtlasFamily(_Record):
     period_ratio: float
     frequency: float
     frequency_ratio: float
-    contact: str
-    kind: str
+    contact: Literal["pressing", "grazing"]
+    kind: Literal["empty", "point", "simplex", "box", "polytope", "cone"]
     dimension: int
     energy_range: Bounds
     energy_ratio_range: Bounds
@@ -330,12 +422,13 @@ class AtlasSchedule(_Record):
     period_ratio: float
     frequency: float
     frequency_ratio: float
-    status: str
-    reason: Optional[str]
+    status: Literal["found", "none", "undecided"]
+    reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
+        "constraints"]]
     kernel_dimension: Optional[int]
-    kind: Optional[str]
+    kind: Optional[Literal["empty", "point", "simplex", "box", "polytope", "cone"]]
     dimension: Optional[int]
-    contact: Optional[str]
+    contact: Optional[Literal["pressing", "grazing"]]
     canonical: Optional[bool]
     energy_range: Optional[Bounds]
     energy_ratio_range: Optional[Bounds]
@@ -403,31 +496,32 @@ class ForcedMotion(_Record):
     state: State
 
 class ForcedResult(_Record):
-    status: str
+    status: Literal["found", "none", "undecided"]
     cells: int
     schedule: Schedule
     damping: Damping
-    force: str
+    force: Literal["tip", "base"]
     cycles: int
     period: float
     period_ratio: float
     frequency_ratio: float
-    solution_set: dict[str, Any]
+    solution_set: ForcedSetPart
     strain_limit: Optional[float]
     amplitude: Optional[float]
     amplitude_range: Optional[Bounds]
     phase: Optional[float]
     motions: list[ForcedMotion]
-    reason: Optional[str]
-    certificate: Optional[dict[str, Any]]
+    reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
+        "constraints"]]
+    certificate: Optional[ForcedProof]
     bar: Bar
-    stops: list[dict[str, Any]]
+    stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
     detail: Optional[str]
     found: bool
-    def _figure(self) -> str: ...
-    def _frames(self, most: int, /) -> list[str]: ...
+    def _figure(self, index: int, /) -> str: ...
+    def _frames(self, most: int, index: int, /) -> list[str]: ...
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...
 
@@ -436,7 +530,7 @@ class HarmonicContact(_Record):
     end: float
     begin_ratio: float
     end_ratio: float
-    stop: str
+    stop: Literal["right", "left"]
     release: str
     impulse: float
     peak_force: float
@@ -467,8 +561,8 @@ class SceneHarmonicMotion(_Record):
     residual: float
 
 class SceneHarmonicResult(_Record):
-    status: str
-    force: str
+    status: Literal["found", "none", "undecided"]
+    force: Literal["tip", "base"]
     cycles: int
     amplitude: float
     steps: int
@@ -476,16 +570,21 @@ class SceneHarmonicResult(_Record):
     frequency: float
     frequency_ratio: Optional[float]
     motions: list[SceneHarmonicMotion]
-    scene: dict[str, Any]
-    reference: dict[str, Any]
-    contacts: list[dict[str, Any]]
+    scene: SceneWords
+    reference: SceneReference
+    contacts: list[SceneContact]
     detail: Optional[str]
+    found: bool
+    def _figure(self, index: int, /) -> str: ...
+    def _scene(self) -> str: ...
+    def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
 
 class HarmonicResult(_Record):
-    status: str
+    status: Literal["found", "none", "undecided"]
     contacts: int
     damping: Damping
-    force: str
+    force: Literal["tip", "base"]
     cycles: int
     amplitude: float
     period: float
@@ -496,13 +595,13 @@ class HarmonicResult(_Record):
     complete_from: Optional[float]
     rests: Optional[bool]
     bar: Bar
-    stops: list[dict[str, Any]]
+    stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
     detail: Optional[str]
     found: bool
-    def _figure(self) -> str: ...
-    def _frames(self, most: int, /) -> list[str]: ...
+    def _figure(self, index: int, /) -> str: ...
+    def _frames(self, most: int, index: int, /) -> list[str]: ...
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...
 
@@ -527,14 +626,14 @@ class ForcedFrequency(_Record):
     motions: list[ForcedMotion]
 
 class ResponseData(_Record):
-    status: str
+    status: Literal["found", "none", "undecided"]
     cells: int
     bar: Bar
-    stops: list[dict[str, Any]]
+    stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
     damping: Damping
-    force: str
+    force: Literal["tip", "base"]
     amplitude: float
     amplitude_of: str
     cycles: int
@@ -574,14 +673,14 @@ class Branch(_Record):
     marks: list[BranchMark]
 
 class ExactResponse(_Record):
-    status: str
+    status: Literal["found", "none", "undecided"]
     cells: int
     bar: Bar
-    stops: list[dict[str, Any]]
+    stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
     damping: Damping
-    force: str
+    force: Literal["tip", "base"]
     amplitude: float
     cycles: int
     frequencies: list[ExactFrequency]
@@ -592,7 +691,7 @@ class ExactResponse(_Record):
     def frame(self) -> Any: ...
 
 class Drive(_Record):
-    force: str
+    force: Literal["tip", "base"]
     amplitude: float
     frequency_ratio: float
     frequency: float
@@ -612,7 +711,7 @@ class EnergyBalance(_Record):
 
 class SweepPoint(_Record):
     value: float
-    direction: str
+    direction: Literal["up", "down"]
     frequency: float
     periods: Optional[int]
     residual: Optional[float]
@@ -630,25 +729,26 @@ class SweepPoint(_Record):
     peak_stress: Known[float]
 
 class ForceRange(_Record):
-    status: str
-    scene: dict[str, Any]
+    status: Literal["done", "interrupted"]
+    scene: SceneWords
     force_range: tuple[float, float]
     time: float
     closes: Optional[int]
-    contacts: list[dict[str, Any]]
+    contacts: list[ContactReach]
+    def _scene(self) -> str: ...
 
 class Sweep(_Record):
-    status: str
+    status: Literal["done", "interrupted"]
     bar: Optional[Bar]
-    stops: Optional[list[dict[str, Any]]]
+    stops: Optional[list[StopPlace]]
     segments: Optional[list[Segment]]
     static_force: Optional[float]
-    scene: Optional[dict[str, Any]]
-    reference: Optional[dict[str, Any]]
-    contacts: Optional[list[dict[str, Any]]]
-    over: str
+    scene: Optional[SceneWords]
+    reference: Optional[SceneReference]
+    contacts: Optional[list[SceneContact]]
+    over: Literal["frequency", "amplitude", "gap", "damping"]
     damping: Optional[Damping]
-    force: str
+    force: Literal["tip", "base"]
     amplitude: Optional[float]
     amplitude_of: str
     cells: int
@@ -683,10 +783,10 @@ class Waves:
     def stretching(self, cells: int) -> Array: ...
 
 class Simulation(_Record):
-    status: str
+    status: Literal["done", "interrupted"]
     cells: int
     bar: Bar
-    stops: list[dict[str, Any]]
+    stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
     damping: Damping

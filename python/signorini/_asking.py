@@ -8,7 +8,7 @@ from typing import Any, Callable, TypeVar
 
 from . import _core
 from ._progress import listener
-from ._words import amplitude_of, arguments, cells_of, path, scene_of, state_of
+from ._words import amplitude_of, arguments, cells_of, path, scene_of, schedule_of, state_of
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -101,6 +101,19 @@ def asks(question: str) -> Callable[[Function], Function]:
     return asking
 
 
+def excited(asked: dict[str, Any]) -> dict[str, Any]:
+    """The same where it has an amplitude. ValueError."""
+    if asked["amplitude"] is None:
+        raise ValueError("amplitude is missing: allowed numbers > 0 [N or m]")
+    return asked
+
+
+def scheduled(asked: dict[str, Any]) -> dict[str, Any]:
+    """The same with one schedule of its steps."""
+    asked["schedule"] = schedule_of(asked["schedule"], asked["cells"])
+    return asked
+
+
 def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
     """What the compiled part is asked, of the arguments of a call.
 
@@ -122,7 +135,8 @@ def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
             asked[name] = state_of(asked[name], scene.bar, asked["cells"])
     if get("progress") is not None:
         asked["progress"] = listener(asked["progress"])
-    if "amplitude" in asked:
+    asked["derivative"] = 0
+    if get("amplitude_velocity") is not None or get("amplitude_acceleration") is not None:
         asked["amplitude"], asked["derivative"] = amplitude_of(
             asked["force"], asked["amplitude"], asked["amplitude_velocity"],
             asked["amplitude_acceleration"])

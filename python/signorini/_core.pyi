@@ -57,11 +57,11 @@ class Segment(_Record):
 
 class Scene(_Record):
     bar: Bar
-    stops: list[dict[str, Any]]
+    stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
     second_stop: Optional[float]
-    def _figure(self) -> str: ...
+    def _scene(self) -> str: ...
     def __init__(self, bar: Bar = ..., second_stop: Optional[Quantity] = ...,
                  segments: Sequence[Segment] = ...) -> None: ...
     @staticmethod

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, overload
 
 from . import _core
-from ._asking import asks, gathered
+from ._asking import asks, excited, gathered, scheduled
 from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, SceneHarmonicResult, State)
 from ._progress import Progress
@@ -153,30 +153,32 @@ def find(
         If no solver of this build can do what is asked.
     """
     asked = gathered(locals(), "target")
+    if energy is not None and energy_ratio is not None:
+        raise ValueError("energy clashes with energy_ratio: allowed one of them")
     where = asked["scene"]
     is_timed = period is not None or frequency is not None or hertz is not None
     times = {"period": period, "frequency": frequency, "hertz": hertz} if is_timed else {}
     if "words" in asked:
-        return _core.find_harmonic_bars(of_bars(asked, times, schedule, damping))
+        return _core.find_harmonic_bars(excited(of_bars(asked, times, schedule, damping)))
     if damping is not None or force is not None:
         if damping is None or force is None:
             raise ValueError("damping, force: allowed only together")
         if not is_timed:
-            return _core.find_forced(asked)
+            return _core.find_forced(scheduled(asked))
         if schedule or where.segments or strain_limit is not None:
             raise ValueError("period, frequency, hertz: allowed with damping "
                              "and force only without a schedule, segments and "
                              "strain_limit")
         exact = period_of(times, cells, where.bar, whole("cycles", cycles))
-        return _core.find_harmonic({**asked, "numerator": exact.numerator,
-                                    "denominator": exact.denominator})
+        return _core.find_harmonic(excited({**asked, "numerator": exact.numerator,
+                                            "denominator": exact.denominator}))
     if asked["amplitude"] is not None or whole("cycles", cycles) != 1:
         raise ValueError("amplitude, cycles: allowed only together with "
                          "damping and force")
     if is_timed and schedule:
         raise ValueError("a schedule clashes with period, frequency and "
                          "hertz: allowed one of them")
-    return ask(times, asked) if is_timed else _core.find(asked)
+    return ask(times, asked) if is_timed else _core.find(scheduled(asked))
 
 
 @asks("continuum")
@@ -217,4 +219,12 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
     BackendUnavailable
         If no solver of this build can do what is asked.
     """
-    return _core.continuum(gathered(locals(), "start", "to", "direction"))
+    asked = scheduled(gathered(locals(), "start", "to", "direction"))
+    if (energy is None) == (energy_ratio is None):
+        raise ValueError("energy, energy_ratio: allowed exactly one of them")
+    if (start is not None) != ((to is not None) != (direction is not None)) or (
+            to is not None and direction is not None):
+        raise ValueError("start: allowed only together with one of to and direction")
+    if start is not None and (seed is not None or sample):
+        raise ValueError("seed and sample clash with start: allowed one of them")
+    return _core.continuum(asked)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._asking import asks, gathered
+from ._asking import asks, excited, gathered
 from ._core import (Bar, Damping, ExactResponse, ForcedFrequency, ForcedMotion, ForceRange, Scene,
                     Simulation, State, Sweep, Waves)
 from ._progress import Progress
@@ -79,7 +79,7 @@ def response(*, damping: Quantity, force: str, amplitude: Quantity | None = None
     Response
         A Table of ForcedFrequency.
     """
-    data = _core.response(gathered(locals()))
+    data = _core.response(excited(gathered(locals())))
     head = {name: value for name, value, _ in keys_of(data)
             if name != "frequencies"}
     table = Response("frequencies", data.frequencies, **head)
@@ -105,8 +105,8 @@ def exact_response(*, damping: Quantity, force: str, amplitude: Quantity,
     -------
     ExactResponse
     """
-    return _core.exact_response(gathered(
-        {**locals(), "amplitude_velocity": None, "amplitude_acceleration": None}))
+    return _core.exact_response(excited(gathered(
+        {**locals(), "amplitude_velocity": None, "amplitude_acceleration": None})))
 
 
 @asks("simulation")
@@ -142,7 +142,16 @@ def simulate(start: State | Waves | str | None = None, *,
     if scene is None and bar is None and not bar_options \
             and isinstance(start, State):
         bar = start.bar
-    return _core.simulate(gathered(locals(), "start"))
+    asked = gathered(locals(), "start")
+    if asked["scene"].segments:
+        raise ValueError("segments: allowed only where stepped bars are known: find")
+    is_driven = force is not None
+    if is_driven != (asked["amplitude"] is not None) or is_driven != (frequency is not None):
+        raise ValueError("force, amplitude, frequency: allowed only all three together")
+    if (time is None) == (periods is None) or (periods is not None and not is_driven):
+        raise ValueError("time, periods: allowed one of them, and periods only together "
+                         "with force")
+    return _core.simulate(asked)
 
 
 @asks("sweep")

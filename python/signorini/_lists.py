@@ -9,7 +9,7 @@ from ._asking import asks
 from ._core import Bar, Family, Mode, ModeMotion, ModePolytope
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Number, Quantity, Steps, bar_of, fraction_of, whole
+from ._words import Number, Quantity, Steps, bar_of, fraction_of, schedule_of, whole
 
 #: Orders and periods that a few seconds list, by number of contacts.
 _USUAL = {1: (25, 8.0), 2: (25, 8.0), 3: (9, 12.0), 4: (5, 16.0)}
@@ -126,4 +126,4 @@ def polytope(*schedule: Steps, cells: int | None = None,
         force, or repeats itself.
     """
     units = bar_of(bar, bar_options)
-    return _core.polytope({"schedule": schedule, "cells": cells, "bar": units})
+    return _core.polytope({"schedule": schedule_of(schedule, cells), "cells": cells, "bar": units})

@@ -228,6 +228,7 @@ def html(record: Any) -> str:
 #: Which function of `signorini.plot` draws what, and how large [inches].
 _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Result: ("motion", (9, 7)),
+    Question: ("motion", (9, 7)),  # the first of them
     _core.Motion: ("motion", (9, 7)),
     _core.ContinuumPoint: ("motion", (9, 7)),
     _core.Continuum: ("continuum", (9, 7)),
@@ -237,10 +238,12 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.ExactResponse: ("response", (8, 6)),
     _core.ForcedResult: ("motion", (9, 7)),
     _core.HarmonicResult: ("motion", (8, 6)),
+    _core.SceneHarmonicResult: ("motion", (8, 5)),
     _core.ModeMotion: ("simulation", (8, 5)),
     _core.PolytopeMotion: ("simulation", (8, 5)),
     _core.Mode: ("frequency_energy", (8, 5)),
     _core.Scene: ("scene", (8, 2.5)),
+    _core.ForceRange: ("scene", (8, 2.5)),
 }
 
 #: The same of tables, by what a row is.
@@ -252,7 +255,8 @@ _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
 
 
 def _has_a_figure(record: Any) -> bool:
-    if isinstance(record, (_core.Result, _core.ForcedResult, _core.HarmonicResult)):
+    if isinstance(record, (_core.Result, _core.ForcedResult, _core.HarmonicResult,
+                           _core.SceneHarmonicResult)):
         return bool(record.status == "found")
     if isinstance(record, _core.Simulation):
         return len(record.tip_time) > 0
@@ -284,7 +288,7 @@ def _draw(name: str, record: Any, figure: Any) -> None:
     elif name == "simulation" and not isinstance(record, _core.Simulation):
         plot.simulation(_walked(record), figure=figure)
     else:
-        getattr(plot, name)(record, figure=figure)
+        getattr(plot, name)(record[0] if isinstance(record, Question) else record, figure=figure)
 
 
 #: What was drawn last: a notebook asks for the table and for the figure.
@@ -311,6 +315,9 @@ def png(record: Any) -> bytes | None:
     name, size = how
     figure = Figure(figsize=size, layout="constrained")
     _draw(name, record, figure)
+    if not any(hasattr(axes, "get_subplotspec") and axes.get_subplotspec()
+               for axes in figure.axes):
+        figure.set_layout_engine("none")  # all have their places
     file = io.BytesIO()
     figure.savefig(file, format="png", dpi=80)
     _last[:] = [(record, file.getvalue())]
@@ -351,13 +358,15 @@ def be_at_home() -> None:
         _set(kind, "_repr_html_", html)
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)
-    for kind in (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.Continuum,
-                 _core.AtlasSchedule, _core.ExactResponse, Question, Response):
+    for kind in (_core.Result, _core.ForcedResult, _core.HarmonicResult,
+                 _core.SceneHarmonicResult, _core.Continuum, _core.AtlasSchedule,
+                 _core.ExactResponse, Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)
     for kind, rows in ((_core.Continuum, "points"), (_core.Sweep, "points"),
                        (_core.ExactResponse, "frequencies"),
                        (_core.ForcedResult, "motions"),
-                       (_core.HarmonicResult, "motions")):
+                       (_core.HarmonicResult, "motions"),
+                       (_core.SceneHarmonicResult, "motions")):
         _set(kind, "frame", _frame_of(rows))
     _set(_core.Simulation, "frame", _contacts)

@@ -11,6 +11,9 @@ from ._core import Bar, Result
 from ._tables import Table, plain
 from ._words import Number, fraction_of, number, whole
 
+if TYPE_CHECKING:
+    from ._core import QuestionPart
+
 #: What fits the library's numbers, with room for sums.
 MOST_STEPS = 2 ** 62
 
@@ -63,7 +66,7 @@ class Question(Table[Result]):
         found: bool
         cells: int
         bar: Bar
-        question: dict[str, Any]
+        question: QuestionPart
         sets: list[dict[str, Any]]
         motions: list[Result]
         reason: str | None
@@ -141,14 +144,10 @@ def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     cells, scene = _cells_of(asked["cells"]), asked["scene"]
     steps = (_nearest(word, cells, scene.bar.time_unit) if name == "hertz"
              else _on_grid(name, word, cells))
-    sets = [_core.find({**asked, "schedule": (schedule,), "cells": None})
+    sets = [_core.find({**asked, "schedule": schedule})
             for schedule in _core.schedules_of_period(cells, steps, scene)]
-    energy, energy_ratio = asked["energy"], asked["energy_ratio"]
-    if energy is not None:
-        energy_ratio = number("energy", energy) / scene.bar.energy_unit
     head = plain(_core.question(
-        {"option": name, "word": str(word), "steps": steps, "cells": cells,
-         "scene": scene, "energy_ratio": energy_ratio}, sets))
+        {**asked, "option": name, "word": str(word), "steps": steps, "cells": cells}, sets))
     del head["motions"]
     return Question("motions", [r for r in sets if r.status == "found"],
                     **{**head, "bar": scene.bar})

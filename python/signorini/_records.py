@@ -18,6 +18,11 @@ def to_dict(record: Any) -> dict[str, Any]:
     return {name: plain(value) for name, value, _ in keys_of(record)}
 
 
+def _itself(record: Any, _: Any = None) -> Any:
+    """A copy: no record can be changed."""
+    return record
+
+
 def _shown(record: Any) -> str:
     """Name(key=value, ...), of what has a value."""
     words = []
@@ -128,17 +133,64 @@ def _phases_of(schedule: Schedule) -> Any:
     return plain(schedule.phases)
 
 
+def _places_of(state: _core.State) -> Any:
+    """x_1 ... x_N [m], where each cell ends; of a stepped bar the time that waves need counts."""
+    import numpy
+    speeds = numpy.repeat([part.speed for part in state.segments] or [1.0],
+                          [part.cells for part in state.segments] or [state.cells])
+    return numpy.cumsum(speeds / speeds[0]) * (state.bar.length / state.cells)
+
+
+def _instants_of(motion: _core.Motion) -> Any:
+    """t_0 ... t_n [s]."""
+    import numpy
+    return numpy.arange(motion.steps + 1) * (motion.bar.time_unit / motion.cells)
+
+
+def _nodes_of(motion: _core.Motion) -> Any:
+    """x_0 ... x_N [m], clamp to tip."""
+    import numpy
+    return numpy.arange(motion.cells + 1) * (motion.bar.length / motion.cells)
+
+
+#: What the classes that people make take.
+_MADE_OF: dict[Any, str] = {
+    _core.Bar: "length wave_speed axial_stiffness gap young density area",
+    _core.Segment: "cells impedance speed dashpot", Schedule: "*steps cells",
+    _core.Scene: "bar second_stop segments", _core.State: "a b bar segments",
+    _core.Motion: "state schedule scene"}
+
+_STEPS = ("n_c, n_f of each phase in turn, or pairs of them: ``Schedule(150, 900)``, "
+          "``Schedule((1, 12), (3, 12), cells=4)``.")
+
+
+def _document(kind: Any, names: str) -> None:
+    """A section of its docstring with the parameters, as its keys say."""
+    said = {"*steps": _STEPS, **_core.options("find")}
+    words = [f"{name}\n    {getattr(kind, name).__doc__ if hasattr(kind, name) else said[name]}"
+             for name in names.split()]
+    kind.__doc__ = "\n".join([f"{kind.__doc__}\n", "Parameters", "-" * 10, *words, "",
+                              "Raises", "-" * 6, "ValueError",
+                              "    If a value is out of its range, or two of them clash."])
+
+
 def be_records() -> None:
     """Give the compiled classes what all records have."""
+    state: Any = _core.State
+    schedule: Any = Schedule
+    motion: Any = _core.Motion
+    state.x = property(_places_of)
+    motion.t, motion.x = property(_instants_of), property(_nodes_of)
+    for kind, names in _MADE_OF.items():
+        _document(kind, names)
     for kind in vars(_core).values():
         if isinstance(kind, type) and hasattr(kind, "_keys"):
             made: Any = kind
             made.to_dict = to_dict
+            made.__copy__, made.__deepcopy__ = _itself, _itself
             if "__repr__" not in vars(kind):
                 made.__repr__ = _written if kind in _TEXTS else _shown
-    state: Any = _core.State
     state.to_dict = _waves_of
-    schedule: Any = Schedule
     schedule.to_dict, schedule.__eq__ = _phases_of, _is_schedule
     _be_a_list_of(Schedule, "phases")
     _be_a_list_of(_core.Continuum, "points")

@@ -46,9 +46,13 @@ def given_of(options: Mapping[str, Quantity | None]) -> dict[str, Quantity]:
 def whole(name: str, value: Any) -> int:
     """A whole number. TypeError that names the argument."""
     try:
-        return operator.index(value)
+        count = operator.index(value)
     except TypeError:
         raise TypeError(f"{name} = {reprlib.repr(value)}: allowed int") from None
+    if not -2 ** 63 <= count < 2 ** 63:
+        raise ValueError(f"{name} = {reprlib.repr(value)} is out of range: allowed "
+                         "whole numbers of at most 64 bits")
+    return count
 
 
 def number(name: str, value: Any, unit: str = "") -> float:
@@ -122,6 +126,46 @@ def cells_of(cells: int | None, scene: Scene,
     return sum(part.cells for part in scene.segments)
 
 
+def phases_of(words: Sequence[Any]) -> list[tuple[int, int, bool]]:
+    """The contacts of n_c, n_f, ..., or of pairs of them, (n_c, n_f, "left") on the second stop:
+    n_c, n_f, and whether it is that."""
+    steps: list[int] = []
+    stops: list[Any] = []
+    for word in words:
+        if type(word) is not int and hasattr(word, "__getitem__") and hasattr(
+                word, "__len__") and not isinstance(word, (str, bytes, dict, type)):
+            if len(word) not in (2, 3) or len(steps) % 2:
+                raise ValueError("n_c, n_f, ...: allowed pairs of contact and free steps, "
+                                 'with "left" those on the second stop')
+            steps += whole("n_c", word[0]), whole("n_f", word[1])
+            stops.append(word[2] if len(word) == 3 else "right")
+        else:
+            steps.append(whole("n_f" if len(steps) % 2 else "n_c", word))
+            stops += ["right"] * (len(steps) // 2 - len(stops))
+    if not steps or len(steps) % 2:
+        raise ValueError(f"n_c, n_f, ... = {len(steps)} step counts is out of range: "
+                         "allowed an even number of them, at least 2")
+    for stop in stops:
+        if stop not in ("left", "right"):
+            raise ValueError(f"stop = {reprlib.repr(stop)} is out of range: allowed left|right")
+    return [(contact, free, stop == "left")
+            for contact, free, stop in zip(steps[::2], steps[1::2], stops)]
+
+
+def schedule_of(words: Sequence[Any], cells: int | None
+                ) -> Schedule | list[tuple[int, int, bool]]:
+    """The schedule in the arguments of a call: a whole one, or its phases."""
+    if len(words) == 2 and type(words[0]) is int and type(words[1]) is int and (
+            0 < words[0] < 2 ** 63 > words[1] > 0):
+        return [(words[0], words[1], False)]  # at once, as most are
+    if len(words) == 1 and isinstance(words[0], Schedule):
+        if cells is not None and cells != words[0].cells:
+            raise ValueError(f"cells = {cells} clashes with those of the schedule: "
+                             f"allowed {words[0].cells}")
+        return words[0]
+    return phases_of(words)
+
+
 def segment_of(part: Sequence[float]) -> Segment:
     """A segment of (cells, impedance, speed, dashpot)."""
     try:
@@ -149,8 +193,6 @@ def amplitude_of(force: str | None, amplitude: Quantity | None,
                  velocity: Quantity | None, acceleration: Quantity | None
                  ) -> tuple[Quantity | None, int]:
     """The amplitude that is given, and of which derivative of the base."""
-    if velocity is None and acceleration is None:
-        return amplitude, 0
     given = {"amplitude": amplitude, "amplitude_velocity": velocity,
              "amplitude_acceleration": acceleration}
     said = [name for name, value in given.items() if value is not None]

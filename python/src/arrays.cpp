@@ -6,7 +6,6 @@
 
 #include "faults.hpp"
 #include "numbers.hpp"
-#include "options.hpp"
 #include "units.hpp"
 
 namespace signorini::python {
@@ -45,16 +44,23 @@ Numbers numbersOf(const py::object& given, const char* name)
         fmt::format("{} = {}: allowed real numbers", name, py::cast<std::string>(shown)));
 }
 
-std::string unitOfOption(const std::string& name)
+std::vector<const answers::Option*> optionsNamed(const std::string& argument)
 {
-    std::string option = "--" + name;
+    std::string option = "--" + argument;
     std::replace(option.begin(), option.end(), '_', '-');
+    std::vector<const answers::Option*> rows;
     for (const answers::Option& known : answers::options()) {
         if (known.name == option && known.takes != answers::Takes::file) {
-            return std::string(known.unit);
+            rows.push_back(&known);
         }
     }
-    return "-";
+    return rows;
+}
+
+std::string unitOfOption(const std::string& name)
+{
+    const auto rows = optionsNamed(name);
+    return rows.empty() ? "-" : std::string(rows.front()->unit);
 }
 
 double quantityOf(const std::string& name, const Quantity& given, const std::string& unit)

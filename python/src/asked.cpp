@@ -2,6 +2,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <unordered_map>
 
@@ -34,15 +36,28 @@ void Asked::refuseKind(const char* name, const char* kind) const
         fmt::format("{} = {}: allowed {}", name, py::cast<std::string>(shown), kind));
 }
 
-std::optional<double> Asked::positive(const char* name, const char* unit) const
+void Asked::requireFits(const char* name, double value)
 {
-    const auto value = maybe<double>(name);
-    Faults faults;
-    if (value) {
-        faults.requirePositive(name, *value, unit);
+    using answers::Takes;
+    static std::unordered_map<const char*, std::vector<const answers::Option*>> known;
+    const auto [rows, isNew] = known.try_emplace(name);
+    if (isNew) {
+        rows->second = optionsNamed(name);
+        std::erase_if(rows->second, [](const answers::Option* row) {
+            return row->takes != Takes::whole && row->takes != Takes::positive &&
+                   row->takes != Takes::range && row->takes != Takes::real;
+        });
     }
-    faults.throwIfAny();
-    return value;
+    const auto fits = [value](const answers::Option* row) {
+        return std::isfinite(value) &&
+               (row->takes == Takes::positive ? value > 0.0 && value < row->high
+                                              : row->low <= value && value <= row->high);
+    };
+    if (!rows->second.empty() && std::none_of(rows->second.begin(), rows->second.end(), fits)) {
+        Faults faults;
+        faults.add(name, value, rows->second.front()->allowed());
+        faults.throwIfAny();
+    }
 }
 
 double Asked::frequency(const char* name, const Bar& bar) const
@@ -84,18 +99,26 @@ Assembly Asked::assembly() const
     return assembly;
 }
 
-Schedule Asked::schedule() const
+std::optional<double> Asked::energyRatio(const Bar& bar) const
 {
-    return scheduleOf(py::cast<py::tuple>(object("schedule")), maybe<std::int64_t>("cells"));
+    const auto energy = maybe<double>("energy");
+    if (!energy) {
+        return maybe<double>("energy_ratio");
+    }
+    const double ratio = *energy / scales(bar).energy;
+    if (!std::isfinite(ratio)) {
+        Faults faults;
+        faults.add("energy", *energy, "what is finite in E_1");
+        faults.throwIfAny();
+    }
+    return ratio;
 }
 
-std::int64_t Asked::threads() const
+Schedule Asked::schedule() const
 {
-    const auto threads = get<std::int64_t>("threads");
-    Faults faults;
-    faults.requireWhole("threads", threads, maxThreads);
-    faults.throwIfAny();
-    return threads;
+    const py::object held = object("schedule");
+    return py::isinstance<py::list>(held) ? scheduleOf(held, maybe<std::int64_t>("cells"))
+                                          : py::cast<Schedule>(held);
 }
 
 Excited Asked::place() const
@@ -114,11 +137,6 @@ std::optional<double> Asked::displacement(double frequencyRatio, const Bar& bar)
 double Asked::strainLimit(double unit) const
 {
     const auto limit = maybe<double>("strain_limit");
-    Faults faults;
-    if (limit && !(*limit > 0.0)) {
-        faults.add("strain_limit", *limit, "numbers > 0 [-]");
-    }
-    faults.throwIfAny();
     return limit ? *limit / unit : std::numeric_limits<double>::infinity();
 }
 

@@ -28,7 +28,8 @@ public:
     }
     [[nodiscard]] bool has(const char* name) const { return !object(name).is_none(); }
 
-    /// \throws py::type_error naming the argument unless it is of this kind, or None.
+    /// \throws py::type_error naming the argument unless it is of this kind, or None;
+    /// std::invalid_argument where an option of that name does not take such a number.
     template <typename T>
     [[nodiscard]] std::optional<T> maybe(const char* name) const
     {
@@ -38,11 +39,17 @@ public:
         }
         if constexpr (std::is_same_v<T, double>) {
             if (py::isinstance<py::str>(held)) {
-                return quantityOf(name, py::cast<std::string>(held), unitOf(name));
+                const double value = quantityOf(name, py::cast<std::string>(held), unitOf(name));
+                requireFits(name, value);
+                return value;
             }
         }
         try {
-            return py::cast<T>(held);
+            const auto value = py::cast<T>(held);
+            if constexpr (std::is_arithmetic_v<T> && !std::is_same_v<T, bool>) {
+                requireFits(name, static_cast<double>(value));
+            }
+            return value;
         } catch (const py::cast_error&) {
             refuseKind(name, kindOf<T>());
         }
@@ -57,8 +64,6 @@ public:
         }
         return *std::move(value);
     }
-    /// A finite number > 0. \throws std::invalid_argument for another.
-    [[nodiscard]] std::optional<double> positive(const char* name, const char* unit) const;
     /// A frequency in ω₁, or as text in Hz: those of a bar.
     [[nodiscard]] double frequency(const char* name, const Bar& bar) const;
     /// A number, or text with the unit in which the program takes it.
@@ -79,12 +84,13 @@ public:
 
     [[nodiscard]] Bar bar() const { return get<Bar>("bar"); }
     [[nodiscard]] Scene scene() const { return get<Scene>("scene"); }
+    /// A whole one, or its phases, and "cells".
+    [[nodiscard]] Schedule schedule() const;
+    /// Of "energy" or "energy_ratio", if one is given.
+    [[nodiscard]] std::optional<double> energyRatio(const Bar& bar) const;
+    [[nodiscard]] Damping damping() const { return {get<double>("damping")}; }
     /// Of "words", with the scales of "scene" and "gravity". \throws std::invalid_argument.
     [[nodiscard]] Assembly assembly() const;
-    /// Of "schedule" and "cells".
-    [[nodiscard]] Schedule schedule() const;
-    /// "threads", at least 1.
-    [[nodiscard]] std::int64_t threads() const;
     [[nodiscard]] py::object progress() const { return object("progress"); }
     /// "tip" or "base", of "force".
     [[nodiscard]] Excited place() const;
@@ -116,6 +122,7 @@ private:
     [[nodiscard]] static PyObject* keyOf(const char* name);
     /// In which the program takes an option of that name.
     [[nodiscard]] std::string unitOf(const char* name) const;
+    static void requireFits(const char* name, double value);
     [[noreturn]] void refuseKind(const char* name, const char* kind) const;
 
     py::dict given_;

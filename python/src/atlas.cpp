@@ -144,7 +144,7 @@ AtlasRun build(const Asked& asked)
     range.gapSign = stopsOf(asked.bar()).right;
     validate(range);
     const auto path = asked.get<std::string>("path");
-    const auto threads = asked.threads();
+    const auto threads = asked.get<std::int64_t>("threads");
     const bool resume = asked.get<bool>("resume");
     return patiently(
         [=](const Wires& wires) {
@@ -167,9 +167,7 @@ AtlasRun build(const Asked& asked)
 
 void addAtlas(py::module_& module)
 {
-    classOf<FamilyOf>(module);
-    classOf<EntryOf>(module);
-    classOf<AtlasRun>(module);
+    addClasses<FamilyOf, EntryOf, AtlasRun>(module);
     addAtlasFile(module);
     addCall(module, "build_atlas", &build);
 }

@@ -70,18 +70,10 @@ Trace traceOf(const Asked& asked)
     const auto to = asked.maybe<StateOf>("to");
     const auto direction = asked.maybe<StateOf>("direction");
     const auto seed = asked.maybe<std::uint64_t>("seed");
-    const bool sample = asked.get<bool>("sample");
-    if (start.has_value() != (to.has_value() != direction.has_value()) ||
-        (to.has_value() && direction.has_value())) {
-        throw std::invalid_argument("start: allowed only together with one of to and direction");
-    }
     if (!start) {
-        return sample ? Trace(trace::Sample{seed.value_or(trace::Sample{}.seed)})
-               : seed ? Trace(trace::RandomPath{*seed})
-                      : Trace(trace::SplitPulse{});
-    }
-    if (seed || sample) {
-        throw std::invalid_argument("seed and sample clash with start: allowed one of them");
+        return asked.get<bool>("sample") ? Trace(trace::Sample{seed.value_or(trace::Sample{}.seed)})
+               : seed                    ? Trace(trace::RandomPath{*seed})
+                                         : Trace(trace::SplitPulse{});
     }
     if (to) {
         return trace::Path{*start->value, *to->value};
@@ -92,14 +84,9 @@ Trace traceOf(const Asked& asked)
 ContinuumAnswer continuum(const Asked& asked)
 {
     const Schedule schedule = asked.schedule();
-    const auto energyRatio = asked.maybe<double>("energy_ratio");
-    const auto energy = asked.maybe<double>("energy");
-    if (energyRatio.has_value() == energy.has_value()) {
-        throw std::invalid_argument("energy, energy_ratio: allowed exactly one of them");
-    }
     ContinuumOptions options;
     options.scene = asked.scene();
-    const double ratio = energyRatio ? *energyRatio : ratioOf(*energy, options.scene.bar);
+    const double ratio = asked.energyRatio(options.scene.bar).value();
     options.points = asked.get<std::int64_t>("points");
     options.trace = traceOf(asked);
     options.solver = solverOfEngine(asked.get<std::string>("engine"));

@@ -119,4 +119,11 @@ std::unique_ptr<Record<T>> classOf(py::handle scope, const char* doc = nullptr)
     return std::move(keys.made);
 }
 
+/// Classes of records that have no more than their keys.
+template <typename... T>
+void addClasses(py::module_& module)
+{
+    (classOf<T>(module), ...);
+}
+
 }  // namespace signorini::python

@@ -69,13 +69,7 @@ Answer find(const Asked& asked)
     options.solver = asked.get<std::string>("solver");
     options.formulation = asked.named("formulation", formulationNames);
     options.objective = asked.named("objective", objectiveNames);
-    options.energyRatio = asked.maybe<double>("energy_ratio");
-    if (const auto energy = asked.maybe<double>("energy")) {
-        if (options.energyRatio) {
-            throw std::invalid_argument("energy clashes with energy_ratio: allowed one of them");
-        }
-        options.energyRatio = ratioOf(*energy, options.scene.bar);
-    }
+    options.energyRatio = asked.energyRatio(options.scene.bar);
     options.strainLimit = asked.strainLimit(scale.strain);
     if (const auto floor = asked.maybe<double>("tip_floor")) {
         options.tipFloor = *floor / scale.displacement;
@@ -103,25 +97,17 @@ Answer find(const Asked& asked)
 
 void addFind(py::module_& module)
 {
-    classOf<Physical>(module);
+    addClasses<Physical, FarkasCertificate, ProgramProof, SteppedProof, EnergyFloorProof,
+               EnergyExclusion, answers::SolutionSet, HeldEnergy, SolverReport, TentPlace,
+               Of<Damping>>(module);
     classOf<Residuals>(module)->more().def("worst", &Residuals::worst, "The largest of them.");
-    classOf<FarkasCertificate>(module);
-    classOf<ProgramProof>(module);
-    classOf<SteppedProof>(module);
-    classOf<EnergyFloorProof>(module);
-    classOf<EnergyExclusion>(module);
-    classOf<answers::SolutionSet>(module);
-    classOf<HeldEnergy>(module);
-    classOf<SolverReport>(module);
-    classOf<TentPlace>(module);
-    classOf<Of<Damping>>(module);
     addResult(module);
     addCall(module, "find", &find);
     module.def("question", [](const py::dict& given, std::vector<Answer> sets) {
         const Asked asked(given);
         FindOptions options;
         options.scene = asked.scene();
-        options.energyRatio = asked.maybe<double>("energy_ratio");
+        options.energyRatio = asked.energyRatio(options.scene.bar);
         answers::QuestionAnswer answer =
             answers::questionOf({asked.get<std::string>("option"), asked.get<std::string>("word"),
                                  asked.get<std::int64_t>("steps")},

@@ -14,6 +14,7 @@
 #include "patience.hpp"
 #include "response_answer.hpp"
 #include "scene_answer.hpp"
+#include "scene_figures.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
@@ -60,7 +61,7 @@ ForcedAnswer findForced(const Asked& asked)
             "amplitude is missing: allowed numbers > 0 [N or m]: without a gap motions are as "
             "small as one likes");
     }
-    const Damping damping{asked.get<double>("damping")};
+    const Damping damping = asked.damping();
     const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
     const ForcedLimits limits{asked.strainLimit(scales(bar).strain)};
     const auto amplitude = asked.displacement(4.0 * static_cast<double>(schedule.cells) *
@@ -77,20 +78,14 @@ HarmonicAnswer findHarmonic(const Asked& asked)
 {
     const Scene scene = asked.scene();
     validate(scene);
-    const auto contacts = asked.get<std::int64_t>("contacts");
-    Faults faults;
-    faults.requireWhole("contacts", contacts, maxHarmonicContacts);
-    faults.throwIfAny();
-    if (!asked.has("amplitude")) {
-        throw std::invalid_argument("amplitude is missing: allowed numbers > 0 [N or m]");
-    }
     const ExactPeriod period =
         exactPeriod(asked.get<std::int64_t>("numerator"), asked.get<std::int64_t>("denominator"));
     const auto cycles = asked.get<std::int64_t>("cycles");
-    const Damping damping{asked.get<double>("damping")};
+    const Damping damping = asked.damping();
     const Excited place = asked.place();
     const auto amplitude = asked.displacement(4.0 * static_cast<double>(cycles) / period.value(),
                                               answers::unitsOf(scene));
+    const auto contacts = asked.get<std::int64_t>("contacts");
     return patiently([=](const Wires&) {
         return answers::answerOf(period, damping, place, cycles, *amplitude, scene, contacts);
     });
@@ -99,14 +94,11 @@ HarmonicAnswer findHarmonic(const Asked& asked)
 answers::SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
-    if (!asked.has("amplitude")) {
-        throw std::invalid_argument("amplitude is missing: allowed numbers > 0 [N or m]");
-    }
     const auto cycles = asked.get<std::int64_t>("cycles");
     const std::int64_t steps =
         answers::stepsOf(assembly,
                          {asked.maybe<double>("period"), asked.maybe<double>("frequency"),
-                          asked.positive("hertz", "Hz")},
+                          asked.maybe<double>("hertz")},
                          cycles);
     const Excited place = asked.place();
     const double period = static_cast<double>(steps) * networkOf(assembly).scales.time;
@@ -122,7 +114,7 @@ answers::ForceRange forceRange(const Asked& asked)
     const Assembly assembly = asked.assembly();
     const auto low = asked.inUnit("low", "N");
     const auto high = asked.inUnit("high", "N");
-    const auto time = *asked.positive("time", "s");
+    const auto time = asked.get<double>("time");
     if (!(low <= high && std::isfinite(high - low))) {
         Faults faults;
         faults.add("low, high", fmt::format("{}, {}", low, high), "finite low <= high [N]");
@@ -140,12 +132,9 @@ ResponseAnswer responseAsked(const Asked& asked)
     const Bar bar = answers::unitsOf(scene);
     const Excited place = asked.place();
     const auto derivative = asked.get<int>("derivative");
-    if (!asked.has("amplitude")) {
-        throw std::invalid_argument("amplitude is missing: allowed numbers > 0 [N or m]");
-    }
     const auto amplitude = asked.get<double>("amplitude");
     ResponseAnswer answer{{.cells = asked.maybe<std::int64_t>("cells").value_or(usualCells),
-                           .damping = {asked.get<double>("damping")},
+                           .damping = asked.damping(),
                            .place = place,
                            .amplitude = amplitude / amplitudeUnit(place, bar, derivative),
                            .derivative = derivative,
@@ -165,7 +154,7 @@ ResponseAnswer responseAsked(const Asked& asked)
 ResponseAnswer response(const Asked& asked)
 {
     ResponseAnswer answer = responseAsked(asked);
-    const auto threads = asked.threads();
+    const auto threads = asked.get<std::int64_t>("threads");
     const bool stability = asked.get<bool>("stability");
     return patiently(
         [answer, stability, threads](const Wires& wires) mutable {
@@ -197,7 +186,7 @@ ExactAnswer exactResponse(const Asked& asked)
     if (!isUniform(question.scene.segments)) {
         throw std::invalid_argument("segments: allowed only a uniform bar under an exact harmonic");
     }
-    const auto threads = asked.threads();
+    const auto threads = asked.get<std::int64_t>("threads");
     return patiently(
         [question, threads](const Wires& wires) {
             ExactAnswer answer{
@@ -217,50 +206,53 @@ ExactAnswer exactResponse(const Asked& asked)
 
 void addForced(py::module_& module)
 {
+    addClasses<HarmonicContactOf, HarmonicMotionOf, answers::SceneHarmonicMotion,
+               answers::PermanentOf, answers::FrequencyOf, answers::ExactFrequencyOf,
+               answers::BranchPointOf, answers::BranchMarkOf, answers::ExactBranchOf>(module);
     addMotionOf(module);
     classOf<ForcedAnswer>(module)
         ->more()
         .def("_figure",
-             [](const ForcedAnswer& a) {
-                 return asJson(motionFigure(a.motions.back().value, a.scene));
+             [](const ForcedAnswer& a, std::size_t k) {
+                 return asJson(motionFigure(a.motions.at(k).value, a.scene));
              })
-        .def("_frames", [](const ForcedAnswer& a, std::int64_t most) {
-            const ForcedMotion& last = a.motions.back().value;
-            const std::vector<Segment> uniform{{.cells = last.schedule.cells}};
-            const Motion field(last.state, last.schedule,
-                               a.scene.segments.empty() ? uniform : a.scene.segments, last.damping,
-                               last.excitation);
+        .def("_frames", [](const ForcedAnswer& a, std::int64_t most, std::size_t k) {
+            const ForcedMotion& one = a.motions.at(k).value;
+            const std::vector<Segment> uniform{{.cells = one.schedule.cells}};
+            const Motion field(one.state, one.schedule,
+                               a.scene.segments.empty() ? uniform : a.scene.segments, one.damping,
+                               one.excitation);
             return framesOf(MotionSamples(field, a.scene), most);
         });
     addCall(module, "find_forced", &findForced);
-    classOf<HarmonicContactOf>(module);
-    classOf<HarmonicMotionOf>(module);
-    const auto field = [](const HarmonicAnswer& a) {
-        return HarmonicField(a.given(), a.motions.back().value);
+    const auto field = [](const HarmonicAnswer& a, std::size_t k) {
+        return HarmonicField(a.given(), a.motions.at(k).value);
     };
     classOf<HarmonicAnswer>(module)
         ->more()
         .def("_figure",
-             [field](const HarmonicAnswer& a) { return asJson(harmonicFigure(field(a), a.scene)); })
-        .def("_frames", [field](const HarmonicAnswer& a, std::int64_t most) {
-            return framesOf(MotionSamples(field(a), a.scene, usualCells), most);
+             [field](const HarmonicAnswer& a, std::size_t k) {
+                 return asJson(harmonicFigure(field(a, k), a.scene));
+             })
+        .def("_frames", [field](const HarmonicAnswer& a, std::int64_t most, std::size_t k) {
+            return framesOf(MotionSamples(field(a, k), a.scene, usualCells), most);
         });
     addCall(module, "find_harmonic", &findHarmonic);
-    classOf<answers::SceneHarmonicMotion>(module);
-    classOf<answers::SceneHarmonicAnswer>(module);
+    classOf<answers::SceneHarmonicAnswer>(module)
+        ->more()
+        .def("_figure", [](const answers::SceneHarmonicAnswer& a,
+                           std::size_t k) { return asJson(contactFigure(a.pathOf(k), a.scales)); })
+        .def("_scene", [](const answers::SceneHarmonicAnswer& a) {
+            return asJson(sceneFigure(a.bars.assembly));
+        });
     addCall(module, "find_harmonic_bars", &findHarmonicBars);
-    classOf<answers::ForceRange>(module);
+    classOf<answers::ForceRange>(module)->more().def(
+        "_scene", [](const answers::ForceRange& a) { return asJson(sceneFigure(a.assembly)); });
     addCall(module, "force_range", &forceRange);
-    classOf<answers::PermanentOf>(module);
-    classOf<answers::FrequencyOf>(module);
     classOf<ResponseAnswer>(module)->more().def("_figure", [](const ResponseAnswer& answer) {
         return asJson(responseFigure(answer.frequencies, answer.range, answer.bar));
     });
     addCall(module, "response", &response);
-    classOf<answers::ExactFrequencyOf>(module);
-    classOf<answers::BranchPointOf>(module);
-    classOf<answers::BranchMarkOf>(module);
-    classOf<answers::ExactBranchOf>(module);
     classOf<ExactAnswer>(module)->more().def("_figure", [](const ExactAnswer& answer) {
         return asJson(exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar));
     });

@@ -59,10 +59,6 @@ struct OnGrid {
     const Motion& field;
     double cells;
 
-    explicit OnGrid(const GridMotion& motion)
-        : field(*motion.field()), cells(static_cast<double>(field.cells()))
-    {
-    }
     double displacement(double x, double t) const
     {
         return field.displacementAt(x * cells, t * cells);
@@ -72,72 +68,65 @@ struct OnGrid {
     double wallForce(double t) const { return field.wallForceAt(t * cells); }
 };
 
-/// The same for a mode or a polytope.
-struct OnNoGrid {
-    const ModeMotion& motion;
+OnGrid fieldOf(const GridMotion& motion)
+{
+    return {*motion.field(), static_cast<double>(motion.schedule.cells)};
+}
 
-    template <typename Answer>
-    explicit OnNoGrid(const Answer& answer) : motion(answer.motion)
-    {
-    }
-    double displacement(double x, double t) const { return motion.displacement(x, t); }
-    double velocity(double x, double t) const { return motion.velocity(x, t); }
-    double strain(double x, double t) const { return motion.strain(x, t); }
-    double wallForce(double t) const { return motion.wallForce(t); }
-};
+/// Of a mode or a polytope.
+template <typename Answer>
+const ModeMotion& fieldOf(const Answer& answer)
+{
+    return answer.motion;
+}
 
-/// Fields of a `Field` made from a `T` that has a bar: in SI units, and without.
-template <typename T, typename Field>
+/// Fields of a T that has a bar: in SI units, and without.
+template <typename T>
 void addFieldsOf(Record<T>& record)
 {
-    const auto add = [&record](const std::string& name, auto member, auto unitOf, const char* what,
-                               const char* unit, bool isRatio) {
+    using Field = std::remove_cvref_t<decltype(fieldOf(std::declval<const T&>()))>;
+    const auto add = [&record](const std::string& name, auto member, double Scales::*unit,
+                               const char* what, const char* units, bool isRatio) {
+        const char* length = isRatio ? "L" : "m";
         record.can(name.c_str(), {"x", "t"},
                    fmt::format("{} [{}] at x [{}] and t [{}], any arrays that NumPy can broadcast "
                                "together.",
-                               what, unit, isRatio ? "L" : "m", isRatio ? "L/c" : "s")
+                               what, units, length, isRatio ? "L/c" : "s")
                        .c_str(),
                    [=](const T& motion, const py::object& x, const py::object& t) {
-                       const Field field(motion);
-                       const Scales scale = scales(motion.bar);
-                       const double length = isRatio ? 1.0 : motion.bar.length;
-                       const double time = isRatio ? 1.0 : scale.time;
-                       const double one = isRatio ? 1.0 : scale.*unitOf;
+                       const auto& field = fieldOf(motion);
+                       const Scales scale =
+                           isRatio ? Scales{1.0, 1.0, 1.0, 1.0, 1.0, 1.0} : scales(motion.bar);
+                       const double most = isRatio ? 1.0 : motion.bar.length;
                        return Grid(x, t).of([&](double place, double instant) {
-                           if (!(place >= 0.0 && place <= length && std::isfinite(instant))) {
-                               refusePlace(place, instant, length, isRatio ? "L" : "m");
+                           if (!(place >= 0.0 && place <= most && std::isfinite(instant))) {
+                               refusePlace(place, instant, most, length);
                            }
-                           return one * (field.*member)(place / length, instant / time);
+                           return scale.*unit * (field.*member)(place / most, instant / scale.time);
                        });
                    });
     };
-    const auto both = [&add](const std::string& name, auto member, auto unitOf, const char* what,
-                             const char* unit, const char* ratioUnit) {
-        add(name, member, unitOf, what, unit, false);
-        add(name + "_ratio", member, unitOf, what, ratioUnit, true);
+    const auto both = [&add](const std::string& name, auto member, double Scales::*unit,
+                             const char* what, const char* units, const char* ratioUnits) {
+        add(name, member, unit, what, units, false);
+        add(name + "_ratio", member, unit, what, ratioUnits, true);
     };
     both("displacement", &Field::displacement, &Scales::displacement, "u(x, t)", "m", "g");
     both("velocity", &Field::velocity, &Scales::velocity, "v(x, t)", "m/s", "c g/L");
     both("strain", &Field::strain, &Scales::strain, "s(x, t), tension > 0,", "-", "g/L");
-    const auto force = [](const T& motion, const py::object& t, double time, double unit) {
-        const Field field(motion);
-        return onPeriods(t, [&](double instant) { return unit * field.wallForce(instant / time); });
-    };
-    record
-        .can("wall_force", {"t"},
-             "Force of the tip on the wall [N] at t [s], any array; 0 in flight.",
-             [force](const T& motion, const py::object& t) {
-                 return force(motion, t, scales(motion.bar).time, forceUnit(motion.bar));
-             })
-        .can("wall_force_ratio", {"t"},
-             "Force of the tip on the wall [EA g/L] at t [L/c], any array.",
-             [force](const T& motion, const py::object& t) { return force(motion, t, 1.0, 1.0); });
-}
-
-/// 0, step, ..., count step.
-py::array_t<double> multiples(double step, std::int64_t count)
-{
-    return filled(count + 1, [step](std::int64_t k) { return static_cast<double>(k) * step; });
+    for (const bool isRatio : {false, true}) {
+        record.can(isRatio ? "wall_force_ratio" : "wall_force", {"t"},
+                   isRatio ? "Force of the tip on the wall [EA g/L] at t [L/c], any array."
+                           : "Force of the tip on the wall [N] at t [s], any array; 0 in flight.",
+                   [isRatio](const T& motion, const py::object& t) {
+                       const auto& field = fieldOf(motion);
+                       const double time = isRatio ? 1.0 : scales(motion.bar).time;
+                       const double unit = isRatio ? 1.0 : forceUnit(motion.bar);
+                       return onPeriods(t, [&](double instant) {
+                           return unit * field.wallForce(instant / time);
+                       });
+                   });
+    }
 }
 
 StateOf stateAt(const GridMotion& m, std::int64_t step)
@@ -164,25 +153,9 @@ StateOf stateAt(const GridMotion& m, std::int64_t step)
 
 void addMotion(py::module_& module)
 {
-    Record<GridMotion> record(module, "Motion", R"(What a bar does over one period.
-
-The fields are exact at any place and time: waves are constant on each cell and step.
-
-Parameters
-----------
-state : State
-    At the start of the first contact, with the bar that gives it units.
-schedule : Schedule
-    That it follows.
-scene : Scene, optional
-    Where there is more than a uniform bar at a wall. Of a stepped bar x counts the time that waves
-    need, as lengths of its first material.
-
-Raises
-------
-ValueError
-    If state and schedule do not have the same cells.
-)");
+    Record<GridMotion> record(module, "Motion",
+                              "What a bar does over one period: exact at any place and time, for "
+                              "waves are constant on each cell and step.");
     auto& shown = record.more();
     shown
         .def(py::init([](const StateOf& state, const Schedule& schedule,
@@ -221,16 +194,6 @@ ValueError
                  const std::span<const double> p = m.field()->arriving();
                  return view(p.data(), p.size(), m.field());
              })
-        .has("t", "t_0 ... t_n [s].",
-             [](const GridMotion& m) {
-                 return multiples(scales(m.bar).time / static_cast<double>(m.schedule.cells),
-                                  m.field()->steps());
-             })
-        .has("x", "x_0 ... x_N [m], clamp to tip.",
-             [](const GridMotion& m) {
-                 return multiples(m.bar.length / static_cast<double>(m.schedule.cells),
-                                  m.schedule.cells);
-             })
         .both("tip", "displacement_unit", "u(L, t) at t_0 ... t_n [m]; straight between.",
               "u(L, t) at t_0 ... t_n [g].",
               [](const GridMotion& m) {
@@ -246,7 +209,7 @@ ValueError
                   return filled(field.steps(), [&](std::int64_t k) { return field.wallForce(k); });
               })
         .can("state_at", {"step"}, "The state right after t_m.", &stateAt);
-    addFieldsOf<GridMotion, OnGrid>(record);
+    addFieldsOf(record);
 }
 
 const std::shared_ptr<const Motion>& GridMotion::field() const
@@ -271,12 +234,12 @@ std::vector<std::string> framesOf(const MotionSamples& samples, std::int64_t mos
 
 void addModeFields(Record<ModeAnswer>& record)
 {
-    addFieldsOf<ModeAnswer, OnNoGrid>(record);
+    addFieldsOf(record);
 }
 
 void addModeFields(Record<PolytopeAnswer>& record)
 {
-    addFieldsOf<PolytopeAnswer, OnNoGrid>(record);
+    addFieldsOf(record);
 }
 
 }  // namespace signorini::python

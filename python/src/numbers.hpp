@@ -8,17 +8,23 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
+
+#include "options.hpp"
 
 namespace signorini::python {
 
 namespace py = pybind11;
 
-using Numbers = py::array_t<double, py::array::forcecast>;
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// A number in the unit of its argument, or text with a unit of its own: "0.1mm".
 using Quantity = std::variant<double, std::string>;
 
-/// In which the program takes the option that is called so; "-" if there is none.
+/// The program's options that are called as an argument is.
+[[nodiscard]] std::vector<const answers::Option*> optionsNamed(const std::string& argument);
+
+/// In which the program takes such an option; "-" if there is none.
 [[nodiscard]] std::string unitOfOption(const std::string& name);
 
 /// Of an argument, in that unit.

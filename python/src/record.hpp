@@ -28,9 +28,6 @@ public:
     {
         if constexpr (isKept<T>) {
             class_.def(pickling<T>());
-            class_.def("__copy__", [](const T& value) { return std::make_shared<T>(value); });
-            class_.def("__deepcopy__",
-                       [](const T& value, const py::dict&) { return std::make_shared<T>(value); });
         }
     }
     Record(const Record&) = delete;

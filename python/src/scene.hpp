@@ -26,18 +26,11 @@ struct StateOf {
 using answers::forceUnit;
 using answers::impulseUnit;
 
-/// E/E_1 of an energy [J] to hold. \throws ValueError unless it is finite and > 0.
-[[nodiscard]] double ratioOf(double energy, const Bar& bar);
-
-/// A whole number; errors name it. \throws TypeError, ValueError.
-[[nodiscard]] std::int64_t wholeOf(const py::handle& value, const char* name);
-
-/// The schedule in the arguments of a call: n_c, n_f, n_c, n_f, ..., or pairs of them, or one
-/// Schedule; a phase on the second stop is (n_c, n_f, "left"). \throws ValueError, TypeError.
-[[nodiscard]] Schedule scheduleOf(const py::tuple& words, std::optional<std::int64_t> cells);
-
 /// Cells where nothing is said.
 inline constexpr std::int64_t usualCells = 300;
+
+/// Of [(n_c, n_f, is it on the second stop?), ...]. \throws ValueError.
+[[nodiscard]] Schedule scheduleOf(const py::list& phases, std::optional<std::int64_t> cells);
 
 /// Adds Bar, Segment, Scene, Schedule and State to the module.
 void addScene(py::module_& module);

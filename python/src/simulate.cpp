@@ -160,22 +160,17 @@ Excitation excitationOf(Drive& drive, double cells, const Bar& bar)
     return excitation;
 }
 
-/// Refuses what takes no time, or more than anyone waits for.
-void requireLength(std::optional<double> time, std::optional<std::int64_t> periods, double period,
-                   const Bar& bar)
+/// Refuses more than anyone waits for.
+void requireLength(const char* name, double given, double seconds, const Bar& bar)
 {
     constexpr double longest = 1e9;  // [L/c]
-    const double most = longest * second(bar);
-    Faults faults;
-    if (periods && !(*periods >= 1 && static_cast<double>(*periods) * period <= most)) {
-        faults.add("periods", *periods,
-                   fmt::format("whole numbers 1..{:.6g}, at most {} L/c", std::floor(most / period),
-                               longest));
+    if (!(seconds <= longest * second(bar))) {
+        Faults faults;
+        faults.add(
+            name, given,
+            fmt::format("what lasts at most {} L/c, {:.3g} s", longest, longest * second(bar)));
+        faults.throwIfAny();
     }
-    if (time && !(*time > 0.0 && *time <= most)) {
-        faults.add("time", *time, fmt::format("numbers > 0, at most {:.6g} [s]", most));
-    }
-    faults.throwIfAny();
 }
 
 /// Goes on stretch by stretch, and sees whether it repeats itself.
@@ -220,11 +215,8 @@ Simulated simulate(const Asked& asked)
 {
     Simulated answer;
     answer.scene = asked.scene();
-    if (!answer.scene.segments.empty()) {
-        throw std::invalid_argument("segments: allowed only where stepped bars are known: find");
-    }
     const Bar bar = answer.scene.bar;
-    answer.damping = {asked.get<double>("damping")};
+    answer.damping = asked.damping();
     std::optional<double> frequency;
     if (asked.has("frequency")) {
         frequency = asked.frequency("frequency", bar);
@@ -232,15 +224,7 @@ Simulated simulate(const Asked& asked)
     const auto time = asked.maybe<double>("time");
     const auto periods = asked.maybe<std::int64_t>("periods");
     const auto cells = asked.maybe<std::int64_t>("cells");
-    const bool isDriven = asked.has("force");
-    if (isDriven != asked.has("amplitude") || isDriven != frequency.has_value()) {
-        throw std::invalid_argument("force, amplitude, frequency: allowed only all three together");
-    }
-    if (time.has_value() == periods.has_value() || (periods && !isDriven)) {
-        throw std::invalid_argument(
-            "time, periods: allowed one of them, and periods only together with force");
-    }
-    if (isDriven) {
+    if (frequency) {
         answer.drive = Drive{asked.place(), *asked.displacement(*frequency, bar), *frequency,
                              asked.get<double>("phase")};
     }
@@ -252,13 +236,12 @@ Simulated simulate(const Asked& asked)
     answer.cells = static_cast<std::int64_t>(answer.waves.crossing);
     const Excitation excitation =
         drivenBy(cells ? static_cast<double>(*cells) : answer.waves.crossing);
-    requireLength(time, periods, answer.drive ? answer.drive->period : 0.0, bar);
-    const auto resolve = asked.positive("resolve", "s");
+    const double period = answer.drive ? answer.drive->period : second(bar);
+    const double total = periods ? static_cast<double>(*periods) : *time / period;
+    requireLength(periods ? "periods" : "time", periods ? total : *time, total * period, bar);
+    const auto resolve = asked.maybe<double>("resolve");
     answer.resolution = resolve ? *resolve / second(bar) : 1.0 / excitation.stepsPerCrossing;
     const bool tip = asked.get<bool>("tip");
-    const double total = periods        ? static_cast<double>(*periods)
-                         : answer.drive ? *time / answer.drive->period
-                                        : *time / second(bar);
     return patiently(
         [answer = std::move(answer), excitation, total, tip](const Wires& wires) {
             return simulated(answer, excitation, total, tip, wires);
@@ -271,9 +254,7 @@ Simulated simulate(const Asked& asked)
 void addSimulate(py::module_& module)
 {
     addWaves(module);
-    classOf<Drive>(module);
-    classOf<Of<Settled>>(module);
-    classOf<Of<EnergyBalance>>(module);
+    addClasses<Drive, Of<Settled>, Of<EnergyBalance>>(module);
     addSimulated(module);
     addCall(module, "simulate", &simulate);
 }

@@ -19,15 +19,8 @@ std::shared_ptr<const State> stateOf(const Numbers& a, const Numbers& b)
                         a.size(), b.size(), a.ndim(), b.ndim()));
     }
     auto state = std::make_shared<State>();
-    const auto copy = [](const auto& from) {
-        Eigen::VectorXd values(from.size());
-        for (py::ssize_t k = 0; k < from.size(); ++k) {
-            values[k] = from.at(k);
-        }
-        return values;
-    };
-    state->a = copy(a);
-    state->b = copy(b);
+    state->a = Eigen::VectorXd::Map(a.data(), a.size());
+    state->b = Eigen::VectorXd::Map(b.data(), b.size());
     if (!state->a.allFinite() || !state->b.allFinite()) {
         throw std::invalid_argument("a, b = values that are not finite: allowed finite numbers");
     }
@@ -38,25 +31,6 @@ std::shared_ptr<const State> stateOf(const Numbers& a, const Numbers& b)
 py::array_t<double> array(const Eigen::VectorXd& values, double unit = 1.0)
 {
     return filled(values.size(), [&](std::int64_t k) { return values[k] * unit; });
-}
-
-/// x_1 ... x_N in cells of the first segment.
-Eigen::VectorXd cellEnds(const StateOf& s)
-{
-    Eigen::VectorXd ends(s.value->cells());
-    if (s.segments.empty()) {
-        ends.setLinSpaced(1.0, static_cast<double>(ends.size()));
-        return ends;
-    }
-    Eigen::Index k = 0;
-    double x = 0.0;
-    for (const Segment& segment : s.segments) {
-        for (std::int64_t cell = 0; cell < segment.cells; ++cell) {
-            x += segment.speed / s.segments.front().speed;
-            ends[k++] = x;
-        }
-    }
-    return ends;
 }
 
 py::array_t<double> waveOf(const StateOf& s, Eigen::VectorXd State::*wave)
@@ -83,25 +57,9 @@ StateOf finer(const StateOf& s, std::int64_t factor)
 
 void addState(py::module_& module)
 {
-    Record<StateOf> record(module, "State", R"(The state of the bar at one instant: two waves.
-
-Cell i of N is x_{i-1} < x < x_i = i L/N. Arrays have N values. `a` and `b` are views of the
-answer's own memory, in units of g/L; everything else is computed from them.
-
-Parameters
-----------
-a, b : array_like, shape (N,)
-    Right- and left-going wave [g/L].
-bar : Bar, optional
-    What the units mean in SI: of the first material, where there are segments.
-segments : list of Segment, optional
-    What the bar is made of, clamp first.
-
-Raises
-------
-ValueError
-    If the arrays do not have one length, are empty, or not finite.
-)");
+    Record<StateOf> record(module, "State",
+                           "The state of the bar at one instant: two waves. Cell i of N is "
+                           "x_{i-1} < x < x_i = i L/N.");
     record
         .both("velocity", "velocity_unit", "v on each cell [m/s].",
               "v on each cell [c g/L], a + b.",
@@ -124,10 +82,6 @@ ValueError
              [](const StateOf& s) { return waveOf(s, &State::a); })
         .has("b", "Left-going wave r_2 on each cell [g/L]; read-only, no copy.",
              [](const StateOf& s) { return waveOf(s, &State::b); })
-        .has("x", "x_1 ... x_N [m], where each cell ends.",
-             [](const StateOf& s) {
-                 return array(cellEnds(s), s.bar.length / static_cast<double>(s.value->cells()));
-             })
         .can("refined", {"factor"}, "The same state on `factor` times as many cells.", &finer)
         .can("write", {"path"},
              "Writes the file that ``signorini find --state`` writes. OSError if it cannot be "

@@ -94,7 +94,7 @@ void requireBars(const Network& bars, const SweepRange& range)
 
 SweepAnswer sweep(const Asked& asked)
 {
-    const double resolution = asked.positive("resolve", "s").value_or(0.0);
+    const double resolution = asked.maybe<double>("resolve").value_or(0.0);
     const auto direction = asked.get<std::string>("direction");
     std::vector<SweepDirection> directions{SweepDirection::up, SweepDirection::down};
     if (direction != "both") {
@@ -104,7 +104,7 @@ SweepAnswer sweep(const Asked& asked)
     range.over = asked.named("over", sweptNames);
     range.isCarried = !asked.get<bool>("rest");
     range.derivative = asked.get<int>("derivative");
-    range.damping = {asked.get<double>("damping")};
+    range.damping = asked.damping();
     range.resolution = resolution;
     const auto amplitude = asked.maybe<double>("amplitude").value_or(0.0);
     std::shared_ptr<const Network> bars;
@@ -119,7 +119,7 @@ SweepAnswer sweep(const Asked& asked)
     } else {
         answer = withUnits(range, asked.scene(), asked, amplitude);
     }
-    const auto threads = asked.threads();
+    const auto threads = asked.get<std::int64_t>("threads");
     const auto file = asked.maybe<std::string>("file").value_or("");
     const auto question = asked.get<std::string>("question");
     return patiently(
@@ -153,7 +153,7 @@ std::vector<StudyPoint> study(const Asked& asked)
         range.damping = {damping};
         all.push_back({withUnits(range, scene, asked, amplitude), amplitude});
     }
-    const auto threads = asked.threads();
+    const auto threads = asked.get<std::int64_t>("threads");
     const auto file = asked.maybe<std::string>("file").value_or("");
     const auto question = asked.get<std::string>("question");
     return patiently(
@@ -187,11 +187,10 @@ std::vector<StudyPoint> study(const Asked& asked)
 
 void addSweep(py::module_& module)
 {
-    classOf<SweepPointOf>(module);
+    addClasses<SweepPointOf, StudyPoint>(module);
     classOf<SweepAnswer>(module)->more().def("_figure", [](const SweepAnswer& answer) {
         return asJson(sweepFigure(answer.points, answer.range, answer.bar, {}));
     });
-    classOf<StudyPoint>(module);
     addCall(module, "sweep", &sweep);
     addCall(module, "study", &study);
 }

@@ -168,6 +168,7 @@ def test_a_certificate_holds_by_hand() -> None:
     """Farkas: the rows add up to 0 < 0; here with matrices made in NumPy."""
     answer = sg.find(20, 109, cells=40)
     proof = answer.certificate
+    assert isinstance(proof, sg.FarkasCertificate)
     cells = 40
     contact, free = answer.schedule[0]
     unknowns = 2 * cells

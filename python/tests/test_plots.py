@@ -228,3 +228,14 @@ def test_one_axes_in_a_figure_of_ones_own(tmp_path: Path) -> None:
         assert function(figure=right) in right.axes and not left.axes
         with pytest.raises(ValueError, match="axes clashes with figure"):
             function(figure=right, axes=right.axes[0])
+
+
+def test_each_of_several_forced_motions_is_drawn() -> None:
+    answer = sg.find(period="13/4", damping=0.02, force="tip", amplitude=2e-4)
+    assert len(answer.motions) == 2
+    last = max(plot.motion(answer)["force"].lines[0].get_ydata())
+    for k in (-2, -1, 0, 1):
+        force = plot.motion(answer, index=k)["force"].lines[0].get_ydata()
+        assert (max(force) == last) == (k in (-1, 1))
+    with pytest.raises(ValueError, match="index = 2"):
+        plot.motion(answer, index=2)

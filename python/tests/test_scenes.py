@@ -276,3 +276,17 @@ def test_bars_that_meet_under_an_exact_harmonic() -> None:
             scene=BARS, hertz=0.5, force="tip", amplitude=2e-3, energy=1.0)
     with pytest.raises(ValueError, match="70 to L/c"):
         sg.find(scene=BARS, period="1/3", force="tip", amplitude=2e-3)
+
+
+def test_the_contact_of_bars_is_drawn() -> None:
+    """What the curves say is what the motion says, and a notebook has them."""
+    found = sg.find(scene=BARS, hertz=0.5, force="tip", amplitude=2e-3)
+    motion, = found.motions
+    axes = sg.plot.motion(found)
+    gap, force = (axes[name].lines[0].get_ydata() for name in ("gap", "force"))
+    assert gap[0] == 0.0 and abs(gap[-1]) < 1e-9 and min(gap) > -1e-9 and max(gap) > 0.0
+    unit = {"mN": 1e3, "N": 1.0}[axes["force"].get_ylabel().split("[")[1].strip("] ")]
+    assert max(force) == pytest.approx(unit * motion.peak_force, rel=1e-2)
+    assert found and found._repr_png_() and len(found.frame()) == 1  # type: ignore[attr-defined]
+    assert "<img" in found._repr_html_()
+    assert sg.plot.scene(found).collections or sg.plot.scene(found).lines

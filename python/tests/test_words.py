@@ -18,7 +18,7 @@ FORCED: dict[str, Any] = {"damping": 0.02, "force": "tip", "amplitude": 1e-4,
 @pytest.mark.parametrize("time", [-1.0, 0.0, math.nan, math.inf, 1e300])
 def test_a_simulation_lasts_some_time(time: float) -> None:
     for options in ({}, FORCED):
-        with pytest.raises(ValueError, match="^time = .* allowed numbers > 0"):
+        with pytest.raises(ValueError, match="^time = .* allowed "):
             untyped.simulate(time=time, **options)
 
 

@@ -51,14 +51,16 @@ class Animation:
 
 @asks("figure")
 def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
-            frames: int = 100, fps: int = 20, figure: Any = None,
-            axes: Any = None) -> Animation:
+            index: int = -1, frames: int = 100, fps: int = 20,
+            figure: Any = None, axes: Any = None) -> Animation:
     """Animate one period: the bar at the wall, and u along it.
 
     Parameters
     ----------
     path : file name, optional
         Saved there: .gif, or .mp4 (needs ffmpeg).
+    index : int
+        Which of several forced motions; without, the last.
     frames : int
         Instants of the period, no more than it has steps.
     fps : int
@@ -75,7 +77,8 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
         If there is no motion, or the name ends in something else.
     """
     from matplotlib.animation import FuncAnimation
-    pictures = [json.loads(text) for text in motion_of(moving)._frames(frames)]
+    found, which = motion_of(moving, index)
+    pictures = [json.loads(text) for text in found._frames(frames, *which)]
     placed = axes_named(
         ("bar", "displacement"), axes, figure,
         lambda made: made.subplots(2, 1, height_ratios=[1, 2]),

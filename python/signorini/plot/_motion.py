@@ -6,62 +6,79 @@ from typing import Any, Union
 
 from .._asking import asks
 from .._core import (Continuum, ContinuumPoint, ForcedResult, HarmonicResult,
-                     Motion, Result, Scene)
+                     ForceRange, Motion, Result, Scene, SceneHarmonicResult)
+from .._words import whole
 from ._draw import draw
 from ._style import unit_for
 
-#: What has a motion: a Motion itself, a Result, a point of a continuum; of
-#: several forced motions the one of the largest impulse.
-Moving = Union[Motion, Result, ContinuumPoint, ForcedResult, HarmonicResult]
+#: What has a motion: a Motion itself, a Result, a point of a continuum, or
+#: several forced motions.
+Moving = Union[Motion, Result, ContinuumPoint, ForcedResult, HarmonicResult,
+               SceneHarmonicResult]
 
 
-def motion_of(moving: Moving) -> Motion | ForcedResult | HarmonicResult:
-    """Return what draws the motion. ValueError if there is none."""
-    found: Motion | ForcedResult | HarmonicResult | None
-    if isinstance(moving, (ForcedResult, HarmonicResult)):
-        found = moving if moving.motions else None
-    else:
-        found = moving if isinstance(moving, Motion) else moving.motion
-    if found is None:
+def motion_of(moving: Moving, index: int) -> tuple[Any, tuple[int, ...]]:
+    """Return what draws the motion, and which it is of several. ValueError if there is none."""
+    several = isinstance(moving, (ForcedResult, HarmonicResult, SceneHarmonicResult))
+    count = len(moving.motions) if several else 1  # type: ignore[union-attr]
+    found: Any = moving if several or isinstance(moving, Motion) else (
+        moving.motion)  # type: ignore[union-attr]
+    if found is None or count == 0:
         raise ValueError("no motion was found: there is nothing to draw")
-    return found
+    if not -count <= whole("index", index) < count:
+        raise ValueError(f"index = {index} is out of range: allowed whole numbers "
+                         f"{-count}..{count - 1}")
+    return found, (index % count,) * several
 
 
 @asks("figure")
-def motion(moving: Moving, *, figure: Any = None, axes: Any = None
+def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = None
            ) -> dict[str, Any]:
     """Draw a motion as in the paper's Fig. 3.
 
     Strain and velocity along the bar at t = 0, the displacement u(x, t) over
     one period, and with the same axis of time the path of the tip beside the
     wall and the force of the wall. Under an exact harmonic u(x, t), tip and
-    force alone.
+    force alone; of several bars how far the contact is open, and its force.
+
+    Parameters
+    ----------
+    index : int
+        Which of several forced motions, as in `motions`: the last without,
+        which has the largest impulse.
 
     Returns
     -------
     dict of axes
-        "strain", "velocity", "displacement", "tip", "force", "words".
+        "strain", "velocity", "displacement", "tip", "force", "words"; of
+        several bars "gap", "force".
 
     Raises
     ------
     ValueError
-        If there is no motion.
+        If there is no motion, or none of that index.
     """
-    panels = ("displacement", "tip", "force")
-    if not isinstance(moving, HarmonicResult):
-        panels = ("strain", "velocity", *panels, "words")  # type: ignore[assignment]
-    return draw(motion_of(moving)._figure(), panels, axes, figure)
+    panels: tuple[str, ...] = ("displacement", "tip", "force")
+    if isinstance(moving, SceneHarmonicResult):
+        panels = ("gap", "force")
+    elif not isinstance(moving, HarmonicResult):
+        panels = ("strain", "velocity", *panels, "words")
+    found, which = motion_of(moving, index)
+    return draw(found._figure(*which), panels, axes, figure)
 
 
 @asks("figure")
-def scene(where: Scene, *, axes: Any = None, figure: Any = None) -> Any:
-    """Draw a bar and its stops, with their sizes; gaps are not to scale.
+def scene(where: Scene | SceneHarmonicResult | ForceRange, *, axes: Any = None,
+          figure: Any = None) -> Any:
+    """Draw bars and what stands at them, of one bar with sizes; gaps are not to scale.
 
     Returns
     -------
     axes
     """
-    axes = draw(where._figure(), ("scene",), axes, figure)["scene"]
+    axes = draw(where._scene(), ("scene",), axes, figure)["scene"]
+    if not isinstance(where, Scene):
+        return axes
     sizes = []
     for name, size in (("L", where.bar.length), ("g", where.bar.gap),
                        ("h", where.second_stop)):
