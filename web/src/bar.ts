@@ -1,6 +1,6 @@
 // Bars between clamps, walls and one another.
 
-import { asText, diverging, palette, tones } from './colours';
+import { asText, diverging, drawScale, palette, tones } from './colours';
 import type { Answer } from './core';
 import { shown } from './dom';
 import { fontOf, letters } from './plots';
@@ -249,10 +249,7 @@ export class BarView {
     if (end - long < left) return;
     c.fillText(after, right, height - 5);
     if (hasRoom) c.fillText(before, end - long, height - 5);
-    for (let k = 0; k < levels; ++k) {
-      c.fillStyle = this.lut[k];
-      c.fillRect(end - long + (long * k) / levels, height - 14, long / levels + 0.6, 10);
-    }
+    drawScale(c, end - long, height - 14, long, 10, diverging());
   }
 
   private drawBars(c: Drawing, film: Film, share: number, top: number, thick: number, most: number, pluck?: Pluck): void {

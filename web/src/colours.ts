@@ -39,4 +39,14 @@ export function diverging(): (share: number) => Colour {
   return through([palette.diverging[0], middle, palette.diverging[2]]);
 }
 
+/** What the colours of a map mean, from left to right; or upwards, where it is higher than wide. */
+export function drawScale(c: CanvasRenderingContext2D, x: number, y: number, wide: number, high: number, map: (share: number) => Colour): void {
+  const steps = 64;
+  for (let k = 0; k < steps; ++k) {
+    c.fillStyle = asText(map(k / (steps - 1)));
+    if (wide > high) c.fillRect(x + (wide * k) / steps, y, wide / steps + 0.6, high);
+    else c.fillRect(x, y + high - (high * (k + 1)) / steps, wide, high / steps + 0.6);
+  }
+}
+
 export const asText = (colour: Colour): string => `rgb(${colour.join(',')})`;

@@ -5,7 +5,7 @@ import { BarView, Film } from './bar';
 import { palette, tones } from './colours';
 import { Latest, type Answer, type Library, type Motion, type Question } from './core';
 import { byId, input } from './dom';
-import { Atlas, MapView, type Pick, type ResponsePoint } from './map';
+import { Atlas, MapView, mostEnergy, type Pick, type ResponsePoint } from './map';
 import { headlineOf, showFacts } from './panels';
 import { Plot } from './plots';
 import { Polygons } from './polygons';
@@ -16,7 +16,7 @@ import { units, withUnit, type System } from './units';
 import { asLink, fromLink, whatOf, type MapKind, type View } from './view';
 
 const usualGap = 1e-3;  // [m], of the bar of the page
-const atlasQuestion = { show: 'map', cells: 300, order: 60, energy: 60 };
+const atlasQuestion = { show: 'map', cells: 300, order: 60, energy: mostEnergy };
 
 export class Explorer {
   view: View;
@@ -93,18 +93,12 @@ export class Explorer {
         this.say(this.linkFault);
         this.linkFault = undefined;
         if (motion.show !== this.view.motion.show && !keepsTime) this.view.time = 0;
-        this.view.motion = motion;
-        this.answer = answer;
-        this.film = answer.has('u') ? this.filmOf(motion, answer) : undefined;
-        this.showAnswer(motion, answer);
+        this.take(motion, answer);
       } catch (fault) {
         this.say(`${(fault as Error).message}. ${this.answer ? 'What is shown stays as it was.' : 'The paper’s case is shown instead.'}`);
         if (!this.answer) {
           this.view = fromLink('').view;
-          const answer = await this.library.ask(this.view.motion as unknown as Question);
-          this.answer = answer;
-          this.film = this.filmOf(this.view.motion, answer);
-          this.showAnswer(this.view.motion, answer);
+          this.take(this.view.motion, await this.library.ask(this.view.motion as unknown as Question));
         }
         if (this.asked === motion) this.asked = this.view.motion;
         this.onShown();
@@ -112,9 +106,12 @@ export class Explorer {
     });
   }
 
-  private filmOf(motion: Motion, answer: Answer): Film {
+  private take(motion: Motion, answer: Answer): void {
+    this.view.motion = motion;
+    this.answer = answer;
     const { gap, second_stop: stop } = motion.show === 'schedule' ? motion : {};
-    return new Film(answer, (gap ?? usualGap) / usualGap, stop === undefined ? undefined : stop / usualGap);
+    this.film = answer.has('u') ? new Film(answer, (gap ?? usualGap) / usualGap, stop === undefined ? undefined : stop / usualGap) : undefined;
+    this.showAnswer(motion, answer);
   }
 
   private showAnswer(motion: Motion, answer: Answer): void {

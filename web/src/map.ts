@@ -1,7 +1,7 @@
 // The map one points at: frequency and energy, contact and flight, or the response.
 
 import type uPlot from 'uplot';
-import { asText, palette, through, tones } from './colours';
+import { asText, drawScale, palette, through, tones } from './colours';
 import type { Answer, Motion, Phases } from './core';
 import { at, fontOf, letters, Plot, type Axes } from './plots';
 import type { Polygons, PolygonPick } from './polygons';
@@ -26,7 +26,7 @@ export type Pick =
   | ({ kind: 'polygon' } & PolygonPick)
   | { kind: 'response'; point: ResponsePoint };
 
-const mostEnergy = 60;
+export const mostEnergy = 60;  // of the maps [E₁]
 /** Families crowd above ω₁: there the axis is spread. */
 const frequencies: { range: [number, number]; spread: NonNullable<Axes['spreadX']> } = {
   range: [0.995, 2.1],
@@ -360,10 +360,7 @@ export class MapView {
     const right = left + width - 8 * unit - c.measureText(ends[1]).width;
     c.fillText(ends[1], left + width - 4 * unit, y);
     c.fillText(`least energy ${ends[0]}`, right - 84 * unit, y);
-    for (let k = 0; k < 40; ++k) {
-      c.fillStyle = asText(colour(k / 39));
-      c.fillRect(right - (80 - 2 * k) * unit, y - 5 * unit, 2 * unit + 0.6, 10 * unit);
-    }
+    drawScale(c, right - 80 * unit, y - 5 * unit, 80 * unit, 10 * unit, colour);
   }
 
   private drawContacts(plot: uPlot, motion: Motion): void {

@@ -1,7 +1,7 @@
 // u(x, t): a map over the period, with the scale of its colours.
 
 import { Film, type Drawing } from './bar';
-import { asText, diverging, palette, tones } from './colours';
+import { diverging, drawScale, palette, tones } from './colours';
 import { shown } from './dom';
 import { fontOf } from './plots';
 import { inUnit, unitOf } from './units';
@@ -129,11 +129,7 @@ export class SurfaceView {
 
   /** Largest displacement to either side, and what colours lie between. */
   private drawScale(c: Drawing, x: number, height: number, film: Film): void {
-    const map = diverging();
-    for (let k = 0; k < 48; ++k) {
-      c.fillStyle = asText(map(1 - k / 47));
-      c.fillRect(x, topRoom + (height * k) / 48, 12, height / 48 + 0.6);
-    }
+    drawScale(c, x, topRoom, 12, height, diverging());
     c.fillStyle = tones().ink;
     c.textAlign = 'left';
     const most = shown(inUnit('displacement', film.mostDisplacement), 3);
