@@ -1,10 +1,10 @@
 """
-A stepped bar, by linear programming
-====================================
+A stepped bar, by its motions of least energy
+=============================================
 
 Two segments of the same wave speed, the outer one thicker by 30 %. At the joint a wave is partly
-sent back, steps are no longer shifts, and there is no closed form: here linear programs decide,
-and rational arithmetic checks their verdicts. Which schedules of 4 + 4 cells have a motion?
+sent back, steps are no longer shifts, and there is no closed form: the least norm among all states
+that repeat decides, and stepping backwards in time proves where there is none. Which schedules of 4 + 4 cells have a motion?
 """
 
 import matplotlib.pyplot as plt

@@ -126,6 +126,7 @@ type answer = {
   scene : scene;
   status : string;
   objective : string option;
+  reason : string option;
   ratio : json;
   range : json list option;
   certificate : json;
@@ -135,7 +136,7 @@ type answer = {
 let unread = [
   "schema"; "version"; "static_force"; "period"; "period_ratio"; "frequency_ratio"; "kernel_dimension";
   "solution_set"; "family"; "contact"; "canonical_schedule"; "energy"; "energy_section"; "physical";
-  "admissible"; "residuals"; "reason"; "near_schedule"; "route"; "route_reason"; "left_out"; "solver"; "repetitions";
+  "admissible"; "residuals"; "near_schedule"; "route"; "route_reason"; "left_out"; "solver"; "repetitions";
   "pressing_phases"; "symmetric"; "peak_strain"; "detail" ]
 
 let most_steps = 200_000
@@ -196,7 +197,7 @@ let read_phases places value =
   phases
 
 let read (value : json) =
-  let top = members "answer" (unread @ [ "bar"; "stops"; "segments"; "status"; "cells"; "schedule"; "objective";
+  let top = members "answer" (unread @ [ "bar"; "stops"; "segments"; "status"; "cells"; "schedule"; "objective"; "reason";
                                          "energy_ratio"; "energy_ratio_range"; "certificate" ]) value in
   let bar = members "bar" ["length"; "wave_speed"; "axial_stiffness"; "gap"; "young"] (top "bar") in
   let cells = count "cells" (top "cells") in
@@ -210,6 +211,7 @@ let read (value : json) =
   { scene = { cells; segments; places; phases; uniform };
     status = (match top "status" with `String s -> s | _ -> refuse "status: no text");
     objective = (match top "objective" with `String s -> Some s | `Null -> None | _ -> refuse "objective");
+    reason = (match top "reason" with `String s -> Some s | `Null -> None | _ -> refuse "reason");
     ratio = top "energy_ratio";
     range = (match top "energy_ratio_range" with
         | `Null -> None | value -> Some (items "energy_ratio_range" value));

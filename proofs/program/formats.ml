@@ -1,5 +1,5 @@
-(* The three kinds of certificates that `signorini find` writes, as multipliers of rows of contact and
-   flight: "paper", "lumped", "joints" (docs/certificates.md). *)
+(* The kinds of certificates that `signorini find` writes, as multipliers of rows of contact and
+   flight: "paper", "lumped", "network", "joints" (docs/certificates.md). *)
 
 open Answer
 open Rows
@@ -152,6 +152,42 @@ let lumped scene rows floor taken certificate =
       | `Below factor, m -> way_at_most rows taken m (Q.mul value (Q.of_bigint factor))
       | `Above factor, m -> way_at_least rows taken m (Q.mul value (Q.of_bigint factor)))
     (non_negative "inequalities" (multipliers "inequalities" (certificate "inequalities")))
+
+(* ---- rows "network" *)
+
+(* Lists of [contact, step, multiplier]; contacts in the order of docs/certificates.md. Those of (30) are found
+   anew. A distance is that of the rows of contact and flight, or is told by them; a guess, as all but the checker. *)
+let network scene rows floor taken certificate =
+  let steps = Array.length rows.held in
+  let contacts = Array.of_list (
+      [`Stop Right] @ (if scene.places Left = None then [] else [`Stop Left]) @ (if floor = None then [] else [`Floor])) in
+  let listed name = List.map (function
+      | `List [contact; step; value] ->
+        let contact = count name contact and step = count name step in
+        if contact < 1 || contact > Array.length contacts || step >= steps then
+          refuse "%s: there is no contact %d with a step %d" name contact step;
+        (contacts.(contact - 1), step, Q.of_float (double name value))
+      | _ -> refuse "%s: not lists [contact, step, multiplier]" name) (items name (certificate name)) in
+  let waves = items "periodicity" (certificate "periodicity") in
+  List.iter (fun wave -> ignore (double "periodicity" wave)) waves;
+  if List.length waves <> 2 * scene.cells then refuse "periodicity: not one for each wave";
+  let (_, _, last) = List.nth scene.segments (List.length scene.segments - 1) in
+  List.iter (fun (contact, m, value) ->
+      if not rows.held.(m) || contact <> `Stop (stop_of scene (phase rows m)) || Q.sign value < 0 then
+        refuse "pushes: allowed >= 0 in steps of contact";
+      take taken.push m (Q.mul last value)) (listed "pushes");
+  List.iter (fun (contact, m, value) ->
+      let upper = contact = `Stop Right in
+      let before = (m + steps - 1) mod steps in
+      let k = phase rows m in
+      let equal k = place taken k (if upper then Q.neg value else value) in
+      if rows.starts.(k) = m && contact = `Stop (stop_of scene k) then equal k
+      else if rows.held.(before) then begin
+        let k = phase rows before in
+        if contact = `Stop (stop_of scene k) then equal k
+        else if Q.sign value <> 0 then refuse "places: a distance between two stops"
+      end
+      else take (if upper then taken.high else taken.low) before value) (listed "places")
 
 (* ---- rows "joints" *)
 

@@ -34,11 +34,12 @@ let near value exact tolerance =
   | value -> let x = Q.of_float (double "energy" value) in
     Q.leq (Q.abs (Q.sub x exact)) (Q.mul exact tolerance)
 
-let tenth_to k = Q.inv (Q.of_bigint (Z.pow (Z.of_int 10) k))
+let tenth_to k = (if k < 0 then Fun.id else Q.inv) (Q.of_bigint (Z.pow (Z.of_int 10) (abs k)))
 
 (* The least energy that was proved, against what the answer claims. *)
+let float_of x = Printf.sprintf "%.15g" (Q.to_float x)
+
 let judge_energy answer member ~knows_most tolerance least =
-  let float_of x = Printf.sprintf "%.15g" (Q.to_float x) in
   (match answer.range with
    | Some [_; most] when most <> `Null && not knows_most -> refuse "energy_ratio_range: of its upper end nothing can be known"
    | Some [lower; _] when near lower least tolerance -> ()
@@ -58,6 +59,16 @@ let judge_energy answer member ~knows_most tolerance least =
      | `Null -> ()
      | value -> if not (near value least (tenth_to 7)) then refuse "certificate: energy_ratio");
     said ^ "; that a motion with it exists is not checked here, nor the most energy"
+
+(* That no motion has less energy than is claimed: more than any bar bears, or, where the reason is a
+   constraint, than the one that was to be held. *)
+let judge_floor answer member least =
+  let claimed = Q.of_float (double "energy_ratio" (member "energy_ratio")) in
+  let lowest = if answer.reason = Some "constraints" then Q.zero else tenth_to (-9) in
+  if answer.ratio <> `Null || answer.range <> None then refuse "energies of no motion";
+  if Q.lt claimed lowest then refuse "energy_ratio: allowed %s or more" (float_of lowest);
+  if Q.gt claimed least then refuse "energy_ratio: %s, and %s is proved" (float_of claimed) (float_of least);
+  Printf.sprintf "none has E/E_1 below %s" (float_of claimed)
 
 (* ---- one answer *)
 
@@ -83,13 +94,14 @@ let limits_of scene member =
 
 let certificate_keys = [
   "kind"; "verified"; "rows"; "gap"; "size"; "periodicity"; "pressure"; "penetration"; "landing"; "strain_limit";
-  "tip_floor"; "equalities"; "inequalities"; "energy_ratio"; "state" ]
+  "tip_floor"; "equalities"; "inequalities"; "energy_ratio"; "state"; "places"; "pushes" ]
 
 (* "state" is the motion of the least energy, which is not looked at here, and the yes says so. *)
 let keys_of_rows = function
   | "paper" -> [ "gap"; "size"; "periodicity"; "pressure"; "penetration"; "landing" ]
   | "lumped" -> [ "strain_limit"; "tip_floor"; "equalities"; "inequalities"; "energy_ratio" ]
-  | "joints" -> [ "tip_floor"; "equalities"; "inequalities"; "energy_ratio"; "state" ]
+  | "network" -> [ "tip_floor"; "periodicity"; "places"; "pushes"; "energy_ratio"; "state" ]
+  | "joints" -> [ "tip_floor"; "equalities"; "inequalities" ]
   | rows -> refuse "certificate: rows %S are not known to this checker" rows
 
 let text what : json -> string = function `String s -> s | _ -> refuse "%s: no text" what
@@ -99,8 +111,10 @@ let proved answer =
   let rows_name = text "rows" (members "certificate" certificate_keys answer.certificate "rows") in
   let member = members "certificate" ("kind" :: "verified" :: "rows" :: keys_of_rows rows_name) answer.certificate in
   let kind = text "kind" (member "kind") in
-  if rows_name <> "joints" && not scene.uniform then refuse "rows: of other segments they are \"joints\"";
-  let scene = if rows_name = "joints" then scene
+  let is_network = rows_name = "network" in
+  let is_stepped = is_network || rows_name = "joints" in
+  if not is_stepped && not scene.uniform then refuse "rows: of other segments they are \"network\" or \"joints\"";
+  let scene = if is_stepped then scene
     else { scene with segments = [(scene.cells, None, Q.one)] } in
   let floor, limits = limits_of scene member in
   let rows = Rows.make scene in
@@ -108,6 +122,7 @@ let proved answer =
   let y = match rows_name with
     | "paper" -> Formats.paper scene rows taken member
     | "lumped" -> Formats.lumped scene rows floor taken member; [||]
+    | "network" -> Formats.network scene rows floor taken member; [||]
     | _ -> Formats.joints scene rows limits taken member; [||] in
   let y =
     if rows_name = "paper" then y
@@ -130,12 +145,17 @@ let proved answer =
     if not (Proved.check question.nodes question.steps certificate) then
       refuse "the multipliers do not contradict each other";
     Printf.sprintf "no motion of %s" words
-  | "energy-range", ("none" | "found") when rows_name <> "paper" ->
+  | "energy-floor", "none" when is_network && Proved.check question.nodes question.steps certificate ->
+    ignore (judge_floor answer member (tenth_to (-400)));
+    Printf.sprintf "no motion of %s" words
+  | ("energy-floor", ("none" | "found") | "energy-range", ("none" | "found"))
+    when rows_name = (if kind = "energy-floor" then "network" else "lumped") ->
     (match Proved.leastEnergy question.weights question.nodes question.steps certificate with
      | Some least ->
-       let tolerance = tenth_to (if rows_name = "joints" then 7 else 12) in
-       let said = judge_energy answer member ~knows_most:(rows_name = "lumped") tolerance (fraction_of least) in
-       Printf.sprintf "of %s: %s" words said
+       let least = fraction_of least in
+       Printf.sprintf "of %s: %s" words
+         (if is_network && answer.status = "none" then judge_floor answer member least
+          else judge_energy answer member ~knows_most:(not is_network) (tenth_to (if is_network then 7 else 12)) least)
      | None -> refuse "the multipliers bound no energy")
   | _ -> refuse "certificate: kind %S with status %S is not known to this checker" kind answer.status
 

@@ -1,12 +1,15 @@
 // How a range falls into batches, and what each holds.
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "several_phases.hpp"
 #include "signorini/atlas.hpp"
-#include "stepped_atlas.hpp"
+#include "signorini/find_periodic.hpp"
 #include "stops.hpp"
 #include "tents.hpp"
 
@@ -20,7 +23,7 @@ constexpr std::int64_t stepsPerBatch = 1 << 9;
 constexpr std::int64_t stepsPerBatchOfFamilies = 1 << 12;
 constexpr std::int64_t rowsPerBatchOfAll = 1 << 16;
 constexpr std::int64_t severalPhasesBatch = 1 << 12;
-constexpr std::int64_t steppedBatch = 1 << 6;  // each a linear program or more
+constexpr std::int64_t steppedBatch = 1 << 6;  // each the search for a least norm
 
 std::int64_t pairsOf(const AtlasRange& range)
 {
@@ -174,6 +177,71 @@ private:
     const Cancel& cancel_;
 };
 
+std::string textOf(const RationalProof& proof)
+{
+    const auto listed = [](const std::vector<RationalMultiplier>& rows) {
+        std::string text;
+        for (const RationalMultiplier& m : rows) {
+            text += fmt::format("{}{}:{}", text.empty() ? "" : " ", m.row, m.value);
+        }
+        return text;
+    };
+    return listed(proof.equalities) + "; " + listed(proof.inequalities);
+}
+
+std::string textOf(const EnergyFloor& proof)
+{
+    const auto listed = [](const std::vector<ContactMultiplier>& conditions) {
+        std::string text;
+        for (const ContactMultiplier& m : conditions) {
+            text +=
+                fmt::format("{}{}:{}:{}", text.empty() ? "" : " ", m.contact + 1, m.step, m.value);
+        }
+        return text;
+    };
+    return fmt::format("{}; {}; {}", fmt::join(proof.periodicity, " "), listed(proof.places),
+                       listed(proof.pushes));
+}
+
+/// What `findPeriodic` says of the least energy of one schedule of a bar of several segments, with
+/// the proof if there is none. \throws BackendUnavailable where this build cannot tell.
+void enterStepped(const AtlasRange& range, std::int64_t number, const Cancel& cancel,
+                  AtlasBatch& batch)
+{
+    const Schedule schedule{range.cells, phasesAt(range, number)};
+    FindOptions options;
+    options.scene.bar.gap *= range.gapSign;
+    options.scene.segments = range.segments;
+    options.objective = Objective::minEnergy;
+    options.cancel = cancel;
+    const PeriodicResult result = findPeriodic(schedule, options);
+    AtlasRow row;
+    row.number = number;
+    row.status = result.status;
+    row.kernelDimension = result.set.kernelDimension.value_or(-1);
+    row.steps = steps(schedule);
+    if (result.absence) {
+        row.reason = result.absence->reason;
+        const auto& proof = result.absence->proof;
+        if (const auto* floor = std::get_if<EnergyFloorProof>(&proof);
+            floor != nullptr && range.keepsRefuted) {
+            batch.proofs.push_back({number, textOf(floor->multipliers)});
+        } else if (const auto* exact = std::get_if<SteppedProof>(&proof);
+                   exact != nullptr && range.keepsRefuted) {
+            batch.proofs.push_back({number, textOf(exact->multipliers)});
+        }
+    }
+    if (result.motion) {
+        row.kind = result.set.kind.value_or(SetKind::polytope);
+        row.dimension = result.set.dimension;
+        row.contact = result.motion->contact;
+        row.isCanonical =
+            result.motion->repetitions == 1 && result.motion->canonical == schedule.phases;
+        row.energy = result.set.energy.value();
+    }
+    enter(range, row, batch);
+}
+
 /// Some neighbouring numbers of a bar of several segments.
 std::optional<AtlasBatch> decideSteppedBatch(const AtlasRange& range, std::int64_t batch,
                                              const Cancel& cancel)
@@ -189,16 +257,9 @@ std::optional<AtlasBatch> decideSteppedBatch(const AtlasRange& range, std::int64
         if (!rotationOf(phasesAt(range, number)).isFirst) {
             continue;
         }
-        auto decided = decideStepped(range, number, cancel);
-        if (!decided) {
-            return std::nullopt;
-        }
-        enter(range, decided->row, result);
-        if (decided->proof && range.keepsRefuted) {
-            result.proofs.push_back(*std::move(decided->proof));
-        }
+        enterStepped(range, number, cancel, result);
     }
-    return result;
+    return isRequested(cancel) ? std::nullopt : std::optional(std::move(result));
 }
 
 }  // namespace

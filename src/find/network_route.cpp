@@ -138,8 +138,9 @@ private:
         LeastMotion least = leastMotion(blocks_, demands());
         how_.solver.iterations = least.iterations;
         request_.known.set.kernelDimension = least.kernelDimension;
-        if (least.isEmpty) {
-            // Demands relaxed by the tolerance are what has to be impossible.
+        if (least.isEmpty && least.status == Status::undecided) {
+            // Doubles cannot say it. Demands relaxed by the tolerance are what has to be
+            // impossible.
             const SteppedBlocks relaxed = exactBlocks(request_.schedule, options_.scene,
                                                       options_.tipFloor - options_.tolerance);
             if (auto exact = proofOf(namedExactly(least, relaxed), relaxed)) {
@@ -332,12 +333,6 @@ std::optional<EnergyFloorProof> leastEnergyFloor(const Schedule& schedule,
                            0.0,
                            {}};
     return proof.energyRatio > 0.0 ? std::optional(std::move(proof)) : std::nullopt;
-}
-
-std::optional<SteppedEnergyProof> leastSteppedEnergy(const Schedule& schedule,
-                                                     const FindOptions& options)
-{
-    return leastEnergyProof(exactBlocks(schedule, options.scene, options.tipFloor));
 }
 
 bool holds(const SteppedProof& proof, const Schedule& schedule, const Scene& scene)

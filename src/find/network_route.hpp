@@ -6,7 +6,6 @@
 
 #include "network_motions.hpp"
 #include "routes.hpp"
-#include "stepped_energy.hpp"
 
 namespace signorini {
 
@@ -25,10 +24,6 @@ void requireKnownOfJoints(const Schedule& schedule, const FindOptions& options);
 /// not found.
 [[nodiscard]] std::optional<EnergyFloorProof> leastEnergyFloor(const Schedule& schedule,
                                                                const FindOptions& options);
-
-/// The same in rationals. Empty where there are more rows than exact arithmetic can take.
-[[nodiscard]] std::optional<SteppedEnergyProof> leastSteppedEnergy(const Schedule& schedule,
-                                                                   const FindOptions& options);
 
 /// Checks a proof of absence against rows made anew, or by a march backwards.
 [[nodiscard]] bool holds(const SteppedProof& proof, const Schedule& schedule, const Scene& scene);

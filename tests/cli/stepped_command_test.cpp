@@ -24,11 +24,11 @@ TEST_CASE("cli stepped: a motion, its segments and its cells, which are those of
     CHECK_THAT(r["route"].get<std::string>(), containsText("kernel"));
 
     const json none = program.find("3 12 --segments 4:1,4:1.3", 1);
-    CHECK(none["certificate"]["rows"] == "joints");
+    CHECK(none["certificate"]["rows"] == "network");
     CHECK(none["certificate"]["verified"] == true);
-    CHECK(none["certificate"]["equalities"][0][1].is_string());
+    CHECK(none["certificate"]["energy_ratio"].get<double>() > 1e15);
     const auto text = program.run("find 3 12 --segments 4:1,4:1.3");
-    CHECK_THAT(text.out, containsText("of the joints formulation"));
+    CHECK_THAT(text.out, containsText("checked by stepping backwards in time"));
 }
 
 TEST_CASE("cli stepped: speeds make the bar longer or shorter, not the motion another one",

@@ -104,8 +104,8 @@ def judged(checker, texts, folder):
 # ---- forgeries
 
 def of_rows(answer, rng):
-    """A list of multipliers of the certificate that is not empty."""
-    lists = [v for v in answer["certificate"].values() if isinstance(v, list) and v]
+    """A list of rows with multipliers of the certificate that is not empty."""
+    lists = [v for v in answer["certificate"].values() if isinstance(v, list) and v and isinstance(v[0], list)]
     return rng.choice(lists) if lists else None
 
 
@@ -113,9 +113,9 @@ def alter_multiplier(answer, rng):
     rows = of_rows(answer, rng)
     if rows:
         pair = rng.choice(rows)
-        old = pair[1]
-        negated = str(old)[1:] if str(old)[0] == "-" else f"-{old}"
-        pair[1] = rng.choice([0, 1, -1, "1/3", "x", "1/0", 1e3, True, None, negated])
+        old = pair[-1]
+        negated = -old if isinstance(old, float) else str(old)[1:] if str(old)[0] == "-" else f"-{old}"
+        pair[-1] = rng.choice([0, 1, -1, "1/3", "x", "1/0", 1e3, True, None, negated])
 
 
 def drop_multiplier(answer, rng):
@@ -192,18 +192,18 @@ def other_energy(answer, rng):
 
 
 def upper_energy(answer, rng):
-    if answer["certificate"]["rows"] == "joints" and isinstance(answer.get("energy_ratio_range"), list):
+    if answer["certificate"]["rows"] == "network" and isinstance(answer.get("energy_ratio_range"), list):
         answer["energy_ratio_range"][1] = rng.choice([1.0, 2 * answer["energy_ratio_range"][0], 1e9])
 
 
 def gap_alone(answer, rng):
     """The gap's row as the only multiplier, and an energy to go with it."""
     certificate = answer["certificate"]
-    for name in ("equalities", "inequalities", "periodicity", "pressure", "penetration", "landing"):
-        rows = certificate.get(name)
-        if rows:
-            gap = rows[-1:] if certificate["rows"] == "joints" else rows[:1]
-            certificate[name] = gap if name == "equalities" else []
+    for name in ("equalities", "inequalities", "periodicity", "pressure", "penetration", "landing", "pushes"):
+        if certificate.get(name):
+            certificate[name] = certificate[name][:1] if name == "equalities" else []
+    if certificate.get("places"):
+        certificate["places"] = [[1, 0, -1.0]]
     energy = rng.choice([1.1304, 1.0, 4.0])
     for values in (answer, certificate):
         if isinstance(values.get("energy_ratio"), float):
@@ -226,7 +226,7 @@ def other_status(answer, rng):
 
 def other_rows(answer, rng):
     answer["certificate"][rng.choice(["rows", "kind"])] = \
-        rng.choice(["paper", "lumped", "joints", "farkas", "energy-range", None])
+        rng.choice(["paper", "lumped", "network", "farkas", "energy-range", "energy-floor", None])
 
 
 KINDS = [alter_multiplier, drop_multiplier, double_row, move_row, add_key, other_schedule, other_cells, other_gap,
@@ -261,7 +261,8 @@ def question_of(answer):
         question["strain-limit"] = certificate["strain_limit"] * gap
     if certificate.get("tip_floor") is not None:
         question["tip-floor"] = certificate["tip_floor"] * gap
-    if answer["status"] == "none" and certificate.get("energy_ratio") is not None:
+    if answer["status"] == "none" and certificate["kind"] == "energy-range" and \
+            certificate.get("energy_ratio") is not None:
         question["energy-ratio"] = certificate["energy_ratio"]
     return question
 
@@ -292,6 +293,9 @@ def is_true(program, answer):
         return False
     if new["status"] == "none" and (answer["status"] == "found" or new["reason"] != "constraints"):
         return True
+    if answer["certificate"]["kind"] == "energy-floor" and answer["status"] == "none":
+        return new["status"] == "found" and \
+            answer["certificate"]["energy_ratio"] <= new["energy_ratio_range"][0] * (1 + 1e-6)
     if answer["status"] == "found":  # a bound: it may be lower than the least, and hold of none
         return new["status"] == "none" or \
             (new["status"] == "found" and answer["energy_ratio_range"][0] <= new["energy_ratio_range"][0] * (1 + 1e-6))

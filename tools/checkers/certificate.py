@@ -6,7 +6,7 @@ from .network_cuts import check_scene_forced
 from .paper import check_farkas
 from .reading import NoProof, require_keys, shown
 from .scene import ASKED, BESIDES, DERIVED, Scene, unsaid
-from .segments import check_joint_energies, check_joints
+from .segments import check_joints
 from .sums import check_sums
 
 ENERGIES = ("objective", "energy_ratio", "energy_ratio_range")
@@ -33,8 +33,6 @@ PROOFS = {
     ("none", "farkas", "joints"): (check_joints, LISTS, ("tip_floor",)),
     ("none", "energy-range", "lumped"): (check_energies, (*LISTS, "energy_ratio"), ("strain_limit",)),
     ("found", "energy-range", "lumped"): (check_energies, LISTS, ()),
-    ("found", "energy-range", "joints"): (
-        check_joint_energies, (*LISTS, "energy_ratio", "state"), ("tip_floor",)),
     ("none", "energy-floor", "network"): (check_floor, (*FLOOR, "energy_ratio"), ("tip_floor",)),
     ("found", "energy-floor", "network"): (check_least, (*FLOOR, "energy_ratio", "state"), ("tip_floor",)),
 }

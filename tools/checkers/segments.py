@@ -3,8 +3,7 @@ import math
 from fractions import Fraction
 
 from .limits import floor_of, within
-from .march import March, NEAR
-from .reading import NoProof, Total, close, multiplier, multipliers, shown, simplest, told
+from .reading import NoProof, Total, multiplier, multipliers, simplest, told
 
 MOST_STEPS = 10 ** 8
 MOST_WAVES = 2 * 10 ** 5
@@ -209,38 +208,3 @@ def contradiction(rows, certificate):
         raise NoProof(f"the rows do not cancel: {told(factor)} times unknown {unknown} is left")
     return (f"{count} of {len(rows.equalities) + len(rows.inequalities)} rows of {len(rows.joints)} "
             "joints contradict each other")
-
-
-def least_energy(rows, certificate):
-    """What the multipliers prove: c x <= q < 0 and E/E_1 = sum of w x^2 give E/E_1 >= q^2 / sum of c^2/w; and
-    how many rows that takes."""
-    left, right, count = combined_joints(rows, certificate)
-    weighted = rows.energy_weights()
-    if not left or not left.keys() <= weighted.keys() or not all(weighted[unknown] for unknown in left):
-        raise NoProof("the rows leave waves that the energy does not count, or none")
-    squares = Total()
-    for unknown, c in left.items():
-        squares.add(c * c / weighted[unknown])
-    return right * right / squares.value, count
-
-
-def check_joint_energies(scene, answer):
-    """No motion within the limits has less energy than the state of the file, which is one, but for 1e-7."""
-    certificate = answer["certificate"]
-    floor = floor_of(certificate)
-    rows = JointRows(scene, floor)
-    least, count = least_energy(rows, certificate)
-    claimed = answer.get("energy_ratio_range")
-    ratio = answer.get("energy_ratio")
-    if answer["status"] != "found" or answer.get("objective") != "min-energy" or \
-            not isinstance(claimed, list) or len(claimed) != 2 or claimed[1] is not None:
-        raise NoProof("of several segments only the least energy is known to this checker")
-    for value in (ratio, claimed[0], certificate["energy_ratio"]):
-        if not close(value, least, NEAR):
-            raise NoProof(f"energy: {shown(value)} is not near {told(least)}, which is proved")
-    march = March(scene, rows.joints, rows.impedances, certificate["state"])
-    if abs(march.energy() / least - 1) > NEAR:
-        raise NoProof(f"state: an energy of {told(march.energy())}, and {told(least)} is proved")
-    off = march.off(floor)
-    return (f"{count} rows of {len(rows.joints)} joints: E/E_1 >= {told(least)}{within(None, floor)}; the state of the "
-            f"file is a motion with {told(march.energy())}, to {off:.1g} of its largest wave")
