@@ -57,8 +57,8 @@ ExitStatus runFamilies(const Given& given)
                              {},
                              scene.secondStop};
     Outputs outputs(given, {"--csv", "--figure"});
-    refuseIf(list.bar.gap == 0.0 && given.has("--figure"),
-             "--figure: allowed only with a gap: without one families have every energy");
+    refuseIf(list.bar.gap <= 0.0 && given.has("--figure"),
+             "--figure: allowed with a gap > 0, whose modes it names; --csv holds the families");
     bounds.gapSign = stops.right;
     watched(common, "listing families", [&](const Cancel& cancel, const auto& show) {
         bounds.cancel = cancel;

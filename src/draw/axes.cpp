@@ -101,7 +101,10 @@ plot::Axis axisAround(const std::vector<plot::Series>& series, const std::string
             }
         }
     }
-    if (!(low < high)) {
+    if (low > high) {  // nothing to draw
+        return {.label = label, .low = 0.0, .high = 1.0};
+    }
+    if (low == high) {
         return {.label = label, .low = isFromZero ? std::optional(0.0) : std::nullopt};
     }
     low = isFromZero ? 0.0 : low;

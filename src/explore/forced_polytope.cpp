@@ -1,12 +1,12 @@
 #include "forced_polytope.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "backend_choice.hpp"
 #include "infinity.hpp"
+#include "least_norm.hpp"
 #include "portable.hpp"
 
 namespace signorini {
@@ -164,11 +164,8 @@ private:
             rows.row(equal + k) = program_.inequalities.row(active[static_cast<std::size_t>(k)]);
             right[equal + k] = program_.inequalityRhs[active[static_cast<std::size_t>(k)]];
         }
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-        solver.setThreshold(1e-10);
-        solver.compute(rows);
         for (int pass = 0; pass < 2; ++pass) {
-            x += solver.solve(right - rows * x);
+            x += leastSquares(rows, right - rows * x, 1e-10);
         }
         return x;
     }

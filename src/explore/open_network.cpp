@@ -1,11 +1,11 @@
 #include "open_network.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <numbers>
 #include <stdexcept>
 
 #include "harmonic_motion.hpp"
+#include "least_norm.hpp"
 #include "statics.hpp"
 
 namespace signorini {
@@ -83,9 +83,15 @@ OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent) co
     if (parts.rcond() > resonance) {
         return parts.solve(right);
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXcd> least(matrix);
-    least.setThreshold(resonance);
-    Vector waves = least.solve(right);
+    // Real and imaginary parts: that has the same waves of least norm.
+    Eigen::MatrixXd both(2 * channels(), 2 * channels());
+    both << matrix.real(), -matrix.imag(), matrix.imag(), matrix.real();
+    Eigen::VectorXd sides(2 * channels());
+    sides << right.real(), right.imag();
+    const Eigen::VectorXd least = leastSquares(both, sides, resonance);
+    Vector waves(channels());
+    waves.real() = least.head(channels());
+    waves.imag() = least.tail(channels());
     if (!((matrix * waves - right).norm() <= harmonicTolerance * right.norm())) {
         throw std::invalid_argument("waves that nothing damps resonate at this period");
     }

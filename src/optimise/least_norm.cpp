@@ -194,4 +194,14 @@ template LeastNormOf<double> leastNorm(const RowSystemOf<double>&, double, doubl
 template LeastNormOf<FineNumber> leastNorm(const RowSystemOf<FineNumber>&, double, double,
                                            const Cancel&);
 
+Eigen::VectorXd leastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double none)
+{
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+    if (none > 0.0) {
+        factors.setThreshold(none);
+    }
+    factors.compute(a);
+    return factors.solve(b);
+}
+
 }  // namespace signorini

@@ -14,18 +14,13 @@
 /// 0 < sum u_i b_i; then these u are returned.
 
 #include <Eigen/Core>
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <boost/multiprecision/eigen.hpp>
 #include <cstdint>
 #include <type_traits>
 
+#include "fine_number.hpp"
 #include "signorini/control.hpp"
 
 namespace signorini {
-
-/// Numbers of 50 digits, for the few systems that doubles do not decide.
-using FineNumber = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                                 boost::multiprecision::et_off>;
 
 template <typename Number>
 inline constexpr bool isFine = std::is_same_v<Number, FineNumber>;
@@ -68,5 +63,10 @@ using LeastNorm = LeastNormOf<double>;
 template <typename Number>
 [[nodiscard]] LeastNormOf<Number> leastNorm(const RowSystemOf<Number>& system, double tolerance,
                                             double largest, const Cancel& cancel = {});
+
+/// The x of least norm among those of least |a x - b|. Pivots below `none` times the largest count
+/// as 0; 0 leaves that to rounding. O(rows columns^2). Here, so that one layer alone compiles it.
+[[nodiscard]] Eigen::VectorXd leastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
+                                           double none = 0.0);
 
 }  // namespace signorini
