@@ -10,6 +10,47 @@ namespace signorini {
 
 namespace {
 
+/// The equalities, by their unknowns.
+using ProgramColumns = Eigen::SparseMatrix<double, Eigen::ColMajor>;
+
+/// The rows that are not open, each after all that use the unknown it determines. O(entries).
+std::vector<Eigen::Index> followingRows(const Program& program, const std::vector<bool>& isOpen)
+{
+    const ProgramColumns equal = program.equalities;
+    const Eigen::Index unknowns = program.variables();
+    const auto isFollowing = [&](Eigen::Index row) {
+        return row < unknowns && !isOpen[static_cast<std::size_t>(row)];
+    };
+    std::vector<int> missing(static_cast<std::size_t>(unknowns), 0);
+    std::vector<Eigen::Index> rows;  // ready
+    std::size_t following = 0;
+    for (Eigen::Index k = 0; k < unknowns; ++k) {
+        for (ProgramColumns::InnerIterator entry(equal, k); entry; ++entry) {
+            missing[static_cast<std::size_t>(k)] +=
+                entry.row() != k && isFollowing(entry.row()) ? 1 : 0;
+        }
+        following += isFollowing(k) ? 1 : 0;
+        if (isFollowing(k) && missing[static_cast<std::size_t>(k)] == 0) {
+            rows.push_back(k);
+        }
+    }
+    for (std::size_t next = 0; next < rows.size(); ++next) {
+        const Eigen::Index row = rows[next];
+        for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(program.equalities,
+                                                                               row);
+             entry; ++entry) {
+            const auto column = static_cast<std::size_t>(entry.col());
+            if (entry.col() != row && --missing[column] == 0 && isFollowing(entry.col())) {
+                rows.push_back(entry.col());
+            }
+        }
+    }
+    if (rows.size() < following) {
+        throw std::logic_error("followingRows: rows in a circle without an open one");
+    }
+    return rows;
+}
+
 /// A linear function of the parameters.
 using Form = std::map<std::size_t, Rational>;
 
@@ -104,7 +145,13 @@ public:
         }
         RationalVector given(given_.size());
         std::transform(given_.begin(), given_.end(), given.begin(), at);
-        followRows(equal_, order_, given, multipliers);
+        for (const Eigen::Index row : order_) {
+            Rational sum = given[static_cast<std::size_t>(row)];
+            for (ProgramColumns::InnerIterator entry(equal_, row); entry; ++entry) {
+                sum += Rational(entry.value()) * multipliers[static_cast<std::size_t>(entry.row())];
+            }
+            multipliers[static_cast<std::size_t>(row)] = -sum / Rational(equal_.coeff(row, row));
+        }
         RationalProof proof;
         for (std::size_t row = 0; row < multipliers.size(); ++row) {
             if (!multipliers[row].is_zero()) {
@@ -176,43 +223,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<Eigen::Index> followingRows(const Program& program, const std::vector<bool>& isOpen)
-{
-    const ProgramColumns equal = program.equalities;
-    const Eigen::Index unknowns = program.variables();
-    const auto isFollowing = [&](Eigen::Index row) {
-        return row < unknowns && !isOpen[static_cast<std::size_t>(row)];
-    };
-    std::vector<int> missing(static_cast<std::size_t>(unknowns), 0);
-    std::vector<Eigen::Index> rows;  // ready
-    std::size_t following = 0;
-    for (Eigen::Index k = 0; k < unknowns; ++k) {
-        for (ProgramColumns::InnerIterator entry(equal, k); entry; ++entry) {
-            missing[static_cast<std::size_t>(k)] +=
-                entry.row() != k && isFollowing(entry.row()) ? 1 : 0;
-        }
-        following += isFollowing(k) ? 1 : 0;
-        if (isFollowing(k) && missing[static_cast<std::size_t>(k)] == 0) {
-            rows.push_back(k);
-        }
-    }
-    for (std::size_t next = 0; next < rows.size(); ++next) {
-        const Eigen::Index row = rows[next];
-        for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(program.equalities,
-                                                                               row);
-             entry; ++entry) {
-            const auto column = static_cast<std::size_t>(entry.col());
-            if (entry.col() != row && --missing[column] == 0 && isFollowing(entry.col())) {
-                rows.push_back(entry.col());
-            }
-        }
-    }
-    if (rows.size() < following) {
-        throw std::logic_error("followingRows: rows in a circle without an open one");
-    }
-    return rows;
-}
 
 std::optional<RationalProof> exactMultipliers(const Program& program, const ProofSupport& support)
 {

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "integers.hpp"
+#include "rational.hpp"
 
 namespace signorini {
 
@@ -177,59 +179,47 @@ bool addRows(const std::vector<Weighted>& multipliers, const SparseRows& rows,
     return true;
 }
 
-std::optional<BoundedSum> sumOf(const std::vector<Weighted>& equalities,
-                                const std::vector<Weighted>& inequalities, const Program& program)
+/// Is the sum of the rows broken by all within the bounds?
+bool contradict(const std::vector<Weighted>& equalities, const std::vector<Weighted>& inequalities,
+                const Program& program)
 {
     std::vector<Rational> combination(static_cast<std::size_t>(program.variables()));
-    BoundedSum sum;
-    if (!addRows(equalities, program.equalities, program.equalityRhs, false, combination,
-                 sum.right) ||
+    Rational right = 0;
+    if (!addRows(equalities, program.equalities, program.equalityRhs, false, combination, right) ||
         !addRows(inequalities, program.inequalities, program.inequalityRhs, true, combination,
-                 sum.right)) {
-        return std::nullopt;
+                 right)) {
+        return false;
     }
     for (Eigen::Index i = 0; i < program.variables(); ++i) {
-        Rational& c = combination[static_cast<std::size_t>(i)];
+        const Rational& c = combination[static_cast<std::size_t>(i)];
         if (c.is_zero()) {
             continue;
         }
         const double bound = c > 0 ? program.lower[i] : program.upper[i];
-        if (std::isfinite(bound)) {
-            sum.right -= c * Rational(bound);
-        } else {
-            sum.left.emplace_back(i, std::move(c));
+        if (!std::isfinite(bound)) {
+            return false;
         }
+        right -= c * Rational(bound);
     }
-    return sum;
-}
-
-bool isContradiction(const std::optional<BoundedSum>& sum)
-{
-    return sum && sum->left.empty() && sum->right < 0;
+    return right < 0;
 }
 
 }  // namespace
 
-std::optional<BoundedSum> boundedSum(const RationalProof& multipliers, const Program& program)
-{
-    try {
-        return sumOf(weighted(multipliers.equalities), weighted(multipliers.inequalities), program);
-    } catch (const std::runtime_error&) {
-        return std::nullopt;  // what Boost says of a number it cannot read
-    } catch (const std::logic_error&) {
-        return std::nullopt;  // and of one over 0
-    }
-}
-
 bool isProof(const InfeasibilityProof& proof, const Program& program)
 {
-    return isContradiction(
-        sumOf(weighted(proof.equalities), weighted(proof.inequalities), program));
+    return contradict(weighted(proof.equalities), weighted(proof.inequalities), program);
 }
 
 bool isProof(const RationalProof& proof, const Program& program)
 {
-    return isContradiction(boundedSum(proof, program));
+    try {
+        return contradict(weighted(proof.equalities), weighted(proof.inequalities), program);
+    } catch (const std::runtime_error&) {
+        return false;  // what Boost says of a number it cannot read
+    } catch (const std::logic_error&) {
+        return false;  // and of one over 0
+    }
 }
 
 std::optional<InfeasibilityProof> proveByOneRow(const Program& program)

@@ -11,26 +11,12 @@
 /// exact rationals, and the comparison is made in rational arithmetic.
 
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "program.hpp"
-#include "rational.hpp"
 #include "signorini/certificate.hpp"
 #include "solver.hpp"
 
 namespace signorini {
-
-/// Rows with multipliers, less what unknowns give at their bounds: sum of `left` <= right.
-struct BoundedSum {
-    std::vector<std::pair<Eigen::Index, Rational>> left;  ///< of unknowns without that bound
-    Rational right = 0;
-};
-
-/// What every feasible x obeys. Empty for rows that do not exist, an inequality with a multiplier
-/// < 0, or a number that cannot be read. O(entries of the rows used + n).
-[[nodiscard]] std::optional<BoundedSum> boundedSum(const RationalProof& multipliers,
-                                                   const Program& program);
 
 /// Checks a proof in exact rational arithmetic. O(entries of the rows used + n).
 [[nodiscard]] bool isProof(const InfeasibilityProof& proof, const Program& program);
