@@ -17,4 +17,7 @@ if(GLPK_FOUND AND NOT TARGET GLPK::GLPK)
   set_target_properties(GLPK::GLPK PROPERTIES
     IMPORTED_LOCATION ${GLPK_LIBRARY}
     INTERFACE_INCLUDE_DIRECTORIES ${GLPK_INCLUDE_DIR})
+  if(GLPK_LIBRARY MATCHES "\\.a$")  # what the archive itself needs
+    set_target_properties(GLPK::GLPK PROPERTIES INTERFACE_LINK_LIBRARIES "colamd;amd;suitesparseconfig;gmp;z;ltdl;dl;m")
+  endif()
 endif()

@@ -9,6 +9,7 @@ from typing_extensions import NotRequired, TypedDict
 
 from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Fields,
                     _OfPeriod, _OfTimeRatio, _Record)
+from ._tables import Table
 
 Array = NDArray[np.float64]
 Bounds = tuple[float, Optional[float]]
@@ -285,7 +286,7 @@ class Continuum(_Record):
     @overload
     def __getitem__(self, at: int) -> ContinuumPoint: ...
     @overload
-    def __getitem__(self, at: slice) -> list[ContinuumPoint]: ...
+    def __getitem__(self, at: slice) -> Table[ContinuumPoint]: ...
     def __iter__(self) -> Iterator[ContinuumPoint]: ...
     found: bool
     def __bool__(self) -> bool: ...

@@ -10,7 +10,8 @@ from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
                     Scene, SceneHarmonicResult, State)
 from ._progress import Progress
 from ._question import Question, ask, of_bars, period_of
-from ._words import Number, Quantity, Segments, Steps, whole
+from ._words import (Force, Number, Objective, Quantity, Segments, Steps,
+                     whole)
 
 
 if TYPE_CHECKING:
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
         segments: Segments | None
         solver: str
         formulation: str
-        objective: str
+        objective: Objective
         target: State | str | None
         energy: Quantity | None
         energy_ratio: float | None
@@ -64,7 +65,7 @@ def find(*, period: Number | None = None, frequency: Number | None = None,
 
 
 @overload
-def find(first: Steps, /, *schedule: Steps, damping: Quantity, force: str,
+def find(first: Steps, /, *schedule: Steps, damping: Quantity, force: Force,
          segments: Segments | None = None,
          amplitude: Quantity | None = None,
          amplitude_velocity: Quantity | None = None,
@@ -73,7 +74,7 @@ def find(first: Steps, /, *schedule: Steps, damping: Quantity, force: str,
 
 
 @overload
-def find(*, damping: Quantity, force: str,
+def find(*, damping: Quantity, force: Force,
          period: Number | None = None, frequency: Number | None = None,
          hertz: Quantity | None = None,
          amplitude: Quantity | None = None,
@@ -84,7 +85,7 @@ def find(*, damping: Quantity, force: str,
 
 
 @overload
-def find(*, scene: str, force: str, gravity: Quantity = 0.0,
+def find(*, scene: str, force: Force, gravity: Quantity = 0.0,
          period: Number | None = None, frequency: Number | None = None,
          hertz: Quantity | None = None,
          amplitude: Quantity | None = None,
@@ -100,13 +101,13 @@ def find(
          second_stop: Quantity | None = None,
          segments: Segments | None = None,
          solver: str = "auto", formulation: str = "auto",
-         objective: str = "auto", target: State | str | None = None,
+         objective: Objective = "auto", target: State | str | None = None,
          energy: Quantity | None = None, energy_ratio: float | None = None,
          strain_limit: Quantity | None = None, tip_floor: Quantity | None = None,
          tolerance: Quantity = 1e-7, time_limit: Quantity | None = None,
          period: Number | None = None, frequency: Number | None = None,
          hertz: Quantity | None = None,
-         damping: Quantity | None = None, force: str | None = None,
+         damping: Quantity | None = None, force: Force | None = None,
          amplitude: Quantity | None = None,
          amplitude_velocity: Quantity | None = None,
          amplitude_acceleration: Quantity | None = None, cycles: int = 1,

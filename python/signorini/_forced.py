@@ -12,7 +12,7 @@ from ._core import (Bar, Damping, ExactResponse, ForcedFrequency, ForcedMotion, 
                     Simulation, State, Sweep, Waves)
 from ._progress import Progress
 from ._tables import Table, flat, frame_of, keys_of
-from ._words import Quantity, Segments
+from ._words import Force, Over, Quantity, Segments
 
 
 class Response(Table[ForcedFrequency]):
@@ -30,7 +30,7 @@ class Response(Table[ForcedFrequency]):
         cells: int
         bar: Bar
         damping: Damping
-        force: str
+        force: Force
         amplitude: float
         frequency_ratio_range: tuple[float, float]
         frequencies: list[ForcedFrequency]
@@ -58,7 +58,7 @@ class Response(Table[ForcedFrequency]):
 
 
 @asks("response")
-def response(*, damping: Quantity, force: str, amplitude: Quantity | None = None,
+def response(*, damping: Quantity, force: Force, amplitude: Quantity | None = None,
              amplitude_velocity: Quantity | None = None,
              amplitude_acceleration: Quantity | None = None,
              start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
@@ -88,7 +88,7 @@ def response(*, damping: Quantity, force: str, amplitude: Quantity | None = None
 
 
 @asks("response")
-def exact_response(*, damping: Quantity, force: str, amplitude: Quantity,
+def exact_response(*, damping: Quantity, force: Force, amplitude: Quantity,
                    start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
                    cells: int | None = None, threads: int = 1, bar: Bar | None = None,
                    scene: Scene | None = None, second_stop: Quantity | None = None,
@@ -111,7 +111,7 @@ def exact_response(*, damping: Quantity, force: str, amplitude: Quantity,
 
 @asks("simulation")
 def simulate(start: State | Waves | str | None = None, *,
-             damping: Quantity = 0.0, force: str | None = None,
+             damping: Quantity = 0.0, force: Force | None = None,
              amplitude: Quantity | None = None,
              amplitude_velocity: Quantity | None = None,
              amplitude_acceleration: Quantity | None = None,
@@ -155,8 +155,8 @@ def simulate(start: State | Waves | str | None = None, *,
 
 
 @asks("sweep")
-def sweep(over: str = "frequency", start: Quantity = 0.5, to: Quantity = 2.0, *,
-          force: str, damping: Quantity = 0.0, amplitude: Quantity | None = None,
+def sweep(over: Over = "frequency", start: Quantity = 0.5, to: Quantity = 2.0, *,
+          force: Force, damping: Quantity = 0.0, amplitude: Quantity | None = None,
           amplitude_velocity: Quantity | None = None,
           amplitude_acceleration: Quantity | None = None,
           frequency: Quantity = 1.0, points: int = 101,

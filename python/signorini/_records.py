@@ -7,7 +7,7 @@ from typing import Any
 
 from . import _core
 from ._core import Schedule
-from ._tables import keys_of, plain
+from ._tables import Table, keys_of, plain
 
 #: Letters of a value in a text, and of all phases of a schedule.
 LONGEST, ALL_PHASES = 60, 120
@@ -109,12 +109,13 @@ def _is_schedule(one: Schedule, other: object) -> Any:
     return isinstance(other, Sequence) and plain(list(other)) == plain(one.phases)
 
 
-def _be_a_list_of(kind: Any, name: str) -> None:
+def _be_a_list_of(kind: Any, name: str, some: Callable[[Any], Any] = list) -> None:
     def count(self: Any) -> int:
         return len(getattr(self, name))
 
     def item(self: Any, at: Any) -> Any:
-        return getattr(self, name)[at]
+        rows = getattr(self, name)[at]
+        return some(rows) if isinstance(at, slice) else rows
 
     def each(self: Any) -> Iterator[Any]:
         return iter(getattr(self, name))
@@ -193,4 +194,4 @@ def be_records() -> None:
     state.to_dict = _waves_of
     schedule.to_dict, schedule.__eq__ = _phases_of, _is_schedule
     _be_a_list_of(Schedule, "phases")
-    _be_a_list_of(_core.Continuum, "points")
+    _be_a_list_of(_core.Continuum, "points", lambda rows: Table("points", rows))

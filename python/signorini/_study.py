@@ -12,7 +12,7 @@ from ._asking import asks
 from ._core import Scene, StudyPoint
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Quantity, bar_of, number, path
+from ._words import Force, Quantity, bar_of, number, path
 
 #: One number, or several.
 Numbers = Union[Quantity, Sequence[Quantity]]
@@ -28,7 +28,7 @@ def _listed(name: str, values: Numbers, unit: str = "") -> list[float]:
 
 
 @asks("sweep")
-def study(*, gap: Numbers, damping: Numbers, amplitude: Numbers, force: str,
+def study(*, gap: Numbers, damping: Numbers, amplitude: Numbers, force: Force,
           start: Quantity = 0.5, to: Quantity = 2.0, points: int = 51,
           periods: int = 1000, cells: int = 100, threads: int = 1,
           second_stop: Quantity | None = None,

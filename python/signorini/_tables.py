@@ -231,6 +231,8 @@ class Table(Sequence[R], Generic[R]):
     def __eq__(self, other: object) -> bool:
         if isinstance(other, Table):
             return self._rows == other._rows and self._head == other._head
+        if isinstance(other, list) and not self._head:
+            return list(self._rows) == other
         return NotImplemented
 
     def __getattr__(self, name: str) -> Any:

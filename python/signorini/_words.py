@@ -10,7 +10,7 @@ import reprlib
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from numbers import Integral
-from typing import Any, Union
+from typing import Any, Literal, Union
 
 from . import _core
 from ._core import Bar, Scene, Schedule, Segment, State
@@ -20,6 +20,12 @@ Steps = Union[int, "tuple[int, int]", "tuple[int, int, str]", Schedule]
 
 #: Segments, or (cells, impedance, speed, dashpot) of each.
 Segments = Sequence[Union[Segment, "tuple[float, ...]"]]
+
+#: Words that arguments are chosen from: those of the program's table of options.
+Force = Literal["tip", "base"]
+Objective = Literal["auto", "any", "min-energy", "max-energy", "min-peak-strain", "max-impulse",
+                    "nearest"]
+Over = Literal["frequency", "amplitude", "gap", "damping"]
 
 #: A number that may be exact: 3.5, "7/2", Fraction(7, 2).
 Number = Union[int, float, str, Fraction]

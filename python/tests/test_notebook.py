@@ -320,6 +320,7 @@ def test_curves_are_sequences() -> None:
     pytest.importorskip("pandas")
     frame = curve.frame()
     assert list(frame["lambda"]) == list(curve.lambda_)
+    assert list(curve[1:4].frame()["lambda"]) == list(curve.lambda_[1:4])
     assert list(frame["physical.peak_force"]) == [
         point.physical.peak_force for point in points]
     assert len(page_of(curve).under("points")) == 5

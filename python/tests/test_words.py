@@ -3,16 +3,32 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Callable
+from typing import Any, Callable, get_args
 
 import pytest
 
 import signorini as sg
+from signorini import _words
 
 #: For calls that types forbid.
 untyped: Any = sg
 FORCED: dict[str, Any] = {"damping": 0.02, "force": "tip", "amplitude": 1e-4,
                           "frequency": 1.1}
+
+
+@pytest.mark.parametrize("name, words, ask", [
+    ("force", _words.Force,
+     lambda word: untyped.find(6, 42, damping=0.02, force=word, amplitude=1e-4)),
+    ("objective", _words.Objective, lambda word: untyped.find(150, 900, objective=word)),
+    ("over", _words.Over,
+     lambda word: untyped.sweep(word, 0.5, 1, damping=0.02, force="tip", amplitude=1e-4)),
+])
+def test_words_to_choose_from_are_those_of_the_library(
+        name: str, words: Any, ask: Callable[[str], Any]) -> None:
+    with pytest.raises(ValueError) as refused:
+        ask("other")
+    allowed = str(refused.value).split("allowed ")[1].split("|")
+    assert {*allowed} <= {*get_args(words)} <= {*allowed, "auto"}, name
 
 
 @pytest.mark.parametrize("time", [-1.0, 0.0, math.nan, math.inf, 1e300])

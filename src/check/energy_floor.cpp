@@ -73,8 +73,8 @@ public:
         : network_(network), schedule_(schedule)
     {
         for (const ContactSpan& span : schedule) {
-            steps_ += span.steps;
-            areGood_ = areGood_ && span.steps > 0;
+            areGood_ = areGood_ && span.steps > 0 && span.steps <= maxNetworkSteps - steps_;
+            steps_ += areGood_ ? span.steps : 0;
         }
         areGood_ =
             areGood_ &&

@@ -328,7 +328,7 @@ def check_floors(options, draw, count, is_large):
 
 
 FLOOR_SPOILS = {
-    "a larger energy": lambda answer, proof: proof.update(energy_ratio=proof["energy_ratio"] * 1e12),
+    "an energy beyond all": lambda answer, proof: proof.update(energy_ratio=1e300),
     "an energy that a bar bears": lambda answer, proof: proof.update(energy_ratio=1e6),
     "no energy": lambda answer, proof: proof.pop("energy_ratio"),
     "a wave off": lambda answer, proof: proof["periodicity"].__setitem__(0, proof["periodicity"][0] + 1.0),
