@@ -73,7 +73,7 @@ struct Eigen::NumTraits<signorini::FineNumber> : Eigen::GenericNumTraits<signori
     using Real = signorini::FineNumber;
     using NonInteger = signorini::FineNumber;
     using Nested = signorini::FineNumber;
-    enum {
+    enum {  // NOLINTBEGIN(readability-identifier-naming): names of Eigen
         IsInteger = 0,
         IsSigned = 1,
         IsComplex = 0,
@@ -81,6 +81,6 @@ struct Eigen::NumTraits<signorini::FineNumber> : Eigen::GenericNumTraits<signori
         ReadCost = 4,
         AddCost = 30,
         MulCost = 60
-    };
+    };  // NOLINTEND(readability-identifier-naming)
     static Real dummy_precision() { return 1e-46; }
 };
