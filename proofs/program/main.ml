@@ -36,9 +36,9 @@ let near value exact tolerance =
 
 let tenth_to k = (if k < 0 then Fun.id else Q.inv) (Q.of_bigint (Z.pow (Z.of_int 10) (abs k)))
 
-(* The least energy that was proved, against what the answer claims. *)
 let float_of x = Printf.sprintf "%.15g" (Q.to_float x)
 
+(* The least energy that was proved, against what the answer claims. *)
 let judge_energy answer member ~knows_most tolerance least =
   (match answer.range with
    | Some [_; most] when most <> `Null && not knows_most -> refuse "energy_ratio_range: of its upper end nothing can be known"

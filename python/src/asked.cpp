@@ -48,11 +48,7 @@ void Asked::requireFits(const char* name, double value)
                    row->takes != Takes::range && row->takes != Takes::real;
         });
     }
-    const auto fits = [value](const answers::Option* row) {
-        return std::isfinite(value) &&
-               (row->takes == Takes::positive ? value > 0.0 && value < row->high
-                                              : row->low <= value && value <= row->high);
-    };
+    const auto fits = [value](const answers::Option* row) { return row->fits(value); };
     if (!rows->second.empty() && std::none_of(rows->second.begin(), rows->second.end(), fits)) {
         Faults faults;
         faults.add(name, value, rows->second.front()->allowed());

@@ -180,10 +180,15 @@ bool Option::fits(std::string_view text) const
     }
     if (takes == Takes::positive || takes == Takes::range || takes == Takes::real) {
         const auto value = numberIn(text, unit);
-        return value && (takes == Takes::positive ? *value > 0.0 && *value < high
-                                                  : low <= *value && *value <= high);
+        return value && fits(*value);
     }
     return !text.empty();
+}
+
+bool Option::fits(double value) const
+{
+    return std::isfinite(value) &&
+           (takes == Takes::positive ? value > 0.0 && value < high : low <= value && value <= high);
 }
 
 }  // namespace signorini::answers

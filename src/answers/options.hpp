@@ -63,6 +63,8 @@ struct Option {
     [[nodiscard]] std::string allowed() const;
     /// Is a value of this kind, in this range? Texts that the question reads are not looked into.
     [[nodiscard]] bool fits(std::string_view text) const;
+    /// The same of a number, of the kinds that take one.
+    [[nodiscard]] bool fits(double value) const;
 };
 
 /// All of them, in the order of the help.

@@ -258,8 +258,11 @@ std::optional<AtlasBatch> decideSteppedBatch(const AtlasRange& range, std::int64
             continue;
         }
         enterStepped(range, number, cancel, result);
+        if (isRequested(cancel)) {
+            return std::nullopt;
+        }
     }
-    return isRequested(cancel) ? std::nullopt : std::optional(std::move(result));
+    return result;
 }
 
 }  // namespace

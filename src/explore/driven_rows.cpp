@@ -168,7 +168,7 @@ std::vector<double> DrivenRows::contradiction(std::span<const std::size_t> rows,
     if (way) {
         right.head(3) << 0.0, -way->c, -way->s;
     }
-    const Eigen::VectorXd found = leastSquares(parts, right);
+    const Eigen::VectorXd found = LeastSquares(parts).solve(right);
     if (!((parts * found - right).norm() < 1e-6)) {
         return {};
     }
@@ -221,7 +221,7 @@ void DrivenRows::addWork(EnergyFloor& floor, Eigen::Vector3d sum) const
         }
         next += part.rows();
     }
-    const Eigen::VectorXd z = leastSquares(work, sum);
+    const Eigen::VectorXd z = LeastSquares(work).solve(sum);
     const std::vector<double> waves =
         wavesAt(blocks_, *kernel_, z, Eigen::VectorXd(Eigen::VectorXd::Zero(kernel_->inputs())));
     const std::vector<double> impedances = impedancesOf(network());

@@ -164,8 +164,9 @@ private:
             rows.row(equal + k) = program_.inequalities.row(active[static_cast<std::size_t>(k)]);
             right[equal + k] = program_.inequalityRhs[active[static_cast<std::size_t>(k)]];
         }
+        const LeastSquares nearest(rows, 1e-10);
         for (int pass = 0; pass < 2; ++pass) {
-            x += leastSquares(rows, right - rows * x, 1e-10);
+            x += nearest.solve(right - rows * x);
         }
         return x;
     }

@@ -88,7 +88,7 @@ OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent) co
     both << matrix.real(), -matrix.imag(), matrix.imag(), matrix.real();
     Eigen::VectorXd sides(2 * channels());
     sides << right.real(), right.imag();
-    const Eigen::VectorXd least = leastSquares(both, sides, resonance);
+    const Eigen::VectorXd least = LeastSquares(both, resonance).solve(sides);
     Vector waves(channels());
     waves.real() = least.head(channels());
     waves.imag() = least.tail(channels());

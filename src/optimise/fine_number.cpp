@@ -52,9 +52,17 @@ FineNumber FineNumber::operator-() const
     return negated;
 }
 
-int FineNumber::compare(const FineNumber& other) const
+std::partial_ordering FineNumber::operator<=>(const FineNumber& other) const
 {
-    return value_.compare(other.value_);
+    if (isnan(value_) || isnan(other.value_)) {
+        return std::partial_ordering::unordered;
+    }
+    return value_.compare(other.value_) <=> 0;
+}
+
+bool FineNumber::operator==(const FineNumber& other) const
+{
+    return (*this <=> other) == 0;
 }
 
 FineNumber FineNumber::root() const

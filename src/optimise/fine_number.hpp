@@ -14,6 +14,7 @@
 
 namespace signorini {
 
+/// A number of 50 digits.
 class FineNumber {
 public:
     FineNumber();
@@ -29,19 +30,15 @@ public:
     FineNumber& operator*=(const FineNumber& other);
     FineNumber& operator/=(const FineNumber& other);
     [[nodiscard]] FineNumber operator-() const;
-    /// Negative, 0 or positive, as *this is less, equal or greater.
-    [[nodiscard]] int compare(const FineNumber& other) const;
+    /// What is no number is neither less, equal nor greater.
+    [[nodiscard]] std::partial_ordering operator<=>(const FineNumber& other) const;
+    [[nodiscard]] bool operator==(const FineNumber& other) const;
     [[nodiscard]] FineNumber root() const;
 
     friend FineNumber operator+(FineNumber a, const FineNumber& b) { return a += b; }
     friend FineNumber operator-(FineNumber a, const FineNumber& b) { return a -= b; }
     friend FineNumber operator*(FineNumber a, const FineNumber& b) { return a *= b; }
     friend FineNumber operator/(FineNumber a, const FineNumber& b) { return a /= b; }
-    friend bool operator==(const FineNumber& a, const FineNumber& b) { return a.compare(b) == 0; }
-    friend std::strong_ordering operator<=>(const FineNumber& a, const FineNumber& b)
-    {
-        return a.compare(b) <=> 0;
-    }
     friend FineNumber abs(const FineNumber& a) { return a < 0 ? -a : a; }
     friend FineNumber sqrt(const FineNumber& a) { return a.root(); }
 

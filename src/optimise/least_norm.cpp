@@ -1,6 +1,5 @@
 #include "least_norm.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -194,14 +193,17 @@ template LeastNormOf<double> leastNorm(const RowSystemOf<double>&, double, doubl
 template LeastNormOf<FineNumber> leastNorm(const RowSystemOf<FineNumber>&, double, double,
                                            const Cancel&);
 
-Eigen::VectorXd leastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b, double none)
+LeastSquares::LeastSquares(const Eigen::MatrixXd& a, double none)
 {
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
     if (none > 0.0) {
-        factors.setThreshold(none);
+        factors_.setThreshold(none);
     }
-    factors.compute(a);
-    return factors.solve(b);
+    factors_.compute(a);
+}
+
+Eigen::VectorXd LeastSquares::solve(const Eigen::VectorXd& b) const
+{
+    return factors_.solve(b);
 }
 
 }  // namespace signorini

@@ -13,7 +13,7 @@
 /// whatever was rounded in finding u. The polyhedron is empty if u can be chosen with sum u_i a_i =
 /// 0 < sum u_i b_i; then these u are returned.
 
-#include <Eigen/Core>
+#include <Eigen/QR>
 #include <cstdint>
 #include <type_traits>
 
@@ -64,9 +64,16 @@ template <typename Number>
 [[nodiscard]] LeastNormOf<Number> leastNorm(const RowSystemOf<Number>& system, double tolerance,
                                             double largest, const Cancel& cancel = {});
 
-/// The x of least norm among those of least |a x - b|. Pivots below `none` times the largest count
-/// as 0; 0 leaves that to rounding. O(rows columns^2). Here, so that one layer alone compiles it.
-[[nodiscard]] Eigen::VectorXd leastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
-                                           double none = 0.0);
+/// The x of least norm among those of least |a x - b|. Here, so that one layer alone compiles it.
+class LeastSquares {
+public:
+    /// Pivots below `none` times the largest count as 0; 0 leaves that to rounding. O(rows
+    /// columns^2).
+    explicit LeastSquares(const Eigen::MatrixXd& a, double none = 0.0);
+    [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+
+private:
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors_;
+};
 
 }  // namespace signorini
