@@ -167,7 +167,8 @@ unsigned FindCommand::kind() const
 ExitStatus FindCommand::run() const
 {
     if (common.hasScene()) {
-        const bool isOfBar = question.isAsked() && (!isForced() || force.ratio);
+        const bool isOfBar =
+            question.isAsked() ? !isForced() || force.ratio : given.has("--figure");
         if (given.outside(asks::network) == nullptr && !(isOfBar && barOf(common.assembly()))) {
             return question.isAsked() ? findHarmonicInBars(*this, common.assembly())
                                       : findInScene(*this);

@@ -80,9 +80,9 @@ struct SceneFind {
     /// The keys and the lines with which an answer begins.
     [[nodiscard]] Json keys(Status status) const;
     [[nodiscard]] std::string lines(Status status) const;
-    /// Writes the motion's state at t = 0, if there is one, a proof, if the answer is one, and the
+    /// Writes the files of the motion, if there is one, a proof, if the answer is one, and the
     /// answer.
-    [[nodiscard]] ExitStatus finish(Status status, const NetworkStart* state, bool isProof,
+    [[nodiscard]] ExitStatus finish(Status status, const NetworkClaim* motion, bool isProof,
                                     const Json& json, const std::string& text);
 };
 

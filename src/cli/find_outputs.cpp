@@ -74,9 +74,11 @@ void FindOutputs::writeHarmonic(const HarmonicField& field, const Scene& scene, 
     motion_.commit();
 }
 
-void FindOutputs::writeState(const std::function<void(const std::string& path)>& write)
+void FindOutputs::writeBars(const std::function<void(const std::string& path)>& writeState,
+                            const std::function<FigureData()>& figure)
 {
-    motion_.put("--state", write);
+    motion_.put("--state", writeState);
+    motion_.draw("--figure", figure);
     motion_.commit();
 }
 

@@ -34,8 +34,9 @@ public:
     void writeMotion(const WrittenMotion& motion);
     /// Of a motion under an exact harmonic, on no grid: files and pictures, no state.
     void writeHarmonic(const HarmonicField& field, const Scene& scene, std::int64_t cells);
-    /// Of the bars of a scene: writes the table of their state.
-    void writeState(const std::function<void(const std::string& path)>& write);
+    /// Of the bars of a scene: the table of their state, and their contacts over a period.
+    void writeBars(const std::function<void(const std::string& path)>& writeState,
+                   const std::function<FigureData()>& figure);
     void lackMotion() const;
     void writeProof(const std::function<void(TextFile&)>& write);
     void lackProof() const;

@@ -6,6 +6,7 @@
 #include "find_command.hpp"
 #include "interrupt.hpp"
 #include "network_find.hpp"
+#include "scene_figures.hpp"
 #include "scene_options.hpp"
 #include "signorini/find_periodic.hpp"
 #include "units.hpp"
@@ -181,11 +182,15 @@ std::string SceneFind::lines(Status status) const
     return headline(assembly, network) + fmt::format("{:<12}{}\n", name(status), textOf(schedule));
 }
 
-ExitStatus SceneFind::finish(Status status, const NetworkStart* state, bool isProof,
+ExitStatus SceneFind::finish(Status status, const NetworkClaim* motion, bool isProof,
                              const Json& json, const std::string& text)
 {
-    if (state != nullptr) {
-        files.writeState([&](const std::string& path) { writeStateTable(path, network, *state); });
+    if (motion != nullptr) {
+        files.writeBars(
+            [&](const std::string& path) {
+                writeStateTable(path, network, {motion->waves, motion->displacements});
+            },
+            [&] { return periodFigure(network, *motion); });
     } else {
         files.lackMotion();
     }
@@ -210,9 +215,7 @@ ExitStatus findInScene(const FindCommand& command)
                     hugeEnergyRatio * usualEnergy(scene.network, scene.schedule),
                     interrupt.cancel())};
     const auto& motion = answer.motions.motion;
-    const NetworkStart state =
-        motion ? NetworkStart{motion->waves, motion->displacements} : NetworkStart{};
-    return scene.finish(answer.motions.status, motion ? &state : nullptr,
+    return scene.finish(answer.motions.status, motion ? &*motion : nullptr,
                         answer.motions.status != Status::undecided, asJson(answer), asText(answer));
 }
 

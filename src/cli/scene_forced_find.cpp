@@ -172,10 +172,8 @@ ExitStatus findForcedInScene(const FindCommand& command)
                              usualEnergy(scene.network, scene.schedule));
     choose(answer);
     const NetworkClaim* last = answer.motions.empty() ? nullptr : &answer.motions.back().claim;
-    const NetworkStart state =
-        last != nullptr ? NetworkStart{last->waves, last->displacements} : NetworkStart{};
-    return scene.finish(answer.status(), last != nullptr ? &state : nullptr,
-                        answer.status() == Status::none, asJson(answer), asText(answer));
+    return scene.finish(answer.status(), last, answer.status() == Status::none, asJson(answer),
+                        asText(answer));
 }
 
 }  // namespace signorini::cli

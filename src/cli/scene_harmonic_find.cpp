@@ -5,6 +5,7 @@
 #include "find_command.hpp"
 #include "harmonic_network_contact.hpp"
 #include "reports.hpp"
+#include "scene_figures.hpp"
 #include "scene_harmonic_answer.hpp"
 
 namespace signorini::cli {
@@ -50,7 +51,7 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
              "--period, --frequency, --hertz: of several bars allowed only together with --force");
     force.requirePlace();
     force.requireAmplitude();
-    for (const char* name : {"--state", "--certificate", "--figure", "--motion", "--animate"}) {
+    for (const char* name : {"--state", "--certificate", "--motion", "--animate"}) {
         refuseIf(call.given.has(name), name, call.given.text(name),
                  "none with --period, --frequency and --hertz of several bars or segments");
     }
@@ -67,6 +68,7 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     } else if (!question.frequency.empty()) {
         asked.frequency = parseNumber("--frequency", question.frequency, "ω₁").value;
     }
+    FindOutputs files(call);
     const std::int64_t steps = answers::stepsOf(assembly, asked, call.cycles);
     const double hertz =
         static_cast<double>(call.cycles) / (static_cast<double>(steps) * network.scales.time);
@@ -75,6 +77,13 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
         first > 0.0 ? *force.at(hertz / first, first).amplitude : *force.amplitude;
     const answers::SceneHarmonicAnswer answer =
         answers::answerOf(assembly, *force.place, call.cycles, steps, amplitude);
+    if (answer.motions.empty()) {
+        files.lackMotion();
+    } else {  // the last one has the largest impulse
+        files.writeBars({}, [&] {
+            return contactFigure(answer.pathOf(answer.motions.size() - 1), answer.scales);
+        });
+    }
     call.common.useOneThread();
     writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))
                                    : headline(assembly, network) + asText(answer));

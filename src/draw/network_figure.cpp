@@ -21,11 +21,12 @@ constexpr double shownCrossings = 24.0;  ///< of all cells
 /// What is drawn of a simulation, in SI and units of engineers.
 class ContactPanels {
 public:
-    explicit ContactPanels(const NetworkSimulation& simulation)
+    /// Over its last `shown` h.
+    ContactPanels(const NetworkSimulation& simulation, double shown)
         : simulation_(simulation),
           network_(simulation.network()),
           end_(simulation.time()),
-          begin_(std::max(0.0, end_ - shownCrossings * static_cast<double>(network_.cells()))),
+          begin_(std::max(0.0, end_ - shown)),
           second_(axisUnit(network_.scales.time, end_, "s")),
           metre_(axisUnit(network_.scales.displacement, extent(), "m"))
     {
@@ -34,7 +35,7 @@ public:
     FigureData figure()
     {
         const std::size_t panels = std::min(network_.contacts.size(), mostPanels);
-        FigureData figure{.height = 4.0 + 4.0 * static_cast<double>(panels)};
+        FigureData figure{.height = 2.2 + 4.2 * static_cast<double>(panels)};
         const double room = 1.0 / figure.height;  // a centimetre
         for (std::size_t j = 0; j < panels; ++j) {
             const double top = 1.0 - room * (1.4 + 4.2 * static_cast<double>(j));
@@ -46,7 +47,8 @@ public:
                 panel.x.hasNumbers = false;
             }
             fill(panel, j);
-            panel.y = axisAround(panel.series, fmt::format("contact {}  [{}]", j + 1, metre_.name));
+            panel.y =
+                axisAround(panel.series, fmt::format("u at contact {}  [{}]", j + 1, metre_.name));
         }
         if (panels > 0) {
             figure.panels.front().legend = Legend::above;
@@ -141,7 +143,37 @@ FigureData simulationFigure(const NetworkSimulation& simulation)
     if (std::all_of(paths.begin(), paths.end(), [](const auto& one) { return one.empty(); })) {
         throw std::invalid_argument("figure: the simulation holds no paths to draw");
     }
-    return ContactPanels(simulation).figure();
+    const auto cells = static_cast<double>(simulation.network().cells());
+    return ContactPanels(simulation, shownCrossings * cells).figure();
+}
+
+FigureData periodFigure(const Network& network, const NetworkClaim& motion)
+{
+    std::int64_t steps = 0;
+    for (const ContactSteps& part : motion.schedule) {
+        steps += part.steps;
+    }
+    const auto period = static_cast<double>(steps);
+    NetworkSimulation simulation(network, {motion.waves, motion.displacements},
+                                 {.forces = motion.forces, .velocities = motion.velocities},
+                                 {.recordsPaths = true});
+    simulation.advance(period);
+    const std::vector<double> waves = simulation.state().waves;
+    double largest = 0.0;
+    double change = 0.0;
+    for (std::size_t k = 0; k < waves.size(); ++k) {
+        largest = std::max(largest, std::abs(motion.waves[k]));
+        change = std::max(change, std::abs(waves[k] - motion.waves[k]));
+    }
+    if (change > 1e-6 * largest) {
+        throw std::runtime_error(fmt::format(
+            "figure: simulated for its period the motion comes back to within {:.2g} of its "
+            "largest wave only, so it is not drawn",
+            change / largest));
+    }
+    FigureData figure = ContactPanels(simulation, period).figure();
+    figure.title = "one period of the motion";
+    return figure;
 }
 
 FigureData contactFigure(const std::vector<ContactInstant>& path, const NetworkScales& scales)

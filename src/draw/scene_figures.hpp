@@ -5,6 +5,7 @@
 #include <string>
 
 #include "harmonic_network_walk.hpp"
+#include "network_walk.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/figures.hpp"
 
@@ -21,6 +22,11 @@ class NetworkSimulation;
 /// over the last stretch of time; where it pressed is marked. \throws std::invalid_argument if the
 /// paths were not recorded.
 [[nodiscard]] FigureData simulationFigure(const NetworkSimulation& simulation);
+
+/// The same over one period of a motion, which a simulation of its own decisions goes through from
+/// its start. \throws std::runtime_error if that does not come back to it within 1e-6: only where
+/// rounding decides on contacts, or the motion is most unstable.
+[[nodiscard]] FigureData periodFigure(const Network& network, const NetworkClaim& motion);
 
 /// A contact over one period: how far it is open, and its force. \pre a path of some times.
 [[nodiscard]] FigureData contactFigure(const std::vector<ContactInstant>& path,

@@ -347,9 +347,10 @@ TEST_CASE("cli find: a frequency of several bars, or of segments, has motions on
         CHECK(one["impulse"].get<double>() == Approx(other["impulse"].get<double>()).epsilon(1e-7));
         CHECK(one["release"] == other["release"]);
     }
-    const json stepped = parsed(
-        program,
-        "find --hertz 0.27 --segments 15:1,15:1.3 --damping 0.02 --force tip --amplitude 6e-4");
+    const json stepped = parsed(program,
+                                "find --hertz 0.27 --segments 15:1,15:1.3 --damping 0.02 --force "
+                                "tip --amplitude 6e-4 --figure f.svg");
+    CHECK(contentOf(program.file("f.svg")).find("open by") != std::string::npos);
     CHECK(stepped["status"] == "found");
     CHECK(stepped["steps"] == 111);
     CHECK(stepped["motions"][0]["residual"].get<double>() < 1e-9);

@@ -224,7 +224,18 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
 {
     const CommandLine program;
     const json r = program.find(
-        "--scene 'clamp 3 stop=1e-3 3 clamp' 1 10 --state s.csv --certificate c.json", 0);
+        "--scene 'clamp 3 stop=1e-3 3 clamp' 1 10 --state s.csv --certificate c.json --figure "
+        "f.svg",
+        0);
+    CHECK(contentOf(program.file("f.svg")).find("u at contact 1") != std::string::npos);
+    // Its state simulated for a period by its own decisions is its state, with the same energy.
+    const std::string again =
+        fmt::format("simulate --scene 'clamp 3 stop=1e-3 3 clamp' --from s.csv --time {:.17g}",
+                    r["period"].get<double>());
+    const json once = json::parse(program.run(again + " --format json").out);
+    CHECK(once["energy"].get<double>() == Approx(r["energy"].get<double>()).epsilon(1e-9));
+    CHECK(once["contacts"][0]["contact_time"].get<double>() ==
+          Approx(r["contacts"][0]["contact_time"].get<double>()).epsilon(1e-9));
     CHECK(r["energy"].get<double>() ==
           Approx(0.75e-6 * 6.0));  // 27 Z_1 delta^2/h, delta = g/6, h = 1/6 s
     CHECK(r["energy_ratio_proved"].get<double>() ==
@@ -266,7 +277,8 @@ TEST_CASE("cli scenes: forced motions of bars that meet, the least amplitude and
     const CommandLine program;
     const std::string bars =
         "--scene 'clamp 3 dash=0.1 driven gap=1e-3 4:1.3 dash=0.05 2 clamp' 4 13 --force tip ";
-    const json least = program.find(bars + "--state s.csv", 0);
+    const json least = program.find(bars + "--state s.csv --figure f.svg", 0);
+    CHECK(std::filesystem::exists(program.file("f.svg")));
     const double amplitude = least["amplitude_range"][0].get<double>();
     CHECK(least["motions"][0]["amplitude"].get<double>() == Approx(amplitude));
     CHECK(lines(contentOf(program.file("s.csv"))) > 9);
