@@ -157,9 +157,9 @@ test('scene: parts are dragged, added, taken away; nonsense gets a sentence', as
   // The left bar is pulled, where it stands at first: as it swings the pointer may miss it.
   await page.fill('#time', '0');
   const box = (await page.locator('#bar-canvas').boundingBox())!;
-  await page.mouse.move(box.x + 0.15 * box.width, box.y + box.height / 2);
+  await page.mouse.move(box.x + 0.08 * box.width, box.y + box.height / 2);
   await page.mouse.down();
-  await page.mouse.move(box.x + 0.12 * box.width, box.y + box.height / 2, { steps: 4 });
+  await page.mouse.move(box.x + 0.05 * box.width, box.y + box.height / 2, { steps: 4 });
   await page.mouse.up();
   await expect(page.locator('#hands output').first()).not.toHaveText('−4 g');
   for (const model of ['2', '3', '4', '5', '6']) {
