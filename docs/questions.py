@@ -82,6 +82,8 @@ OTHERS = set("""--help --period --frequency --hertz --from --to --direction --da
     --periods --force-file --force-range --velocity --max-order --max-period --database --max-contact --max-free
     --resume --near --twins --scene --cells --length --wave-speed --axial-stiffness --gap --second-stop --segments
     --segments-file --young --density --area --diameter --format --quiet --verbose --progress""".split())
+#: Schedules with states of several bars.
+STATES = {"two bars": "1:6 -:18", "flying": "1:2 -:6 2:2 -:6", "soft root": "1:4 -:50"}
 #: What a demand needs beside it to mean anything.
 WITH = {("find", "--target"): "--objective nearest", ("continuum", "--member"): "--state {folder}/state_out.csv",
         ("continuum", "--state"): "--member 0", ("response", "--map"): "--contacts 2",
@@ -98,14 +100,15 @@ class Asker:
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
         self.known, self.state = folder / "known.sqlite", folder / "state.csv"
+        of_bars = [f"find {words} {SCENES[scene]} --state '{folder}/{scene}.csv'" for scene, words in STATES.items()]
         for words in (f"atlas --cells 12 --database {self.known} --max-contact 4 --max-free 8",
-                      f"find 6 36 --cells 12 --state {self.state}"):
+                      f"find 6 36 --cells 12 --state {self.state}", *of_bars):
             subprocess.run([program, *shlex.split(words)], check=True, capture_output=True)
 
     def run(self, words):
         """None where it answers, else why not."""
         with tempfile.TemporaryDirectory(dir=self.folder) as folder:
-            for path in (self.known, self.state):
+            for path in (self.known, *self.folder.glob("*.csv")):
                 Path(folder, path.name).write_bytes(path.read_bytes())
             given = shlex.split(words.format(folder=folder, force="{force}"))
             done = subprocess.run([self.program, *given, "--quiet"], capture_output=True, text=True, check=False,
@@ -136,7 +139,10 @@ def words_of(question, scene, demand=None):
         words = re.sub(r"^6 (36|42)", r"1:6 -:\1", words)
     if demand:
         words = words.replace(INSTEAD.get(demand, "\0"), "")
-        words += f" {demand} {DEMANDS[demand]} {WITH.get((command, demand), '')}"
+        value = DEMANDS[demand]
+        if demand == "--target" and scene in STATES:
+            value = f"'{{folder}}/{scene}.csv'"
+        words += f" {demand} {value} {WITH.get((command, demand), '')}"
         words += YIELDING if demand == "--yield-stress" and "--scene" not in given else ""
     return f"{command} {words} {given}"
 

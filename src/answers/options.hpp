@@ -29,7 +29,8 @@ inline constexpr unsigned response = 1U << 11U;
 inline constexpr unsigned simulation = 1U << 12U;
 inline constexpr unsigned sweep = 1U << 13U;
 inline constexpr unsigned scene = 1U << 14U;
-inline constexpr unsigned find = schedule | period | forced | forcedPeriod | network;
+inline constexpr unsigned freeNetwork = 1U << 16U;  ///< network without a force
+inline constexpr unsigned find = schedule | period | forced | forcedPeriod | network | freeNetwork;
 inline constexpr unsigned all = (1U << 15U) - 1U;  ///< of a bar or a scene
 inline constexpr unsigned study = 1U << 15U;       ///< sweeps of a file
 }  // namespace asks

@@ -46,11 +46,8 @@ FindRequest completed(const FindCommand& call)
     }
     options.tipFloor /= scales(options.scene.bar).displacement;
     const std::string target = call.given.text("--target");
-    refuseIf(options.objective == Objective::nearest && target.empty(),
-             "--target is missing: --objective nearest needs a state file");
+    requireTarget(options, target);
     if (!target.empty()) {
-        refuseIf(options.objective != Objective::nearest,
-                 "--target clashes with --objective: allowed only nearest");
         StateReading read = forFile("--target", target, [&] {
             return readState(target, options.scene.bar, call.common.usualCells());
         });
@@ -124,6 +121,14 @@ void writeFiles(FindOutputs& files, const FindOptions& options, const PeriodicRe
 
 }  // namespace
 
+void requireTarget(const FindOptions& options, const std::string& target)
+{
+    refuseIf(options.objective == Objective::nearest && target.empty(),
+             "--target is missing: --objective nearest needs a state file");
+    refuseIf(!target.empty() && options.objective != Objective::nearest,
+             "--target clashes with --objective: allowed only nearest");
+}
+
 FindCommand::FindCommand(const Given& words)
     : given(words),
       common(words),
@@ -174,7 +179,9 @@ ExitStatus FindCommand::run() const
                                       : findInScene(*this);
         }
         if (!barOf(common.assembly())) {
-            given.requireOnly(asks::network);
+            given.requireOnly(isForced() || question.isAsked() ? asks::network
+                                                               : asks::network | asks::freeNetwork);
+            return findInScene(*this);
         }
     }
     const unsigned asked = kind();

@@ -58,6 +58,9 @@ private:
 /// The same of several bars, or of a bar of several segments, whose words say what is damped.
 [[nodiscard]] ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly);
 
+/// A target belongs to the objective nearest. \throws std::invalid_argument
+void requireTarget(const FindOptions& options, const std::string& target);
+
 /// Free motions of a schedule of a network, in SI.
 [[nodiscard]] ExitStatus findInScene(const FindCommand& command);
 

@@ -207,7 +207,7 @@ void Given::requireOnly(unsigned question) const
     if (const Option* other = outside(question)) {
         throw std::invalid_argument(
             fmt::format("{} clashes with {}: allowed {}", other->name, answers::inWords(question),
-                        question == answers::asks::network
+                        (question & answers::asks::network) != 0
                             ? "with one bar, clamped on the left, with stops at its tip"
                             : "with " + answers::inWords(other->of & usage_.questions)));
     }

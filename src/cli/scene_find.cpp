@@ -40,6 +40,7 @@ ContactSet setOf(std::string_view text, std::size_t contacts, const std::string&
 struct FreeAnswer {
     const SceneFind& of;
     std::optional<double> unit;  ///< E_1 [Z_1 delta^2/h]
+    NetworkWish wish;
     LeastMotion motions;
 
     [[nodiscard]] double joules(double energy) const { return energy * of.network.scales.energy(); }
@@ -57,6 +58,12 @@ struct FreeAnswer {
                      "nothing else holds balance"
                    : "";
     }
+    /// What is proved is that of least energy.
+    [[nodiscard]] bool isProof() const
+    {
+        return motions.status == Status::none ||
+               (motions.status == Status::found && wish.isOfLeast());
+    }
     [[nodiscard]] bool presses() const
     {
         const auto& impulses = motions.residuals.impulses;
@@ -64,9 +71,62 @@ struct FreeAnswer {
     }
 };
 
+/// Means over the cells of a state: what is nearest to them is nearest to it.
+std::vector<double> meansOf(const Network& network, const NetworkStart& state)
+{
+    std::vector<double> waves(network.waves(), 0.0);
+    const std::size_t rows = network.rows.size();
+    for (std::size_t k = 0; k < network.channels(); ++k) {
+        const auto size = static_cast<std::size_t>(lengthOf(network, k));
+        const std::size_t first = k < 2 * rows ? network.firstWave(k / 2) + (k % 2) * size
+                                               : network.firstWave(rows) + k - 2 * rows;
+        const bool isReversed = k < 2 * rows && k % 2 == 0;  // as waves arrive
+        double begin = 0.0;
+        for (const Piece& piece : state.pieces[k]) {
+            const double end = begin + piece.duration;
+            for (auto cell = static_cast<std::size_t>(std::min(begin, 1e15));
+                 cell < size && static_cast<double>(cell) < end; ++cell) {
+                const auto from = static_cast<double>(cell);
+                waves[first + (isReversed ? size - 1 - cell : cell)] +=
+                    (std::min(end, from + 1.0) - std::max(begin, from)) * piece.value;
+            }
+            begin = end;
+        }
+        const auto whole = static_cast<double>(size);
+        refuseIf(!(std::abs(begin - whole) <= 1e-9 * whole),
+                 fmt::format("wave {} lasts {:.9g} s: allowed {:.9g}", k + 1,
+                             begin * network.scales.time, whole * network.scales.time));
+    }
+    return waves;
+}
+
+/// `unit`: E_1, if there is one.
+NetworkWish wishOf(const SceneFind& of, const std::optional<double>& unit)
+{
+    const FindOptions& options = of.call.options;
+    NetworkWish wish{options.objective, of.call.given.number("--energy"), {}};
+    refuseIf(wish.energy && options.energyRatio,
+             "--energy clashes with --energy-ratio: allowed one of them");
+    if (wish.energy) {
+        *wish.energy /= of.network.scales.energy();
+    } else if (options.energyRatio) {
+        refuseIf(!unit, "--energy-ratio", of.call.given.text("--energy-ratio"),
+                 "none where no energy E₁ is needed to reach contact 1: --energy in its place");
+        wish.energy = *options.energyRatio * *unit;
+    }
+    const std::string target = of.call.given.text("--target");
+    requireTarget(options, target);
+    if (!target.empty()) {
+        wish.target = forFile("--target", target, [&] {
+            return meansOf(of.network, readStateTable(target, of.network));
+        });
+    }
+    return wish;
+}
+
 Json certificateAsJson(const FreeAnswer& answer)
 {
-    if (answer.motions.status == Status::undecided || answer.motions.provedEnergy == 0.0) {
+    if (!answer.isProof() || answer.motions.provedEnergy == 0.0) {
         return nullptr;
     }
     Json json{{"kind", "energy-floor"}, {"verified", true}, {"rows", "network"}};
@@ -89,6 +149,9 @@ Json asJson(const FreeAnswer& answer)
                      {"residuals", nullptr},
                      {"certificate", certificateAsJson(answer)},
                      {"detail", motions.detail}});
+    if (motions.status == Status::none && answer.wish.energy) {
+        json["reason"] = name(Reason::constraints);
+    }
     if (motions.status != Status::found) {
         return json;
     }
@@ -116,10 +179,10 @@ std::string asText(const FreeAnswer& answer)
     } else if (motions.status == Status::undecided) {
         text += fmt::format("why         {}\n", motions.detail);
     } else {
-        text += fmt::format("energy      {:.6g} J{}, the least; proved: none has less than {}\n",
-                            answer.joules(motions.energy),
-                            answer.unit ? ", " + answer.inWords(motions.energy) : "",
-                            answer.inWords(motions.provedEnergy));
+        text += fmt::format(
+            "energy      {:.6g} J{}{}; proved: none has less than {}\n",
+            answer.joules(motions.energy), answer.unit ? ", " + answer.inWords(motions.energy) : "",
+            answer.wish.isOfLeast() ? ", the least" : "", answer.inWords(motions.provedEnergy));
         if (!answer.presses()) {
             text += fmt::format("contact     grazing: nothing presses{}\n", answer.whyGrazing());
         }
@@ -196,6 +259,8 @@ ExitStatus SceneFind::finish(Status status, const NetworkClaim* motion, bool isP
     }
     if (isProof) {
         files.writeProof([&json](TextFile& file) { file.write(asLine(json)); });
+    } else {
+        files.lackProof();
     }
     writeOut(call.common.wantsJson ? asLine(json) : text);
     call.common.useOneThread();
@@ -209,14 +274,16 @@ ExitStatus findInScene(const FindCommand& command)
     }
     SceneFind scene(command);
     const Interrupt interrupt;
-    const FreeAnswer answer{
-        scene, firstEnergy(scene.network),
-        leastMotion(scene.network, scene.schedule,
-                    hugeEnergyRatio * usualEnergy(scene.network, scene.schedule),
-                    interrupt.cancel())};
+    FindOptions options = command.options;
+    options.cancel = interrupt.cancel();
+    FreeAnswer answer{scene, firstEnergy(scene.network), {}, {}};
+    answer.wish = wishOf(scene, answer.unit);
+    answer.motions = wishedMotion(scene.network, scene.schedule,
+                                  hugeEnergyRatio * usualEnergy(scene.network, scene.schedule),
+                                  answer.wish, options);
     const auto& motion = answer.motions.motion;
-    return scene.finish(answer.motions.status, motion ? &*motion : nullptr,
-                        answer.motions.status != Status::undecided, asJson(answer), asText(answer));
+    return scene.finish(answer.motions.status, motion ? &*motion : nullptr, answer.isProof(),
+                        asJson(answer), asText(answer));
 }
 
 }  // namespace signorini::cli

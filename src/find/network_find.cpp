@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "faults.hpp"
+#include "network_points.hpp"
 
 namespace signorini {
 
@@ -66,6 +67,49 @@ LeastMotion leastMotion(const Network& network, const std::vector<ContactSpan>& 
         leastMotion(blocks, {.absent = largest, .tolerance = networkTolerance, .cancel = cancel});
     if (least.status == Status::found) {
         prove(least, blocks, network, cancel);
+    }
+    return least;
+}
+
+LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>& schedule,
+                         double largest, const NetworkWish& wish, const FindOptions& options)
+{
+    Faults faults;
+    if (wish.objective == Objective::maxEnergy || wish.objective == Objective::minPeakStrain) {
+        faults.add("objective", name(wish.objective),
+                   "auto|any|min-energy|max-impulse|nearest for several bars");
+    }
+    if (wish.energy && wish.objective != Objective::automatic && wish.objective != Objective::any) {
+        faults.add("objective", name(wish.objective), "auto|any when an energy is held");
+    }
+    faults.throwIfAny();
+    LeastMotion least = leastMotion(network, schedule, largest, options.cancel);
+    if (least.status != Status::found || wish.isOfLeast()) {
+        return least;
+    }
+    least.motion.reset();
+    if (wish.energy && least.provedEnergy > *wish.energy) {
+        least.status = Status::none;
+        return least;
+    }
+    least.status = Status::undecided;
+    // Other motions have different waves in a block.
+    const NetworkBlocks single(network, schedule, false);
+    if (wish.target) {
+        LeastMotion near = leastMotion(single, {.absent = largest,
+                                                .tolerance = networkTolerance,
+                                                .target = wish.target,
+                                                .cancel = options.cancel});
+        near.multipliers = std::move(least.multipliers);
+        near.provedEnergy = least.provedEnergy;
+        return near;
+    }
+    NetworkPoints points(single, options);
+    const NetworkPoint point =
+        wish.energy ? points.ofEnergy(*wish.energy) : points.extreme(wish.objective);
+    least.detail = point.detail;
+    if (point.detail.empty()) {
+        enterMotion(least, single, points.motion(point), options.tolerance);
     }
     return least;
 }

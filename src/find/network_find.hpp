@@ -4,6 +4,7 @@
 /// (network_motions.hpp): which questions have an answer, and that of least energy.
 
 #include "network_motions.hpp"
+#include "signorini/find_periodic.hpp"
 
 namespace signorini {
 
@@ -22,6 +23,26 @@ void requireKnown(const Network& network, const std::vector<ContactSpan>& schedu
 [[nodiscard]] LeastMotion leastMotion(const Network& network,
                                       const std::vector<ContactSpan>& schedule, double largest,
                                       const Cancel& cancel = {});
+
+/// Which motion of a schedule, but for that of least energy.
+struct NetworkWish {
+    Objective objective = Objective::automatic;
+    std::optional<double> energy = {};               ///< held [Z_1 delta^2/h]
+    std::optional<std::vector<double>> target = {};  ///< to come nearest to, as waves
+
+    [[nodiscard]] bool isOfLeast() const
+    {
+        return !energy && !target && objective != Objective::maxImpulse;
+    }
+};
+
+/// The motion of a wish. None, too: what is proved of all motions excludes the energy held. What is
+/// proved stays that of least energy. `options`: tolerance, back end and limits.
+/// \throws as `leastMotion`; std::invalid_argument on an energy that is held along with an
+/// objective, and on an objective that is not automatic, any, minEnergy, maxImpulse or nearest.
+[[nodiscard]] LeastMotion wishedMotion(const Network& network,
+                                       const std::vector<ContactSpan>& schedule, double largest,
+                                       const NetworkWish& wish, const FindOptions& options);
 
 /// Is there no pressing motion, as one would press a bar that drifts one way and nothing the other?
 /// Its place is the same a period later, so on average pushes and forces balance; dashpots do by

@@ -137,7 +137,7 @@ private:
         }
         NetworkClaim claim{wavesAt(blocks_, *kernel, VectorOf<Number>(from + least.z), forces)};
         claim.displacements = displacementsAt(blocks_, rows, claim.waves);
-        return enterMotion(std::move(claim), static_cast<double>(least.z.squaredNorm()));
+        return enterMotion(result_, blocks_, std::move(claim), demands_.tolerance);
     }
 
     /// The coordinates of what is nearest to the target: x^T Z times it for each x of the basis.
@@ -189,36 +189,6 @@ private:
         return false;
     }
 
-    bool enterMotion(NetworkClaim claim, double energy)
-    {
-        for (const ContactSpan& span : blocks_.schedule()) {
-            claim.schedule.push_back({span.closed, span.steps});
-        }
-        result_.residuals = walk(blocks_.network(), claim);
-        if (!(result_.residuals.worst() <= demands_.tolerance)) {
-            result_.detail = fmt::format("the motion that was found leaves a residual of {:.3g}",
-                                         result_.residuals.worst());
-            return false;
-        }
-        result_.status = Status::found;
-        result_.isEmpty = false;
-        result_.detail.clear();
-        result_.motion = std::move(claim);
-        result_.energy = energy + steadyEnergy();
-        return true;
-    }
-
-    /// Of waves that constant forces make; they are at right angles to free ones.
-    [[nodiscard]] double steadyEnergy() const
-    {
-        const std::vector<double> impedances = impedancesOf(blocks_.network());
-        double sum = 0.0;
-        for (std::size_t k = 0; k < result_.steady.size(); ++k) {
-            sum += impedances[k] * result_.steady[k] * result_.steady[k];
-        }
-        return sum;
-    }
-
     const NetworkBlocks& blocks_;
     const LeastDemands& demands_;
     LeastMotion result_;
@@ -229,6 +199,36 @@ private:
 LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands)
 {
     return Search(blocks, demands).run();
+}
+
+double energyOf(const Network& network, std::span<const double> waves)
+{
+    const std::vector<double> impedances = impedancesOf(network);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < waves.size(); ++k) {
+        sum += impedances[k] * waves[k] * waves[k];
+    }
+    return sum;
+}
+
+bool enterMotion(LeastMotion& result, const NetworkBlocks& blocks, NetworkClaim claim,
+                 double tolerance)
+{
+    for (const ContactSpan& span : blocks.schedule()) {
+        claim.schedule.push_back({span.closed, span.steps});
+    }
+    result.residuals = walk(blocks.network(), claim);
+    if (!(result.residuals.worst() <= tolerance)) {
+        result.detail = fmt::format("the motion that was found leaves a residual of {:.3g}",
+                                    result.residuals.worst());
+        return false;
+    }
+    result.status = Status::found;
+    result.isEmpty = false;
+    result.detail.clear();
+    result.energy = energyOf(blocks.network(), claim.waves);
+    result.motion = std::move(claim);
+    return true;
 }
 
 void prove(LeastMotion& motion, const NetworkBlocks& blocks, const Network& network,

@@ -40,7 +40,7 @@ struct LeastMotion {
     bool isEmpty = false;  ///< rows contradict each other, as far as rounding tells
     std::optional<NetworkClaim> motion = {};  ///< found
     NetworkResiduals residuals = {};          ///< of it
-    double energy = 0.0;                      ///< of it, if no target was given
+    double energy = 0.0;                      ///< of it
     std::int64_t iterations = 0;
     /// Rows in force, or those that contradict each other, those of no weight left out.
     std::vector<BlockCondition> conditions = {};
@@ -54,6 +54,13 @@ struct LeastMotion {
 /// O(G-blocks of turns waves + state^3 each, and a proof where there is none). \pre a valid
 /// network. \throws std::invalid_argument as `rowsOf` does.
 [[nodiscard]] LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands);
+
+/// sum Z x^2 of waves in the order of `Network::waves`, or of none.
+[[nodiscard]] double energyOf(const Network& network, std::span<const double> waves);
+
+/// Walks a motion and, if no residual exceeds the tolerance, enters it: true; else says why not.
+bool enterMotion(LeastMotion& result, const NetworkBlocks& blocks, NetworkClaim claim,
+                 double tolerance);
 
 /// Enters what the multipliers prove of all motions of a network whose gaps may be others.
 void prove(LeastMotion& motion, const NetworkBlocks& blocks, const Network& network,

@@ -24,15 +24,14 @@ Eigen::VectorXd between(const Eigen::VectorXd& low, const Eigen::VectorXd& high,
 }  // namespace
 
 NetworkPoints::NetworkPoints(const NetworkBlocks& blocks, const FindOptions& options)
-    : blocks_(blocks), options_(options)
+    : blocks_(blocks), options_(options), kernel_(kernelOf<double>(blocks))
 {
-    if (auto kernel = kernelOf<double>(blocks)) {
-        kernel_ = std::move(*kernel);
+    if (!kernel_) {
+        return;
     }
-    const NetworkRows<double> rows = rowsOf(blocks, kernel_);
-    const RowSystem& system = rows.system;
+    rows_ = rowsOf(blocks, *kernel_);
+    const RowSystem& system = rows_.system;
     const Eigen::Index below = system.rows.rows() - system.equalities;
-    impulse_ = rows.impulse;
     program_ = emptyProgram(system.rows.cols());
     program_.equalities = system.rows.topRows(system.equalities).sparseView();
     program_.equalityRhs = system.rhs.head(system.equalities);
@@ -43,6 +42,13 @@ NetworkPoints::NetworkPoints(const NetworkBlocks& blocks, const FindOptions& opt
 NetworkPoint NetworkPoints::solved(const std::string& solver) const
 {
     NetworkPoint point;
+    if (!kernel_) {
+        point.detail = "the kernel of W - 1 is out of reach";
+        return point;
+    }
+    if (program_.variables() == 0) {
+        return point;  // a single one
+    }
     point.solver = backendFor(program_, solver);
     const auto backend = makeSolver(point.solver);
     const SolverResult answer = backend->solve(
@@ -65,7 +71,12 @@ NetworkPoint NetworkPoints::extreme(Objective objective)
     if (objective == Objective::minEnergy) {
         program_.quadratic.setConstant(program_.variables(), 2.0);
     } else {
-        program_.linear = -impulse_;
+        // Where nothing can press the impulse is rounding.
+        constexpr double rounding = 1e-11;
+        const double size = rows_.system.rows.rowwise().norm().sum();
+        program_.linear = rows_.impulse.norm() > rounding * size
+                              ? Eigen::VectorXd(-rows_.impulse)
+                              : Eigen::VectorXd(0.0 * rows_.impulse);
     }
     return solved(options_.solver);
 }
@@ -77,16 +88,26 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted)
     if (!least.detail.empty()) {
         return least;
     }
-    const double unit = 2.0 / static_cast<double>(blocks_.network().cells());  // 1/E_1
+    // Waves that constant forces make are at right angles to free ones.
+    const double asked = wanted;
+    const double steady = energyOf(
+        blocks_.network(),
+        wavesAt(blocks_, *kernel_, Eigen::VectorXd(0.0 * least.z), steadyInputs(*kernel_)));
+    wanted -= steady;
     const double lowest = least.z.squaredNorm();
-    if (wanted < lowest * (1.0 - options_.tolerance)) {
+    if (wanted < lowest - options_.tolerance * asked) {
         least.detail = fmt::format(
-            "the least energy found is {:.9g} E_1, and nothing proves that there is none below it",
-            lowest * unit);
+            "the least energy found is {:.9g} times the one asked for, and nothing proves that "
+            "there is none below it",
+            (lowest + steady) / asked);
         return least;
     }
     double highest = lowest;
     program_.quadratic.resize(0);
+    // No motion of the energy is outside of this box, and every vertex on its faces has more.
+    const double most = std::sqrt(std::max(wanted, lowest)) * (1.0 + 1e-6);
+    program_.lower.setConstant(program_.variables(), -most);
+    program_.upper.setConstant(program_.variables(), most);
     for (int k = 0; k < directions && wanted > lowest; ++k) {
         Eigen::VectorXd& cost = program_.linear;
         for (Eigen::Index i = 0; i < cost.size(); ++i) {
@@ -112,15 +133,19 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted)
     }
     if (wanted > lowest) {
         least.detail = fmt::format(
-            "energies up to {:.9g} E_1 were found, and nothing proves that there is none above",
-            highest * unit);
+            "energies up to {:.9g} times the one asked for were found, and nothing proves that "
+            "there is none above",
+            (highest + steady) / asked);
     }
     return least;
 }
 
-std::vector<double> NetworkPoints::waves(const NetworkPoint& point) const
+NetworkClaim NetworkPoints::motion(const NetworkPoint& point) const
 {
-    return wavesAt(blocks_, kernel_, Eigen::VectorXd(point.z), Eigen::VectorXd());
+    NetworkClaim claim{
+        wavesAt(blocks_, *kernel_, Eigen::VectorXd(point.z), steadyInputs(*kernel_))};
+    claim.displacements = displacementsAt(blocks_, rows_, claim.waves);
+    return claim;
 }
 
 }  // namespace signorini

@@ -3,9 +3,11 @@
 /// Motions of a network that are not those of least energy, by programs for back ends in
 /// coordinates of ker(W - 1) (`Formulation::kernel`).
 
+#include <optional>
 #include <string>
 
 #include "network_rows.hpp"
+#include "network_walk.hpp"
 #include "program.hpp"
 #include "signorini/find_periodic.hpp"
 
@@ -21,7 +23,7 @@ struct NetworkPoint {
 
 class NetworkPoints {
 public:
-    /// O(state^3) for each block. \pre a kernel within reach.
+    /// O(state^3) for each block.
     NetworkPoints(const NetworkBlocks& blocks, const FindOptions& options);
 
     /// The motion of least energy, or of most impulse. \throws BackendUnavailable
@@ -29,16 +31,17 @@ public:
     /// A motion of an energy [Z_1 delta^2/h], between that of least energy and one of more: the set
     /// is convex and the energy grows on the way. Those of more are vertices in several directions.
     [[nodiscard]] NetworkPoint ofEnergy(double wanted);
-    [[nodiscard]] std::vector<double> waves(const NetworkPoint& point) const;
+    /// Waves, and where the nodes are at the start.
+    [[nodiscard]] NetworkClaim motion(const NetworkPoint& point) const;
 
 private:
     [[nodiscard]] NetworkPoint solved(const std::string& solver) const;
 
     const NetworkBlocks& blocks_;
     const FindOptions& options_;
-    NetworkKernel<double> kernel_;
-    Eigen::VectorXd impulse_;
-    Program program_;
+    std::optional<NetworkKernel<double>> kernel_;  ///< if within reach
+    NetworkRows<double> rows_ = {};
+    Program program_ = {};
 };
 
 }  // namespace signorini

@@ -244,7 +244,7 @@ private:
         if (!point.detail.empty()) {
             return std::move(point.detail);
         }
-        return stateOf(blocks_.network(), points.waves(point));
+        return stateOf(blocks_.network(), points.motion(point).waves);
     }
 
     Request& request_;

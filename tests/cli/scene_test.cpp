@@ -266,10 +266,34 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
     refuses("--scene 'clamp 4 stop=1e-3' 3", "NC NF");
     refuses("--scene 'clamp 4 stop=0' 3 9", "at rest are a motion");
     refuses("--scene '4 gap=1e-3 4' 3 9", "bar = 1");
-    refuses(bars + "3 9 --energy-ratio 3", "--energy-ratio");
+    refuses(bars + "1:3 -:9 --tip-floor -1", "--tip-floor clashes with --scene");
+    refuses(bars + "1:3 -:9 --energy-ratio 3 --energy 1", "--energy clashes with --energy-ratio");
+    refuses(bars + "1:3 -:9 --objective max-energy", "--objective = max-energy");
+    refuses(bars + "1:3 -:9 --objective nearest", "--target is missing");
+    refuses("--scene 'stop=1e-3 8 stop=1e-3' 1:3 -:9 --energy-ratio 3", "--energy-ratio = 3");
     refuses(bars + "1:3 -:9 --force tip --damping 0.1", "--damping clashes with --scene");
     refuses(bars + "1:3 -:9 --force tip", "a scene with the word driven");
     refuses("--gravity 10 3 9", "--gravity: allowed with --scene");
+}
+
+TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper's bar")
+{
+    const CommandLine program;
+    // Two bars of one length and impedance meet in the middle of the gap, as at a wall.
+    const std::string bars = "--scene 'clamp 4 gap=2e-3 4 clamp' --length 2 ";
+    const json two = program.find(bars + "3 11 --objective max-impulse --state s.csv", 0);
+    const json one = program.find("3 11 --cells 4 --objective max-impulse", 0);
+    CHECK(two["contacts"][0]["impulse"].get<double>() ==
+          Approx(one["physical"]["impulse"].get<double>()));
+    CHECK(two["certificate"].is_null());
+    const double least = one["energy_ratio_range"][0].get<double>() * 1e-6;  // of two bars
+    CHECK(program.find(bars + "2 14 --energy 3e-6", 0)["energy"].get<double>() == Approx(3e-6));
+    const json none = program.find(fmt::format("{} 3 11 --energy {}", bars, 0.99 * least), 1);
+    CHECK(none["reason"] == "constraints");
+    CHECK(none["certificate"]["energy"].get<double>() == Approx(least).epsilon(1e-6));
+    CHECK(
+        program.find(bars + "3 11 --objective nearest --target s.csv", 0)["energy"].get<double>() ==
+        Approx(two["energy"].get<double>()));
 }
 
 TEST_CASE("cli scenes: forced motions of bars that meet, the least amplitude and those of one")

@@ -132,6 +132,7 @@ CALLS = [
     ("find-scene-forced", "find --scene 'clamp 3 dash=0.1 driven gap=1e-3 4:1.3 dash=0.05 2 clamp' 4 13 --force tip"),
     ("find-scene-forced", "find --scene 'clamp 3 dash=0.1 driven gap=1e-3 4:1.3 dash=0.05 2 clamp' 3 17 --force tip"),
     ("find-scene", "find --scene '4 stop=0' --gravity 10 8 24"),
+    ("find-scene", "find --scene '4 stop=0' --gravity 10 8 24 --energy 1e-9"),
     ("find-scene", "find --scene 'clamp 3 stop=1e-3 3 gap=1e-3 4 clamp' 1:2 -:9 1+2:3 -:8"),
     ("simulate-scene", "simulate --scene 'clamp 20 driven stop=1e-3 dash=0.05' --amplitude 4e-4"
                        " --frequency 1 --periods 60"),

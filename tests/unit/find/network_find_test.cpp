@@ -38,6 +38,63 @@ int existing(const std::string& words, std::int64_t contact, std::int64_t free)
 
 }  // namespace
 
+TEST_CASE("network find: held energies, most impulses and the nearest motions of the paper's bar")
+{
+    const Network network = sceneOf("clamp 4 stop=1e-3");
+    constexpr double firstEnergy = 2.0;  // E_1, of 4 cells
+    const auto wished = [&network](std::int64_t contact, std::int64_t free,
+                                   const NetworkWish& wish) {
+        return wishedMotion(network, {{1, contact}, {0, free}}, 1e9, wish, {});
+    };
+    int found = 0;
+    for (std::int64_t contact = 1; contact < 10; ++contact) {
+        for (std::int64_t free = 1; free < 22; ++free) {
+            const Schedule schedule{4, {{contact, free}}};
+            const PeriodicResult least = findPeriodic(schedule);
+            if (least.status != Status::found) {
+                continue;
+            }
+            ++found;
+            FindOptions options;
+            options.objective = Objective::maxImpulse;
+            const PeriodicResult most = findPeriodic(schedule, options);
+            const LeastMotion pressed = wished(contact, free, {Objective::maxImpulse, {}, {}});
+            INFO(contact << " " << free << ": " << pressed.detail);
+            REQUIRE(pressed.status == Status::found);
+            const auto other =
+                walk(network,
+                     {wavesOf(network, most.motion->state), {0.0, 0.0}, {{1, contact}, {0, free}}});
+            CHECK(pressed.residuals.impulses.front() ==
+                  Approx(other.impulses.front()).epsilon(1e-7).margin(1e-9));
+            const LeastMotion near =
+                wished(contact, free, {Objective::nearest, {}, pressed.motion->waves});
+            REQUIRE(near.status == Status::found);
+            CHECK(near.energy == Approx(pressed.energy).epsilon(1e-7));
+            for (const double factor : {0.5, 0.9, 1.0, 1.3, 2.5, 6.0}) {
+                const double ratio = factor * least.motion->energyRatio;
+                options = {};
+                options.energyRatio = ratio;
+                const PeriodicResult one = findPeriodic(schedule, options);
+                const LeastMotion held = wished(contact, free, {{}, ratio * firstEnergy, {}});
+                INFO(factor << ": " << held.detail);
+                CHECK((held.status == one.status ||
+                       (held.status == Status::undecided && factor >= 1.0)));
+                CHECK((held.status == Status::none) == (factor < 1.0));
+                if (held.status == Status::found) {
+                    CHECK(held.energy == Approx(ratio * firstEnergy).epsilon(1e-8));
+                }
+                if (one.status == Status::found) {
+                    CHECK(held.status == Status::found);
+                }
+            }
+        }
+    }
+    CHECK(found > 10);
+    CHECK_THROWS_WITH(wished(2, 14, {Objective::maxEnergy, {}, {}}),
+                      containsText("allowed auto|any|min-energy|max-impulse|nearest"));
+    CHECK_THROWS_WITH(wished(2, 14, {Objective::minEnergy, 1.0, {}}), containsText("is held"));
+}
+
 TEST_CASE("network find: two bars of one length meet as the paper's bar does, with its energies")
 {
     const double ratio = GENERATE(1.0, 2.0, 10.0);
