@@ -115,7 +115,7 @@ std::vector<Option> ofMotions()
         positive("--hertz", period | forcedPeriod | network, "F", "Hz",
                  "the same by frequency in Hz: that of the grid nearest to it"),
         positive("--energy-ratio", schedule | period | freeNetwork, "X", "E_1",
-                 "hold E/E_1 = X: the motion of least peak compression"),
+                 "hold E/E_1 = X: the motion of least peak compression; of several bars any one"),
         positive("--energy-ratio", continuum, "X", "E_1", "E/E_1 of every motion; this or"),
         positive("--energy", schedule | period | freeNetwork, "J", "J",
                  "hold the energy, in joules", "", "energyRatio"),

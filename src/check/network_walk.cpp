@@ -105,10 +105,7 @@ NetworkMarch march(const Network& network, const NetworkClaim& claim, double tol
         return seen;
     }
     NetworkCells cells(network, claim, tolerance);
-    std::int64_t steps = 0;
-    for (const ContactSteps& part : claim.schedule) {
-        steps += part.steps;
-    }
+    const std::int64_t steps = claim.steps();
     for (std::int64_t m = 0; m < steps; ++m) {
         cells.look(static_cast<std::size_t>(m));
         const ContactSet closed = cells.decide();

@@ -28,6 +28,16 @@ struct NetworkClaim {
     /// Lengths are compared with it; 0: with the largest wave times the steps in which it crosses
     /// all cells, or a wider gap.
     double length = 0.0;
+
+    /// Of one period.
+    [[nodiscard]] std::int64_t steps() const
+    {
+        std::int64_t sum = 0;
+        for (const ContactSteps& part : schedule) {
+            sum += part.steps;
+        }
+        return sum;
+    }
 };
 
 /// What a contact saw.

@@ -207,9 +207,11 @@ void Given::requireOnly(unsigned question) const
     if (const Option* other = outside(question)) {
         throw std::invalid_argument(
             fmt::format("{} clashes with {}: allowed {}", other->name, answers::inWords(question),
-                        (question & answers::asks::network) != 0
-                            ? "with one bar, clamped on the left, with stops at its tip"
-                            : "with " + answers::inWords(other->of & usage_.questions)));
+                        (question & answers::asks::network) == 0
+                            ? "with " + answers::inWords(other->of & usage_.questions)
+                        : (other->of & answers::asks::freeNetwork) != 0
+                            ? "with NC NF or SET:STEPS without --force"
+                            : "with one bar, clamped on the left, with stops at its tip"));
     }
 }
 

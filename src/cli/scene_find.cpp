@@ -71,35 +71,6 @@ struct FreeAnswer {
     }
 };
 
-/// Means over the cells of a state: what is nearest to them is nearest to it.
-std::vector<double> meansOf(const Network& network, const NetworkStart& state)
-{
-    std::vector<double> waves(network.waves(), 0.0);
-    const std::size_t rows = network.rows.size();
-    for (std::size_t k = 0; k < network.channels(); ++k) {
-        const auto size = static_cast<std::size_t>(lengthOf(network, k));
-        const std::size_t first = k < 2 * rows ? network.firstWave(k / 2) + (k % 2) * size
-                                               : network.firstWave(rows) + k - 2 * rows;
-        const bool isReversed = k < 2 * rows && k % 2 == 0;  // as waves arrive
-        double begin = 0.0;
-        for (const Piece& piece : state.pieces[k]) {
-            const double end = begin + piece.duration;
-            for (auto cell = static_cast<std::size_t>(std::min(begin, 1e15));
-                 cell < size && static_cast<double>(cell) < end; ++cell) {
-                const auto from = static_cast<double>(cell);
-                waves[first + (isReversed ? size - 1 - cell : cell)] +=
-                    (std::min(end, from + 1.0) - std::max(begin, from)) * piece.value;
-            }
-            begin = end;
-        }
-        const auto whole = static_cast<double>(size);
-        refuseIf(!(std::abs(begin - whole) <= 1e-9 * whole),
-                 fmt::format("wave {} lasts {:.9g} s: allowed {:.9g}", k + 1,
-                             begin * network.scales.time, whole * network.scales.time));
-    }
-    return waves;
-}
-
 /// `unit`: E_1, if there is one.
 NetworkWish wishOf(const SceneFind& of, const std::optional<double>& unit)
 {
@@ -149,7 +120,7 @@ Json asJson(const FreeAnswer& answer)
                      {"residuals", nullptr},
                      {"certificate", certificateAsJson(answer)},
                      {"detail", motions.detail}});
-    if (motions.status == Status::none && answer.wish.energy) {
+    if (motions.status == Status::none && !motions.isEmpty) {  // what is held excludes all
         json["reason"] = name(Reason::constraints);
     }
     if (motions.status != Status::found) {

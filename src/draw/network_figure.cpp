@@ -149,11 +149,7 @@ FigureData simulationFigure(const NetworkSimulation& simulation)
 
 FigureData periodFigure(const Network& network, const NetworkClaim& motion)
 {
-    std::int64_t steps = 0;
-    for (const ContactSteps& part : motion.schedule) {
-        steps += part.steps;
-    }
-    const auto period = static_cast<double>(steps);
+    const auto period = static_cast<double>(motion.steps());
     NetworkSimulation simulation(network, {motion.waves, motion.displacements},
                                  {.forces = motion.forces, .velocities = motion.velocities},
                                  {.recordsPaths = true});

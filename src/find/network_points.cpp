@@ -74,9 +74,10 @@ NetworkPoint NetworkPoints::extreme(Objective objective)
         // Where nothing can press the impulse is rounding.
         constexpr double rounding = 1e-11;
         const double size = rows_.system.rows.rowwise().norm().sum();
-        program_.linear = rows_.impulse.norm() > rounding * size
-                              ? Eigen::VectorXd(-rows_.impulse)
-                              : Eigen::VectorXd(0.0 * rows_.impulse);
+        program_.linear = -rows_.impulse;
+        if (rows_.impulse.norm() <= rounding * size) {
+            program_.linear.setZero();
+        }
     }
     return solved(options_.solver);
 }

@@ -41,6 +41,10 @@ struct NetworkStart {
 [[nodiscard]] std::vector<std::vector<Piece>> piecesOf(const Network& network,
                                                        const NetworkStart& start);
 
+/// Means of a start over the cells, as waves: what is nearest to them on the grid is nearest to it.
+/// \throws std::invalid_argument on pieces that do not fill their channels.
+[[nodiscard]] std::vector<double> meansOf(const Network& network, const NetworkStart& start);
+
 /// At rest under its constant forces. \throws as restOf.
 [[nodiscard]] NetworkStart startAtRest(const Network& network);
 

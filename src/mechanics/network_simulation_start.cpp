@@ -33,6 +33,30 @@ void requirePieces(Faults& faults, const Network& network, const NetworkStart& s
     }
 }
 
+/// Where the waves of a channel stand in `Network::waves`, as they arrive.
+class ChannelWaves {
+public:
+    ChannelWaves(const Network& network, std::size_t channel)
+        : size_(static_cast<std::size_t>(lengthOf(network, channel)))
+    {
+        const std::size_t rows = network.rows.size();
+        const bool isOfRow = channel < 2 * rows;
+        first_ = isOfRow ? network.firstWave(channel / 2) + (channel % 2) * size_
+                         : network.firstWave(rows) + channel - 2 * rows;
+        isReversed_ = isOfRow && channel % 2 == 0;
+    }
+    [[nodiscard]] std::size_t size() const { return size_; }
+    [[nodiscard]] std::size_t at(std::size_t order) const
+    {
+        return first_ + (isReversed_ ? size_ - 1 - order : order);
+    }
+
+private:
+    std::size_t size_;
+    std::size_t first_ = 0;
+    bool isReversed_ = false;
+};
+
 }  // namespace
 
 std::vector<std::vector<Piece>> piecesOf(const Network& network, const NetworkStart& start)
@@ -40,17 +64,11 @@ std::vector<std::vector<Piece>> piecesOf(const Network& network, const NetworkSt
     if (!start.pieces.empty()) {
         return start.pieces;
     }
-    const std::size_t rows = network.rows.size();
     std::vector<std::vector<Piece>> pieces(network.channels());
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-        if (k >= 2 * rows) {
-            pieces[k] = {{1.0, start.waves[network.firstWave(rows) + k - 2 * rows]}};
-            continue;
-        }
-        const auto size = static_cast<std::size_t>(network.rows[k / 2].cells);
-        const std::size_t first = network.firstWave(k / 2) + (k % 2) * size;
-        for (std::size_t order = 0; order < size; ++order) {
-            const double value = start.waves[first + (k % 2 == 0 ? size - 1 - order : order)];
+        const ChannelWaves channel(network, k);
+        for (std::size_t order = 0; order < channel.size(); ++order) {
+            const double value = start.waves[channel.at(order)];
             if (order > 0 && value == pieces[k].back().value) {
                 pieces[k].back().duration += 1.0;
             } else {
@@ -59,6 +77,32 @@ std::vector<std::vector<Piece>> piecesOf(const Network& network, const NetworkSt
         }
     }
     return pieces;
+}
+
+std::vector<double> meansOf(const Network& network, const NetworkStart& start)
+{
+    Faults faults;
+    requirePieces(faults, network, start);
+    faults.throwIfAny();
+    if (start.pieces.empty()) {
+        return start.waves;
+    }
+    std::vector<double> waves(network.waves(), 0.0);
+    for (std::size_t k = 0; k < start.pieces.size(); ++k) {
+        const ChannelWaves channel(network, k);
+        double begin = 0.0;
+        for (const Piece& piece : start.pieces[k]) {
+            const double end = begin + piece.duration;
+            for (auto order = static_cast<std::size_t>(begin);
+                 order < channel.size() && static_cast<double>(order) < end; ++order) {
+                const auto from = static_cast<double>(order);
+                waves[channel.at(order)] +=
+                    (std::min(end, from + 1.0) - std::max(begin, from)) * piece.value;
+            }
+            begin = end;
+        }
+    }
+    return waves;
 }
 
 NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart& start,

@@ -123,7 +123,7 @@ def altered(answer, rng):
     """The same with one thing that is not so."""
     forged = copy.deepcopy(answer)
     certificate = forged["certificate"]
-    kinds = ["claim", "push", "period", "status", "spring", "cells", "key"]
+    kinds = ["claim", "push", "period", "status", "spring", "cells", "key", "reason"]
     is_loaded = answer["scene"]["gravity"] or any(part["kind"] == "force" for part in answer["scene"]["parts"])
     if answer["contacts"][0]["gap"]:
         kinds.append("gap")
@@ -150,6 +150,8 @@ def altered(answer, rng):
         forged["scene"]["parts"].insert(1, {"kind": "spring", "stiffness": 1.0})
     elif kind == "cells":
         next(part for part in forged["scene"]["parts"] if part["kind"] == "cells")["cells"] += 1
+    elif kind == "reason":  # allowed are constraints, with none
+        forged["reason"] = "constraints" if answer["status"] == "found" else "penetration"
     elif kind == "key":
         certificate["limits"] = 1
     else:  # no contact closes, so no distance has to be 0

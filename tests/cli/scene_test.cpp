@@ -273,6 +273,8 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
     refuses("--scene 'stop=1e-3 8 stop=1e-3' 1:3 -:9 --energy-ratio 3", "--energy-ratio = 3");
     refuses(bars + "1:3 -:9 --force tip --damping 0.1", "--damping clashes with --scene");
     refuses(bars + "1:3 -:9 --force tip", "a scene with the word driven");
+    refuses("--scene 'clamp 4 dash=0.1 driven gap=1e-3 4 clamp' 3 9 --force tip --energy 1",
+            "without --force");
     refuses("--gravity 10 3 9", "--gravity: allowed with --scene");
 }
 
@@ -291,6 +293,8 @@ TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper'
     const json none = program.find(fmt::format("{} 3 11 --energy {}", bars, 0.99 * least), 1);
     CHECK(none["reason"] == "constraints");
     CHECK(none["certificate"]["energy"].get<double>() == Approx(least).epsilon(1e-6));
+    // Where there is no motion at all, that is no matter of the energy.
+    CHECK_FALSE(program.find(bars + "11 3 --energy 3e-6", 1).contains("reason"));
     CHECK(
         program.find(bars + "3 11 --objective nearest --target s.csv", 0)["energy"].get<double>() ==
         Approx(two["energy"].get<double>()));

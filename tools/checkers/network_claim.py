@@ -191,8 +191,11 @@ def check_scene(answer):
     is_found = answer["status"] == "found"
     if not (is_found or answer["status"] == "none"):
         raise NoProof(f"status: {shown(answer['status'])}: allowed found or none")
-    # Of an energy that was to be held: what the file says is the least.
-    lowest = 0 if is_found or answer.get("reason") == "constraints" else HUGE if unit[0] else HUGE * claim.bars.natural(len(claim.closed)) / size
+    is_held = "reason" in answer  # an energy below the least one: motions may exist
+    if is_held and (is_found or answer["reason"] != "constraints"):
+        raise NoProof(f"reason: {shown(answer['reason'])}: allowed constraints, where status is none")
+    huge = HUGE if unit[0] else HUGE * claim.bars.natural(len(claim.closed)) / size
+    lowest = 0 if is_found or is_held else huge
     if not lowest * (1 - NINE) <= claimed <= least:
         raise NoProof(f"{key}: {shown(answer['certificate'][key])}: allowed {told(lowest)} to what is proved, "
                       f"{told(least)}")
