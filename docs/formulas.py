@@ -7,6 +7,7 @@ a comma.
 """
 
 import re
+from collections.abc import Callable
 
 FUNCTIONS = {"max", "min", "gcd", "mod", "win", "exp", "tanh", "ln", "cos", "sin", "floor", "dim", "ker"}
 SHORT_WORDS = {"in", "is", "or", "of", "at", "so", "as", "by", "on", "if", "to", "it"}
@@ -79,17 +80,16 @@ def tex_of(text: str) -> str:
     return joined
 
 
+def between_commands(text: str, translated: Callable[[str], str]) -> str:
+    """Commands that with_braces has made are no words."""
+    parts = re.split(r"(\\sqrt|\\[{}])", text)
+    return "".join(part if part.startswith("\\") else translated(part) for part in parts)
+
+
 def tex(line: str) -> str:
     """One line; three or more spaces part what stands side by side."""
     pieces = re.split(r" {3,}", with_braces(line.strip().replace("*", "")))
-    # Commands that with_braces has made are no words.
-    return r" \qquad ".join(
-        "".join(
-            part if part.startswith("\\") else tex_of(part)
-            for part in re.split(r"(\\sqrt|\\[{}])", piece)
-        )
-        for piece in pieces
-    )
+    return r" \qquad ".join(between_commands(piece, tex_of) for piece in pieces)
 
 
 def displayed(text: str) -> str:
@@ -131,15 +131,14 @@ def inline(formula: str) -> str:
         letter = match[1].replace("′", "'")
         return f"{letter}_{{{index.replace('|', chr(92) + 'vert ')}}}{power}"
 
-    out = ""
-    for piece in re.split(r"(\\sqrt|\\[{}])", with_braces(formula)):
-        at = len(piece) if piece.startswith("\\") else 0
-        out += piece[:at]
-        for match in INDEXED.finditer(piece, at):
-            out += tex_of(piece[at:match.start()]) + one(match)
+    def with_indexes(text: str) -> str:
+        out, at = "", 0
+        for match in INDEXED.finditer(text):
+            out += tex_of(text[at : match.start()]) + one(match)
             at = match.end()
-        out += tex_of(piece[at:])
-    return f"${out.strip()}$"
+        return out + tex_of(text[at:])
+
+    return f"${between_commands(with_braces(formula), with_indexes).strip()}$"
 
 
 def words_of(line: str) -> list[str]:
