@@ -9,7 +9,7 @@ a comma.
 import re
 from collections.abc import Callable
 
-FUNCTIONS = {"max", "min", "gcd", "mod", "win", "exp", "tanh", "ln", "cos", "sin", "floor", "dim", "ker"}
+FUNCTIONS = {"max", "min", "gcd", "mod", "win", "exp", "tanh", "ln", "cos", "sin", "floor", "dim", "ker", "diag"}
 SHORT_WORDS = {"in", "is", "or", "of", "at", "so", "as", "by", "on", "if", "to", "it"}
 SCRIPTS = {"₀": "_0", "₁": "_1", "₂": "_2", "²": "^2", "ᵀ": "^T", "′": "'", "Σ": r"\sum ", "…": r"\dots ", "√": r"\sqrt ",
            "³": "^3", "⁴": "^4", "⁵": "^5", "⁶": "^6", "⁷": "^7", "⁸": "^8", "⁹": "^9"}  # fmt: skip
@@ -22,7 +22,7 @@ INDEXED = re.compile(
 WORD = re.compile(r"([(*]*)(.*?)([*).,;:]*)", re.DOTALL)
 SYMBOLS = re.compile(r"[\w+−±·/=<>≤≥|(){}\[\]⌊⌋^'′√ΣΔ∞,;.…⁻²³¹⁰⁴-⁹₀-₉ᵀ \\*⊕∂∈]+")
 OPERATORS = set("=+−·≤≥<>≠∈≡→×∪∩⊂/≪≫≈∼")
-NUMBER = re.compile(r"[+−]?\d+(?:[./]\d+)?|…")
+NUMBER = re.compile(r"[+−±]?\d+(?:[./]\d+)?|…")
 UNITS = {"m/s", "Hz", "J", "kg", "mm", "GPa"}
 PAIRS = [("(", ")"), ("[", "]"), ("{", "}"), ("⌊", "⌋")]
 OPENED = re.compile(r"[^\s(*][(\[]|[{⌊]")
@@ -202,6 +202,11 @@ def formulas_in(line: str) -> str:
         return own == "operator" or (own in {"article", "number"} and beside != "operator") or (
             own == "function" and beside != "operator" and (step < 0 or beside != "symbol"))  # fmt: skip
 
+    def as_text(one: tuple[str, str, str, str]) -> str:
+        """A letter with an index is a formula within other words, too."""
+        text = INDEXED.sub(lambda match: inline(match[0]), "".join(one[:3]))
+        return text.replace("$$", " ")  # of neighbours
+
     out: list[str] = []
     at = 0
     while at < len(parts):
@@ -214,13 +219,13 @@ def formulas_in(line: str) -> str:
         at += len(run)
         tail: list[str] = []
         while run and stands_alone(run, 0, 1):
-            out.append("".join(run.pop(0)[:3]))
+            out.append(as_text(run.pop(0)))
         while run and stands_alone(run, -1, -1):
-            tail.insert(0, "".join(run.pop()[:3]))
+            tail.insert(0, as_text(run.pop()))
         if any(one[3] == "symbol" for one in run):
             out.append(run[0][0] + inline(" ".join(one[1] for one in run)) + run[-1][2])
         else:
-            out += ["".join(one[:3]) for one in run]
+            out += map(as_text, run)
         out += tail
     return re.sub(r"(?<![\w$])(\d*[A-Za-z])-(?=[a-z]{4})", r"$\1$-", " ".join(out))
 
