@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "command_line.hpp"
+#include "has_solver.hpp"
 
 using namespace signorini;
 using namespace signorini::test;
@@ -284,9 +285,12 @@ TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper'
     // Two bars of one length and impedance meet in the middle of the gap, as at a wall.
     const std::string bars = "--scene 'clamp 4 gap=2e-3 4 clamp' --length 2 ";
     const json two = program.find(bars + "3 11 --objective max-impulse --state s.csv", 0);
-    const json one = program.find("3 11 --cells 4 --objective max-impulse", 0);
-    CHECK(two["contacts"][0]["impulse"].get<double>() ==
-          Approx(one["physical"]["impulse"].get<double>()));
+    const json one = program.find("3 11 --cells 4", 0);
+    if (hasSimplex()) {  // the bar's own search needs one
+        const json most = program.find("3 11 --cells 4 --objective max-impulse", 0);
+        CHECK(two["contacts"][0]["impulse"].get<double>() ==
+              Approx(most["physical"]["impulse"].get<double>()));
+    }
     CHECK(two["certificate"].is_null());
     const double least = one["energy_ratio_range"][0].get<double>() * 1e-6;  // of two bars
     CHECK(program.find(bars + "2 14 --energy 3e-6", 0)["energy"].get<double>() == Approx(3e-6));

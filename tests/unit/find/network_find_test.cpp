@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "energy_floor.hpp"
+#include "has_solver.hpp"
 #include "scene_words.hpp"
 #include "signorini/find_periodic.hpp"
 
@@ -56,16 +57,18 @@ TEST_CASE("network find: held energies, most impulses and the nearest motions of
             }
             ++found;
             FindOptions options;
-            options.objective = Objective::maxImpulse;
-            const PeriodicResult most = findPeriodic(schedule, options);
             const LeastMotion pressed = wished(contact, free, {Objective::maxImpulse, {}, {}});
             INFO(contact << " " << free << ": " << pressed.detail);
             REQUIRE(pressed.status == Status::found);
-            const auto other =
-                walk(network,
-                     {wavesOf(network, most.motion->state), {0.0, 0.0}, {{1, contact}, {0, free}}});
-            CHECK(pressed.residuals.impulses.front() ==
-                  Approx(other.impulses.front()).epsilon(1e-7).margin(1e-9));
+            if (test::hasSimplex()) {  // the bar's own search needs one
+                options.objective = Objective::maxImpulse;
+                const PeriodicResult most = findPeriodic(schedule, options);
+                const auto other = walk(
+                    network,
+                    {wavesOf(network, most.motion->state), {0.0, 0.0}, {{1, contact}, {0, free}}});
+                CHECK(pressed.residuals.impulses.front() ==
+                      Approx(other.impulses.front()).epsilon(1e-7).margin(1e-9));
+            }
             const LeastMotion near =
                 wished(contact, free, {Objective::nearest, {}, pressed.motion->waves});
             REQUIRE(near.status == Status::found);
