@@ -25,8 +25,9 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable, Ba
                     ForcedFrequency, ForcedMotion, ForcedResult, ForceRange, HarmonicContact,
                     HarmonicMotion, HarmonicResult, Mode, ModeChain, ModeMotion, ModePolytope,
                     Motion, PermanentContact, Physical, PolytopeMotion, ProgramProof, Residuals,
-                    Result, Scene, SceneHarmonicMotion, SceneHarmonicResult, Schedule, Segment,
-                    Settled, Simulation, SolutionSet, SolverReport, State, SteppedProof,
+                    Result, Scene, SceneForcedMotion, SceneForcedResult, SceneHarmonicMotion,
+                    SceneHarmonicResult, SceneResiduals, SceneResult, SceneSimulation, Schedule,
+                    Segment, Settled, Simulation, SolutionSet, SolverReport, State, SteppedProof,
                     StudyPoint, Sweep, SweepPoint, Waves, __version__, backends)
 from ._find import continuum, find
 from ._forced import Response, exact_response, force_range, response, simulate, sweep
@@ -54,9 +55,11 @@ __all__ = [
     "ForcedMotion", "ForcedResult", "ForceRange", "HarmonicContact", "HarmonicMotion",
     "HarmonicResult", "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
     "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question", "Residuals",
-    "Response", "Result", "Scene", "SceneHarmonicMotion", "SceneHarmonicResult", "Schedule",
-    "Segment", "Settled", "Simulation", "SolutionSet", "SolverReport", "State", "SteppedProof",
-    "StudyPoint", "Sweep", "SweepPoint", "Table", "Waves",
+    "Response", "Result", "Scene", "SceneForcedMotion", "SceneForcedResult",
+    "SceneHarmonicMotion", "SceneHarmonicResult", "SceneResiduals", "SceneResult",
+    "SceneSimulation", "Schedule", "Segment", "Settled", "Simulation", "SolutionSet",
+    "SolverReport", "State", "SteppedProof", "StudyPoint", "Sweep", "SweepPoint", "Table",
+    "Waves",
     "__version__", "backends", "continuum", "exact_response", "families", "find", "force_range",
     "mode", "modes", "plot", "polytope", "response", "simulate", "study", "sweep",
 ]

@@ -85,11 +85,54 @@ class SceneReference(TypedDict):
     energy: Optional[float]
     compliance: Optional[float]
 
+class ContactSpan(TypedDict):
+    closed: list[int]
+    steps: int
+
+class SceneContactForces(TypedDict):
+    number: int
+    kind: Literal["right stop", "left stop", "gap"]
+    place: float
+    gap: float
+    peak_force: NotRequired[float]
+    impulse: NotRequired[float]
+    contact_time: NotRequired[float]
+
+class SceneEnergyFloor(TypedDict):
+    kind: str
+    verified: bool
+    rows: str
+    energy_ratio: Optional[float]
+    energy: float
+    periodicity: list[float]
+    places: list[tuple[int, int, float]]
+    pushes: list[tuple[int, int, float]]
+
 class SceneContact(TypedDict):
     number: int
     kind: Literal["right stop", "left stop", "gap"]
     place: float
     gap: float
+
+class SceneForcedProof(TypedDict):
+    kind: str
+    verified: bool
+    rows: str
+    cuts: list[EnergyFloor]
+
+class SceneContactTotals(TypedDict):
+    number: int
+    kind: Literal["right stop", "left stop", "gap"]
+    place: float
+    gap: float
+    count: int
+    impulse: float
+    peak_force: float
+    contact_time: float
+
+class MomentumBalance(TypedDict):
+    given: float
+    error: float
 
 class ContactReach(TypedDict):
     number: int
@@ -579,6 +622,93 @@ class SceneHarmonicResult(_Record):
     def _figure(self, index: int, /) -> str: ...
     def _scene(self) -> str: ...
     def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
+
+class SceneResiduals(_Record):
+    periodicity: float
+    tie: float
+    gap: float
+    pressure: float
+    penetration: float
+
+class SceneResult(_Record):
+    status: Literal["found", "none", "undecided"]
+    scene: SceneWords
+    reference: SceneReference
+    cells: int
+    schedule: list[ContactSpan]
+    period: float
+    kernel_dimension: Optional[int]
+    contacts: list[SceneContactForces]
+    contact: Optional[Literal["pressing", "grazing"]]
+    energy: Known[float]
+    energy_ratio: Known[float]
+    energy_ratio_proved: Known[float]
+    residuals: Known[SceneResiduals]
+    certificate: Known[SceneEnergyFloor]
+    detail: str
+    reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
+        "constraints"]]
+    found: bool
+    def _figure(self, index: int, /) -> str: ...
+    def _scene(self) -> str: ...
+    def write(self, path: str, index: int = ...) -> None: ...
+    def __bool__(self) -> bool: ...
+
+class SceneForcedMotion(_Record):
+    amplitude: float
+    phase: float
+    contacts: list[SceneContactForces]
+    residual: float
+
+class SceneForcedResult(_Record):
+    status: Literal["found", "none", "undecided"]
+    scene: SceneWords
+    reference: SceneReference
+    cells: int
+    schedule: list[ContactSpan]
+    period: float
+    force: Literal["tip", "base"]
+    cycles: int
+    frequency: float
+    amplitude: Optional[float]
+    kind: Literal["empty", "point", "segment", "ray", "polytope"]
+    free_waves: int
+    amplitude_range: Optional[Bounds]
+    contacts: list[SceneContact]
+    motions: list[SceneForcedMotion]
+    certificate: Optional[SceneForcedProof]
+    detail: str
+    found: bool
+    def _figure(self, index: int, /) -> str: ...
+    def _scene(self) -> str: ...
+    def write(self, path: str, index: int = ...) -> None: ...
+    def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
+
+class SceneSimulation(_Record):
+    status: Literal["done", "interrupted"]
+    scene: SceneWords
+    reference: SceneReference
+    contacts: list[SceneContactTotals]
+    excitation: Optional[Drive]
+    time: float
+    settled: Optional[Settled]
+    why: Optional[str]
+    energy: float
+    balance: EnergyBalance
+    momentum: MomentumBalance
+    events: int
+    fronts: int
+    merged: float
+    def _figure(self) -> str: ...
+    def _scene(self) -> str: ...
+    contact_number: list[int]
+    contact_start: Array
+    contact_end: Array
+    contact_impulse: Array
+    contact_peak_force: Array
+    contact_speed: Array
     def frame(self) -> Any: ...
 
 class HarmonicResult(_Record):

@@ -122,17 +122,20 @@ def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
     """
     get = asked.get
     where, segments = get("scene"), get("segments")
-    if isinstance(where, str) and "gravity" in asked:
+    several = isinstance(where, str) and "gravity" in asked
+    if several:
         asked["words"], where = where, None
         if get("second_stop") is not None or segments is not None:
             raise ValueError("scene clashes with second_stop, segments: allowed "
                              "those among its words")
     scene = asked["scene"] = scene_of(
         where, get("bar"), get("second_stop"), segments, asked["bar_options"])
-    asked["cells"] = cells_of(get("cells"), scene, get("schedule", ()))
+    if not several:
+        asked["cells"] = cells_of(get("cells"), scene, get("schedule", ()))
     for name in states:
         if asked[name] is not None:
-            asked[name] = state_of(asked[name], scene.bar, asked["cells"])
+            asked[name] = (path(name, asked[name]) if several
+                           else state_of(asked[name], scene.bar, asked["cells"]))
     if get("progress") is not None:
         asked["progress"] = listener(asked["progress"])
     asked["derivative"] = 0

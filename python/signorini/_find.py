@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, overload
 from . import _core
 from ._asking import asks, excited, gathered, scheduled
 from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
-                    Scene, SceneHarmonicResult, State)
+                    Scene, SceneForcedResult, SceneHarmonicResult, SceneResult, State)
 from ._progress import Progress
-from ._question import Question, ask, of_bars, period_of
+from ._question import Question, ask, find_bars, period_of
 from ._words import (Force, Number, Objective, Quantity, Segments, Steps,
                      whole)
 
@@ -85,6 +85,22 @@ def find(*, damping: Quantity, force: Force,
 
 
 @overload
+def find(first: int | str, /, *schedule: int | str, scene: str, gravity: Quantity = 0.0,
+         solver: str = "auto", objective: Objective = "auto", target: str | None = None,
+         energy: Quantity | None = None, energy_ratio: float | None = None,
+         tolerance: Quantity = 1e-7, time_limit: Quantity | None = None,
+         **scales: Unpack[_Parameters]) -> SceneResult: ...
+
+
+@overload
+def find(first: int | str, /, *schedule: int | str, scene: str, force: Force,
+         gravity: Quantity = 0.0, amplitude: Quantity | None = None,
+         amplitude_velocity: Quantity | None = None,
+         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
+         **scales: Unpack[_Parameters]) -> SceneForcedResult: ...
+
+
+@overload
 def find(*, scene: str, force: Force, gravity: Quantity = 0.0,
          period: Number | None = None, frequency: Number | None = None,
          hertz: Quantity | None = None,
@@ -96,7 +112,7 @@ def find(*, scene: str, force: Force, gravity: Quantity = 0.0,
 
 @asks("find")
 def find(
-         *schedule: Steps, cells: int | None = None, bar: Bar | None = None,
+         *schedule: Steps | str, cells: int | None = None, bar: Bar | None = None,
          scene: Scene | str | None = None, gravity: Quantity = 0.0,
          second_stop: Quantity | None = None,
          segments: Segments | None = None,
@@ -113,23 +129,26 @@ def find(
          amplitude_acceleration: Quantity | None = None, cycles: int = 1,
          contacts: int = 1,
          **bar_options: Quantity | None
-         ) -> Result | Question | ForcedResult | HarmonicResult | SceneHarmonicResult:
+         ) -> (Result | Question | ForcedResult | HarmonicResult
+               | SceneResult | SceneForcedResult | SceneHarmonicResult):
     """Decide a schedule: a verified motion, or the proof that there is none.
 
     With `period`, `frequency` or `hertz` in place of a schedule all motions of
     that period on the grid. With `damping` and `force` forced, damped motions:
     of a schedule, the least amplitude or those of one; of a period or frequency
-    those with `contacts` contacts under an exact harmonic, on no grid.
+    those with `contacts` contacts under an exact harmonic, on no grid. Of several
+    bars in a row (`scene` in words) a schedule is n_c, n_f, ... at one contact, or
+    words "SET:STEPS": ``find("1:4", "1+2:1", "-:9", scene=...)``.
 
     Parameters
     ----------
     scene : Scene or str, optional
         In place of `bar`, `second_stop` and `segments`; or the words of
         several bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 clamp",
-        whose scales are `length`, `wave_speed` and `axial_stiffness`, with
-        `force`, `amplitude` and a period or frequency.
+        whose scales are `length`, `wave_speed` and `axial_stiffness`, and
+        whose damping is among the words.
     target : State or file name, optional
-        For the objective "nearest".
+        For the objective "nearest"; of several bars the name of a file.
     frequency : float, str or Fraction, optional
         omega/omega_1 of the motion; with `damping` and `force` that of the
         excitation.
@@ -140,11 +159,11 @@ def find(
 
     Returns
     -------
-    Result, Question, ForcedResult, HarmonicResult or SceneHarmonicResult
+    Result, Question, ForcedResult, HarmonicResult
         A Question, a sequence of Result, for a period or frequency; a
         ForcedResult where `damping` and `force` are given, and of a period
-        or frequency with them a HarmonicResult, of several bars a
-        SceneHarmonicResult.
+        or frequency with them a HarmonicResult. Of several bars likewise a
+        SceneResult, SceneForcedResult or SceneHarmonicResult.
 
     Raises
     ------
@@ -160,7 +179,7 @@ def find(
     is_timed = period is not None or frequency is not None or hertz is not None
     times = {"period": period, "frequency": frequency, "hertz": hertz} if is_timed else {}
     if "words" in asked:
-        return _core.find_harmonic_bars(excited(of_bars(asked, times, schedule, damping)))
+        return find_bars(asked, times, find.__kwdefaults__)
     if damping is not None or force is not None:
         if damping is None or force is None:
             raise ValueError("damping, force: allowed only together")

@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, overload
 
 from . import _core
 from ._asking import asks, excited, gathered
 from ._core import (Bar, Damping, ExactResponse, ForcedFrequency, ForcedMotion, ForceRange, Scene,
-                    Simulation, State, Sweep, Waves)
+                    SceneSimulation, Simulation, State, Sweep, Waves)
 from ._progress import Progress
 from ._tables import Table, flat, frame_of, keys_of
 from ._words import Force, Over, Quantity, Segments
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._find import _Parameters
 
 
 class Response(Table[ForcedFrequency]):
@@ -109,7 +114,7 @@ def exact_response(*, damping: Quantity, force: Force, amplitude: Quantity,
         {**locals(), "amplitude_velocity": None, "amplitude_acceleration": None})))
 
 
-@asks("simulation")
+@overload
 def simulate(start: State | Waves | str | None = None, *,
              damping: Quantity = 0.0, force: Force | None = None,
              amplitude: Quantity | None = None,
@@ -121,8 +126,37 @@ def simulate(start: State | Waves | str | None = None, *,
              cells: int | None = None, tip: bool = True, bar: Bar | None = None,
              scene: Scene | None = None, second_stop: Quantity | None = None,
              progress: Progress = None,
-             **bar_options: Quantity | None) -> Simulation:
-    """Simulate the bar exactly, event by event.
+             **bar_options: Unpack[_Parameters]) -> Simulation: ...
+
+
+@overload
+def simulate(start: str | None = None, *, scene: str, gravity: Quantity = 0.0,
+             velocity: Sequence[Quantity] | None = None, force: Force | None = None,
+             amplitude: Quantity | None = None,
+             amplitude_velocity: Quantity | None = None,
+             amplitude_acceleration: Quantity | None = None,
+             frequency: Quantity | None = None, phase: Quantity = 0.0,
+             time: Quantity | None = None, periods: int | None = None,
+             progress: Progress = None,
+             **scales: Unpack[_Parameters]) -> SceneSimulation: ...
+
+
+@asks("simulation")
+def simulate(start: State | Waves | str | None = None, *,
+             damping: Quantity = 0.0, force: Force | None = None,
+             amplitude: Quantity | None = None,
+             amplitude_velocity: Quantity | None = None,
+             amplitude_acceleration: Quantity | None = None,
+             frequency: Quantity | None = None, phase: Quantity = 0.0,
+             time: Quantity | None = None,
+             periods: int | None = None, resolve: Quantity | None = None,
+             cells: int | None = None, tip: bool = True, bar: Bar | None = None,
+             scene: Scene | str | None = None, gravity: Quantity = 0.0,
+             velocity: Sequence[Quantity] | None = None,
+             second_stop: Quantity | None = None,
+             progress: Progress = None,
+             **bar_options: Quantity | None) -> Simulation | SceneSimulation:
+    """Simulate a bar, or several in a row, exactly, event by event.
 
     Parameters
     ----------
@@ -132,17 +166,29 @@ def simulate(start: State | Waves | str | None = None, *,
         Steps of the excitation in L/c (those of the state, 300 at rest).
     tip : bool
         Record the path of the tip.
-    scene : Scene, optional
-        In place of `bar` and `second_stop`.
+    scene : Scene or str, optional
+        In place of `bar` and `second_stop`; or the words of several bars in
+        a row, "clamp 60 gap=1e-3 40 driven dash=0.1 20 clamp", whose scales
+        are `length`, `wave_speed` and `axial_stiffness`.
+    velocity : list of float or str, optional
+        Of each of several bars at the start [m/s], in place of `start`.
 
     Returns
     -------
-    Simulation
+    Simulation, or of several bars SceneSimulation
     """
     if scene is None and bar is None and not bar_options \
             and isinstance(start, State):
         bar = start.bar
     asked = gathered(locals(), "start")
+    several = "words" in asked
+    if several and (damping != 0.0 or cells is not None or resolve is not None):
+        raise ValueError("damping, cells, resolve: allowed only without a scene of words "
+                         "(dash=D among them)")
+    if several and start is not None and velocity is not None:
+        raise ValueError("start, velocity: allowed one of them")
+    if not several and (velocity is not None or gravity != 0.0):
+        raise ValueError("gravity, velocity: allowed only with a scene of words")
     if asked["scene"].segments:
         raise ValueError("segments: allowed only where stepped bars are known: find")
     is_driven = force is not None
@@ -151,7 +197,7 @@ def simulate(start: State | Waves | str | None = None, *,
     if (time is None) == (periods is None) or (periods is not None and not is_driven):
         raise ValueError("time, periods: allowed one of them, and periods only together "
                          "with force")
-    return _core.simulate(asked)
+    return _core.simulate_bars(asked) if several else _core.simulate(asked)
 
 
 @asks("sweep")

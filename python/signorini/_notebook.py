@@ -238,13 +238,20 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.ExactResponse: ("response", (8, 6)),
     _core.ForcedResult: ("motion", (9, 7)),
     _core.HarmonicResult: ("motion", (8, 6)),
+    _core.SceneResult: ("motion", (8, 5)),
+    _core.SceneForcedResult: ("motion", (8, 5)),
     _core.SceneHarmonicResult: ("motion", (8, 5)),
+    _core.SceneSimulation: ("simulation", (8, 5)),
     _core.ModeMotion: ("simulation", (8, 5)),
     _core.PolytopeMotion: ("simulation", (8, 5)),
     _core.Mode: ("frequency_energy", (8, 5)),
     _core.Scene: ("scene", (8, 2.5)),
     _core.ForceRange: ("scene", (8, 2.5)),
 }
+
+#: Answers that find a motion or not.
+_FOUND = (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.SceneResult,
+          _core.SceneForcedResult, _core.SceneHarmonicResult)
 
 #: The same of tables, by what a row is.
 _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
@@ -255,8 +262,7 @@ _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
 
 
 def _has_a_figure(record: Any) -> bool:
-    if isinstance(record, (_core.Result, _core.ForcedResult, _core.HarmonicResult,
-                           _core.SceneHarmonicResult)):
+    if isinstance(record, _FOUND):
         return bool(record.status == "found")
     if isinstance(record, _core.Simulation):
         return len(record.tip_time) > 0
@@ -285,7 +291,8 @@ def _draw(name: str, record: Any, figure: Any) -> None:
     if name == "frequency_energy":
         points = _points_of(record) if isinstance(record, _core.Mode) else []
         plot.frequency_energy(figure=figure, data=points or None, data_label="this mode")
-    elif name == "simulation" and not isinstance(record, _core.Simulation):
+    elif name == "simulation" and not isinstance(
+            record, (_core.Simulation, _core.SceneSimulation)):
         plot.simulation(_walked(record), figure=figure)
     else:
         getattr(plot, name)(record[0] if isinstance(record, Question) else record, figure=figure)
@@ -358,15 +365,16 @@ def be_at_home() -> None:
         _set(kind, "_repr_html_", html)
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)
-    for kind in (_core.Result, _core.ForcedResult, _core.HarmonicResult,
-                 _core.SceneHarmonicResult, _core.Continuum, _core.AtlasSchedule,
-                 _core.ExactResponse, Question, Response):
+    for kind in (*_FOUND, _core.Continuum, _core.AtlasSchedule, _core.ExactResponse,
+                 Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)
     for kind, rows in ((_core.Continuum, "points"), (_core.Sweep, "points"),
                        (_core.ExactResponse, "frequencies"),
                        (_core.ForcedResult, "motions"),
                        (_core.HarmonicResult, "motions"),
+                       (_core.SceneForcedResult, "motions"),
                        (_core.SceneHarmonicResult, "motions")):
         _set(kind, "frame", _frame_of(rows))
-    _set(_core.Simulation, "frame", _contacts)
+    for kind in (_core.Simulation, _core.SceneSimulation):
+        _set(kind, "frame", _contacts)

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._core import Bar, Result
+from ._core import Bar, Result, SceneForcedResult, SceneHarmonicResult, SceneResult
 from ._tables import Table, plain
 from ._words import Number, fraction_of, number, whole
 
@@ -119,23 +119,43 @@ def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
     return period
 
 
-def of_bars(asked: dict[str, Any], times: dict[str, Any], schedule: tuple[Any, ...],
-            damping: Any) -> dict[str, Any]:
-    """What is asked about several bars under an exact harmonic."""
-    if not times or schedule or damping is not None or asked["force"] is None:
-        raise ValueError("a scene of words: allowed with force, amplitude and one of "
-                         "period, frequency and hertz, without a schedule and damping "
-                         "(dash=D among its words)")
-    others = ("cells", "energy", "energy_ratio", "strain_limit", "target", "time_limit",
-              "tip_floor")
-    clash = [name for name in others if asked[name] is not None]
-    if clash or asked["contacts"] != 1:
-        raise ValueError(f"{', '.join(clash or ['contacts'])}: allowed only without a "
-                         "scene of words")
+#: What is asked of a schedule of bars, without a force and with one.
+_OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solver", "tolerance")
+_OF_FORCED = ("amplitude", "cycles")
+
+
+def _refuse(asked: dict[str, Any], usual: dict[str, Any], names: tuple[str, ...],
+            where: str) -> None:
+    """ValueError if one of them is not what it is without."""
+    clash = [name for name in names if asked[name] != usual.get(name)]
+    if clash:
+        raise ValueError(f"{', '.join(clash)}: allowed only {where}")
+
+
+def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any]
+              ) -> SceneResult | SceneForcedResult | SceneHarmonicResult:
+    """Answer what is asked about several bars: of a schedule, or under an exact harmonic."""
+    if asked["damping"] is not None:
+        raise ValueError("damping clashes with a scene of words: allowed dash=D among them")
+    _refuse(asked, usual, ("cells", "strain_limit", "tip_floor", "formulation", "contacts"),
+            "without a scene of words")
+    schedule = asked["schedule"]
+    if not times:
+        forced = asked["force"] is not None
+        _refuse(asked, usual, _OF_FREE if forced else _OF_FORCED,
+                "without force" if forced else "together with force")
+        asked["steps"] = [word if isinstance(word, str) else str(whole("schedule", word))
+                          for word in schedule]
+        return _core.find_forced_bars(asked) if forced else _core.find_bars(asked)
+    _refuse(asked, usual, _OF_FREE, "of a schedule")
+    if schedule or asked["force"] is None or asked["amplitude"] is None:
+        raise ValueError("period, frequency, hertz: of a scene of words allowed without a "
+                         "schedule, with force and amplitude")
     name, word = _one_of(times)
     value = word if name == "hertz" else float(
         fraction_of(str(word) if isinstance(word, float) else word, name))
-    return {**asked, "period": None, "frequency": None, "hertz": None, name: value}
+    return _core.find_harmonic_bars(
+        {**asked, "period": None, "frequency": None, "hertz": None, name: value})
 
 
 def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:

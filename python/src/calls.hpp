@@ -20,5 +20,8 @@ void addForced(py::module_& module);
 void addSweep(py::module_& module);
 /// The bar, event by event.
 void addSimulate(py::module_& module);
+/// Several bars in a row: motions of a schedule, and what they do event by event.
+void addSceneFind(py::module_& module);
+void addSceneSimulation(py::module_& module);
 
 }  // namespace signorini::python

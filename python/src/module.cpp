@@ -156,6 +156,8 @@ PYBIND11_MODULE(_core, module)
     addAtlas(module);
     addForced(module);
     addSimulate(module);
+    addSceneFind(module);
+    addSceneSimulation(module);
     addSweep(module);
 }
 

@@ -254,7 +254,7 @@ Simulated simulate(const Asked& asked)
 void addSimulate(py::module_& module)
 {
     addWaves(module);
-    addClasses<Drive, Of<Settled>, Of<EnergyBalance>>(module);
+    addClasses<Drive, answers::SettledOn, answers::Balance>(module);
     addSimulated(module);
     addCall(module, "simulate", &simulate);
 }

@@ -82,13 +82,7 @@ void requireBars(const Network& bars, const SweepRange& range)
     if (range.damping.ratio != 0.0) {
         faults.add("damping", range.damping.ratio, "dash=D among the words of the scene");
     }
-    const bool isForce = range.place == Excited::tip;
-    if (std::none_of(bars.nodes.begin(), bars.nodes.end(), [isForce](const NetworkNode& node) {
-            return isForce ? node.isDriven : node.isShaken;
-        })) {
-        faults.add("force", name(range.place),
-                   "tip for a scene with the word driven, base for one with shaken");
-    }
+    requireExcitable(faults, bars, range.place);
     faults.throwIfAny();
 }
 

@@ -255,6 +255,92 @@ def test_what_any_force_can_do_agrees(program: Program) -> None:
         sg.force_range("clamp 7 stop=1 3 driven", 1.0, 0.9, time=3.0)
 
 
+def bars_of(dice: random.Random) -> str:
+    """Two bars that meet, or three, some damped, one driven."""
+    parts = ["clamp", str(dice.randint(2, 5)), "driven", f"gap={dice.choice([1e-3, 5e-4])}"]
+    if dice.random() < 0.3:
+        parts += [str(dice.randint(2, 4)), "spring=2", "gap=1e-3"]
+    parts += [f"{dice.randint(2, 5)}:{dice.choice([1.0, 0.5, 1.3])}", "clamp"]
+    if dice.random() < 0.5:
+        parts.insert(2, "dash=0.1")
+    return " ".join(parts)
+
+
+@pytest.mark.parametrize("ask", ["schedule", "forced", "simulate"])
+def test_random_requests_about_several_bars_agree(program: Program, ask: str,
+                                                  tmp_path: Path) -> None:
+    """To the last bit; what one refuses, the other does."""
+    dice = random.Random(ask)
+    found = 0
+    for _ in range(40):
+        words = bars_of(dice)
+        options: dict[str, Any] = {"scene": words, "length": dice.choice([1.0, 2.5])}
+        schedule: list[Any] = []
+        more: list[dict[str, Any]]
+        if ask == "simulate":
+            more = [{}, {"velocity": [0.1] * (words.count("gap") + 1)},
+                    {"force": "tip", "amplitude": 1e-3, "frequency": 1.1}]
+            options |= {"time": 20.0, **dice.choice(more)}
+        else:
+            schedule = [dice.randint(1, 8), dice.randint(2, 20)]
+            if words.count("gap") == 2:
+                closed = dice.choice(["1", "2", "1+2", "3"])
+                schedule = [f"{closed}:{schedule[0]}", f"-:{schedule[1]}"]
+            more = [{}, {"objective": "max-impulse"}, {"energy_ratio": 3.0}, {"energy": 1e-5}]
+            if ask == "forced":
+                more = [{"force": "tip"}, {"force": "tip", "amplitude": 5e-3}]
+            options |= dice.choice(more)
+        said = program(ask if ask == "simulate" else "find", *schedule,
+                       *words_of({k: ",".join(map(str, v)) if k == "velocity" else v
+                                  for k, v in options.items()}), may_be_wrong=True)
+        try:
+            answer = getattr(sg, ask, sg.find)(*schedule, **options)
+        except ValueError as error:
+            assert said is None, error
+            continue
+        alike(said, answer.to_dict())
+        found += 1
+        if ask != "simulate" and answer:
+            answer.write(str(tmp_path / "s.csv"))
+            assert (tmp_path / "s.csv").read_text().startswith("node")
+    assert found > 20
+
+
+def test_motions_of_bars_come_back_and_are_drawn(tmp_path: Path) -> None:
+    """What `write` writes is where a simulation starts, and a target."""
+    file = str(tmp_path / "s.csv")
+    bars: dict[str, Any] = {"scene": "clamp 4 gap=2e-3 4 clamp", "length": 2.0}
+    found = sg.find("1:3", "-:11", **bars)
+    found.write(file)
+    run = sg.simulate(file, time=5 * found.period, **bars)
+    assert run.contacts[0]["count"] == 5
+    assert run.energy == pytest.approx(found.energy)
+    assert sum(run.contact_impulse) == pytest.approx(5 * found.contacts[0]["impulse"])
+    near = sg.find(3, 11, objective="nearest", target=file, **bars)
+    assert near.energy == pytest.approx(found.energy)
+    assert list(sg.plot.motion(found)) == ["contact 1"]
+    assert len(sg.plot.simulation(run)) == 1 and sg.plot.scene(run)
+    assert found._repr_png_() and run._repr_png_()
+    assert "contact" in run._repr_html_() and len(run.frame()) == 5
+    with pytest.raises(ValueError, match="no motion was found"):
+        sg.plot.motion(sg.find(11, 3, **bars))
+    wrongs: list[tuple[str, dict[str, Any]]] = [
+        ("dash=D", {"damping": 0.1}), ("cells", {"cells": 4}), ("amplitude", {"amplitude": 1.0}),
+        ("cycles", {"cycles": 2}), ("strain_limit", {"strain_limit": 0.1}),
+        ("allowed auto", {"objective": "max-energy"}), ("word driven", {"force": "tip"}),
+        ("energy", {"energy": 1.0, "energy_ratio": 1.0}), ("contacts", {"contacts": 2})]
+    for said, wrong in wrongs:
+        with pytest.raises(ValueError, match=said):
+            sg.find(3, 11, **bars, **wrong)
+    wrongs = [("velocity", {"velocity": [1.0]}), ("dash=D", {"damping": 0.1}),
+              ("one of them", {"start": file, "velocity": [0.0, 0.0]})]
+    for said, wrong in wrongs:
+        with pytest.raises(ValueError, match=said):
+            sg.simulate(time=1.0, **bars, **wrong)
+    with pytest.raises(ValueError, match="only with a scene of words"):
+        sg.simulate(time=1.0, velocity=[1.0])  # type: ignore[call-overload]
+
+
 BARS = "clamp 30 dash=0.1 driven gap=1e-3 20:1.3 dash=0.2 20:1.3 clamp"
 
 
@@ -269,7 +355,7 @@ def test_bars_that_meet_under_an_exact_harmonic() -> None:
     assert motion.impulse == pytest.approx(1.35451e-3, rel=1e-5)
     again = sg.find(scene=BARS, frequency=found.frequency_ratio, force="tip", amplitude=2e-3)
     assert again == found
-    with pytest.raises(ValueError, match="allowed with force"):
+    with pytest.raises(ValueError, match="with force and amplitude"):
         sg.find(scene=BARS, hertz=0.5)  # type: ignore[call-overload]
     with pytest.raises(ValueError, match="energy"):
         sg.find(  # type: ignore[call-overload]

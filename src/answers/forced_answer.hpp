@@ -3,6 +3,7 @@
 /// What is said of a schedule that is damped and forced.
 
 #include "parts.hpp"
+#include "proofs.hpp"
 #include "signorini/response.hpp"
 
 namespace signorini::answers {
@@ -71,19 +72,6 @@ struct ForcedProof {
 
 template <>
 inline constexpr bool isDictionary<ForcedCondition> = true;
-
-template <>
-inline constexpr bool isDictionary<EnergyFloor> = true;
-
-template <typename D>
-void describe(D& d, Type<EnergyFloor>)
-{
-    d.record("EnergyFloor", "Multipliers, verified by stepping backwards in time.");
-    d.key("periodicity", "-", "One for each wave.", &EnergyFloor::periodicity);
-    d.key("places", "-", "[(contact, step, multiplier), ...], contacts from 1.",
-          &EnergyFloor::places);
-    d.key("pushes", "-", "[(contact, step, multiplier >= 0), ...].", &EnergyFloor::pushes);
-}
 
 template <typename D>
 void describe(D& d, Type<ForcedCondition>)

@@ -225,7 +225,7 @@ std::vector<Option> ofSimulations()
              "what any force between these can do where a scene is driven, from rest [N]", "", "N"),
         text("--velocity", simulation, "V1,V2,...",
              "start undeformed, each bar with its own speed [m/s], from the left", "", "m/s",
-             "velocities"),
+             "velocity"),
     };
 }
 

@@ -71,6 +71,34 @@ void describe(D& d, Type<SteppedProof> type)
     describeRows(d, type, [](const T& p) { return known(p.tipFloor - p.tolerance); });
 }
 
+/// Multipliers for stepping backwards in time.
+template <typename D, typename Get>
+void describeMultipliers(D& d, Get floor)
+{
+    d.key(
+        "periodicity", "-", "One for each wave.", [floor](const auto& a) -> const auto& {
+            return floor(a).periodicity;
+        });
+    d.key(
+        "places", "-", "[(contact, step, multiplier), ...], contacts from 1.",
+        [floor](const auto& a) -> const auto& { return floor(a).places; });
+    d.key(
+        "pushes", "-",
+        "[(contact, step, multiplier >= 0), ...].", [floor](const auto& a) -> const auto& {
+            return floor(a).pushes;
+        });
+}
+
+template <>
+inline constexpr bool isDictionary<EnergyFloor> = true;
+
+template <typename D>
+void describe(D& d, Type<EnergyFloor>)
+{
+    d.record("EnergyFloor", "Multipliers, verified by stepping backwards in time.");
+    describeMultipliers(d, [](const EnergyFloor& f) -> const EnergyFloor& { return f; });
+}
+
 template <typename D>
 void describe(D& d, Type<EnergyFloorProof>)
 {
@@ -81,15 +109,7 @@ void describe(D& d, Type<EnergyFloorProof>)
     d.key("energy_ratio", "E_1", "No motion has less.", &T::energyRatio);
     d.key("tip_floor", "g", "That the proof rests on, if any.",
           [](const T& p) { return known(p.tipFloor - p.tolerance); });
-    d.key(
-        "periodicity", "-", "One for each wave.",
-        [](const T& p) -> const auto& { return p.multipliers.periodicity; });
-    d.key(
-        "places", "-", "[(contact, step, multiplier), ...], contacts from 1.",
-        [](const T& p) -> const auto& { return p.multipliers.places; });
-    d.key(
-        "pushes", "-", "[(contact, step, multiplier >= 0), ...].",
-        [](const T& p) -> const auto& { return p.multipliers.pushes; });
+    describeMultipliers(d, [](const T& p) -> const EnergyFloor& { return p.multipliers; });
 }
 
 template <typename D>

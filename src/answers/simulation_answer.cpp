@@ -41,9 +41,4 @@ Bar SimulationAnswer::bar() const
     return firstMaterial(scene);
 }
 
-std::optional<Of<Settled>> SimulationAnswer::settled() const
-{
-    return settling.settled ? std::optional(Of<Settled>{*settling.settled, bar()}) : std::nullopt;
-}
-
 }  // namespace signorini::answers

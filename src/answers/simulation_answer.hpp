@@ -24,6 +24,20 @@ struct Drive {
 enum class Ending { done, interrupted };
 [[nodiscard]] std::string_view name(Ending ending);
 
+/// How a simulation repeats itself, and the unit of its impulse [N s].
+struct SettledOn {
+    Settled value;
+    double impulseUnit = 1.0;
+};
+
+/// Energy that came and went, in SI units.
+struct Balance {
+    double work = 0.0;
+    double dissipated = 0.0;
+    double error = 0.0;
+    double size = 0.0;  ///< what the error is to be compared with
+};
+
 /// The outcome of one call.
 struct SimulationAnswer {
     Scene scene;
@@ -52,7 +66,6 @@ struct SimulationAnswer {
     /// What units mean: of the first material.
     [[nodiscard]] Bar bar() const;
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
-    [[nodiscard]] std::optional<Of<Settled>> settled() const;
 };
 
 template <typename D>
@@ -69,8 +82,9 @@ void describe(D& d, Type<Drive>)
 }
 
 template <typename D>
-void describe(D& d, Type<Of<Settled>>)
+void describe(D& d, Type<SettledOn>)
 {
+    using T = SettledOn;
     d.record("Settled", "How a simulation repeats itself.");
     d.key("periods", "- >= 1", "Of the excitation, after which all is as before.",
           ofValue(&Settled::periods));
@@ -78,17 +92,31 @@ void describe(D& d, Type<Of<Settled>>)
           "Bound of the distance to a motion that repeats itself, in its own size.",
           ofValue(&Settled::residual));
     d.key("contacts", "- >= 0", "In that time.", ofValue(&Settled::contacts));
-    d.key("impulse", "N s >= 0", "In that time.", ofValue(&Settled::impulse, &impulseUnit));
+    d.key("impulse", "N s >= 0", "In that time.",
+          [](const T& s) { return s.value.impulse * s.impulseUnit; });
+}
+
+/// Keys of what a simulation settles on.
+template <typename D, typename Get, typename Unit>
+void describeSettled(D& d, Get settling, Unit impulseUnit)
+{
+    d.key("settled", "-", "How it repeats itself.", [=](const auto& s) {
+        const std::optional<Settled>& settled = settling(s).settled;
+        return settled ? std::optional(SettledOn{*settled, impulseUnit(s)}) : std::nullopt;
+    });
+    d.key("why", "-", "Where it has not settled, what it does instead.", [=](const auto& s) {
+        const std::string& why = settling(s).why;
+        return why.empty() ? std::nullopt : std::optional(why);
+    });
 }
 
 template <typename D>
-void describe(D& d, Type<Of<EnergyBalance>>)
+void describe(D& d, Type<Balance>)
 {
-    using B = EnergyBalance;
     d.record("EnergyBalance", "Energy that came and went.");
-    d.key("work", "J", "Done by the excitation.", ofValue(&B::work, &Scales::energy));
-    d.key("dissipated", "J", "In the dashpot.", ofValue(&B::dissipated, &Scales::energy));
-    d.key("error", "J", "What does not add up.", ofValue(&B::error, &Scales::energy));
+    d.key("work", "J", "Done by the excitation.", &Balance::work);
+    d.key("dissipated", "J", "In dashpots.", &Balance::dissipated);
+    d.key("error", "J", "What does not add up.", &Balance::error);
 }
 
 /// State and energy at the end.
@@ -105,7 +133,9 @@ void describeEnd(D& d)
         return s.scene.bar.gap == 0.0 ? std::nullopt : std::optional(s.energyRatio);
     });
     d.key("balance", "-", "Of energy since the start.", [](const T& s) {
-        return Of<EnergyBalance>{s.balance, s.bar()};
+        const double joule = scales(s.bar()).energy;
+        return Balance{s.balance.work * joule, s.balance.dissipated * joule,
+                       s.balance.error * joule};
     });
     d.key("events", "- >= 0", "So many.", &T::events);
     d.key("pieces", "- >= 1", "Under way at the end.", &T::pieces);
@@ -134,10 +164,9 @@ EA g/L and EA g/c on the simulation's own memory.
           [](const T& s) { return s.impulse * impulseUnit(s.bar()); });
     d.key("resolution", "s >= 0", "Contacts no further apart are one.",
           [](const T& s) { return s.resolution * scales(s.bar()).time; });
-    d.key("settled", "-", "How it repeats itself.", &T::settled);
-    d.key("why", "-", "Where it has not settled, what it does instead.", [](const T& s) {
-        return s.settling.why.empty() ? std::nullopt : std::optional(s.settling.why);
-    });
+    describeSettled(
+        d, [](const T& s) -> const Settling& { return s.settling; },
+        [](const T& s) { return impulseUnit(s.bar()); });
     describeEnd(d);
 }
 

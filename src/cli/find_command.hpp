@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "arguments.hpp"
-#include "contact_spans.hpp"
 #include "find_outputs.hpp"
 #include "force_options.hpp"
 #include "given.hpp"
 #include "question.hpp"
-#include "scene_report.hpp"
 #include "signorini/output.hpp"
 #include "state_table.hpp"
 
@@ -67,32 +65,5 @@ void requireTarget(const FindOptions& options, const std::string& target);
 /// The same as answerForced of any bars: `driven` and `shaken` are words of the scene, its dashpots
 /// its damping.
 [[nodiscard]] ExitStatus findForcedInScene(const FindCommand& command);
-
-/// A schedule of the bars of a scene, and the files of the call.
-struct SceneFind {
-    const FindCommand& call;
-    Assembly assembly;
-    Network network;
-    std::vector<ContactSpan> schedule;
-    FindOutputs files;
-
-    /// \throws std::invalid_argument as parseSpans; FileError.
-    explicit SceneFind(const FindCommand& of);
-
-    [[nodiscard]] double period() const { return periodOf(network, schedule); }  ///< [s]
-    /// The keys and the lines with which an answer begins.
-    [[nodiscard]] Json keys(Status status) const;
-    [[nodiscard]] std::string lines(Status status) const;
-    /// Writes the files of the motion, if there is one, a proof, if the answer is one, and the
-    /// answer.
-    [[nodiscard]] ExitStatus finish(Status status, const NetworkClaim* motion, bool isProof,
-                                    const Json& json, const std::string& text);
-};
-
-/// The words of a schedule: NC NF [NC NF ...] where there is one contact, else SET:STEPS ..., SET
-/// the numbers of closed contacts joined by +, or - for none.
-/// \throws std::invalid_argument naming the word and what is allowed.
-[[nodiscard]] std::vector<ContactSpan> parseSpans(const std::vector<std::string>& words,
-                                                  std::size_t contacts);
 
 }  // namespace signorini::cli

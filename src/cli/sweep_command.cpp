@@ -129,13 +129,10 @@ SweepAnswer SweepCommand::question(const Network& network) const
              "frequency|amplitude of a scene of several bars");
     refuseIf(given.has("--yield-stress"), "--yield-stress", given.text("--yield-stress"),
              "only for one bar: strains of several are not recorded");
-    const bool isForce = force.place == Excited::tip;
-    if (std::none_of(network.nodes.begin(), network.nodes.end(), [&](const NetworkNode& node) {
-            return isForce ? node.isDriven : node.isShaken;
-        })) {
-        refuse("--force", force.place ? name(*force.place) : "missing",
-               "tip for a scene with the word driven, base for one with shaken");
-    }
+    force.requirePlace();
+    Faults faults;
+    requireExcitable(faults, network, *force.place);
+    faults.throwIfAny();
     const Assembly& assembly = common.assembly();
     const Bar bar = answers::unitsOf(assembly, network);
     return {range(bar, bar), bar, bar, {}, true, {}, answers::severalOf(assembly, network)};

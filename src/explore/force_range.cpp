@@ -5,6 +5,7 @@
 
 #include "faults.hpp"
 #include "interval.hpp"
+#include "network_sweep.hpp"
 
 namespace signorini {
 
@@ -218,8 +219,7 @@ private:
 
 ForceReach reachUnder(const Network& network, double low, double high, double duration)
 {
-    if (std::none_of(network.nodes.begin(), network.nodes.end(),
-                     [](const NetworkNode& node) { return node.isDriven; })) {
+    if (!isExcitable(network, Excited::tip)) {
         throw std::invalid_argument("scene: allowed one with the word driven, where the force is");
     }
     return Reach(network, low, high, duration).answer();

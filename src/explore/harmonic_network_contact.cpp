@@ -8,6 +8,7 @@
 #include "faults.hpp"
 #include "harmonic_network_walk.hpp"
 #include "harmonic_release.hpp"
+#include "network_sweep.hpp"
 #include "open_network.hpp"
 
 namespace signorini {
@@ -256,14 +257,9 @@ void requireDecidable(const HarmonicNetwork& given)
     faults.requireWhole("steps", given.steps, maxHarmonicSteps);
     faults.requireWhole("cycles", given.cycles, std::max<std::int64_t>(1, given.steps / 2));
     faults.requirePositive("amplitude", given.amplitude, "-");
+    requireExcitable(faults, given.network, given.place);
     faults.throwIfAny();
     const auto& nodes = given.network.nodes;
-    const bool isForce = given.place == Excited::tip;
-    if (std::none_of(nodes.begin(), nodes.end(), [isForce](const NetworkNode& node) {
-            return isForce ? node.isDriven : node.isShaken;
-        })) {
-        throw std::invalid_argument(isForce ? "no node is driven" : "no clamp is shaken");
-    }
     if (std::none_of(nodes.begin(), nodes.end(),
                      [](const NetworkNode& node) { return node.dashpot > 0.0; })) {
         throw std::invalid_argument("nothing is damped: there must be a dashpot");

@@ -10,6 +10,7 @@
 #include "forced_cut.hpp"
 #include "infinity.hpp"
 #include "network_find.hpp"
+#include "network_sweep.hpp"
 #include "signorini/find_periodic.hpp"
 #include "stops.hpp"
 
@@ -57,28 +58,18 @@ std::int64_t checkedSteps(const Network& network, const std::vector<ContactSpan>
 {
     requireKnown(network, spans);
     Faults faults;
-    std::int64_t steps = 0;
-    for (const ContactSpan& span : spans) {
-        steps += span.steps;
-    }
+    const std::int64_t steps = stepsOf(spans);
     if (const std::int64_t most = (steps - 1) / 2; forcing.cycles < 1 || forcing.cycles > most) {
         faults.add("cycles", forcing.cycles,
                    fmt::format("whole numbers 1..{}, below half of the steps", most));
     }
-    const bool isForce = forcing.place == Excited::tip;
-    if (std::none_of(network.nodes.begin(), network.nodes.end(),
-                     [isForce](const NetworkNode& node) {
-                         return isForce ? node.isDriven : node.isShaken;
-                     })) {
-        faults.add("force", isForce ? "tip" : "base",
-                   isForce ? "a scene with the word driven" : "a scene with the word shaken");
-    }
+    requireExcitable(faults, network, forcing.place);
     for (const NetworkBar& bar : network.bars) {
         bool isShaken = false;
         for (std::size_t node = bar.firstNode; node <= bar.lastNode; ++node) {
             isShaken = isShaken || network.nodes[node].isShaken;
         }
-        if (!isForce && isShaken && bar.clamps + bar.springs > 1) {
+        if (forcing.place == Excited::base && isShaken && bar.clamps + bar.springs > 1) {
             faults.add("force", "base", "a shaken bar that is held nowhere else");
         }
     }

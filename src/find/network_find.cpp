@@ -1,11 +1,31 @@
 #include "network_find.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "faults.hpp"
 #include "network_points.hpp"
 
 namespace signorini {
+
+std::optional<double> firstEnergy(const Network& network)
+{
+    const SceneReference reference = referenceOf(network);
+    return reference.energy && *reference.energy > 0.0
+               ? std::optional(*reference.energy / network.scales.energy())
+               : std::nullopt;
+}
+
+double usualEnergy(const Network& network, const std::vector<ContactSpan>& schedule)
+{
+    double force = 0.0;
+    for (const NetworkNode& node : network.nodes) {
+        force += std::abs(node.force);
+    }
+    const auto cells = static_cast<double>(network.cells());
+    const double impulse = force * static_cast<double>(stepsOf(schedule));
+    return firstEnergy(network).value_or(std::max(cells, impulse * impulse / cells));
+}
 
 namespace {
 

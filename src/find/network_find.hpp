@@ -11,6 +11,13 @@ namespace signorini {
 /// Largest residual of a motion.
 inline constexpr double networkTolerance = 1e-9;
 
+/// E_1 [Z_1 delta^2/h]; none where a bar drifts, or the gap is 0.
+[[nodiscard]] std::optional<double> firstEnergy(const Network& network);
+
+/// E_1, or else what bars have that move by the gaps in a step, or under constant forces in a
+/// period: motions of `hugeEnergyRatio` times as much are not looked for [Z_1 delta^2/h].
+[[nodiscard]] double usualEnergy(const Network& network, const std::vector<ContactSpan>& schedule);
+
 /// \throws std::invalid_argument as `leastMotion` does.
 void requireKnown(const Network& network, const std::vector<ContactSpan>& schedule);
 

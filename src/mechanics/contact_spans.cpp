@@ -1,6 +1,12 @@
 #include "contact_spans.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <stdexcept>
+
+#include "text.hpp"
+#include "units.hpp"
 
 namespace signorini {
 
@@ -25,6 +31,96 @@ double addDisplacement(std::span<double> derivatives, const Network& network, st
 }
 
 }  // namespace
+
+namespace {
+
+[[noreturn]] void refuseWord(const std::string& word, std::string_view allowed)
+{
+    throw std::invalid_argument(
+        fmt::format("schedule = {} is out of range: allowed {}", shortened(word), allowed));
+}
+
+ContactSet setOf(std::string_view text, std::size_t contacts, const std::string& word)
+{
+    if (text == "-" || text.empty()) {
+        return 0;
+    }
+    ContactSet closed = 0;
+    for (bool isLast = false; !isLast;) {
+        const std::size_t plus = text.find('+');
+        isLast = plus == std::string_view::npos;
+        const auto number = wholeIn(text.substr(0, plus), 1, static_cast<std::int64_t>(contacts));
+        const ContactSet one = number ? ContactSet{1} << (*number - 1) : 0;
+        if (!number || (closed & one) != 0) {
+            refuseWord(word, fmt::format("SET:STEPS, SET - or different contacts 1..{} joined by +",
+                                         contacts));
+        }
+        closed |= one;
+        text.remove_prefix(isLast ? text.size() : plus + 1);
+    }
+    return closed;
+}
+
+}  // namespace
+
+std::vector<ContactSpan> spansOf(const std::vector<std::string>& words, std::size_t contacts)
+{
+    std::vector<ContactSpan> spans;
+    const bool arePairs =
+        contacts == 1 && !words.empty() && words.front().find(':') == std::string::npos;
+    if (words.empty() || (arePairs && words.size() % 2 != 0)) {
+        refuseWord(fmt::format("{} words", words.size()),
+                   contacts == 1 ? "NC NF [NC NF ...], or SET:STEPS ..." : "SET:STEPS ...");
+    }
+    for (const std::string& word : words) {
+        const std::size_t colon = word.find(':');
+        std::string_view number = word;
+        if (!arePairs) {
+            number.remove_prefix(colon == std::string::npos ? word.size() : colon + 1);
+        }
+        const auto steps = wholeIn(number, 1, maxNetworkSteps);
+        if (!steps) {
+            refuseWord(word, fmt::format("{}, steps 1..{}", arePairs ? "NC NF" : "SET:STEPS",
+                                         maxNetworkSteps));
+        }
+        spans.push_back({arePairs ? (spans.size() % 2 == 0 ? 1U : 0U)
+                                  : setOf(std::string_view(word).substr(0, colon), contacts, word),
+                         *steps});
+    }
+    return spans;
+}
+
+std::vector<std::int64_t> numbersOf(ContactSet closed)
+{
+    std::vector<std::int64_t> numbers;
+    for (std::size_t j = 0; j < maxContacts; ++j) {
+        if (contains(closed, j)) {
+            numbers.push_back(static_cast<std::int64_t>(j) + 1);
+        }
+    }
+    return numbers;
+}
+
+std::string textOf(const std::vector<ContactSpan>& schedule)
+{
+    std::string text;
+    for (const ContactSpan& span : schedule) {
+        const std::vector<std::int64_t> numbers = numbersOf(span.closed);
+        text += fmt::format("{}{}:{}", text.empty() ? "" : " ",
+                            numbers.empty() ? "-" : fmt::format("{}", fmt::join(numbers, "+")),
+                            span.steps);
+    }
+    return text;
+}
+
+std::int64_t stepsOf(std::span<const ContactSpan> schedule)
+{
+    std::int64_t steps = 0;
+    for (const ContactSpan& span : schedule) {
+        steps += span.steps;
+    }
+    return steps;
+}
 
 StepDrive driveOf(const Excitation& excitation)
 {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,20 @@ struct ContactSpan {
 
     friend bool operator==(const ContactSpan&, const ContactSpan&) = default;
 };
+
+/// The words of a schedule: NC NF [NC NF ...] where there is one contact, else SET:STEPS ..., SET
+/// the numbers of closed contacts, from 1, joined by +, or - for none.
+/// \throws std::invalid_argument naming the word and what is allowed.
+[[nodiscard]] std::vector<ContactSpan> spansOf(const std::vector<std::string>& words,
+                                               std::size_t contacts);
+/// "1:2 -:9 1+2:3 -:8".
+[[nodiscard]] std::string textOf(const std::vector<ContactSpan>& schedule);
+
+/// Numbers of the contacts of a set, from 1.
+[[nodiscard]] std::vector<std::int64_t> numbersOf(ContactSet closed);
+
+/// Of one period.
+[[nodiscard]] std::int64_t stepsOf(std::span<const ContactSpan> schedule);
 
 /// A schedule of a bar with one stop or two: bit 0 is the wall, bit 1 the second stop.
 [[nodiscard]] inline std::vector<ContactSpan> spansOf(const Schedule& schedule)

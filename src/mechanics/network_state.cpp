@@ -17,7 +17,7 @@ NetworkStart startWithSpeeds(const Network& network, std::span<const double> spe
 {
     Faults faults;
     if (speeds.size() != network.bars.size()) {
-        faults.add("velocities", speeds.size(),
+        faults.add("velocity", speeds.size(),
                    fmt::format("{}, one for each bar", network.bars.size()));
     }
     for (const double speed : speeds) {

@@ -5,11 +5,27 @@
 #include <numbers>
 
 #include "excited_amplitude.hpp"
-#include "faults.hpp"
+#include "excited_names.hpp"
 #include "infinity.hpp"
 #include "network_watched.hpp"
 
 namespace signorini {
+
+bool isExcitable(const Network& network, Excited place)
+{
+    return std::any_of(network.nodes.begin(), network.nodes.end(),
+                       [place](const NetworkNode& node) {
+                           return place == Excited::tip ? node.isDriven : node.isShaken;
+                       });
+}
+
+void requireExcitable(Faults& faults, const Network& network, Excited place)
+{
+    if (!isExcitable(network, place)) {
+        faults.add("force", name(place),
+                   "tip for a scene with the word driven, base for one with shaken");
+    }
+}
 
 HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplitude, double omega,
                             double phase)

@@ -2,10 +2,17 @@
 /// \file
 /// What moves a network harmonically, and a sweep of it. docs/theory.md, sections 16 and 20.
 
+#include "faults.hpp"
 #include "network_simulation.hpp"
 #include "signorini/sweep.hpp"
 
 namespace signorini {
+
+/// Is there something to excite: a driven node for a force (tip), a shaken clamp for the base?
+[[nodiscard]] bool isExcitable(const Network& network, Excited place);
+
+/// Adds a fault of "force" if there is not.
+void requireExcitable(Faults& faults, const Network& network, Excited place);
 
 /// A harmonic force or base, constant in each of the whole steps nearest to h that make a period.
 struct HarmonicDrive {

@@ -12,7 +12,9 @@
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
 #include "response_answer.hpp"
+#include "scene_find_answer.hpp"
 #include "scene_harmonic_answer.hpp"
+#include "scene_simulation_answer.hpp"
 #include "simulation_answer.hpp"
 #include "study_answer.hpp"
 #include "sweep_answer.hpp"
@@ -154,6 +156,8 @@ int main()
     Json files{{"find", nameOf<FindAnswer>()},
                {"find-question", nameOf<QuestionAnswer>()},
                {"find-forced", nameOf<ForcedAnswer>()},
+               {"find-scene", nameOf<SceneFindAnswer>()},
+               {"find-scene-forced", nameOf<SceneForcedAnswer>()},
                {"continuum", nameOf<ContinuumAnswer>()},
                {"families", nameOf<FamilyList>()},
                {"modes", nameOf<ModeList>()},
@@ -161,6 +165,7 @@ int main()
                {"mode", nameOf<ModeAnswer>()},
                {"response", nameOf<ResponseAnswer>()},
                {"simulate", nameOf<SimulationAnswer>()},
+               {"simulate-scene", nameOf<SceneSimulationAnswer>()},
                {"sweep", nameOf<SweepAnswer>()},
                {"atlas", nameOf<AtlasBuilt>()},
                {"atlas-query", nameOf<AtlasAnswer>()},

@@ -273,7 +273,7 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
     refuses(bars + "1:3 -:9 --objective nearest", "--target is missing");
     refuses("--scene 'stop=1e-3 8 stop=1e-3' 1:3 -:9 --energy-ratio 3", "--energy-ratio = 3");
     refuses(bars + "1:3 -:9 --force tip --damping 0.1", "--damping clashes with --scene");
-    refuses(bars + "1:3 -:9 --force tip", "a scene with the word driven");
+    refuses(bars + "1:3 -:9 --force tip", "tip for a scene with the word driven");
     refuses("--scene 'clamp 4 dash=0.1 driven gap=1e-3 4 clamp' 3 9 --force tip --energy 1",
             "without --force");
     refuses("--gravity 10 3 9", "--gravity: allowed with --scene");

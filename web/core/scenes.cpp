@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "network_simulation.hpp"
 #include "scene_report.hpp"
+#include "scene_simulation_answer.hpp"
 #include "views.hpp"
 
 namespace signorini::web {
@@ -25,7 +25,7 @@ struct SceneCourse {
     Assembly assembly;
     Network network;
     NetworkStart start;
-    NetworkDrive drive = {};
+    answers::SceneDrive drive = {};
 };
 
 Assembly sceneOf(const Request& request)
@@ -111,29 +111,11 @@ void addHands(SceneCourse& course, const std::vector<double>& hands)
 
 void addDrive(SceneCourse& course, const Request& request)
 {
-    if (!request.has("amplitude")) {
-        return;
-    }
-    const auto& nodes = course.network.nodes;
-    const bool isForce = std::any_of(nodes.begin(), nodes.end(),
-                                     [](const NetworkNode& node) { return node.isDriven; });
-    const SceneReference reference = referenceOf(course.network);
-    const double omega = request.number("frequency", 0.01, 100.0) * reference.frequency;
-    const double period = 2.0 * std::numbers::pi / (omega * course.network.scales.time);
-    const double steps = std::round(period);
-    if (!(steps >= 3.0 && steps <= 1e6)) {
-        throw std::invalid_argument("frequency: allowed where a period has 3 to 10^6 steps");
-    }
-    course.drive.step = period / steps;
-    const NetworkScales& scales = course.network.scales;
-    const Excitation excitation = excitationOf(
-        {.place = isForce ? Excited::tip : Excited::base,
-         .amplitude = amplitudeOf(request) / (isForce ? scales.force() : scales.displacement),
-         .steps = static_cast<std::int64_t>(steps),
-         .stepsPerCrossing = 1.0 / course.drive.step});
-    for (std::int64_t m = 0; m < excitation.steps(); ++m) {
-        (isForce ? course.drive.forces : course.drive.velocities)
-            .push_back(isForce ? excitation.force(m) : excitation.baseVelocity(m));
+    if (request.has("amplitude")) {
+        const bool isForce = isExcitable(course.network, Excited::tip);
+        course.drive = answers::drivenBy(
+            course.network, {isForce ? Excited::tip : Excited::base, amplitudeOf(request),
+                             request.number("frequency", 0.01, 100.0)});
     }
 }
 
@@ -258,33 +240,6 @@ void addStanding(Reply& reply, const Network& network, const Places& places)
     }
 }
 
-void summarize(Reply& reply, const SceneCourse& course, const NetworkSimulation& simulation)
-{
-    const NetworkScales& scales = course.network.scales;
-    Json contacts = cli::jsonOf(cli::contactsOf(course.network, course.assembly.length));
-    for (Json& contact : contacts) {
-        contact.update({{"count", 0}, {"impulse", 0.0}, {"peak_force", 0.0}});
-    }
-    for (const NetworkContactEvent& event : simulation.contacts()) {
-        Json& contact = contacts[event.contact];
-        contact["count"] = contact["count"].get<std::int64_t>() + 1;
-        contact["impulse"] =
-            contact["impulse"].get<double>() + event.impulse * scales.force() * scales.time;
-        contact["peak_force"] =
-            std::max(contact["peak_force"].get<double>(), event.peakForce * scales.force());
-    }
-    const NetworkBalance balance = simulation.balance();
-    reply.json["answer"] = {
-        {"status", "done"},
-        {"words", textOf(course.assembly.parts)},
-        {"contacts", std::move(contacts)},
-        {"reference", cli::jsonOf(referenceOf(course.network))},
-        {"time", simulation.time() * scales.time},
-        {"events", simulation.events()},
-        {"energy", simulation.energy() * scales.energy()},
-        {"balance", balance.size > 0.0 ? std::abs(balance.error) / balance.size : 0.0}};
-}
-
 }  // namespace
 
 Reply showScene(const Request& request)
@@ -295,7 +250,8 @@ Reply showScene(const Request& request)
     const double crossing = bar.length / bar.waveSpeed / scales.time;
     const double begin = request.number("from", 0.0, 1e4) * crossing;
     const double span = request.number("span", 0.1, 200.0) * crossing;
-    NetworkSimulation simulation(course.network, course.start, course.drive, {.mergeBelow = 1e-9});
+    NetworkSimulation simulation(course.network, course.start, course.drive.moved.drive,
+                                 {.mergeBelow = 1e-9});
     // In parts, for what takes too long is to be refused.
     const auto goOn = [&](double duration) {
         for (double left = duration; left > 0.0; left -= crossing) {
@@ -324,7 +280,10 @@ Reply showScene(const Request& request)
         }
         goOn(k < frames ? span / static_cast<double>(frames) : 0.0);
     }
-    summarize(reply, course, simulation);
+    answers::SceneSimulationAnswer answer{
+        .bars = answers::severalOf(course.assembly, course.network), .drive = course.drive.told};
+    answer.see(simulation);
+    reply.json["answer"] = cli::wholeJsonOf(answer);
     addStanding(reply, course.network, places);
     reply.json["rows"] = Json::array();
     for (std::size_t r = 0; r < places.rows.size(); ++r) {

@@ -103,7 +103,7 @@ function computedOf(motion: Motion, answer: Answer): [string, string][] {
     }
     if (a.reference.frequency) add('First frequency, contacts open', 4 * a.reference.frequency, 'frequency');
     add('Energy at the end', a.energy / 5e-7, 'energy');
-    add('Balance of energy is off by', a.balance, 'count');
+    add('Balance of energy is off by', a.balance.error / 5e-7, 'energy');
     return list;
   }
   add('Period', a.period_ratio, 'time');

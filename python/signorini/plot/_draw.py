@@ -20,7 +20,7 @@ DASHES: dict[str, Any] = {"solid": "-", "dashed": "--", "dotted": ":",
                           "long dashed": (0, (10, 4))}
 LEGENDS = {"top left": "upper left", "top right": "upper right",
            "bottom left": "lower left", "bottom right": "lower right",
-           "above": "upper right", "below": "best"}
+           "above": "lower right", "below": "best"}
 INCHES = 0.52  # a centimetre of a figure on paper
 
 
@@ -196,7 +196,9 @@ def draw_panel(axes: Any, panel: dict[str, Any], places: bool) -> None:
     if panel["title"]:
         axes.set_title(markup(panel["title"]), fontsize="medium")
     if panel["legend"] != "none" and axes.get_legend_handles_labels()[0]:
-        axes.legend(loc=LEGENDS[panel["legend"]], fontsize="small")
+        beside = ({"bbox_to_anchor": (1.0, 1.0), "ncols": 4, "frameon": False}
+                  if panel["legend"] == "above" else {})
+        axes.legend(loc=LEGENDS[panel["legend"]], fontsize="small", **beside)
     if panel["colourBar"] and painted:
         left, right, low, high = panel["colourBar"]
         where = ({"cax": axes.figure.add_axes(

@@ -6,7 +6,8 @@ from typing import Any, Union
 
 from .._asking import asks
 from .._core import (Continuum, ContinuumPoint, ForcedResult, HarmonicResult,
-                     ForceRange, Motion, Result, Scene, SceneHarmonicResult)
+                     ForceRange, Motion, Result, Scene, SceneForcedResult,
+                     SceneHarmonicResult, SceneResult, SceneSimulation)
 from .._words import whole
 from ._draw import draw
 from ._style import unit_for
@@ -14,12 +15,17 @@ from ._style import unit_for
 #: What has a motion: a Motion itself, a Result, a point of a continuum, or
 #: several forced motions.
 Moving = Union[Motion, Result, ContinuumPoint, ForcedResult, HarmonicResult,
-               SceneHarmonicResult]
+               SceneResult, SceneForcedResult, SceneHarmonicResult]
 
 
 def motion_of(moving: Moving, index: int) -> tuple[Any, tuple[int, ...]]:
     """Return what draws the motion, and which it is of several. ValueError if there is none."""
-    several = isinstance(moving, (ForcedResult, HarmonicResult, SceneHarmonicResult))
+    if isinstance(moving, SceneResult):
+        if not moving:
+            raise ValueError("no motion was found: there is nothing to draw")
+        return moving, (0,)
+    several = isinstance(moving, (ForcedResult, HarmonicResult, SceneForcedResult,
+                                  SceneHarmonicResult))
     count = len(moving.motions) if several else 1  # type: ignore[union-attr]
     found: Any = moving if several or isinstance(moving, Motion) else (
         moving.motion)  # type: ignore[union-attr]
@@ -31,6 +37,11 @@ def motion_of(moving: Moving, index: int) -> tuple[Any, tuple[int, ...]]:
     return found, (index % count,) * several
 
 
+def contact_panels(of: SceneResult | SceneForcedResult | SceneSimulation) -> tuple[str, ...]:
+    """Return the names of the panels, one for each contact up to six."""
+    return tuple(f"contact {one['number']}" for one in of.contacts[:6])
+
+
 @asks("figure")
 def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = None
            ) -> dict[str, Any]:
@@ -40,6 +51,7 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     one period, and with the same axis of time the path of the tip beside the
     wall and the force of the wall. Under an exact harmonic u(x, t), tip and
     force alone; of several bars how far the contact is open, and its force.
+    Of a schedule of several bars the faces at each contact.
 
     Parameters
     ----------
@@ -51,7 +63,7 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     -------
     dict of axes
         "strain", "velocity", "displacement", "tip", "force", "words"; of
-        several bars "gap", "force".
+        several bars "gap", "force", or "contact 1", ...
 
     Raises
     ------
@@ -61,6 +73,8 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     panels: tuple[str, ...] = ("displacement", "tip", "force")
     if isinstance(moving, SceneHarmonicResult):
         panels = ("gap", "force")
+    elif isinstance(moving, (SceneResult, SceneForcedResult)):
+        panels = contact_panels(moving)
     elif not isinstance(moving, HarmonicResult):
         panels = ("strain", "velocity", *panels, "words")
     found, which = motion_of(moving, index)
@@ -68,8 +82,8 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
 
 
 @asks("figure")
-def scene(where: Scene | SceneHarmonicResult | ForceRange, *, axes: Any = None,
-          figure: Any = None) -> Any:
+def scene(where: Scene | SceneResult | SceneForcedResult | SceneHarmonicResult
+          | SceneSimulation | ForceRange, *, axes: Any = None, figure: Any = None) -> Any:
     """Draw bars and what stands at them, of one bar with sizes; gaps are not to scale.
 
     Returns

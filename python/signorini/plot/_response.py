@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._asking import asks
-from .._core import ExactResponse, Simulation, Sweep
+from .._core import ExactResponse, SceneSimulation, Simulation, Sweep
 from ._draw import draw
+from ._motion import contact_panels
 from ._style import axes_of, colour_map, unit_for
 
 if TYPE_CHECKING:
@@ -47,22 +48,26 @@ def response(data: Response | ExactResponse, *, figure: Any = None,
 
 
 @asks("figure")
-def simulation(run: Simulation, *, figure: Any = None,
-               axes: Any = None) -> tuple[Any, Any]:
+def simulation(run: Simulation | SceneSimulation, *, figure: Any = None,
+               axes: Any = None) -> tuple[Any, ...]:
     """Draw the path of the tip, and what the stops get in each period.
+
+    Of several bars the faces at each contact, up to six.
 
     Parameters
     ----------
     Returns
     -------
     (axes, axes)
-        Of the tip, and of the impulses.
+        Of the tip, and of the impulses; of several bars one for each contact.
 
     Raises
     ------
     ValueError
         If the path of the tip was not recorded.
     """
+    if isinstance(run, SceneSimulation):
+        return tuple(draw(run._figure(), contact_panels(run), axes, figure).values())
     if len(run.tip_time) == 0:
         raise ValueError("the path of the tip was not recorded: tip=True")
     drawn = draw(run._figure(), ("tip", "impulse"), axes, figure)

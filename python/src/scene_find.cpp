@@ -1,0 +1,133 @@
+#include <pybind11/stl.h>
+
+#include <numbers>
+
+#include "asked.hpp"
+#include "calls.hpp"
+#include "demand_names.hpp"
+#include "described.hpp"
+#include "patience.hpp"
+#include "scene_figures.hpp"
+#include "scene_find_answer.hpp"
+#include "signorini/figures.hpp"
+#include "signorini/output.hpp"
+#include "state_table.hpp"
+
+namespace signorini::python {
+
+namespace {
+
+using answers::SceneFindAnswer;
+using answers::SceneForcedAnswer;
+
+/// A schedule of bars as a call names it.
+struct AskedBars {
+    Assembly assembly;
+    Network network;
+    std::vector<ContactSpan> schedule;
+
+    explicit AskedBars(const Asked& asked)
+        : assembly(asked.assembly()),
+          network(networkOf(assembly)),
+          schedule(spansOf(py::cast<std::vector<std::string>>(asked.object("steps")),
+                           network.contacts.size()))
+    {
+    }
+};
+
+SceneFindAnswer findInBars(const Asked& asked)
+{
+    const AskedBars of(asked);
+    FindOptions options;
+    options.solver = asked.get<std::string>("solver");
+    options.objective = asked.named("objective", objectiveNames);
+    options.tolerance = asked.get<double>("tolerance");
+    options.timeLimit = asked.maybe<double>("time_limit").value_or(options.timeLimit);
+    NetworkWish wish{options.objective, asked.maybe<double>("energy"), {}};
+    if (wish.energy) {
+        *wish.energy /= of.network.scales.energy();
+    } else if (const auto ratio = asked.maybe<double>("energy_ratio")) {
+        const auto unit = firstEnergy(of.network);
+        if (!unit) {
+            Faults faults;
+            faults.add(
+                "energy_ratio", *ratio,
+                "none where no energy E_1 is needed to reach contact 1: energy in its place");
+            faults.throwIfAny();
+        }
+        wish.energy = *ratio * *unit;
+    }
+    if (const auto file = asked.maybe<std::string>("target")) {
+        wish.target = meansOf(of.network, readStateTable(*file, of.network));
+    }
+    return patiently([=](const Wires& wires) mutable {
+        options.cancel = wires.cancel;
+        return answers::answerOf(of.assembly, of.network, of.schedule, wish, options);
+    });
+}
+
+SceneForcedAnswer findForcedInBars(const Asked& asked)
+{
+    const AskedBars of(asked);
+    const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
+    const double first = referenceOf(of.network).frequency / (2.0 * std::numbers::pi);
+    const double period = static_cast<double>(stepsOf(of.schedule)) * of.network.scales.time;
+    const double hertz = static_cast<double>(forcing.cycles) / period;
+    const auto amplitude =
+        first > 0.0 ? asked.displacement(hertz / first, answers::unitsOf(of.assembly, of.network))
+                    : asked.maybe<double>("amplitude");
+    return patiently([=](const Wires&) {
+        return answers::forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude);
+    });
+}
+
+const NetworkClaim& claimIn(const SceneFindAnswer& answer, std::size_t)
+{
+    if (!answer.motions.motion) {
+        throw std::invalid_argument("no motion was found: there is nothing to draw or write");
+    }
+    return *answer.motions.motion;
+}
+const NetworkClaim& claimIn(const SceneForcedAnswer& answer, std::size_t which)
+{
+    return answer.motions.at(which).claim;
+}
+
+/// Pictures and files of the motions of an answer.
+template <typename Answer>
+void addMotions(py::module_& module)
+{
+    classOf<Answer>(module)
+        ->more()
+        .def("_figure",
+             [](const Answer& a, std::size_t which) {
+                 return asJson(periodFigure(a.schedule.network(), claimIn(a, which)));
+             })
+        .def("_scene",
+             [](const Answer& a) { return asJson(sceneFigure(a.schedule.bars.assembly)); })
+        .def(
+            "write",
+            [](const Answer& a, const std::string& path, std::size_t which) {
+                const NetworkClaim& motion = claimIn(a, which);
+                OutputFiles files;
+                writeStateTable(files.stage(path), a.schedule.network(),
+                                {motion.waves, motion.displacements});
+                files.commit();
+            },
+            "Writes the state of a motion at t = 0: a table from which `simulate` starts, and that "
+            "`find` takes as a target. OSError if it cannot be written.",
+            py::arg("path"), py::arg("index") = 0);
+}
+
+}  // namespace
+
+void addSceneFind(py::module_& module)
+{
+    addClasses<NetworkResiduals, answers::SceneForcedMotion>(module);
+    addMotions<SceneFindAnswer>(module);
+    addMotions<SceneForcedAnswer>(module);
+    addCall(module, "find_bars", &findInBars);
+    addCall(module, "find_forced_bars", &findForcedInBars);
+}
+
+}  // namespace signorini::python

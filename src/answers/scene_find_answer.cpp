@@ -1,0 +1,106 @@
+#include "scene_find_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini::answers {
+
+SceneSchedule scheduleOf(const Assembly& assembly, const Network& network,
+                         const std::vector<ContactSpan>& spans)
+{
+    return {severalOf(assembly, network), spans, network.scales, network.cells()};
+}
+
+std::vector<ContactInPeriod> contactsOf(const SceneSchedule& schedule,
+                                        const NetworkResiduals* residuals)
+{
+    const NetworkScales& scales = schedule.scales;
+    std::vector<ContactInPeriod> all;
+    for (const SceneContact& contact : schedule.bars.contacts) {
+        const std::size_t j = all.size();
+        ContactInPeriod& one = all.emplace_back(ContactInPeriod{contact});
+        if (residuals == nullptr) {
+            continue;
+        }
+        double steps = 0.0;
+        for (const ContactSpan& span : schedule.spans) {
+            steps += contains(span.closed, j) ? static_cast<double>(span.steps) : 0.0;
+        }
+        one.peakForce = residuals->peakForces[j] * scales.force();
+        one.impulse = std::max(0.0, residuals->impulses[j]) * scales.force() * scales.time;
+        one.time = scales.time * steps;
+    }
+    return all;
+}
+
+bool SceneFindAnswer::presses() const
+{
+    const auto& impulses = motions.residuals.impulses;
+    return std::any_of(impulses.begin(), impulses.end(), [](double one) { return one > 1e-9; });
+}
+
+std::optional<SceneFloor> SceneFindAnswer::certificate() const
+{
+    if (!isProof() || motions.provedEnergy == 0.0) {
+        return std::nullopt;
+    }
+    return SceneFloor{motions.multipliers, joules(motions.provedEnergy),
+                      ratio(motions.provedEnergy)};
+}
+
+SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
+                         const std::vector<ContactSpan>& schedule, const NetworkWish& wish,
+                         const FindOptions& options)
+{
+    return {scheduleOf(assembly, network, schedule), firstEnergy(network), wish.isOfLeast(),
+            wishedMotion(network, schedule, hugeEnergyRatio * usualEnergy(network, schedule), wish,
+                         options)};
+}
+
+SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& network,
+                                 const std::vector<ContactSpan>& schedule, const Forcing& forcing,
+                                 const std::optional<double>& amplitude)
+{
+    const ForcedSet set = forcedScene(network, schedule, forcing, usualEnergy(network, schedule));
+    const double unit =
+        forcing.place == Excited::tip ? network.scales.force() : network.scales.displacement;
+    SceneForcedAnswer answer{.schedule = scheduleOf(assembly, network, schedule),
+                             .forcing = forcing,
+                             .asked = amplitude,
+                             .kind = set.kind,
+                             .freeWaves = set.freeWaves,
+                             .range = {},
+                             .decided = set.status,
+                             .detail = set.detail,
+                             .cuts = {},
+                             .motions = {}};
+    if (set.status == Status::none) {
+        answer.cuts = SceneCuts{false, set.cuts};
+    }
+    if (set.status != Status::found) {
+        return answer;
+    }
+    answer.range = {set.leastAmplitude * unit, set.mostAmplitude * unit};
+    const std::vector<ForcedMotion> motions =
+        amplitude ? motionsOfAmplitude(set, *amplitude / unit)
+                  : std::vector<ForcedMotion>{leastAmplitudeMotion(set)};
+    for (const ForcedMotion& motion : motions) {
+        NetworkClaim claim = claimOf(set, motion);
+        NetworkResiduals residuals = walk(network, claim);
+        auto contacts = contactsOf(answer.schedule, &residuals);
+        answer.motions.push_back({motion.amplitude * unit, motion.phase, std::move(claim),
+                                  std::move(residuals), std::move(contacts)});
+    }
+    if (motions.empty()) {
+        const AmplitudeExclusion exclusion = exclusionOf(set, *amplitude / unit);
+        answer.decided = exclusion.isCertain ? Status::none : Status::undecided;
+        if (exclusion.isCertain) {
+            answer.cuts = SceneCuts{true, exclusion.cuts};
+        } else {
+            answer.detail = "conditions exclude this amplitude by no more than rounding can do";
+        }
+    }
+    return answer;
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,274 @@
+#pragma once
+/// \file
+/// What is known of a schedule of bars in a row: its motions, free or forced, or why there is none.
+
+#include "network_find.hpp"
+#include "network_forced.hpp"
+#include "proofs.hpp"
+#include "scene_answer.hpp"
+
+namespace signorini::answers {
+
+template <>
+inline constexpr bool isDictionary<ContactSpan> = true;
+
+/// A schedule of bars, and what gives its answers units.
+struct SceneSchedule {
+    SeveralBars bars;
+    std::vector<ContactSpan> spans;
+    NetworkScales scales;
+    std::int64_t cells = 0;
+
+    /// [s]
+    [[nodiscard]] double period() const
+    {
+        return static_cast<double>(stepsOf(spans)) * scales.time;
+    }
+    [[nodiscard]] Network network() const { return networkOf(bars.assembly); }
+};
+[[nodiscard]] SceneSchedule scheduleOf(const Assembly& assembly, const Network& network,
+                                       const std::vector<ContactSpan>& spans);
+
+/// A contact of bars, and in a motion what it does in a period; in SI units.
+struct ContactInPeriod {
+    static constexpr bool isDictionary = true;
+    SceneContact contact;
+    std::optional<double> peakForce = {};
+    std::optional<double> impulse = {};  ///< what is rounded below 0 where nothing presses is 0
+    std::optional<double> time = {};
+};
+[[nodiscard]] std::vector<ContactInPeriod> contactsOf(const SceneSchedule& schedule,
+                                                      const NetworkResiduals* residuals);
+
+/// What multipliers prove: no motion has less energy.
+struct SceneFloor {
+    static constexpr bool isDictionary = true;
+    EnergyFloor multipliers;
+    double energy = 0.0;  ///< [J]
+    std::optional<double> ratio = {};
+};
+
+/// Of a schedule that nothing drives.
+struct SceneFindAnswer {
+    SceneSchedule schedule;
+    std::optional<double> unit;  ///< E_1 [Z_1 delta^2/h], if there is one
+    bool isOfLeast = true;       ///< NetworkWish::isOfLeast
+    LeastMotion motions;
+
+    [[nodiscard]] Status status() const { return motions.status; }
+    [[nodiscard]] bool isFound() const { return motions.status == Status::found; }
+    [[nodiscard]] double joules(double energy) const { return energy * schedule.scales.energy(); }
+    /// E/E_1
+    [[nodiscard]] std::optional<double> ratio(double energy) const
+    {
+        return unit ? std::optional(energy / *unit) : std::nullopt;
+    }
+    /// Does any contact press?
+    [[nodiscard]] bool presses() const;
+    /// What is proved is that of least energy.
+    [[nodiscard]] bool isProof() const
+    {
+        return motions.status == Status::none || (motions.status == Status::found && isOfLeast);
+    }
+    [[nodiscard]] std::optional<SceneFloor> certificate() const;
+};
+
+/// The motion of least energy, or of a wish [units of the network], or why there is none.
+/// \throws as `wishedMotion`.
+[[nodiscard]] SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
+                                       const std::vector<ContactSpan>& schedule,
+                                       const NetworkWish& wish, const FindOptions& options);
+
+/// A forced motion, and what was seen of it.
+struct SceneForcedMotion {
+    double amplitude = 0.0;  ///< [N] or [m]
+    double phase = 0.0;      ///< [rad]
+    NetworkClaim claim;
+    NetworkResiduals residuals;
+    std::vector<ContactInPeriod> contacts;
+};
+
+/// What proves that there is none, of any amplitude or of this one.
+struct SceneCuts {
+    static constexpr bool isDictionary = true;
+    bool isOfAmplitude = false;
+    std::vector<EnergyFloor> cuts;
+};
+
+/// Of a schedule whose driven nodes, or shaken clamps, are excited.
+struct SceneForcedAnswer {
+    SceneSchedule schedule;
+    Forcing forcing;
+    std::optional<double> asked;  ///< a displacement of the base [N or m]
+    ForcedKind kind = ForcedKind::empty;
+    std::int64_t freeWaves = 0;
+    std::optional<std::array<double, 2>> range;  ///< of amplitudes [N or m]; no end: infinite
+    Status decided = Status::undecided;
+    std::string detail;
+    std::optional<SceneCuts> cuts;
+    std::vector<SceneForcedMotion> motions;
+
+    [[nodiscard]] Status status() const { return decided; }
+    /// Of the excitation [Hz].
+    [[nodiscard]] double frequency() const
+    {
+        return static_cast<double>(forcing.cycles) / schedule.period();
+    }
+};
+
+/// The least amplitude, or the motions of the one that is asked for [N or m, of the base a
+/// displacement]. \throws as `forcedScene`.
+[[nodiscard]] SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& network,
+                                               const std::vector<ContactSpan>& schedule,
+                                               const Forcing& forcing,
+                                               const std::optional<double>& amplitude);
+
+template <typename D>
+void describe(D& d, Type<ContactSpan>)
+{
+    d.record("ContactSpan", "Steps in a row with the same contacts closed.");
+    d.key("closed", "- >= 1", "Contacts, counted from the left.",
+          [](const ContactSpan& s) { return numbersOf(s.closed); });
+    d.key("steps", "- >= 1", "So many.", &ContactSpan::steps);
+}
+
+/// With which an answer begins.
+template <typename D>
+void describeSchedule(D& d)
+{
+    d.key("scene", "-", "Asked about.", [](const auto& a) { return a.schedule.bars.assembly; });
+    d.key("reference", "-", "What the bars are measured with.",
+          [](const auto& a) { return a.schedule.bars.reference; });
+    d.key("cells", "- >= 1", "Of all bars.", [](const auto& a) { return a.schedule.cells; });
+    d.key("schedule", "-", R"([{"closed", "steps"}, ...] of one period.)",
+          [](const auto& a) { return a.schedule.spans; });
+    d.key("period", "s > 0", "T.", [](const auto& a) { return a.schedule.period(); });
+}
+
+template <typename D>
+void describe(D& d, Type<ContactInPeriod>)
+{
+    using T = ContactInPeriod;
+    d.record("SceneContactForces", "A contact of bars, and what it does in a period of a motion.");
+    describeContact(d, [](const T& c) -> const SceneContact& { return c.contact; });
+    d.key("peak_force", "N", "Largest.", &T::peakForce, When::any);
+    d.key("impulse", "N s >= 0", "In a period.", &T::impulse, When::any);
+    d.key("contact_time", "s >= 0", "In a period.", &T::time, When::any);
+}
+
+template <typename D>
+void describe(D& d, Type<SceneFloor>)
+{
+    using T = SceneFloor;
+    d.record("SceneEnergyFloor", "Multipliers by which no motion of bars has less energy.");
+    describeProof(d, "energy-floor", [](const T&) { return "network"; });
+    d.key("energy_ratio", "- >= 0", "No motion has less; E_1 of the scene, if there is one.",
+          &T::ratio);
+    d.key("energy", "J >= 0", "No motion has less.", &T::energy);
+    describeMultipliers(d, [](const T& f) -> const EnergyFloor& { return f.multipliers; });
+}
+
+template <typename D>
+void describe(D& d, Type<SceneCuts>)
+{
+    using T = SceneCuts;
+    d.record("SceneForcedProof", "Multipliers that leave no excitation of bars.");
+    d.key("kind", "-", R"("forced": of any amplitude; "amplitude-range": of the one asked for.)",
+          [](const T& c) { return c.isOfAmplitude ? "amplitude-range" : "forced"; });
+    d.key("verified", "-", "By stepping backwards in time.", [](const T&) { return true; });
+    d.key("rows", "-", "What the multipliers refer to.", [](const T&) { return "network"; });
+    d.key("cuts", "-", "[dict, ...]: multipliers.", &T::cuts);
+}
+
+template <typename D>
+void describe(D& d, Type<NetworkResiduals>)
+{
+    using T = NetworkResiduals;
+    d.record("SceneResiduals", "Relative violations, recomputed; 0 where there are none.");
+    d.key("periodicity", "- >= 0", "Change over the period.", &T::periodicity);
+    d.key("tie", "- >= 0", "Of places at the start that follow from the waves.", &T::tie);
+    d.key("gap", "- >= 0", "Of contacts that close.", &T::gap);
+    d.key("pressure", "- >= 0", "Deepest pull of a closed contact.", &T::pressure);
+    d.key("penetration", "- >= 0", "Deepest overlap of an open one.", &T::penetration);
+}
+
+template <typename D>
+void describe(D& d, Type<SceneFindAnswer>)
+{
+    using T = SceneFindAnswer;
+    const auto ofMotion = [](auto get) {
+        return [get](const T& a) { return a.isFound() ? std::optional(get(a)) : std::nullopt; };
+    };
+    d.record("SceneResult", "What is known of a schedule of bars in a row.");
+    d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
+    describeSchedule(d);
+    d.key("kernel_dimension", "- >= 0", "None: rounding hides it.",
+          [](const T& a) { return a.motions.kernelDimension; });
+    d.key("contacts", "-", "[dict, ...]: each contact, of a motion with its forces.",
+          [](const T& a) {
+              return contactsOf(a.schedule, a.isFound() ? &a.motions.residuals : nullptr);
+          });
+    d.key("contact", "-", R"("pressing", or "grazing": nothing presses.)",
+          ofMotion([](const T& a) { return a.presses() ? Contact::pressing : Contact::grazing; }));
+    d.key("energy", "J >= 0", "Of the waves at the start, about the shape at rest.",
+          ofMotion([](const T& a) { return a.joules(a.motions.energy); }), When::found);
+    d.key("energy_ratio", "- >= 0", "E/E_1 of the scene; none where a bar drifts, or a gap is 0.",
+          [](const T& a) { return a.isFound() ? a.ratio(a.motions.energy) : std::nullopt; });
+    d.key("energy_ratio_proved", "- >= 0", "No motion has less.",
+          [](const T& a) { return a.isFound() ? a.ratio(a.motions.provedEnergy) : std::nullopt; });
+    d.key("residuals", "-", "Of the motion.",
+          ofMotion([](const T& a) { return a.motions.residuals; }), When::found);
+    d.key("certificate", "-", "No motion has less energy; of none: than any looked for, or held.",
+          &T::certificate);
+    d.key("detail", "-", "Why it is not decided.", [](const T& a) { return a.motions.detail; });
+    d.key(
+        "reason", "-", R"(Of none: "constraints" where motions exist, but not of the energy held.)",
+        [](const T& a) {
+            return a.status() == Status::none && !a.motions.isEmpty
+                       ? std::optional(Reason::constraints)
+                       : std::nullopt;
+        },
+        When::any);
+}
+
+template <typename D>
+void describe(D& d, Type<SceneForcedMotion>)
+{
+    using T = SceneForcedMotion;
+    d.record("SceneForcedMotion", "One forced motion of bars in a row.");
+    d.key("amplitude", "N or m >= 0", "Of the excitation.", &T::amplitude);
+    d.key("phase", "rad", "Of the excitation at the start.", &T::phase);
+    d.key("contacts", "-", "[dict, ...]: each contact, and its forces.", &T::contacts);
+    d.key("residual", "- >= 0", "The worst that was seen walking its waves; relative.",
+          [](const T& m) { return m.residuals.worst(); });
+}
+
+template <typename D>
+void describe(D& d, Type<SceneForcedAnswer>)
+{
+    using T = SceneForcedAnswer;
+    d.record("SceneForcedResult", "What is known of a forced schedule of bars in a row.");
+    d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
+    describeSchedule(d);
+    d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).",
+          [](const T& a) { return a.forcing.place; });
+    d.key("cycles", "- >= 1", "Of the excitation in a period.",
+          [](const T& a) { return a.forcing.cycles; });
+    d.key("frequency", "Hz > 0", "Of the excitation.", &T::frequency);
+    d.key("amplitude", "N or m > 0", "Asked for.", &T::asked);
+    d.key("kind", "-", "What motions leave of the plane of excitations.", &T::kind);
+    d.key("free_waves", "- >= 0", "That nothing damps.", &T::freeWaves);
+    d.key("amplitude_range", "N or m >= 0", "Of which there are motions; no end: None.",
+          [](const T& a) {
+              return a.range ? std::optional(EnergyRange{(*a.range)[0], (*a.range)[1]})
+                             : std::nullopt;
+          });
+    d.key("contacts", "-", "[dict, ...], of the bars.",
+          [](const T& a) { return a.schedule.bars.contacts; });
+    d.key("motions", "-", "The one of least amplitude, or those of the amplitude asked for.",
+          &T::motions);
+    d.key("certificate", "-", "Of none.", &T::cuts);
+    d.key("detail", "-", "Why it is not decided.", &T::detail);
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,97 @@
+#include "scene_simulation_answer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "network_watched.hpp"
+
+namespace signorini::answers {
+
+SceneDrive drivenBy(const Network& network, Drive drive)
+{
+    Faults faults;
+    requireExcitable(faults, network, drive.place);
+    faults.throwIfAny();
+    const NetworkScales& scales = network.scales;
+    const double unit = drive.place == Excited::tip ? scales.force() : scales.displacement;
+    const double omega = drive.frequencyRatio * referenceOf(network).frequency;
+    SceneDrive made{drive, harmonicDrive(network, drive.place, drive.amplitude / unit,
+                                         omega * scales.time, drive.phase)};
+    made.told->steps =
+        static_cast<std::int64_t>(std::round(made.moved.period / made.moved.drive.step));
+    made.told->period = made.moved.period * scales.time;
+    return made;
+}
+
+double durationOf(const Network& network, const SceneDrive& drive,
+                  const std::optional<double>& time, const std::optional<std::int64_t>& periods)
+{
+    const double duration =
+        periods ? static_cast<double>(*periods) * drive.moved.period : *time / network.scales.time;
+    const double most = 1e9 * static_cast<double>(network.cells());
+    Faults faults;
+    if (!(duration <= most)) {
+        const std::string allowed =
+            fmt::format("what lasts at most {:.3g} s", most * network.scales.time);
+        periods ? faults.add("periods", *periods, allowed) : faults.add("time", *time, allowed);
+    }
+    faults.throwIfAny();
+    return duration;
+}
+
+NetworkSimulation simulationOf(const Network& network, const NetworkStart& start,
+                               const SceneDrive& drive, bool recordsPaths)
+{
+    double size = 1.0;
+    for (const double wave : start.waves) {
+        size = std::max(size, std::abs(wave));
+    }
+    return {network,
+            start,
+            drive.moved.drive,
+            {.mergeBelow = 1e-12 * size, .recordsPaths = recordsPaths}};
+}
+
+void SceneSimulationAnswer::follow(NetworkSimulation& simulation, const HarmonicDrive& moved,
+                                   double duration, const Cancel& cancel,
+                                   const std::function<void(double, double)>& show)
+{
+    const bool isHarmonic = moved.period > 0.0;
+    const double stretch =
+        isHarmonic ? moved.period : 16.0 * static_cast<double>(simulation.network().cells());
+    WatchedNetwork seen(simulation, moved.drive);
+    Followed followed = signorini::follow(seen, stretch, duration / stretch, cancel, show);
+    isComplete = followed.isComplete;
+    settling = isHarmonic ? std::move(followed.settling) : Settling{};
+    see(simulation);
+}
+
+void SceneSimulationAnswer::see(const NetworkSimulation& simulation)
+{
+    const NetworkScales& scales = simulation.network().scales;
+    impulseUnit = scales.force() * scales.time;
+    contacts.clear();
+    for (const SceneContact& contact : bars.contacts) {
+        contacts.push_back({contact});
+    }
+    for (const NetworkContactEvent& event : simulation.contacts()) {
+        ContactTotals& total = contacts[event.contact];
+        ++total.count;
+        total.impulse += event.impulse * impulseUnit;
+        total.peakForce = std::max(total.peakForce, event.peakForce * scales.force());
+        total.time += (event.end - event.start) * scales.time;
+    }
+    time = simulation.time() * scales.time;
+    energy = simulation.energy() * scales.energy();
+    const NetworkBalance seen = simulation.balance();
+    balance = {seen.work * scales.energy(), seen.dissipated * scales.energy(),
+               seen.error * scales.energy(), seen.size * scales.energy()};
+    const MomentumBalance pushed = simulation.momentumBalance();
+    momentum = {pushed.given * impulseUnit, pushed.error * impulseUnit, pushed.size * impulseUnit};
+    events = simulation.events();
+    fronts = static_cast<std::int64_t>(simulation.fronts());
+    merged = simulation.merged() * scales.displacement;
+}
+
+}  // namespace signorini::answers

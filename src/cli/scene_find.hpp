@@ -1,0 +1,47 @@
+#pragma once
+/// \file
+/// find of a schedule of the bars of a scene.
+
+#include <string>
+#include <vector>
+
+#include "find_command.hpp"
+#include "reports.hpp"
+#include "scene_figures.hpp"
+#include "scene_find_answer.hpp"
+
+namespace signorini::cli {
+
+/// What is asked, and the files of the call.
+struct SceneFind {
+    const FindCommand& call;
+    Assembly assembly;
+    Network network;
+    std::vector<ContactSpan> schedule;
+    FindOutputs files;
+
+    /// \throws std::invalid_argument as spansOf; FileError.
+    explicit SceneFind(const FindCommand& of);
+
+    /// With which an answer begins.
+    [[nodiscard]] std::string lines(Status status) const;
+    /// Writes the files of the motion, if there is one, a proof, if the answer is one, and the
+    /// answer.
+    template <typename Answer>
+    [[nodiscard]] ExitStatus finish(const Answer& answer, const NetworkClaim* motion, bool isProof,
+                                    const std::string& text)
+    {
+        const std::string json = asLine(wholeJsonOf(answer));
+        write(motion, isProof, json);
+        writeOut(call.common.wantsJson ? json : text);
+        return exitStatusOf(answer.status());
+    }
+
+private:
+    void write(const NetworkClaim* motion, bool isProof, const std::string& json);
+};
+
+/// A line for each contact of a motion.
+[[nodiscard]] std::string asText(const std::vector<answers::ContactInPeriod>& contacts);
+
+}  // namespace signorini::cli
