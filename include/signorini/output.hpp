@@ -143,6 +143,16 @@ class HarmonicField;
 inline constexpr std::int64_t maxMotionNodes = 1001;
 inline constexpr std::int64_t maxMotionInstants = 2001;  ///< see maxMotionNodes
 
+/// Several bars at places and instants, in SI units; values instant by instant.
+struct BarsSampled {
+    std::vector<double> x = {};      ///< along the bars end to end
+    std::vector<double> xCell = {};  ///< middle of the cell that ends there
+    std::vector<double> times = {};
+    std::vector<double> displacements = {};
+    std::vector<double> velocities = {};
+    std::vector<double> strains = {};
+};
+
 /// The nodes and instants of a motion that go into a file, in SI units. At a node velocity and
 /// strain are those of the cell that ends there (at the clamp of the first one).
 class MotionSamples {
@@ -158,6 +168,8 @@ public:
     /// The same of a motion under an exact harmonic.
     MotionSamples(const HarmonicField& motion, Scene scene, std::int64_t cells,
                   std::int64_t mostInstants = maxMotionInstants);
+    /// What was sampled elsewhere.
+    explicit MotionSamples(BarsSampled sampled);
 
     [[nodiscard]] std::size_t nodes() const { return x_.size(); }
     [[nodiscard]] std::size_t instants() const { return times_.size(); }

@@ -1,5 +1,7 @@
 #include <pybind11/stl.h>
 
+#include <algorithm>
+#include <iterator>
 #include <numbers>
 
 #include "asked.hpp"
@@ -101,7 +103,18 @@ void addMotions(py::module_& module)
         ->more()
         .def("_figure",
              [](const Answer& a, std::size_t which) {
-                 return asJson(periodFigure(a.schedule.network(), claimIn(a, which)));
+                 return asJson(periodFigure(a.schedule.network(), claimIn(a, which),
+                                            a.schedule.bars.assembly.length));
+             })
+        .def("_frames",
+             [](const Answer& a, std::int64_t most, std::size_t which) {
+                 const auto frames =
+                     barsFrames(a.schedule.bars.assembly, a.schedule.network(), claimIn(a, which),
+                                static_cast<std::size_t>(std::max<std::int64_t>(most, 1)));
+                 std::vector<std::string> all;
+                 std::transform(frames.begin(), frames.end(), std::back_inserter(all),
+                                [](const FigureData& frame) { return asJson(frame); });
+                 return all;
              })
         .def("_scene",
              [](const Answer& a) { return asJson(sceneFigure(a.schedule.bars.assembly)); })

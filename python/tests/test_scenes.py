@@ -318,7 +318,9 @@ def test_motions_of_bars_come_back_and_are_drawn(tmp_path: Path) -> None:
     assert sum(run.contact_impulse) == pytest.approx(5 * found.contacts[0]["impulse"])
     near = sg.find(3, 11, objective="nearest", target=file, **bars)
     assert near.energy == pytest.approx(found.energy)
-    assert list(sg.plot.motion(found)) == ["contact 1"]
+    assert list(sg.plot.motion(found)) == ["displacement", "contact 1"]
+    moving = sg.plot.animate(found, str(tmp_path / "pair.gif"), frames=7)
+    assert (tmp_path / "pair.gif").stat().st_size > 1000 and "<img" in moving._repr_html_()
     assert len(sg.plot.simulation(run)) == 1 and sg.plot.scene(run)
     assert found._repr_png_() and run._repr_png_()
     assert "contact" in run._repr_html_() and len(run.frame()) == 5

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "faults.hpp"
+#include "network_field.hpp"
 
 namespace signorini {
 
@@ -128,26 +129,6 @@ Assembly assemblyOf(const Scene& scene, std::int64_t cells, const Damping& dampi
         parts.push_back({.kind = PartKind::leftStop, .value = *scene.secondStop});
     }
     return assembly;
-}
-
-std::vector<double> placesOf(const Network& network, double length)
-{
-    double cells = 0.0;
-    for (const CellRow& row : network.rows) {
-        cells += static_cast<double>(row.cells) * row.speed;
-    }
-    std::vector<double> places(network.nodes.size(), 0.0);
-    std::size_t row = 0;
-    for (std::size_t node = 0; node < places.size(); ++node) {
-        if (row < network.rows.size() && network.rows[row].right == node) {
-            const CellRow& here = network.rows[row++];
-            places[node] =
-                places[node - 1] + length * static_cast<double>(here.cells) * here.speed / cells;
-        } else if (node > 0) {
-            places[node] = places[node - 1];
-        }
-    }
-    return places;
 }
 
 std::vector<SceneContact> contactsOf(const Network& network, double length)

@@ -53,9 +53,6 @@ namespace signorini::answers {
 /// shaken. \pre a valid scene of so many cells.
 [[nodiscard]] Assembly assemblyOf(const Scene& scene, std::int64_t cells, const Damping& damping);
 
-/// Where each node is at rest [m], in bars of so much length in all that stand end to end.
-[[nodiscard]] std::vector<double> placesOf(const Network& network, double length);
-
 /// A contact of bars.
 struct SceneContact {
     static constexpr bool isDictionary = true;

@@ -1,7 +1,9 @@
 #include "find_outputs.hpp"
 
+#include "bars_motion.hpp"
 #include "exact_figure.hpp"
 #include "find_command.hpp"
+#include "scene_figures.hpp"
 
 namespace signorini::cli {
 
@@ -74,10 +76,21 @@ void FindOutputs::writeHarmonic(const HarmonicField& field, const Scene& scene, 
     motion_.commit();
 }
 
-void FindOutputs::writeBars(const std::function<void(const std::string& path)>& writeState,
-                            const std::function<FigureData()>& figure)
+void FindOutputs::writeBars(const Assembly& assembly, const Network& network,
+                            const NetworkClaim& motion)
 {
-    motion_.put("--state", writeState);
+    motion_.put("--state", [&](const std::string& path) {
+        writeStateTable(path, network, {motion.waves, motion.displacements});
+    });
+    motion_.draw("--figure", [&] { return periodFigure(network, motion, assembly.length); });
+    motion_.draw("--animate", [&] { return barsFrames(assembly, network, motion); });
+    motion_.putMotion(
+        [&](std::int64_t most) { return samplesOf(assembly, network, motion, most); });
+    motion_.commit();
+}
+
+void FindOutputs::writeContact(const std::function<FigureData()>& figure)
+{
     motion_.draw("--figure", figure);
     motion_.commit();
 }

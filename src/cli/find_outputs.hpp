@@ -7,6 +7,8 @@
 
 #include "files.hpp"
 #include "harmonic_field.hpp"
+#include "network_walk.hpp"
+#include "signorini/assembly.hpp"
 
 namespace signorini::cli {
 
@@ -34,9 +36,10 @@ public:
     void writeMotion(const WrittenMotion& motion);
     /// Of a motion under an exact harmonic, on no grid: files and pictures, no state.
     void writeHarmonic(const HarmonicField& field, const Scene& scene, std::int64_t cells);
-    /// Of the bars of a scene: the table of their state, and their contacts over a period.
-    void writeBars(const std::function<void(const std::string& path)>& writeState,
-                   const std::function<FigureData()>& figure);
+    /// Of the bars of a scene: the table of their state, their motion and pictures of it.
+    void writeBars(const Assembly& assembly, const Network& network, const NetworkClaim& motion);
+    /// Of a motion of bars of which no state on a grid is known: a picture of the contact.
+    void writeContact(const std::function<FigureData()>& figure);
     void lackMotion() const;
     void writeProof(const std::function<void(TextFile&)>& write);
     void lackProof() const;

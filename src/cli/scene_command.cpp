@@ -2,6 +2,7 @@
 
 #include "files.hpp"
 #include "given.hpp"
+#include "network_field.hpp"
 #include "scene_figures.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"

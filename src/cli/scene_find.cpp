@@ -98,6 +98,8 @@ SceneFind::SceneFind(const FindCommand& of)
       schedule(spansOf(of.given.words(), network.contacts.size())),
       files(of)
 {
+    refuseIf(of.given.text("--motion").ends_with(".pvd"), "--motion", of.given.text("--motion"),
+             "FILE.csv|.vtk of several bars: a .pvd shows one before its wall");
 }
 
 std::string SceneFind::lines(Status status) const
@@ -108,11 +110,7 @@ std::string SceneFind::lines(Status status) const
 void SceneFind::write(const NetworkClaim* motion, bool isProof, const std::string& json)
 {
     if (motion != nullptr) {
-        files.writeBars(
-            [&](const std::string& path) {
-                writeStateTable(path, network, {motion->waves, motion->displacements});
-            },
-            [&] { return periodFigure(network, *motion); });
+        files.writeBars(assembly, network, *motion);
     } else {
         files.lackMotion();
     }

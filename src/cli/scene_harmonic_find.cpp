@@ -80,9 +80,8 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {  // the last one has the largest impulse
-        files.writeBars({}, [&] {
-            return contactFigure(answer.pathOf(answer.motions.size() - 1), answer.scales);
-        });
+        files.writeContact(
+            [&] { return contactFigure(answer.pathOf(answer.motions.size() - 1), answer.scales); });
     }
     call.common.useOneThread();
     writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))

@@ -11,7 +11,6 @@
 namespace signorini::cli {
 
 using answers::contactsOf;
-using answers::placesOf;
 
 /// The line that restates the bars.
 [[nodiscard]] std::string headline(const Assembly& assembly, const Network& network);

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "axes.hpp"
-#include "network_simulation.hpp"
+#include "network_field.hpp"
 #include "scene_figures.hpp"
 
 namespace signorini {
@@ -32,15 +33,25 @@ public:
     {
     }
 
-    FigureData figure()
+    /// Above them a field of all bars, if one is given.
+    FigureData figure(std::optional<Panel> field = {})
     {
+        constexpr double fieldHeight = 6.5;  // [cm]
         const std::size_t panels = std::min(network_.contacts.size(), mostPanels);
-        FigureData figure{.height = 2.2 + 4.2 * static_cast<double>(panels)};
+        const double above = 1.4 + (field ? fieldHeight : 0.0);
+        FigureData figure{.height = above + 0.8 + 4.2 * static_cast<double>(panels)};
         const double room = 1.0 / figure.height;  // a centimetre
+        if (field) {
+            const double top = 1.0 - 1.2 * room;
+            field->place = {0.13, 0.86, top - (fieldHeight - 1.0) * room, top};
+            field->colourBar = Place{0.88, 0.9, field->place.bottom, field->place.top};
+            figure.panels.push_back(std::move(*field));
+        }
+        const double right = figure.panels.empty() ? 0.96 : 0.86;
         for (std::size_t j = 0; j < panels; ++j) {
-            const double top = 1.0 - room * (1.4 + 4.2 * static_cast<double>(j));
+            const double top = 1.0 - room * (above + 4.2 * static_cast<double>(j));
             Panel& panel = figure.add({.name = fmt::format("contact {}", j + 1),
-                                       .place = {0.13, 0.96, top - 3.6 * room, top}});
+                                       .place = {0.13, right, top - 3.6 * room, top}});
             panel.x = axisIn(second_, "time", begin_, end_);
             if (j + 1 < panels) {
                 panel.x.label.clear();
@@ -50,10 +61,48 @@ public:
             panel.y =
                 axisAround(panel.series, fmt::format("u at contact {}  [{}]", j + 1, metre_.name));
         }
-        if (panels > 0) {
-            figure.panels.front().legend = Legend::above;
+        for (Panel& panel : figure.panels) {
+            if (panel.name == "contact 1") {
+                panel.legend = Legend::above;
+            }
         }
         return figure;
+    }
+
+    /// u of all bars over time: instants by places, in units of the network, at positions [m].
+    [[nodiscard]] Panel field(const std::vector<double>& instants, std::vector<double> positions,
+                              const std::vector<double>& displacements, double length) const
+    {
+        Panel panel{.name = "displacement", .hasGrid = false};
+        const Unit along = axisUnit(1.0, length, "m");
+        panel.x = axisIn(second_, "time", begin_, end_);
+        panel.x.label.clear();
+        panel.x.hasNumbers = false;
+        panel.y = axisIn(along, "along the bars", 0.0, length);
+        panel.colour.label = labelled("displacement  u", metre_);
+        Series image{.kind = Kind::image};
+        for (const double instant : instants) {
+            image.x.push_back(instant * second_.factor);
+        }
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            image.y.push_back(positions[i] * along.factor);
+            for (std::size_t m = 0; m < instants.size(); ++m) {
+                image.z.push_back(displacements[m * positions.size() + i] * metre_.factor);
+            }
+        }
+        panel.add(std::move(image));
+        const std::vector<double> nodes = placesOf(network_, length);
+        Series presses = plot::strokes(Role::contact, 4.0);
+        for (const NetworkContactEvent& event : simulation_.contacts()) {
+            const double y = nodes[network_.contacts[event.contact].node] * along.factor;
+            presses.add(event.start * second_.factor, y, event.end * second_.factor, y);
+        }
+        for (const NetworkContact& contact : network_.contacts) {
+            panel.add(across(*panel.x.low, *panel.x.high, nodes[contact.node] * along.factor, 1.0,
+                             Dash::dashed));
+        }
+        panel.add(std::move(presses));
+        return panel;
     }
 
 private:
@@ -147,27 +196,24 @@ FigureData simulationFigure(const NetworkSimulation& simulation)
     return ContactPanels(simulation, shownCrossings * cells).figure();
 }
 
-FigureData periodFigure(const Network& network, const NetworkClaim& motion)
+FigureData periodFigure(const Network& network, const NetworkClaim& motion, double length)
 {
+    constexpr std::int64_t mostInstants = 400;
+    constexpr std::size_t parts = 240;
     const auto period = static_cast<double>(motion.steps());
-    NetworkSimulation simulation(network, {motion.waves, motion.displacements},
-                                 {.forces = motion.forces, .velocities = motion.velocities},
-                                 {.recordsPaths = true});
-    simulation.advance(period);
-    const std::vector<double> waves = simulation.state().waves;
-    double largest = 0.0;
-    double change = 0.0;
-    for (std::size_t k = 0; k < waves.size(); ++k) {
-        largest = std::max(largest, std::abs(motion.waves[k]));
-        change = std::max(change, std::abs(waves[k] - motion.waves[k]));
-    }
-    if (change > 1e-6 * largest) {
-        throw std::runtime_error(fmt::format(
-            "figure: simulated for its period the motion comes back to within {:.2g} of its "
-            "largest wave only, so it is not drawn",
-            change / largest));
-    }
-    FigureData figure = ContactPanels(simulation, period).figure();
+    const std::vector<NetworkPlace> places = placesAlong(network, parts);
+    NetworkLook seen;
+    std::vector<double> instants;
+    const NetworkSimulation simulation =
+        throughPeriod(network, {motion.waves, motion.displacements},
+                      {.forces = motion.forces, .velocities = motion.velocities}, period,
+                      mostInstants, [&](const NetworkSimulation& now) {
+                          instants.push_back(now.time());
+                          look(seen, network, now.state(), places);
+                      });
+    ContactPanels panels(simulation, period);
+    FigureData figure = panels.figure(
+        panels.field(instants, positionsOf(network, places, length), seen.displacements, length));
     figure.title = "one period of the motion";
     return figure;
 }

@@ -23,10 +23,17 @@ class NetworkSimulation;
 /// paths were not recorded.
 [[nodiscard]] FigureData simulationFigure(const NetworkSimulation& simulation);
 
-/// The same over one period of a motion, which a simulation of its own decisions goes through from
-/// its start. \throws std::runtime_error if that does not come back to it within 1e-6: only where
-/// rounding decides on contacts, or the motion is most unstable.
-[[nodiscard]] FigureData periodFigure(const Network& network, const NetworkClaim& motion);
+/// The same over one period of a motion of bars that are so long in all [m]; above it u of all
+/// bars. \throws std::runtime_error as throughPeriod.
+[[nodiscard]] FigureData periodFigure(const Network& network, const NetworkClaim& motion,
+                                      double length);
+
+/// The bars over one period, displacements and gaps magnified by one factor, coloured by strain
+/// (compression red), and u along them. At most so many frames. Panels "bar", "displacement".
+/// \throws std::runtime_error as throughPeriod.
+[[nodiscard]] std::vector<FigureData> barsFrames(const Assembly& assembly, const Network& network,
+                                                 const NetworkClaim& motion,
+                                                 std::size_t most = 120);
 
 /// A contact over one period: how far it is open, and its force. \pre a path of some times.
 [[nodiscard]] FigureData contactFigure(const std::vector<ContactInstant>& path,

@@ -250,6 +250,22 @@ MotionSamples::MotionSamples(const HarmonicField& motion, Scene scene, std::int6
     sample(motion, cells, mostInstants);
 }
 
+MotionSamples::MotionSamples(BarsSampled sampled)
+    : scene_(Bar{.gap = 1.0}),
+      x_(std::move(sampled.x)),
+      xCell_(std::move(sampled.xCell)),
+      times_(std::move(sampled.times))
+{
+    const auto at = [count = x_.size()](std::vector<double> values) {
+        return [count, values = std::move(values)](std::size_t node, std::size_t instant) {
+            return values[instant * count + node];
+        };
+    };
+    displacement_ = at(std::move(sampled.displacements));
+    velocity_ = at(std::move(sampled.velocities));
+    strain_ = at(std::move(sampled.strains));
+}
+
 double MotionSamples::displacement(std::size_t node, std::size_t instant) const
 {
     return inUnit(displacement_(node, instant), scales(bar()).displacement);
@@ -288,7 +304,7 @@ void writeMotionVtk(const std::string& path, const MotionSamples& samples)
     TextFile file(path);
     print(file,
           "# vtk DataFile Version 3.0\n"
-          "signorini: motion of a bar until it repeats; x in m along X, time in s along Y\n"
+          "signorini: motion of bars until it repeats; x in m along X, time in s along Y\n"
           "ASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS {} {} 1\n",
           samples.nodes(), samples.instants());
     print(file, "X_COORDINATES {} double\n", samples.nodes());

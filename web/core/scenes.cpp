@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "network_simulation.hpp"
+#include "network_field.hpp"
 #include "scene_report.hpp"
 #include "scene_simulation_answer.hpp"
 #include "views.hpp"
@@ -135,53 +135,26 @@ SceneCourse sceneCourseOf(const Request& request)
     return course;
 }
 
-/// Places in the rows at which displacements are drawn, and their displacements [g].
-class Places {
-public:
-    explicit Places(const SceneCourse& course) : course_(course)
+/// Places at which displacements are drawn, and which of them a row has.
+struct Places {
+    explicit Places(const SceneCourse& course)
+        : network(course.network),
+          list(placesOfRows(network, mostRowPlaces)),
+          x(positionsOf(network, list, course.assembly.length))
     {
-        const std::vector<double> at = cli::placesOf(course.network, course.assembly.length);
-        for (const CellRow& row : course.network.rows) {
-            const std::int64_t count = std::min(row.cells, mostRowPlaces);
-            for (std::int64_t k = 0; k <= count; ++k) {
-                const double share = static_cast<double>(k) / static_cast<double>(count);
-                x.push_back(std::lerp(at[row.left], at[row.right], share));
+        for (std::size_t k = 0; k < list.size(); ++k) {
+            if (rows.size() == list[k].row) {
+                rows.push_back({k, k});
             }
-            rows.push_back({x.size() - static_cast<std::size_t>(count) - 1, x.size()});
+            rows.back()[1] = k + 1;
         }
     }
 
-    void look(const NetworkSimulation& simulation, std::vector<double>& u) const
-    {
-        const Network& network = course_.network;
-        const NetworkStart now = simulation.state();
-        for (std::size_t r = 0; r < rows.size(); ++r) {
-            const CellRow& row = network.rows[r];
-            const auto size = static_cast<std::size_t>(row.cells);
-            const auto cells = static_cast<double>(row.cells);
-            const std::size_t first = network.firstWave(r);
-            const double rest = network.nodes[row.left].rest;
-            const double mean = (network.nodes[row.right].rest - rest) / cells;
-            std::vector<double> at{now.displacements[row.left] + rest};
-            for (std::size_t k = 0; k < size; ++k) {
-                at.push_back(at.back() + now.waves[first + size + k] - now.waves[first + k] + mean -
-                             network.gravity * (static_cast<double>(k) - 0.5 * (cells - 1.0)));
-            }
-            const std::size_t count = rows[r][1] - rows[r][0] - 1;
-            for (std::size_t k = 0; k <= count; ++k) {
-                const double place = cells * static_cast<double>(k) / static_cast<double>(count);
-                const auto cell = std::min(static_cast<std::size_t>(place), size - 1);
-                u.push_back(std::lerp(at[cell], at[cell + 1], place - static_cast<double>(cell)) *
-                            network.scales.displacement / bar.gap);
-            }
-        }
-    }
-
-    /// Of x, where a node is.
+    /// Where a node is among them.
     [[nodiscard]] std::size_t of(std::size_t node) const
     {
         for (std::size_t r = 0; r < rows.size(); ++r) {
-            const CellRow& row = course_.network.rows[r];
+            const CellRow& row = network.rows[r];
             if (row.left == node || row.right == node) {
                 return row.right == node ? rows[r][1] - 1 : rows[r][0];
             }
@@ -189,11 +162,10 @@ public:
         return 0;
     }
 
+    const Network& network;
+    std::vector<NetworkPlace> list;
     std::vector<double> x;                         ///< [L]
     std::vector<std::array<std::size_t, 2>> rows;  ///< of x, from and to
-
-private:
-    const SceneCourse& course_;
 };
 
 /// Clamps, springs, masses, dashpots, what is driven, and the contacts with their distance [g]
@@ -268,13 +240,13 @@ Reply showScene(const Request& request)
     const std::size_t contacts = course.network.contacts.size();
     const double unit = scales.force() * bar.length / (bar.axialStiffness * bar.gap);
     std::vector<double> times;
-    std::vector<double> u;
+    NetworkLook seen;
     std::vector<double> forces;
     const auto frames =
         std::clamp(static_cast<std::int64_t>(span / crossing * 60.0), std::int64_t{60}, mostFrames);
     for (std::int64_t k = 0; k <= frames; ++k) {
         times.push_back(simulation.time() / crossing);
-        places.look(simulation, u);
+        look(seen, course.network, simulation.state(), places.list);
         for (std::size_t j = 0; j < contacts; ++j) {
             forces.push_back(unit * simulation.push(j));
         }
@@ -296,7 +268,10 @@ Reply showScene(const Request& request)
     reply.json["nodes"] = places.x.size();
     reply.add("x", places.x);
     reply.add("times", times);
-    reply.add("u", u);
+    for (double& u : seen.displacements) {
+        u *= scales.displacement / bar.gap;
+    }
+    reply.add("u", seen.displacements);
     reply.add("forces", forces);
     return reply;
 }

@@ -7,6 +7,7 @@ import os
 from typing import Any
 
 from .._asking import asks
+from .._core import SceneHarmonicResult
 from ._draw import draw_panel
 from ._motion import Moving, motion_of
 from ._style import axes_named
@@ -53,7 +54,7 @@ class Animation:
 def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
             index: int = -1, frames: int = 100, fps: int = 20,
             figure: Any = None, axes: Any = None) -> Animation:
-    """Animate one period: the bar at the wall, and u along it.
+    """Animate one period: the bar at the wall, or several, and u along it.
 
     Parameters
     ----------
@@ -78,6 +79,8 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
     """
     from matplotlib.animation import FuncAnimation
     found, which = motion_of(moving, index)
+    if isinstance(found, SceneHarmonicResult):
+        raise ValueError("bars under an exact harmonic: allowed only plot.motion")
     pictures = [json.loads(text) for text in found._frames(frames, *which)]
     placed = axes_named(
         ("bar", "displacement"), axes, figure,
@@ -86,7 +89,8 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
 
     def draw(frame: int) -> list[Any]:
         panels = {panel["name"]: panel for panel in pictures[frame]["panels"]}
-        panels["displacement"]["x"] = panels["fields"]["x"]  # the lowest here
+        if "fields" in panels:
+            panels["displacement"]["x"] = panels["fields"]["x"]  # the lowest here
         for name, where in placed.items():
             where.clear()
             draw_panel(where, panels[name], False)

@@ -51,7 +51,7 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     one period, and with the same axis of time the path of the tip beside the
     wall and the force of the wall. Under an exact harmonic u(x, t), tip and
     force alone; of several bars how far the contact is open, and its force.
-    Of a schedule of several bars the faces at each contact.
+    Of a schedule of several bars u(x, t) of all, and the faces at each contact.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     -------
     dict of axes
         "strain", "velocity", "displacement", "tip", "force", "words"; of
-        several bars "gap", "force", or "contact 1", ...
+        several bars "gap", "force", or "displacement", "contact 1", ...
 
     Raises
     ------
@@ -74,7 +74,7 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     if isinstance(moving, SceneHarmonicResult):
         panels = ("gap", "force")
     elif isinstance(moving, (SceneResult, SceneForcedResult)):
-        panels = contact_panels(moving)
+        panels = ("displacement", *contact_panels(moving))
     elif not isinstance(moving, HarmonicResult):
         panels = ("strain", "velocity", *panels, "words")
     found, which = motion_of(moving, index)

@@ -9,7 +9,7 @@ namespace {
 /// Its series of these words, point by point.
 const plot::Series& lineOf(const FigureData& figure, std::string_view words)
 {
-    for (const plot::Series& series : figure.panels.front().series) {
+    for (const plot::Series& series : figure.panels.back().series) {
         if (series.legend == words) {
             return series;
         }
@@ -27,10 +27,10 @@ TEST_CASE("scene figures: a motion that is found is drawn over its period, conta
     const Network network = networkOf({.parts = partsOf("clamp 3 stop=1e-3 3 clamp")});
     const LeastMotion found = leastMotion(network, {{1, 1}, {0, 10}}, 1e9);
     REQUIRE(found.motion);
-    const FigureData figure = periodFigure(network, *found.motion);
-    REQUIRE(figure.panels.size() == 1);
-    CHECK(*figure.panels.front().x.high == Approx(11.0 / 6.0));
-    CHECK(figure.panels.front().x.label.find("[s]") != std::string::npos);
+    const FigureData figure = periodFigure(network, *found.motion, 1.0);
+    REQUIRE(figure.panels.size() == 2);
+    CHECK(*figure.panels.back().x.high == Approx(11.0 / 6.0));
+    CHECK(figure.panels.back().x.label.find("[s]") != std::string::npos);
     const plot::Series& face = lineOf(figure, "face");
     for (std::size_t k = 0; k < face.x.size(); ++k) {
         const double t = face.x[k];
@@ -42,7 +42,22 @@ TEST_CASE("scene figures: a motion that is found is drawn over its period, conta
     CHECK(pressed.x.front() == 0.0);
     CHECK(pressed.x[pressed.x.size() - 2] == Approx(1.0 / 6.0));  // the last is the break
 
+    // u(x, t) is that face in the middle, 0 at the clamps, and the same seen from either end.
+    const plot::Series& field = figure.panels.front().series.front();
+    const std::size_t instants = field.x.size();
+    REQUIRE(field.z.size() == field.y.size() * instants);
+    for (std::size_t m = 0; m < instants; ++m) {
+        const double t = field.x[m];
+        const double place = t < 1.0 / 6.0 ? 1.0 : t < 1.0 ? 1.5 - 3.0 * t : 3.0 * t - 4.5;
+        const auto u = [&](std::size_t i) { return field.z[i * instants + m]; };
+        CHECK(0.5 * (u(119) + u(120)) == Approx(place).margin(0.1));  // means over cells
+        CHECK(std::abs(u(0)) < 0.02);
+        for (std::size_t i = 0; i < field.y.size(); ++i) {
+            CHECK(u(i) == Approx(u(field.y.size() - 1 - i)).margin(1e-9));
+        }
+    }
+
     NetworkClaim other = *found.motion;
     other.schedule.back().steps += 1;  // not its period
-    CHECK_THROWS_AS(periodFigure(network, other), std::runtime_error);
+    CHECK_THROWS_AS(periodFigure(network, other, 1.0), std::runtime_error);
 }

@@ -275,7 +275,7 @@ TEST_CASE("network simulation: what cannot be is refused")
     CHECK_THROWS_WITH(NetworkSimulation(scene, startWithSpeeds(scene, std::vector{0.0, 0.0})),
                       Catch::Contains("distance of contact 1 at the start"));
     CHECK_THROWS_WITH(startWithSpeeds(scene, std::vector{0.0}),
-                      Catch::Contains("velocities = 1 is out of range: allowed 2"));
+                      Catch::Contains("velocity = 1 is out of range: allowed 2"));
     CHECK_THROWS_WITH(startWithSpeeds(scene, std::vector{0.0, std::nan("")}),
                       Catch::Contains("velocity = nan"));
     NetworkStart start = startAtRest(scene);
