@@ -37,7 +37,8 @@ void drawFigure(const FigureData& figure, FigureFormat format, const std::string
 /// A found motion as in the paper's Fig. 3, in SI units: strain and velocity along the bar at t =
 /// 0, the displacement u(x, t) over one period, and with the same axis of time the path of the tip
 /// beside the wall and the force of the wall. Contact is marked where that force acts. Long motions
-/// are thinned to what print can show. Panels "words", "strain", "velocity", "displacement", "tip"
+/// are thinned to what print can show; of segments with several speeds u(x, t) and the contacts.
+/// Panels "words", "strain", "velocity", "displacement", "tip"
 /// and "force". \throws std::invalid_argument if the result holds no motion.
 [[nodiscard]] FigureData motionFigure(const PeriodicResult& result);
 

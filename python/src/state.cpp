@@ -4,6 +4,7 @@
 #include "faults.hpp"
 #include "scene.hpp"
 #include "signorini/output.hpp"
+#include "state_table.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::python {
@@ -87,12 +88,13 @@ void addState(py::module_& module)
              "Writes the file that ``signorini find --state`` writes. OSError if it cannot be "
              "written.",
              [](const StateOf& s, const std::string& path) {
-                 if (!haveOneSpeed(s.segments)) {
-                     throw std::invalid_argument(
-                         "segments: allowed only with one speed where a state is written");
-                 }
                  OutputFiles files;
-                 writeStateCsv(files.stage(path), *s.value, s.bar);
+                 if (haveOneSpeed(s.segments)) {
+                     writeStateCsv(files.stage(path), *s.value, s.bar);
+                 } else {  // its nodes are on no even grid
+                     const double tip = (s.value->b - s.value->a).mean();
+                     writeStateTable(files.stage(path), wavesOf(*s.value), tip, s.bar);
+                 }
                  files.commit();
              });
     record.more()

@@ -176,7 +176,7 @@ def test_response_of_a_stepped_bar(program: Program) -> None:
         sg.response(segments=parts, second_stop=1e-3, **options)
 
 
-def test_state_of_a_stepped_bar_knows_its_segments() -> None:
+def test_state_of_a_stepped_bar_knows_its_segments(program: Program, tmp_path: Path) -> None:
     parts = [(4, 1.0), (4, 1.3, 2.0)]
     found = sg.find(3, 25, cells=8, segments=parts)
     state = found.state
@@ -196,8 +196,10 @@ def test_state_of_a_stepped_bar_knows_its_segments() -> None:
     assert later.energy_ratio == pytest.approx(state.energy_ratio, rel=1e-9)
     fine = state.refined(3)
     assert fine.energy_ratio == pytest.approx(state.energy_ratio, rel=1e-12)
-    with pytest.raises(ValueError, match="one speed"):
-        state.write("nowhere.csv")
+    state.write(str(tmp_path / "state.csv"))
+    assert program("simulate", "--segments", "4:1:1,4:1.3:2", "--from", tmp_path / "state.csv",
+                   "--time", 1)["energy_ratio"] == pytest.approx(state.energy_ratio, rel=1e-12)
+    assert list(sg.plot.motion(found)) == ["displacement", "contact 1"]
     with pytest.raises(ValueError, match="cells of all segments"):
         sg.State([1.0], [1.0], segments=state.segments)
     assert sg.find(6, 28, cells=8, segments=parts, damping=0.05, force="tip").status

@@ -8,7 +8,6 @@
 #include "faults.hpp"
 #include "infinity.hpp"
 #include "marcher.hpp"
-#include "network_walk.hpp"
 
 namespace signorini {
 
@@ -56,14 +55,9 @@ Extremes extremesOf(const NetworkExtremes& seen, const Schedule& schedule, doubl
 
 }  // namespace
 
-BarVerification verifyBar(const State& state, const Schedule& schedule,
-                          std::span<const Segment> segments, double tolerance,
-                          const Damping& damping, const Excitation& excitation)
+NetworkClaim claimOf(const Network& network, const State& state, const Schedule& schedule,
+                     const Excitation& excitation)
 {
-    validate(schedule);
-    requireCells(state, schedule.cells);
-    const Network network = networkOf(sceneOf(schedule.stops, segments), schedule.cells, damping);
-    const auto cells = static_cast<double>(schedule.cells);
     const bool isDriven = !excitation.values.empty();
     const StepDrive drive = isDriven ? driveOf(excitation) : StepDrive{};
     NetworkClaim claim{.waves = wavesOf(network, state),
@@ -80,6 +74,19 @@ BarVerification verifyBar(const State& state, const Schedule& schedule,
     for (const ContactSpan& span : spansOf(schedule)) {
         claim.schedule.push_back({span.closed, span.steps});
     }
+    return claim;
+}
+
+BarVerification verifyBar(const State& state, const Schedule& schedule,
+                          std::span<const Segment> segments, double tolerance,
+                          const Damping& damping, const Excitation& excitation)
+{
+    validate(schedule);
+    requireCells(state, schedule.cells);
+    const Network network = networkOf(sceneOf(schedule.stops, segments), schedule.cells, damping);
+    const auto cells = static_cast<double>(schedule.cells);
+    const bool isDriven = !excitation.values.empty();
+    NetworkClaim claim = claimOf(network, state, schedule, excitation);
     claim.length = cells * (isDriven && schedule.stops.right == 0 ? amplitude(state) : 1.0);
 
     const NetworkResiduals walked = walk(network, claim, tolerance);

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "network_walk.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/simulation.hpp"
@@ -17,6 +18,10 @@ struct BarVerification {
     Extremes extremes;  ///< over the motion's own period, or that of an excitation; forces in EA
                         ///< g/L of the first segment
 };
+
+/// A bar's motion as one of its network, and what drives it. \pre as many cells.
+[[nodiscard]] NetworkClaim claimOf(const Network& network, const State& state,
+                                   const Schedule& schedule, const Excitation& excitation = {});
 
 /// Walks a state along the schedule, and steps it in time without telling the schedule. Damping and
 /// excitation, one period of it, drive the tip or the base; without a gap a driven bar's lengths

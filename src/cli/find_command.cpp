@@ -101,9 +101,8 @@ void writeFiles(FindOutputs& files, const FindOptions& options, const PeriodicRe
                 const Json& answer)
 {
     if (result.motion) {
-        files.writeMotion({result.motion->state, result.scene, result.scene.bar,
-                           signorini::steps(result.schedule), [&] { return fieldOf(result); },
-                           [&] { return motionFigure(result); }});
+        files.writeMotion({result.motion->state, result.scene, result.scene.bar, result.schedule,
+                           [&] { return fieldOf(result); }, [&] { return motionFigure(result); }});
     } else {
         files.lackMotion();
     }
@@ -172,8 +171,7 @@ unsigned FindCommand::kind() const
 ExitStatus FindCommand::run() const
 {
     if (common.hasScene()) {
-        const bool isOfBar =
-            question.isAsked() ? !isForced() || force.ratio : given.has("--figure");
+        const bool isOfBar = question.isAsked() && (!isForced() || force.ratio);
         if (given.outside(asks::network) == nullptr && !(isOfBar && barOf(common.assembly()))) {
             return question.isAsked() ? findHarmonicInBars(*this, common.assembly())
                                       : findInScene(*this);
@@ -188,10 +186,8 @@ ExitStatus FindCommand::run() const
     given.requireOnly(asked);
     const Scene bar = common.scene();
     (void)yieldStressOf(given, unitsOfBar(bar));
-    refuseIf(
-        !haveOneSpeed(bar.segments) && FindOutputs(*this).areOfMotion(),
-        "--state, --motion, --figure, --animate: allowed only for segments in which waves have "
-        "one speed");
+    refuseIf(!haveOneSpeed(bar.segments) && given.text("--motion").ends_with(".pvd"), "--motion",
+             given.text("--motion"), "FILE.csv|.vtk of segments with several speeds");
     refuseIf(question.isAsked() && !given.words().empty(),
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     refuseIf(question.isAsked() && !isForced() && !isUniform(bar.segments),

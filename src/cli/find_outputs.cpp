@@ -1,9 +1,11 @@
 #include "find_outputs.hpp"
 
+#include "bar_check.hpp"
 #include "bars_motion.hpp"
 #include "exact_figure.hpp"
 #include "find_command.hpp"
 #include "scene_figures.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -52,15 +54,31 @@ void FindOutputs::writeProof(const std::function<void(TextFile&)>& write)
 
 void FindOutputs::writeMotion(const WrittenMotion& motion)
 {
-    motion_.put("--state", writeStateCsv, motion.state, motion.bar, motion.base);
+    const double base = motion.excitation.baseDisplacement(0);
+    if (!haveOneSpeed(motion.scene.segments)) {  // its nodes are on no even grid
+        const Network network = networkOf(motion.scene, motion.schedule.cells, motion.damping);
+        const NetworkClaim claim =
+            claimOf(network, motion.state, motion.schedule, motion.excitation);
+        Waves waves = wavesOf(motion.state);
+        waves.base = base;
+        const Bar bar = firstMaterial(motion.scene);
+        const double tip = claim.displacements.back() * network.scales.displacement;
+        motion_.put("--state", [&](const std::string& path) {
+            writeStateTable(path, waves, tip / scales(bar).displacement, bar);
+        });
+        writePictures(answers::assemblyOf(motion.scene, motion.schedule.cells, motion.damping),
+                      network, claim);
+        return;
+    }
+    motion_.put("--state", writeStateCsv, motion.state, motion.bar, base);
     motion_.draw("--figure", motion.figure);
     if (motion_.has("--motion") || motion_.has("--animate")) {
         const Motion field = motion.field();
         motion_.draw("--animate", [&] { return motionFrames(MotionSamples(field, motion.scene)); });
-        if (motion_.has("--motion") && field.steps() < motion.steps) {
+        if (motion_.has("--motion") && field.steps() < steps(motion.schedule)) {
             words_.common.say(
                 fmt::format("--motion holds {} of {} steps: the others repeat free oscillations",
-                            field.steps(), motion.steps));
+                            field.steps(), steps(motion.schedule)));
         }
         motion_.putMotion(
             [&](std::int64_t most) { return MotionSamples(field, motion.scene, most); });
@@ -82,6 +100,12 @@ void FindOutputs::writeBars(const Assembly& assembly, const Network& network,
     motion_.put("--state", [&](const std::string& path) {
         writeStateTable(path, network, {motion.waves, motion.displacements});
     });
+    writePictures(assembly, network, motion);
+}
+
+void FindOutputs::writePictures(const Assembly& assembly, const Network& network,
+                                const NetworkClaim& motion)
+{
     motion_.draw("--figure", [&] { return periodFigure(network, motion, assembly.length); });
     motion_.draw("--animate", [&] { return barsFrames(assembly, network, motion); });
     motion_.putMotion(

@@ -18,11 +18,12 @@ struct FindCommand;
 struct WrittenMotion {
     const State& state;
     const Scene& scene;
-    const Bar& bar;      ///< whose scales the state has
-    std::int64_t steps;  ///< of its schedule
+    const Bar& bar;  ///< whose scales the state has
+    const Schedule& schedule;
     std::function<Motion()> field;
     std::function<FigureData()> figure;
-    double base = 0.0;  ///< [g], where the base stands
+    Damping damping = {};
+    Excitation excitation = {};  ///< one period of it
 };
 
 /// Says on stderr which files there is nothing for.
@@ -45,6 +46,9 @@ public:
     void lackProof() const;
 
 private:
+    void writePictures(const Assembly& assembly, const Network& network,
+                       const NetworkClaim& motion);
+
     const FindCommand& words_;
     Outputs motion_;
     Outputs proof_;

@@ -55,9 +55,9 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
                           answer.scene.segments.empty() ? uniform : answer.scene.segments,
                           last.damping, last.excitation);
         };
-        files.writeMotion({last.state, answer.scene, answer.bar, steps(last.schedule), field,
-                           [&] { return motionFigure(last, answer.scene); },
-                           last.excitation.baseDisplacement(0)});
+        files.writeMotion({last.state, answer.scene, answer.bar, last.schedule, field,
+                           [&] { return motionFigure(last, answer.scene); }, last.damping,
+                           last.excitation});
     }
     if (answer.status() == Status::none) {
         files.writeProof([&](TextFile& file) { file.write(asLine(wholeJsonOf(answer))); });

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "axes.hpp"
+#include "bar_check.hpp"
 #include "faults.hpp"
 #include "field.hpp"
+#include "scene_figures.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/motion.hpp"
 #include "stepped_bar.hpp"
@@ -317,9 +319,11 @@ std::vector<std::string> timesOf(const Schedule& schedule, const Bar& bar)
 
 FigureData figureOf(const Subject& subject)
 {
-    if (!isUniform(subject.scene.segments) && !haveOneSpeed(subject.scene.segments)) {
-        throw std::invalid_argument(
-            "figure: allowed only for segments in which waves have one speed");
+    if (!haveOneSpeed(subject.scene.segments)) {  // its nodes are on no even grid
+        const Network network = networkOf(subject.scene, subject.schedule.cells, subject.damping);
+        return periodFigure(network,
+                            claimOf(network, subject.state, subject.schedule, subject.excitation),
+                            subject.scene.bar.length);
     }
     return MotionPanels(subject).figure();
 }

@@ -69,7 +69,7 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("find 3 25 --segments 4:0,4:1", "--segments");
     refuses("find 3 25 --segments 4:1,4:1.3 --cells 9", "cells of all segments = 8");
     refuses("find 3 25 --segments 4:1,4:1.3 --strain-limit 1", "for a bar of several segments");
-    refuses("find 3 25 --segments 4:1,4:1.3:2 --figure m.svg", "one speed");
+    refuses("find 3 25 --segments 4:1,4:1.3:2 --motion m.pvd", "several speeds");
     refuses("find --frequency 8/7 --segments 4:1,4:1.3", "--segments");
     refuses("simulate --segments 4:1,4:1.3:1:-1 --time 1", "dashpot of segment 2");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --figure f.svg", "--figure");
@@ -220,4 +220,24 @@ TEST_CASE("cli stepped: an atlas is the same by threads and by processes, and ke
         "--quiet --database one.sqlite");
     CHECK(other.status == 2);
     CHECK_THAT(other.err, containsText("segments"));
+}
+
+TEST_CASE("cli segments: with several speeds the state written is what a simulation repeats")
+{
+    const CommandLine program;
+    const std::string bar = "--segments 5:1:1,4:1:2 --damping 0.05 --force base ";
+    const json found = program.find("6 30 " + bar + "--state s.csv --motion m.csv", 0);
+    const json& motion = found["motions"][0];
+    const auto outcome = program.run(fmt::format(
+        "simulate {} --from s.csv --amplitude {} --hertz {} --phase={} --periods 20 --format json",
+        bar, motion["amplitude"].get<double>(), motion["physical"]["frequency"].get<double>(),
+        motion["phase"].get<double>()));
+    INFO(outcome.err);
+    REQUIRE(outcome.status == 0);
+    const json run = json::parse(outcome.out);
+    CHECK(run["settled"]["periods"] == 1);
+    CHECK(run["settled"]["impulse"].get<double>() ==
+          Approx(motion["physical"]["impulse"].get<double>()).epsilon(1e-4));
+    // 37 instants of 11 places: 6 nodes of the first segment, 5 of the second.
+    CHECK(lines(contentOf(program.file("m.csv"))) == 1 + 37 * 11);
 }

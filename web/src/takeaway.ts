@@ -15,12 +15,24 @@ const given = (before: string, value: number | undefined): string => (value === 
 /** Types of two contacts are listed up to this order. */
 export const polygonOrder = 9;
 
+/** Speeds of the bars [m/s], where the hands do anything, and what they cannot say there. */
+function thrown(m: SceneMotion): { speeds: string; note: string } {
+  if (m.hands.every((hand) => hand === 0)) return { speeds: '', note: '' };
+  return { speeds: m.hands.map((hand) => Number((hand * 1e-3).toPrecision(6))).join(','),
+    note: '  # where all bars fly; one that is held starts at rest there, here it is pulled' };
+}
+
 function sceneCommand(m: SceneMotion): string {
   const drive = m.amplitude === undefined ? '' : ` --amplitude ${m.amplitude} --frequency ${m.frequency}`;
-  const weight = given(' --gravity ', m.gravity);
-  const isThrown = m.hands.some((hand) => hand !== 0);
-  return `signorini simulate --scene "${m.words.trim()}"${isThrown ? ` --velocity ${m.hands.map((hand) => Number((hand * 1e-3).toPrecision(6))).join(',')}` : ''}${weight}${drive} --time ${m.from + m.span} --format json` +
-    (isThrown ? '  # where all bars fly; one that is held starts at rest there, here it is pulled' : '');
+  const { speeds, note } = thrown(m);
+  return `signorini simulate --scene "${m.words.trim()}"${speeds && ` --velocity ${speeds}`}${given(' --gravity ', m.gravity)}${drive} --time ${m.from + m.span} --format json${note}`;
+}
+
+function scenePython(m: SceneMotion): string {
+  const place = /\bdriven\b/.test(m.words) ? 'tip' : 'base';
+  const drive = m.amplitude === undefined ? '' : `, force="${place}", amplitude=${m.amplitude}, frequency=${m.frequency}`;
+  const { speeds, note } = thrown(m);
+  return `import signorini\nbars = signorini.simulate(scene="${m.words.trim()}"${speeds && `, velocity=[${speeds}]`}${given(', gravity=', m.gravity)}${drive}, time=${m.from + m.span})${note}`;
 }
 
 /** The command that gives the same motion, as the command line writes its JSON. */
@@ -58,7 +70,7 @@ export function responseCommand(f: Forcing): string {
 }
 
 export function pythonOf(motion: Motion, nearest?: Phases): string {
-  if (motion.show === 'scene') return '# several bars are simulated by the command line';
+  if (motion.show === 'scene') return scenePython(motion);
   const cells = motion.cells === 300 ? '' : `, cells=${motion.cells}`;
   const head = 'import signorini\n';
   if (motion.show === 'schedule') {

@@ -109,6 +109,9 @@ test('schedules: blanks, brackets and colons are all understood, nonsense is not
 });
 
 test('take away: the Python line of a member of a continuum names the member', () => {
+  expect(pythonOf({ show: 'scene', words: 'clamp 100 driven gap=1e-3 spring=50', hands: [0, 0], amplitude: 4e-4, frequency: 0.9, from: 2, span: 6 }))
+    .toBe('import signorini\nbars = signorini.simulate(scene="clamp 100 driven gap=1e-3 spring=50", force="tip", amplitude=0.0004, frequency=0.9, time=8)');
+  expect(pythonOf({ show: 'scene', words: '40:2 gap=1e-3 160', hands: [1, 0], gravity: 1, from: 0, span: 6 })).toContain('160", velocity=[0.001,0], gravity=1, time=6)');
   expect(pythonOf({ show: 'schedule', cells: 300, phases: [[150, 900]], energy: 20, pause: 0.25 }))
     .toContain('signorini.continuum(150, 900, energy_ratio=20).member(0.25)');
 });

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Any, Union
 
 from .._asking import asks
@@ -37,11 +38,6 @@ def motion_of(moving: Moving, index: int) -> tuple[Any, tuple[int, ...]]:
     return found, (index % count,) * several
 
 
-def contact_panels(of: SceneResult | SceneForcedResult | SceneSimulation) -> tuple[str, ...]:
-    """Return the names of the panels, one for each contact up to six."""
-    return tuple(f"contact {one['number']}" for one in of.contacts[:6])
-
-
 @asks("figure")
 def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = None
            ) -> dict[str, Any]:
@@ -70,15 +66,12 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     ValueError
         If there is no motion, or none of that index.
     """
-    panels: tuple[str, ...] = ("displacement", "tip", "force")
-    if isinstance(moving, SceneHarmonicResult):
-        panels = ("gap", "force")
-    elif isinstance(moving, (SceneResult, SceneForcedResult)):
-        panels = ("displacement", *contact_panels(moving))
-    elif not isinstance(moving, HarmonicResult):
-        panels = ("strain", "velocity", *panels, "words")
     found, which = motion_of(moving, index)
-    return draw(found._figure(*which), panels, axes, figure)
+    text = found._figure(*which)
+    there = [panel["name"] for panel in json.loads(text)["panels"]]
+    usual = ("strain", "velocity", "displacement", "tip", "force", "words")
+    panels = tuple(name for name in usual if name in there) if "tip" in there else tuple(there)
+    return draw(text, panels, axes, figure)
 
 
 @asks("figure")

@@ -9,7 +9,6 @@ import numpy as np
 from .._asking import asks
 from .._core import ExactResponse, SceneSimulation, Simulation, Sweep
 from ._draw import draw
-from ._motion import contact_panels
 from ._style import axes_of, colour_map, unit_for
 
 if TYPE_CHECKING:
@@ -67,7 +66,8 @@ def simulation(run: Simulation | SceneSimulation, *, figure: Any = None,
         If the path of the tip was not recorded.
     """
     if isinstance(run, SceneSimulation):
-        return tuple(draw(run._figure(), contact_panels(run), axes, figure).values())
+        contacts = tuple(f"contact {one['number']}" for one in run.contacts[:6])
+        return tuple(draw(run._figure(), contacts, axes, figure).values())
     if len(run.tip_time) == 0:
         raise ValueError("the path of the tip was not recorded: tip=True")
     drawn = draw(run._figure(), ("tip", "impulse"), axes, figure)
