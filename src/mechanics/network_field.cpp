@@ -45,7 +45,8 @@ std::vector<NetworkPlace> placesOfRows(const Network& network, std::int64_t part
         const std::int64_t cells = network.rows[r].cells;
         const std::int64_t count = std::min(cells, parts);
         for (std::int64_t k = 0; k <= count; ++k) {
-            places.push_back({r, static_cast<double>(cells * k / count)});
+            const std::int64_t whole = cells * k / count;
+            places.push_back({r, static_cast<double>(whole)});
         }
     }
     return places;
