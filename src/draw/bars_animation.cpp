@@ -61,10 +61,10 @@ private:
     void placeBars()
     {
         double moved = 0.0;
-        for (std::size_t k = 0; k < network_.bars.size(); ++k) {
+        for (const NetworkBar& bar : network_.bars) {
             moved_.push_back(moved);
             for (const NetworkContact& contact : network_.contacts) {
-                if (contact.kind == ContactKind::gap && contact.node == network_.bars[k].lastNode) {
+                if (contact.kind == ContactKind::gap && contact.node == bar.lastNode) {
                     moved += magnified_ * contact.gap * network_.scales.displacement;
                 }
             }
