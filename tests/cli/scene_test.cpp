@@ -310,7 +310,7 @@ TEST_CASE("cli scenes: a motion in a file is that of the bar's own field, and tw
 {
     const CommandLine program;
     const auto tableOf = [&](const std::string& words) {
-        program.find(words + " --motion m.csv", 0);
+        CHECK(program.find(words + " --motion m.csv", 0)["status"] == "found");
         std::vector<std::vector<double>> rows;
         std::istringstream text(contentOf(program.file("m.csv")));
         std::string line;
