@@ -130,8 +130,8 @@ def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
                              "those among its words")
     scene = asked["scene"] = scene_of(
         where, get("bar"), get("second_stop"), segments, asked["bar_options"])
-    if not several:
-        asked["cells"] = cells_of(get("cells"), scene, get("schedule", ()))
+    if not several and get("cells") is None:
+        asked["cells"] = cells_of(None, scene, get("schedule", ()))
     for name in states:
         if asked[name] is not None:
             asked[name] = (path(name, asked[name]) if several

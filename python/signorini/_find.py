@@ -192,7 +192,8 @@ def find(
         exact = period_of(times, cells, where.bar, whole("cycles", cycles))
         return _core.find_harmonic(excited({**asked, "numerator": exact.numerator,
                                             "denominator": exact.denominator}))
-    if asked["amplitude"] is not None or whole("cycles", cycles) != 1:
+    if asked["amplitude"] is not None or (
+            (type(cycles) is not int or cycles != 1) and whole("cycles", cycles) != 1):
         raise ValueError("amplitude, cycles: allowed only together with "
                          "damping and force")
     if is_timed and schedule:
