@@ -4,6 +4,7 @@
 #include "bars_motion.hpp"
 #include "exact_figure.hpp"
 #include "find_command.hpp"
+#include "scene_answer.hpp"
 #include "scene_figures.hpp"
 #include "stepped_bar.hpp"
 

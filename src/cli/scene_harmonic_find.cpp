@@ -7,6 +7,7 @@
 #include "reports.hpp"
 #include "scene_figures.hpp"
 #include "scene_harmonic_answer.hpp"
+#include "scene_report.hpp"
 
 namespace signorini::cli {
 

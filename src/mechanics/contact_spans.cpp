@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "text.hpp"
+#include "faults.hpp"
 #include "units.hpp"
 
 namespace signorini {

@@ -256,6 +256,7 @@ Reply showScene(const Request& request)
         .bars = answers::severalOf(course.assembly, course.network), .drive = course.drive.told};
     answer.see(simulation);
     reply.json["answer"] = cli::wholeJsonOf(answer);
+    reply.json["words"] = textOf(course.assembly.parts);
     addStanding(reply, course.network, places);
     reply.json["rows"] = Json::array();
     for (std::size_t r = 0; r < places.rows.size(); ++r) {

@@ -39,7 +39,7 @@ export function headlineOf(motion: Motion, answer: Answer): string {
   }
   if (motion.show === 'scene') {
     const count = (a.contacts as { count: number }[]).map((one) => one.count).join(' + ');
-    return `${motion.words.trim()}: ${count} contacts in ${withUnit('time', a.time, 4)}, ${a.events} events.`;
+    return `${(answer.json.words as string).trim()}: ${count} contacts in ${withUnit('time', a.time, 4)}, ${a.events} events.`;
   }
   const from = motion.start.kind === 'rest' ? 'Started at rest' : motion.start.kind === 'beside' ? `Started ${shown(100 * (1 - motion.start.share), 2)} % away from (${motion.phases![0].slice(0, 2).join(', ')})`
     : `Held at ${withUnit('place', motion.start.place)}, pulled by ${withUnit('displacement', motion.start.displacement)}, let go`;
