@@ -38,8 +38,8 @@ void drawFigure(const FigureData& figure, FigureFormat format, const std::string
 /// 0, the displacement u(x, t) over one period, and with the same axis of time the path of the tip
 /// beside the wall and the force of the wall. Contact is marked where that force acts. Long motions
 /// are thinned to what print can show; of segments with several speeds u(x, t) and the contacts.
-/// Panels "words", "strain", "velocity", "displacement", "tip"
-/// and "force". \throws std::invalid_argument if the result holds no motion.
+/// Panels "words", "strain", "velocity", "displacement", "tip" and "force", or "displacement" and
+/// "contact 1", ... \throws std::invalid_argument if the result holds no motion.
 [[nodiscard]] FigureData motionFigure(const PeriodicResult& result);
 
 /// The same of a state.

@@ -73,8 +73,7 @@ SceneForcedAnswer findForcedInBars(const Asked& asked)
     const AskedBars of(asked);
     const Forcing forcing{asked.place(), asked.get<std::int64_t>("cycles"), {}};
     const double first = referenceOf(of.network).frequency / (2.0 * std::numbers::pi);
-    const double period = static_cast<double>(stepsOf(of.schedule)) * of.network.scales.time;
-    const double hertz = static_cast<double>(forcing.cycles) / period;
+    const double hertz = static_cast<double>(forcing.cycles) / periodOf(of.network, of.schedule);
     const auto amplitude =
         first > 0.0 ? asked.displacement(hertz / first, answers::unitsOf(of.assembly, of.network))
                     : asked.maybe<double>("amplitude");

@@ -5,7 +5,6 @@
 #include "interrupt.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
-#include "units.hpp"
 
 namespace signorini::cli {
 

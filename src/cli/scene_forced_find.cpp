@@ -51,9 +51,8 @@ ExitStatus findForcedInScene(const FindCommand& command)
     std::optional<double> amplitude;
     if (force.amplitude) {
         const double first = referenceOf(scene.network).frequency / (2.0 * std::numbers::pi);
-        const double period =
-            static_cast<double>(stepsOf(scene.schedule)) * scene.network.scales.time;
-        const double hertz = static_cast<double>(forcing.cycles) / period;
+        const double hertz =
+            static_cast<double>(forcing.cycles) / periodOf(scene.network, scene.schedule);
         amplitude = first > 0.0 ? force.at(hertz / first, first).amplitude : force.amplitude;
     }
     const answers::SceneForcedAnswer answer =

@@ -39,6 +39,12 @@ struct ContactSpan {
 /// Of one period.
 [[nodiscard]] std::int64_t stepsOf(std::span<const ContactSpan> schedule);
 
+/// The same [s].
+[[nodiscard]] inline double periodOf(const Network& network, std::span<const ContactSpan> schedule)
+{
+    return static_cast<double>(stepsOf(schedule)) * network.scales.time;
+}
+
 /// A schedule of a bar with one stop or two: bit 0 is the wall, bit 1 the second stop.
 [[nodiscard]] inline std::vector<ContactSpan> spansOf(const Schedule& schedule)
 {
