@@ -23,6 +23,19 @@ class StopPlace(TypedDict):
     side: Literal["right", "left"]
     place: float
 
+class StabilityReport(TypedDict):
+    damping: Damping
+    verdict: Literal["attracts", "repels", "unclear"]
+    periods: int
+    drift: float
+    contacts: int
+    trials: list[StabilityTrial]
+
+class StabilityTrial(TypedDict):
+    size: float
+    start: float
+    end: float
+
 class QuestionPart(TypedDict):
     asked: AskedWords
     steps: int
@@ -97,6 +110,18 @@ class SceneContactForces(TypedDict):
     peak_force: NotRequired[float]
     impulse: NotRequired[float]
     contact_time: NotRequired[float]
+
+class SceneStabilityReport(TypedDict):
+    verdict: Literal["attracts", "repels", "unclear"]
+    periods: int
+    drift: float
+    contacts: int
+    trials: list[SceneStabilityTrial]
+
+class SceneStabilityTrial(TypedDict):
+    size: float
+    start: float
+    end: float
 
 class SceneEnergyFloor(TypedDict):
     kind: str
@@ -275,6 +300,7 @@ class Result(_Record):
     target: Optional[str]
     distance: Known[float]
     detail: Optional[str]
+    stability: Known[list[StabilityReport]]
     scene: Scene
     state: Known[State]
     motion: Known[Motion]
@@ -645,6 +671,7 @@ class SceneResult(_Record):
     energy_ratio: Known[float]
     energy_ratio_proved: Known[float]
     residuals: Known[SceneResiduals]
+    stability: Known[SceneStabilityReport]
     certificate: Known[SceneEnergyFloor]
     detail: str
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
@@ -661,6 +688,7 @@ class SceneForcedMotion(_Record):
     phase: float
     contacts: list[SceneContactForces]
     residual: float
+    stability: Optional[SceneStabilityReport]
 
 class SceneForcedResult(_Record):
     status: Literal["found", "none", "undecided"]

@@ -54,7 +54,7 @@ if TYPE_CHECKING:
 
 
 @overload
-def find(first: Steps, /, *schedule: Steps,
+def find(first: Steps, /, *schedule: Steps, stability: bool = False,
          **demands: Unpack[_Demands]) -> Result: ...
 
 
@@ -70,6 +70,7 @@ def find(first: Steps, /, *schedule: Steps, damping: Quantity, force: Force,
          amplitude: Quantity | None = None,
          amplitude_velocity: Quantity | None = None,
          amplitude_acceleration: Quantity | None = None, cycles: int = 1,
+         stability: bool = False,
          **options: Unpack[_Options]) -> ForcedResult: ...
 
 
@@ -89,7 +90,7 @@ def find(first: int | str, /, *schedule: int | str, scene: str, gravity: Quantit
          solver: str = "auto", objective: Objective = "auto", target: str | None = None,
          energy: Quantity | None = None, energy_ratio: float | None = None,
          tolerance: Quantity = 1e-7, time_limit: Quantity | None = None,
-         **scales: Unpack[_Parameters]) -> SceneResult: ...
+         stability: bool = False, **scales: Unpack[_Parameters]) -> SceneResult: ...
 
 
 @overload
@@ -97,7 +98,7 @@ def find(first: int | str, /, *schedule: int | str, scene: str, force: Force,
          gravity: Quantity = 0.0, amplitude: Quantity | None = None,
          amplitude_velocity: Quantity | None = None,
          amplitude_acceleration: Quantity | None = None, cycles: int = 1,
-         **scales: Unpack[_Parameters]) -> SceneForcedResult: ...
+         stability: bool = False, **scales: Unpack[_Parameters]) -> SceneForcedResult: ...
 
 
 @overload
@@ -127,7 +128,7 @@ def find(
          amplitude: Quantity | None = None,
          amplitude_velocity: Quantity | None = None,
          amplitude_acceleration: Quantity | None = None, cycles: int = 1,
-         contacts: int = 1,
+         contacts: int = 1, stability: bool = False,
          **bar_options: Quantity | None
          ) -> (Result | Question | ForcedResult | HarmonicResult
                | SceneResult | SceneForcedResult | SceneHarmonicResult):
@@ -178,6 +179,8 @@ def find(
     where = asked["scene"]
     is_timed = period is not None or frequency is not None or hertz is not None
     times = {"period": period, "frequency": frequency, "hertz": hertz} if is_timed else {}
+    if is_timed and stability is not False:
+        raise ValueError("stability: allowed only of a schedule")
     if "words" in asked:
         return find_bars(asked, times, find.__kwdefaults__)
     if damping is not None or force is not None:

@@ -9,6 +9,7 @@
 
 #include "excited_amplitude.hpp"
 #include "excited_names.hpp"
+#include "find_answer.hpp"
 #include "share_work.hpp"
 
 namespace signorini::python {
@@ -128,6 +129,15 @@ std::optional<double> Asked::displacement(double frequencyRatio, const Bar& bar)
     const auto derivative = get<int>("derivative");
     const double hertz = frequencyRatio * (0.25 / scales(bar).time);
     return amplitude && derivative > 0 ? displacementAt(hertz, *amplitude, derivative) : amplitude;
+}
+
+bool Asked::triesStability(std::int64_t steps) const
+{
+    const bool isAsked = get<bool>("stability");
+    if (isAsked) {
+        answers::requireTried(steps);
+    }
+    return isAsked;
 }
 
 double Asked::strainLimit(double unit) const

@@ -18,7 +18,8 @@ namespace signorini::python {
 template <>
 struct Members<answers::FindAnswer> {
     static constexpr auto list =
-        std::tuple{&answers::FindAnswer::result, &answers::FindAnswer::target};
+        std::tuple{&answers::FindAnswer::result, &answers::FindAnswer::target,
+                   &answers::FindAnswer::stability};
 };
 
 namespace {
@@ -82,15 +83,19 @@ Answer find(const Asked& asked)
         how = fmt::format("a state of {} cells", target->value->cells());
         options.target = *target->value;
     }
-    if (isQuick(schedule, options)) {
+    const bool triesStability = asked.triesStability(steps(schedule));
+    if (!triesStability && isQuick(schedule, options)) {
         const py::gil_scoped_release release;
         return answers::answerOf(findPeriodic(schedule, options), options, how);
     }
-    return answers::answerOf(patiently([schedule, options](const Wires& wires) mutable {
-                                 options.cancel = wires.cancel;
-                                 return findPeriodic(schedule, options);
-                             }),
-                             options, how);
+    return patiently([=](const Wires& wires) mutable {
+        options.cancel = wires.cancel;
+        Answer answer = answers::answerOf(findPeriodic(schedule, options), options, how);
+        if (triesStability) {
+            tryStability(answer, wires.cancel);
+        }
+        return answer;
+    });
 }
 
 }  // namespace

@@ -68,9 +68,14 @@ ForcedAnswer findForced(const Asked& asked)
                                                   static_cast<double>(forcing.cycles) /
                                                   static_cast<double>(steps(schedule)),
                                               bar);
-    return patiently([=](const Wires&) {
-        return answers::answerOf(forcedMotions(schedule, damping, forcing, limits, scene.segments),
-                                 scene, amplitude);
+    const bool triesStability = asked.triesStability(steps(schedule));
+    return patiently([=](const Wires& wires) {
+        ForcedAnswer answer = answers::answerOf(
+            forcedMotions(schedule, damping, forcing, limits, scene.segments), scene, amplitude);
+        if (triesStability) {
+            tryStability(answer, wires.cancel);
+        }
+        return answer;
     });
 }
 

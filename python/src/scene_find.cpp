@@ -62,9 +62,15 @@ SceneFindAnswer findInBars(const Asked& asked)
     if (const auto file = asked.maybe<std::string>("target")) {
         wish.target = meansOf(of.network, readStateTable(*file, of.network));
     }
+    const bool triesStability = asked.triesStability(stepsOf(of.schedule));
     return patiently([=](const Wires& wires) mutable {
         options.cancel = wires.cancel;
-        return answers::answerOf(of.assembly, of.network, of.schedule, wish, options);
+        SceneFindAnswer answer =
+            answers::answerOf(of.assembly, of.network, of.schedule, wish, options);
+        if (triesStability) {
+            tryStability(answer, of.network, wires.cancel);
+        }
+        return answer;
     });
 }
 
@@ -77,8 +83,14 @@ SceneForcedAnswer findForcedInBars(const Asked& asked)
     const auto amplitude =
         first > 0.0 ? asked.displacement(hertz / first, answers::unitsOf(of.assembly, of.network))
                     : asked.maybe<double>("amplitude");
-    return patiently([=](const Wires&) {
-        return answers::forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude);
+    const bool triesStability = asked.triesStability(stepsOf(of.schedule));
+    return patiently([=](const Wires& wires) {
+        SceneForcedAnswer answer =
+            answers::forcedAnswerOf(of.assembly, of.network, of.schedule, forcing, amplitude);
+        if (triesStability) {
+            tryStability(answer, of.network, wires.cancel);
+        }
+        return answer;
     });
 }
 

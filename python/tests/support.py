@@ -49,6 +49,7 @@ def words_of(options: dict[str, Any]) -> list[str]:
     """The same for the program."""
     words = []
     for key, value in options.items():
-        words += ["--" + key.replace("_", "-"), repr(value)
-                  if isinstance(value, float) else str(value)]
+        words.append("--" + key.replace("_", "-"))
+        if value is not True:
+            words.append(repr(value) if isinstance(value, float) else str(value))
     return words

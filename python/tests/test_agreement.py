@@ -40,6 +40,8 @@ def question(dice: random.Random) -> tuple[list[int], dict[str, Any]]:
         options.update(length=dice.uniform(0.1, 9.0),
                        gap=10 ** dice.uniform(-7, -2), young=210e9,
                        density=7800.0, area=1e-4)
+    if dice.random() < 0.05:
+        options["stability"] = True
     return steps, options
 
 
@@ -180,8 +182,8 @@ def test_forced_motions_agree(program: Program) -> None:
     alike(said, ours.to_dict())
     assert sg.response(start=0.9, to=1.3, threads=3, **options) == ours
     for steps in ((10, 60), (3, 2)):
-        alike(program("find", *steps, *words),
-              sg.find(*steps, **options).to_dict())
+        alike(program("find", *steps, *words, "--stability"),
+              sg.find(*steps, stability=True, **options).to_dict())
 
 
 def test_sweeps_agree(program: Program) -> None:

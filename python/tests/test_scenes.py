@@ -292,6 +292,8 @@ def test_random_requests_about_several_bars_agree(program: Program, ask: str,
             if ask == "forced":
                 more = [{"force": "tip"}, {"force": "tip", "amplitude": 5e-3}]
             options |= dice.choice(more)
+            if dice.random() < 0.3:
+                options["stability"] = True
         said = program(ask if ask == "simulate" else "find", *schedule,
                        *words_of({k: ",".join(map(str, v)) if k == "velocity" else v
                                   for k, v in options.items()}), may_be_wrong=True)

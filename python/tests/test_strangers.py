@@ -52,10 +52,10 @@ CALLS: dict[str, tuple[Callable[..., Any], dict[str, Any], list[str]]] = {
     "find": (sg.find, {"*": (5, 30), "cells": 10}, [
         *SCENE, "solver", "formulation", "objective", "target", "energy",
         "energy_ratio", "strain_limit", "tip_floor", "tolerance",
-        "time_limit", "cycles", "progress"]),
+        "time_limit", "cycles", "stability", "progress"]),
     "question": (sg.find, {"cells": 10, "period": "7/2"}, [
         *SCENE, "frequency", "hertz", "energy", "energy_ratio"]),
-    "forced": (sg.find, {"*": (10, 30), **DRIVEN}, [*SCENE, "cycles"]),
+    "forced": (sg.find, {"*": (10, 30), **DRIVEN}, [*SCENE, "cycles", "stability"]),
     "continuum": (sg.continuum, {"*": (5, 30), "cells": 10, "points": 3,
                                  "energy_ratio": 8}, [
         *BAR, "scene", "second_stop", "energy", "start", "to", "direction",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact_spans.hpp"
+#include "faults.hpp"
 #include "near_schedule.hpp"
 #include "one_material.hpp"
 #include "propagation.hpp"
@@ -33,6 +34,34 @@ std::vector<StopPlace> stopsIn(const Scene& scene)
         stops.push_back({Stop::left, -*scene.secondStop});
     }
     return stops;
+}
+
+void requireTried(std::int64_t steps)
+{
+    constexpr std::int64_t most = 1'000'000;
+    Faults faults;
+    if (steps > most) {
+        faults.add("steps of a period", steps,
+                   fmt::format("at most {} where stability is tried", most));
+    }
+    faults.throwIfAny();
+}
+
+void tryStability(FindAnswer& answer, const Cancel& cancel)
+{
+    const PeriodicResult& result = answer.result;
+    for (const double ratio : {0.0, 0.001}) {
+        if (result.motion) {
+            StabilityOptions options;
+            options.cancel = cancel;
+            options.segments = result.scene.segments;
+            answer.stability.push_back(
+                {{ratio},
+                 options.periods,
+                 stabilityOf(result.motion->state, result.schedule, {ratio}, options),
+                 result.scene.bar});
+        }
+    }
 }
 
 FindAnswer answerOf(PeriodicResult result, const FindOptions& options, const std::string& how)

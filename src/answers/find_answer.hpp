@@ -20,8 +20,9 @@ struct Target {
 
 /// Whether the bar stays near a motion, and what was tried.
 struct StabilityReport {
+    static constexpr bool isDictionary = true;
     Damping damping;
-    StabilityOptions options;
+    std::int64_t periods = 0;  ///< waited
     StabilityResult result;
     Bar bar;  ///< whose units the report has
 };
@@ -63,6 +64,12 @@ struct FindAnswer {
 [[nodiscard]] FindAnswer answerOf(PeriodicResult result, const FindOptions& options,
                                   const std::string& how = {});
 
+/// \throws std::invalid_argument on periods so long that nobody waits for 300 of them.
+void requireTried(std::int64_t steps);
+
+/// Starts beside the motion, if there is one: as it is, and with a little damping.
+void tryStability(FindAnswer& answer, const Cancel& cancel);
+
 /// A key of the motion, if there is one.
 template <typename Get>
 auto ofMotion(Get get)
@@ -96,7 +103,7 @@ void describe(D& d, Type<StabilityReport>)
     });
     d.key("verdict", "-", "Does the bar stay near the motion?",
           [](const T& r) { return r.result.stability; });
-    d.key("periods", "- >= 1", "Waited.", [](const T& r) { return r.options.periods; });
+    d.key("periods", "- >= 1", "Waited.", &T::periods);
     d.key("drift", "m >= 0", "Of the undisturbed motion.",
           [](const T& r) { return r.result.drift * scales(r.bar).displacement; });
     d.key("contacts", "- >= 0", "Of the undisturbed motion.",
@@ -217,7 +224,7 @@ frequencies in omega_1.
     d.key(
         "stability", "-", "Started beside the motion, without and with damping.",
         [](const T& a) { return a.stability.empty() ? std::nullopt : std::optional(a.stability); },
-        When::program);
+        When::any);
 }
 
 }  // namespace signorini::answers

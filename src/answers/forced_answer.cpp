@@ -36,6 +36,16 @@ ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> a
     return answer;
 }
 
+void tryStability(ForcedAnswer& answer, const Cancel& cancel)
+{
+    StabilityOptions options;
+    options.cancel = cancel;
+    options.segments = answer.scene.segments;
+    for (ForcedMotionOf& motion : answer.motions) {
+        motion.value.stability = stabilityOf(motion.value, options).stability;
+    }
+}
+
 std::optional<std::optional<bool>> ForcedMotionOf::stable() const
 {
     if (!isOfResponse && !value.stability) {

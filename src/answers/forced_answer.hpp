@@ -52,6 +52,9 @@ struct ForcedAnswer {
 /// The motions of an amplitude [N] or [m], or if none is asked for the one of the least.
 [[nodiscard]] ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> asked);
 
+/// Starts beside each motion.
+void tryStability(ForcedAnswer& answer, const Cancel& cancel);
+
 /// Kind and undamped waves of a set.
 struct ForcedSetPart {
     static constexpr bool isDictionary = true;

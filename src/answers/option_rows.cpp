@@ -320,6 +320,7 @@ std::vector<Option> ofOutputs()
         flag(
             "--stability", schedule | forced,
             "perturb the motion to test its stability, undamped and with a damping ratio of 0.001"),
+        flag("--stability", network, "perturb each motion to test its stability"),
         flag("--stability", response, "perturb each motion to test its stability"),
         file("--certificate", schedule | forced | network,
              "write the proof that there is no motion, or of the least energy, for "

@@ -5,6 +5,17 @@
 
 namespace signorini::answers {
 
+namespace {
+
+SceneStability stabilityIn(const Network& network, const NetworkClaim& motion, const Cancel& cancel)
+{
+    StabilityOptions options;
+    options.cancel = cancel;
+    return {options.periods, stabilityOf(network, motion, options)};
+}
+
+}  // namespace
+
 SceneSchedule scheduleOf(const Assembly& assembly, const Network& network,
                          const std::vector<ContactSpan>& spans)
 {
@@ -55,6 +66,21 @@ SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
     return {scheduleOf(assembly, network, schedule), firstEnergy(network), wish.isOfLeast(),
             wishedMotion(network, schedule, hugeEnergyRatio * usualEnergy(network, schedule), wish,
                          options)};
+}
+
+void tryStability(SceneFindAnswer& answer, const Network& network, const Cancel& cancel)
+{
+    const auto& motion = answer.motions.motion;
+    if (motion && answer.motions.energy > 0.0) {
+        answer.stability = stabilityIn(network, *motion, cancel);
+    }
+}
+
+void tryStability(SceneForcedAnswer& answer, const Network& network, const Cancel& cancel)
+{
+    for (SceneForcedMotion& motion : answer.motions) {
+        motion.stability = stabilityIn(network, motion.claim, cancel);
+    }
 }
 
 SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& network,

@@ -2,6 +2,7 @@
 /// \file
 /// What is known of a schedule of bars in a row: its motions, free or forced, or why there is none.
 
+#include "disturbed.hpp"
 #include "network_find.hpp"
 #include "network_forced.hpp"
 #include "proofs.hpp"
@@ -48,12 +49,20 @@ struct SceneFloor {
     std::optional<double> ratio = {};
 };
 
+/// What became of disturbances of a motion.
+struct SceneStability {
+    static constexpr bool isDictionary = true;
+    std::int64_t periods = 0;  ///< waited
+    StabilityResult result;
+};
+
 /// Of a schedule that nothing drives.
 struct SceneFindAnswer {
     SceneSchedule schedule;
     std::optional<double> unit;  ///< E_1 [Z_1 delta^2/h], if there is one
     bool isOfLeast = true;       ///< NetworkWish::isOfLeast
     LeastMotion motions;
+    std::optional<SceneStability> stability = {};  ///< where it was asked for
 
     [[nodiscard]] Status status() const { return motions.status; }
     [[nodiscard]] bool isFound() const { return motions.status == Status::found; }
@@ -79,6 +88,9 @@ struct SceneFindAnswer {
                                        const std::vector<ContactSpan>& schedule,
                                        const NetworkWish& wish, const FindOptions& options);
 
+/// Starts beside the motion, if there is one, and its waves are not 0.
+void tryStability(SceneFindAnswer& answer, const Network& network, const Cancel& cancel);
+
 /// A forced motion, and what was seen of it.
 struct SceneForcedMotion {
     double amplitude = 0.0;  ///< [N] or [m]
@@ -86,6 +98,7 @@ struct SceneForcedMotion {
     NetworkClaim claim;
     NetworkResiduals residuals;
     std::vector<ContactInPeriod> contacts;
+    std::optional<SceneStability> stability = {};  ///< where it was asked for
 };
 
 /// What proves that there is none, of any amplitude or of this one.
@@ -122,6 +135,9 @@ struct SceneForcedAnswer {
                                                const std::vector<ContactSpan>& schedule,
                                                const Forcing& forcing,
                                                const std::optional<double>& amplitude);
+
+/// Starts beside each motion.
+void tryStability(SceneForcedAnswer& answer, const Network& network, const Cancel& cancel);
 
 template <typename D>
 void describe(D& d, Type<ContactSpan>)
@@ -192,6 +208,34 @@ void describe(D& d, Type<NetworkResiduals>)
     d.key("penetration", "- >= 0", "Deepest overlap of an open one.", &T::penetration);
 }
 
+template <>
+inline constexpr bool isDictionary<StabilityTrial> = true;
+
+template <typename D>
+void describe(D& d, Type<StabilityTrial>)
+{
+    using T = StabilityTrial;
+    d.record("SceneStabilityTrial", "One disturbance of bars.");
+    d.key("size", "-", "Largest change of a velocity, of the largest wave.", &T::size);
+    d.key("start", "- >= 0", "Root of the energy it has at first, of the motion's.", &T::start);
+    d.key("end", "- >= 0", "The same at the end.", &T::end);
+}
+
+template <typename D>
+void describe(D& d, Type<SceneStability>)
+{
+    using T = SceneStability;
+    d.record("SceneStabilityReport", "What became of disturbances of bars.");
+    d.key("verdict", "-", "Do the bars stay near the motion?",
+          [](const T& s) { return s.result.stability; });
+    d.key("periods", "- >= 1", "Waited.", &T::periods);
+    d.key("drift", "- >= 0", "Of the undisturbed motion in a period, as trials are.",
+          [](const T& s) { return s.result.drift; });
+    d.key("contacts", "- >= 0", "Of the undisturbed motion.",
+          [](const T& s) { return s.result.contacts; });
+    d.key("trials", "-", "One for each disturbance.", [](const T& s) { return s.result.trials; });
+}
+
 template <typename D>
 void describe(D& d, Type<SceneFindAnswer>)
 {
@@ -218,6 +262,7 @@ void describe(D& d, Type<SceneFindAnswer>)
           [](const T& a) { return a.isFound() ? a.ratio(a.motions.provedEnergy) : std::nullopt; });
     d.key("residuals", "-", "Of the motion.",
           ofMotion([](const T& a) { return a.motions.residuals; }), When::found);
+    d.key("stability", "-", "Started beside the motion.", &T::stability, When::any);
     d.key("certificate", "-", "No motion has less energy; of none: than any looked for, or held.",
           &T::certificate);
     d.key("detail", "-", "Why it is not decided.", [](const T& a) { return a.motions.detail; });
@@ -241,6 +286,7 @@ void describe(D& d, Type<SceneForcedMotion>)
     d.key("contacts", "-", "[dict, ...]: each contact, and its forces.", &T::contacts);
     d.key("residual", "- >= 0", "The worst that was seen walking its waves; relative.",
           [](const T& m) { return m.residuals.worst(); });
+    d.key("stability", "-", "Started beside the motion.", &T::stability, When::any);
 }
 
 template <typename D>

@@ -72,23 +72,6 @@ answers::FindAnswer search(const Schedule& schedule, const FindRequest& request,
     });
 }
 
-constexpr std::int64_t maxStableSteps = 1'000'000;
-
-/// What becomes of a free motion beside it: as it is, and with a little damping.
-std::vector<answers::StabilityReport> stabilityReports(const FoundMotion& motion,
-                                                       const Schedule& schedule, const Bar& bar)
-{
-    const Interrupt interrupt;
-    std::vector<answers::StabilityReport> reports;
-    for (const double ratio : {0.0, 0.001}) {
-        answers::StabilityReport report{{ratio}, {}, {}, bar};
-        report.options.cancel = interrupt.cancel();
-        report.result = stabilityOf(motion.state, schedule, report.damping, report.options);
-        reports.push_back(std::move(report));
-    }
-    return reports;
-}
-
 Motion fieldOf(const PeriodicResult& result)
 {
     const std::vector<Segment>& segments = result.scene.segments;
@@ -206,26 +189,26 @@ ExitStatus FindCommand::run() const
     return status;
 }
 
-/// The simulation that stability is seen in knows one bar.
-void FindCommand::requireStable(const Schedule& schedule) const
+bool FindCommand::triesStability(std::int64_t steps) const
 {
-    refuseIf(given.has("--stability") && !common.scene().segments.empty(),
-             "--stability: allowed without --segments");
-    refuseIf(given.has("--stability") && signorini::steps(schedule) > maxStableSteps, "--stability",
-             fmt::format("{} steps", signorini::steps(schedule)),
-             fmt::format("periods of at most {} steps", maxStableSteps));
+    const bool isAsked = given.has("--stability");
+    if (isAsked) {
+        answers::requireTried(steps);
+    }
+    return isAsked;
 }
 
 ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindRequest& request) const
 {
     validate(schedule);
-    requireStable(schedule);
+    const bool triesStability = this->triesStability(signorini::steps(schedule));
     FindOutputs files(*this);
     answers::FindAnswer answer = search(schedule, request, common);
     const PeriodicResult& result = answer.result;
     writeFiles(files, request.options, result, wholeJsonOf(answer, "certificate"));
-    if (given.has("--stability") && result.motion) {
-        answer.stability = stabilityReports(*result.motion, schedule, result.scene.bar);
+    if (triesStability) {
+        const Interrupt interrupt;
+        tryStability(answer, interrupt.cancel());
     }
     if (common.wantsJson) {
         writeAnswer(wholeJsonOf(answer, "certificate"), result, writeOut);

@@ -35,10 +35,12 @@ struct FindCommand {
     /// Says on stderr where a motion is not what a bar could do.
     void warn(const Physical& physical) const;
 
+    /// Is --stability asked for? \throws std::invalid_argument where a period has too many steps.
+    [[nodiscard]] bool triesStability(std::int64_t steps) const;
+
 private:
     /// answers::asks::..., of a bar.
     [[nodiscard]] unsigned kind() const;
-    void requireStable(const Schedule& schedule) const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
                                             const FindRequest& request) const;
     [[nodiscard]] ExitStatus answerQuestion(const answers::AskedPeriod& asked,

@@ -30,18 +30,6 @@ void validate(const FindCommand& call, const Schedule& schedule, bool isStepped)
     }
 }
 
-/// Each motion disturbed a little.
-void tryStability(answers::ForcedAnswer& answer)
-{
-    const Interrupt interrupt;
-    StabilityOptions options;
-    options.cancel = interrupt.cancel();
-    options.segments = answer.scene.segments;
-    for (answers::ForcedMotionOf& motion : answer.motions) {
-        motion.value.stability = stabilityOf(motion.value, options).stability;
-    }
-}
-
 /// The motion of the largest impulse, or the proof that there is none.
 void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
 {
@@ -117,6 +105,7 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
     // Equal segments are one bar.
     const bool isStepped = !isUniform(scene.segments);
     validate(call, schedule, isStepped);
+    const bool triesStability = call.triesStability(steps(schedule));
     const ForceOptions& force = call.force;
     const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;
     FindOutputs files(call);
@@ -128,8 +117,9 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
     answers::ForcedAnswer answer =
         answers::answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
                           scene, force.at(frequencyRatio, firstHertz(bar)).amplitude);
-    if (call.given.has("--stability")) {
-        tryStability(answer);
+    if (triesStability) {
+        const Interrupt interrupt;
+        tryStability(answer, interrupt.cancel());
     }
     writeFiles(files, answer);
     return finish(call, answer);

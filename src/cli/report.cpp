@@ -198,18 +198,8 @@ std::string asText(const EnergyExclusion& exclusion)
 
 std::string asText(const answers::StabilityReport& report)
 {
-    double least = 1e300;
-    double most = 0.0;
-    for (const StabilityTrial& trial : report.result.trials) {
-        const double times = trial.start > 0.0 ? trial.end / trial.start : 0.0;
-        least = std::min(least, times);
-        most = std::max(most, times);
-    }
-    std::string text = fmt::format(
-        "stability   ζ = {}: {}; {} disturbances of 0.01 to 0.1 % became {:.3g} to {:.3g} times as "
-        "large in {} periods",
-        report.damping.ratio, name(report.result.stability), report.result.trials.size(), least,
-        most, report.options.periods);
+    std::string text = fmt::format("stability   ζ = {}: {}", report.damping.ratio,
+                                   stabilityText(report.result, report.periods));
     if (report.result.drift > 1e-9) {
         text += fmt::format("; undisturbed it moved by up to {:.3g} m, with {} contacts",
                             report.result.drift * scales(report.bar).displacement,
@@ -350,6 +340,20 @@ std::string bandsText(std::size_t count, const std::function<bool(std::size_t)>&
         }
     }
     return bands > most ? text + fmt::format(" and {} more", bands - most) : text;
+}
+
+std::string stabilityText(const StabilityResult& tried, std::int64_t periods)
+{
+    double least = 1e300;
+    double most = 0.0;
+    for (const StabilityTrial& trial : tried.trials) {
+        const double times = trial.start > 0.0 ? trial.end / trial.start : 0.0;
+        least = std::min(least, times);
+        most = std::max(most, times);
+    }
+    return fmt::format(
+        "{}; {} disturbances of 0.01 to 0.1 % became {:.3g} to {:.3g} times as large in {} periods",
+        name(tried.stability), tried.trials.size(), least, most, periods);
 }
 
 std::string yieldText(double stress, std::optional<double> limit, const char* values)

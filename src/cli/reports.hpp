@@ -72,6 +72,9 @@ void report(const CommonOptions& common, const Answer& answer,
 [[nodiscard]] std::string bandsText(
     std::size_t count, const std::function<bool(std::size_t)>& holds,
     const std::function<std::string(std::size_t first, std::size_t last)>& called);
+/// "attracts; 4 disturbances ... became ... times as large in 300 periods"
+[[nodiscard]] std::string stabilityText(const StabilityResult& tried, std::int64_t periods);
+
 /// ": 12 % of the yield stress, no yield at these values", or nothing without a limit.
 [[nodiscard]] std::string yieldText(double stress, std::optional<double> limit, const char* values);
 

@@ -73,7 +73,8 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
             text += fmt::format("contact     grazing: nothing presses{}\n", whyGrazing(of));
         }
         text += cli::asText(contactsOf(answer.schedule, &motions.residuals));
-        text += fmt::format("residual    {:.2g}\n", motions.residuals.worst());
+        text += fmt::format("residual    {:.2g}\n{}", motions.residuals.worst(),
+                            cli::asText(answer.stability));
     }
     return text;
 }
@@ -88,6 +89,12 @@ std::string asText(const std::vector<answers::ContactInPeriod>& contacts)
                             one.contact.number, *one.peakForce, *one.impulse);
     }
     return text;
+}
+
+std::string asText(const std::optional<answers::SceneStability>& tried)
+{
+    return tried ? fmt::format("stability   {}\n", stabilityText(tried->result, tried->periods))
+                 : "";
 }
 
 SceneFind::SceneFind(const FindCommand& of)
@@ -130,8 +137,12 @@ ExitStatus findInScene(const FindCommand& command)
     const Interrupt interrupt;
     FindOptions options = command.options;
     options.cancel = interrupt.cancel();
-    const SceneFindAnswer answer =
+    const bool triesStability = command.triesStability(stepsOf(scene.schedule));
+    SceneFindAnswer answer =
         answers::answerOf(scene.assembly, scene.network, scene.schedule, wishOf(scene), options);
+    if (triesStability) {
+        tryStability(answer, scene.network, options.cancel);
+    }
     const auto& motion = answer.motions.motion;
     return scene.finish(answer, motion ? &*motion : nullptr, answer.isProof(),
                         asText(answer, scene));

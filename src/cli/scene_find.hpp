@@ -41,6 +41,8 @@ private:
     void write(const NetworkClaim* motion, bool isProof, const std::string& json);
 };
 
+/// The line of what was tried, or none.
+[[nodiscard]] std::string asText(const std::optional<answers::SceneStability>& tried);
 /// A line for each contact of a motion.
 [[nodiscard]] std::string asText(const std::vector<answers::ContactInPeriod>& contacts);
 

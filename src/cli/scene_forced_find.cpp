@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "interrupt.hpp"
 #include "scene_find.hpp"
 
 namespace signorini::cli {
@@ -26,7 +27,8 @@ std::string asText(const answers::SceneForcedAnswer& answer, const SceneFind& of
         text += fmt::format("motion      amplitude {:.6g} {}, phase {:.6g}\n", one.amplitude, unit,
                             one.phase);
         text += cli::asText(one.contacts);
-        text += fmt::format("residual    {:.2g}\n", one.residuals.worst());
+        text += fmt::format("residual    {:.2g}\n{}", one.residuals.worst(),
+                            cli::asText(one.stability));
     }
     if (answer.status() == Status::none) {
         text += fmt::format(
@@ -55,8 +57,13 @@ ExitStatus findForcedInScene(const FindCommand& command)
             static_cast<double>(forcing.cycles) / periodOf(scene.network, scene.schedule);
         amplitude = first > 0.0 ? force.at(hertz / first, first).amplitude : force.amplitude;
     }
-    const answers::SceneForcedAnswer answer =
+    const bool triesStability = command.triesStability(stepsOf(scene.schedule));
+    answers::SceneForcedAnswer answer =
         answers::forcedAnswerOf(scene.assembly, scene.network, scene.schedule, forcing, amplitude);
+    if (triesStability) {
+        const Interrupt interrupt;
+        tryStability(answer, scene.network, interrupt.cancel());
+    }
     const NetworkClaim* last = answer.motions.empty() ? nullptr : &answer.motions.back().claim;
     return scene.finish(answer, last, answer.status() == Status::none, asText(answer, scene));
 }

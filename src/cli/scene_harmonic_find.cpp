@@ -52,6 +52,7 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
              "--period, --frequency, --hertz: of several bars allowed only together with --force");
     force.requirePlace();
     force.requireAmplitude();
+    refuseIf(call.given.has("--stability"), "--stability: allowed only of a schedule");
     for (const char* name : {"--state", "--certificate", "--motion", "--animate"}) {
         refuseIf(call.given.has(name), name, call.given.text(name),
                  "none with --period, --frequency and --hertz of several bars or segments");

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
-
+#include "disturbed.hpp"
 #include "echo.hpp"
 #include "faults.hpp"
 #include "names.hpp"
@@ -21,7 +20,6 @@ constexpr auto stabilityNames = std::to_array<Named<Stability>>({
 
 constexpr double diesOut = 0.1;
 constexpr double grows = 10.0;
-constexpr std::int64_t mostEvents = 20'000'000;  // of one disturbance, less than a second
 
 void validate(const StabilityOptions& options)
 {
@@ -39,56 +37,76 @@ void validate(const StabilityOptions& options)
     faults.throwIfAny();
 }
 
-/// What is disturbed.
-struct Course {
-    const State& state;
-    const Damping& damping;
-    const Excitation& excitation;
-    const Stops& stops;
-    double period;  ///< [steps]
+/// A bar and what moves it.
+class DisturbedBar final : public Disturbed {
+public:
+    DisturbedBar(const State& state, const Damping& damping, const Excitation& excitation,
+                 const Stops& stops, double period, const StabilityOptions& options)
+        : state_(state),
+          damping_(damping),
+          excitation_(excitation),
+          period_(period),
+          options_(options),
+          settings_{
+              .mergeBelow = damping.ratio > 0.0 ? std::optional(options.mergeBelow) : std::nullopt,
+              .recordsTip = false,
+              .stops = stops,
+              .segments = isUniform(options.segments) ? std::vector<Segment>{} : options.segments}
+    {
+    }
+
+    [[nodiscard]] Course follow(double size, std::mt19937_64& generator,
+                                std::int64_t periods) const override
+    {
+        const Waves start = size > 0.0 ? besides(size, generator) : wavesOf(state_);
+        BarSimulation simulation(start, damping_, excitation_, settings_);
+        Course course{stretching(start, state_.cells()), {}, 0, true};
+        course.isWhole = goOn(simulation, period_, periods, options_.cancel);
+        course.end = stretching(simulation.waves(), state_.cells());
+        course.contacts = static_cast<std::int64_t>(simulation.contacts().size());
+        return course;
+    }
+
+    /// Largest of displacements along the bar.
+    [[nodiscard]] double distance(const Eigen::VectorXd& one,
+                                  const Eigen::VectorXd& other) const override
+    {
+        return (one - other).cwiseAbs().maxCoeff();
+    }
+
+private:
+    /// The motion's waves, each times 1 + a number in [-size, size].
+    [[nodiscard]] Waves besides(double size, std::mt19937_64& generator) const
+    {
+        Waves waves = wavesOf(state_);
+        std::uniform_real_distribution<double> part(-size, size);
+        for (auto* wave : {&waves.a, &waves.b}) {
+            for (Piece& piece : *wave) {
+                piece.value *= 1.0 + part(generator);
+            }
+        }
+        // The tip must not stand inside a stop: by as much as it does, all cells give way evenly.
+        const std::int64_t cells = state_.cells();
+        const Stops& stops = settings_.stops;
+        const double tip = excitation_.baseDisplacement(0) + stretching(waves, cells)[cells];
+        const double least =
+            stops.left ? -stops.left->value() : -std::numeric_limits<double>::infinity();
+        const double inside = tip - std::clamp<double>(tip, least, stops.right);
+        if (inside != 0.0) {
+            for (Piece& piece : waves.a) {
+                piece.value += inside;
+            }
+        }
+        return waves;
+    }
+
+    const State& state_;
+    const Damping& damping_;
+    const Excitation& excitation_;
+    double period_;  ///< [steps]
+    const StabilityOptions& options_;
+    SimulationOptions settings_;
 };
-
-/// The motion's waves, each times 1 + a number in [-size, size].
-Waves besides(const Course& course, double size, std::mt19937_64& generator)
-{
-    Waves waves = wavesOf(course.state);
-    std::uniform_real_distribution<double> part(-size, size);
-    for (auto* wave : {&waves.a, &waves.b}) {
-        for (Piece& piece : *wave) {
-            piece.value *= 1.0 + part(generator);
-        }
-    }
-    // The tip must not stand inside a stop: by as much as it does, all cells give way evenly.
-    const std::int64_t cells = course.state.cells();
-    const double tip = course.excitation.baseDisplacement(0) + stretching(waves, cells)[cells];
-    const double least =
-        course.stops.left ? -course.stops.left->value() : -std::numeric_limits<double>::infinity();
-    const double inside = tip - std::clamp<double>(tip, least, course.stops.right);
-    if (inside != 0.0) {
-        for (Piece& piece : waves.a) {
-            piece.value += inside;
-        }
-    }
-    return waves;
-}
-
-/// Largest distance of the displacements along the bar.
-double distance(const Eigen::VectorXd& one, const Eigen::VectorXd& other)
-{
-    return (one - other).cwiseAbs().maxCoeff();
-}
-
-/// Goes on for the periods asked for. \return did it, or did it take too many events?
-bool wait(BarSimulation& simulation, const Course& course, const StabilityOptions& options)
-{
-    const auto goesOn = [&] {
-        return simulation.events() < mostEvents && !isRequested(options.cancel);
-    };
-    for (std::int64_t k = 0; k < options.periods && goesOn(); ++k) {
-        simulation.advance(course.period);
-    }
-    return goesOn();
-}
 
 Stability verdictOf(const std::vector<StabilityTrial>& trials, bool isWhole)
 {
@@ -102,40 +120,31 @@ Stability verdictOf(const std::vector<StabilityTrial>& trials, bool isWhole)
     return isWhole && allDie ? Stability::attracts : Stability::unclear;
 }
 
-StabilityResult stabilityOf(const Course& course, const StabilityOptions& options)
+}  // namespace
+
+std::string_view name(Stability stability)
+{
+    return nameIn(stabilityNames, stability);
+}
+
+StabilityResult stabilityOf(const Disturbed& motion, bool isPeriodic,
+                            const StabilityOptions& options)
 {
     validate(options);
-    const std::int64_t cells = course.state.cells();
-    const SimulationOptions settings{
-        .mergeBelow = course.damping.ratio > 0.0 ? std::optional(options.mergeBelow) : std::nullopt,
-        .recordsTip = false,
-        .stops = course.stops,
-        .segments = isUniform(options.segments) ? std::vector<Segment>{} : options.segments};
-    const Waves undisturbed = wavesOf(course.state);
-    const Eigen::VectorXd still = stretching(undisturbed, cells);
-    StabilityResult result;
-    BarSimulation motion(undisturbed, course.damping, course.excitation, settings);
-    bool isWhole = true;
-    // What is periodic is compared with where it began: rounding must not lead it away.
-    const bool isPeriodic = course.damping.ratio == 0.0 || course.excitation.steps() > 0;
-    if (!isPeriodic) {
-        isWhole = wait(motion, course, options);
-    } else {
-        motion.advance(course.period);
-    }
-    const Eigen::VectorXd later = stretching(motion.waves(), cells);
-    result.drift = distance(later, still);
-    result.contacts =
-        static_cast<std::int64_t>(motion.contacts().size()) * (isPeriodic ? options.periods : 1);
     std::mt19937_64 generator(options.seed);
+    const Disturbed::Course itself =
+        motion.follow(0.0, generator, isPeriodic ? 1 : options.periods);
+    const Eigen::VectorXd& compared = isPeriodic ? itself.start : itself.end;
+    bool isWhole = itself.isWhole;
+    StabilityResult result;
+    result.drift = motion.distance(itself.end, itself.start);
+    result.contacts = itself.contacts * (isPeriodic ? options.periods : 1);
     for (const double size : options.sizes) {
         for (std::int64_t draw = 0; draw < options.draws; ++draw) {
-            const Waves start = besides(course, size, generator);
-            StabilityTrial trial{size, distance(stretching(start, cells), still), 0.0};
-            BarSimulation simulation(start, course.damping, course.excitation, settings);
-            isWhole = wait(simulation, course, options) && isWhole;
-            trial.end = distance(stretching(simulation.waves(), cells), isPeriodic ? still : later);
-            result.trials.push_back(trial);
+            const Disturbed::Course course = motion.follow(size, generator, options.periods);
+            isWhole = course.isWhole && isWhole;
+            result.trials.push_back({size, motion.distance(course.start, itself.start),
+                                     motion.distance(course.end, compared)});
         }
     }
     if (!isRequested(options.cancel)) {
@@ -144,18 +153,11 @@ StabilityResult stabilityOf(const Course& course, const StabilityOptions& option
     return result;
 }
 
-}  // namespace
-
-std::string_view name(Stability stability)
-{
-    return nameIn(stabilityNames, stability);
-}
-
 StabilityResult stabilityOf(const ForcedMotion& motion, const StabilityOptions& options)
 {
-    return stabilityOf({motion.state, motion.damping, motion.excitation, motion.schedule.stops,
-                        static_cast<double>(motion.excitation.steps())},
-                       options);
+    const DisturbedBar bar(motion.state, motion.damping, motion.excitation, motion.schedule.stops,
+                           static_cast<double>(motion.excitation.steps()), options);
+    return stabilityOf(bar, motion.damping.ratio == 0.0 || motion.excitation.steps() > 0, options);
 }
 
 StabilityResult stabilityOf(const State& state, const Schedule& schedule, const Damping& damping,
@@ -165,8 +167,9 @@ StabilityResult stabilityOf(const State& state, const Schedule& schedule, const 
     validate(damping);
     requireCells(state, schedule.cells);
     const Excitation none{.stepsPerCrossing = static_cast<double>(schedule.cells)};
-    return stabilityOf({state, damping, none, schedule.stops, static_cast<double>(steps(schedule))},
-                       options);
+    const DisturbedBar bar(state, damping, none, schedule.stops,
+                           static_cast<double>(steps(schedule)), options);
+    return stabilityOf(bar, damping.ratio == 0.0, options);
 }
 
 }  // namespace signorini

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "backend_choice.hpp"
+#include "network_motions.hpp"
 
 namespace signorini {
 

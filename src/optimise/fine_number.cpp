@@ -1,63 +1,97 @@
 #include "fine_number.hpp"
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <new>
+#include <type_traits>
+
 namespace signorini {
 
-FineNumber::FineNumber() = default;
-FineNumber::FineNumber(const FineNumber& other) = default;
-FineNumber& FineNumber::operator=(const FineNumber& other) = default;
+/// The number within.
+struct FineNumber::Inside {
+    using Value = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
+                                                boost::multiprecision::et_off>;
+    static_assert(sizeof(Value) <= sizeof(FineNumber) && alignof(Value) <= alignof(FineNumber));
+    static_assert(std::is_trivially_destructible_v<Value>);
+
+    static Value& of(FineNumber& number)
+    {
+        return *std::launder(reinterpret_cast<Value*>(number.number_.data()));
+    }
+    static const Value& of(const FineNumber& number)
+    {
+        return *std::launder(reinterpret_cast<const Value*>(number.number_.data()));
+    }
+};
+
+FineNumber::FineNumber()
+{
+    new (number_.data()) Inside::Value();
+}
+
+FineNumber::FineNumber(const FineNumber& other)
+{
+    new (number_.data()) Inside::Value(Inside::of(other));
+}
+
+FineNumber& FineNumber::operator=(const FineNumber& other)
+{
+    Inside::of(*this) = Inside::of(other);
+    return *this;
+}
 
 FineNumber::operator double() const
 {
-    return static_cast<double>(value_);
+    return static_cast<double>(Inside::of(*this));
 }
 
 void FineNumber::set(double value)
 {
-    value_ = value;
+    new (number_.data()) Inside::Value(value);
 }
 
 void FineNumber::set(long long value)
 {
-    value_ = value;
+    new (number_.data()) Inside::Value(value);
 }
 
 FineNumber& FineNumber::operator+=(const FineNumber& other)
 {
-    value_ += other.value_;
+    Inside::of(*this) += Inside::of(other);
     return *this;
 }
 
 FineNumber& FineNumber::operator-=(const FineNumber& other)
 {
-    value_ -= other.value_;
+    Inside::of(*this) -= Inside::of(other);
     return *this;
 }
 
 FineNumber& FineNumber::operator*=(const FineNumber& other)
 {
-    value_ *= other.value_;
+    Inside::of(*this) *= Inside::of(other);
     return *this;
 }
 
 FineNumber& FineNumber::operator/=(const FineNumber& other)
 {
-    value_ /= other.value_;
+    Inside::of(*this) /= Inside::of(other);
     return *this;
 }
 
 FineNumber FineNumber::operator-() const
 {
     FineNumber negated;
-    negated.value_ = -value_;
+    Inside::of(negated) = -Inside::of(*this);
     return negated;
 }
 
 std::partial_ordering FineNumber::operator<=>(const FineNumber& other) const
 {
-    if (isnan(value_) || isnan(other.value_)) {
+    const Inside::Value& value = Inside::of(*this);
+    if (isnan(value) || isnan(Inside::of(other))) {
         return std::partial_ordering::unordered;
     }
-    return value_.compare(other.value_) <=> 0;
+    return value.compare(Inside::of(other)) <=> 0;
 }
 
 bool FineNumber::operator==(const FineNumber& other) const
@@ -68,7 +102,7 @@ bool FineNumber::operator==(const FineNumber& other) const
 FineNumber FineNumber::root() const
 {
     FineNumber root;
-    root.value_ = sqrt(value_);
+    Inside::of(root) = sqrt(Inside::of(*this));
     return root;
 }
 

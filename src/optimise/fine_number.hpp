@@ -7,9 +7,10 @@
 /// 2^-168, the range is beyond that of doubles.
 
 #include <Eigen/Core>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <array>
 #include <compare>
 #include <concepts>
+#include <cstddef>
 #include <limits>
 
 namespace signorini {
@@ -46,9 +47,9 @@ private:
     void set(double value);
     void set(long long value);
 
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                  boost::multiprecision::et_off>
-        value_;
+    struct Inside;
+    /// Boost's number: its headers take longer to read than most files that hold one.
+    alignas(16) std::array<std::byte, 64> number_;
 };
 
 }  // namespace signorini

@@ -631,6 +631,21 @@ TEST_CASE("cli find --stability: what becomes of a free motion, with what was tr
     CHECK_THAT(program.run("find 15 90 --cells 30 --stability").out,
                containsText("disturbances") && containsText("periods"));
     CHECK(program.run("find --period 7/2 --stability").status == 2);
+    const auto tooLong = program.run("find 150 1000000 --stability");
+    CHECK(tooLong.status == 2);
+    CHECK_THAT(tooLong.err, containsText("steps of a period = 1000150") && containsText("1000000"));
+    // Of several segments, and of several bars, free or forced, likewise.
+    CHECK(parsed(program, "find 6 36 --segments 6:1,6:2 --stability --quiet")["stability"].size() ==
+          2);
+    const json bars =
+        parsed(program, "find 1:3 -:11 --scene 'clamp 4 gap=2e-3 4 clamp' --stability --quiet");
+    CHECK(bars["stability"]["verdict"] == "repels");
+    CHECK(bars["stability"]["trials"].size() == 4);
+    const json forced =
+        parsed(program,
+               "find 1:6 -:42 --scene 'clamp 6 dash=0.2 driven gap=1e-3 dash=0.3 6 clamp' "
+               "--force tip --amplitude 2.1e-3 --stability --quiet");
+    CHECK(forced["motions"][0]["stability"]["verdict"] == "attracts");
 }
 
 TEST_CASE(

@@ -25,7 +25,7 @@ TEST_CASE("cli modes: hertz and joules are those of the bar, ratios those of eve
     for (std::size_t k = 0; k < steel["modes"].size(); ++k) {
         const json& mode = steel["modes"][k];
         const json& range = mode["period_range"];
-        const auto period = [&range](int end) {
+        const auto period = [&range](std::size_t end) {
             return range[end][0].get<double>() / range[end][1].get<double>();
         };
         CHECK(mode["frequency_range"][0].get<double>() == Approx(2500.0 / period(1)));

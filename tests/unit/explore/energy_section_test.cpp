@@ -121,7 +121,7 @@ Schedule boxOf(std::int64_t places)
 
 TEST_CASE("energy section: boxes have as many components as a grid shows")
 {
-    for (const std::size_t places : {2, 3, 4, 5}) {
+    for (const std::size_t places : {2U, 3U, 4U, 5U}) {
         const Schedule schedule = boxOf(static_cast<std::int64_t>(places));
         const OnePhaseSet whole = onePhaseSet(schedule);
         const EnergyRange range = energyRange(whole);
@@ -143,7 +143,7 @@ TEST_CASE("energy section: boxes have as many components as a grid shows")
 
 TEST_CASE("energy section: corners of a box are joined where the grid joins them")
 {
-    for (const std::size_t places : {3, 4, 5}) {
+    for (const std::size_t places : {3U, 4U, 5U}) {
         const Schedule schedule = boxOf(static_cast<std::int64_t>(places));
         const OnePhaseSet whole = onePhaseSet(schedule);
         const auto count = static_cast<double>(places);
@@ -170,11 +170,9 @@ TEST_CASE("energy section: corners of a box are joined where the grid joins them
                 }
                 std::vector<double> shares;
                 int previous = 0;
-                int jumps = 0;
                 for (std::size_t k = 0; k < places; ++k) {
                     const int sum = k + 1 < places ? static_cast<int>(corner >> k & 1U) : 1;
                     shares.push_back(sum - previous);
-                    jumps += sum != previous ? 1 : 0;
                     previous = sum;
                 }
                 // On the way from the corner to a point near equal shares, where Q is convex.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "catch.hpp"
+#include "sanitized.hpp"
 #include "scene_oracle.hpp"
 #include "signorini/find_periodic.hpp"
 
@@ -113,7 +114,7 @@ TEST_CASE(
         const Stops stops = stopsOf(scene);
         const bool needsLeft = stops.right == 0 && stops.left;
         int found = 0;
-        for (int k = 0; k < 10'000; ++k) {
+        for (int k = 0; k < test::drawn(10'000); ++k) {
             Schedule schedule = test::randomScene(generator, stops, 8);
             if (needsLeft) {
                 schedule.phases.back().stop = Stop::left;
@@ -129,7 +130,7 @@ TEST_CASE(
                 REQUIRE(isProof(result));
             }
         }
-        CHECK(found > 50);
+        CHECK(found > test::drawn(50));
     }
 }
 

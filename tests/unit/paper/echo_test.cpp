@@ -50,8 +50,8 @@ TEST_CASE("echo: unknowns, window and state are the same 2N numbers")
     for (std::int64_t split = 0; split <= 2 * cells; ++split) {
         State filled{Eigen::VectorXd::Zero(cells), Eigen::VectorXd::Zero(cells)};
         for (const auto& [begin, end] : {std::pair{std::int64_t{0}, split}, {split, 2 * cells}}) {
-            fillWaves(filled, begin, end, [&](auto& run, double sign, std::int64_t offset) {
-                run = sign * p.segment(begin + offset, run.size());
+            fillWaves(filled, begin, end, [&, first = begin](auto& run, double sign, auto offset) {
+                run = sign * p.segment(first + offset, run.size());
             });
         }
         CHECK(filled == state);

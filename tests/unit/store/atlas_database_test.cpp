@@ -305,8 +305,9 @@ TEST_CASE("atlas database: twins of several phases, and and of both sorts")
         }
     });
     std::int64_t expected = 0;
-    for (const auto& [steps, energy, name, mirror] : all) {
-        expected += std::any_of(all.begin(), all.end(), [&](const auto& other) {
+    for (const auto& one : all) {
+        expected += std::any_of(all.begin(), all.end(), [&one](const auto& other) {
+            const auto& [steps, energy, name, mirror] = one;
             return std::get<0>(other) == steps && std::get<2>(other) != name &&
                    std::get<2>(other) != mirror &&
                    std::abs(std::get<1>(other) / energy - 1.0) <= 1e-12;
