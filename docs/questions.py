@@ -45,7 +45,7 @@ OWN_FORCE = "--force tip --amplitude 2e-3"
 #: Question: command, its words, and the call of Python that answers it.
 QUESTIONS = {
     "A motion of a schedule": ("find", "6 36", "find"),
-    "All motions of a period": ("find", "--period 4", "find"),
+    "All motions of a period": ("find", "--period 7/2", "find"),
     "A forced motion of a schedule": ("find", "6 42 {force}", "find"),
     "All motions of a period under a harmonic force": ("find", "--frequency 1.1 {force}", "find"),
     "Motions of one schedule and energy": ("continuum", "6 36 --energy-ratio 9", "continuum"),

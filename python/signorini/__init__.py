@@ -26,9 +26,10 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable, Ba
                     HarmonicMotion, HarmonicResult, Mode, ModeChain, ModeMotion, ModePolytope,
                     Motion, PermanentContact, Physical, PolytopeMotion, ProgramProof, Residuals,
                     Result, Scene, SceneForcedMotion, SceneForcedResult, SceneHarmonicMotion,
-                    SceneHarmonicResult, SceneResiduals, SceneResult, SceneSimulation, Schedule,
-                    Segment, Settled, Simulation, SolutionSet, SolverReport, State, SteppedProof,
-                    StudyPoint, Sweep, SweepPoint, Waves, __version__, backends)
+                    SceneHarmonicResult, SceneQuestion, SceneResiduals, SceneResult,
+                    SceneSimulation, Schedule, Segment, Settled, Simulation, SolutionSet,
+                    SolverReport, State, SteppedProof, StudyPoint, Sweep, SweepPoint, Waves,
+                    __version__, backends)
 from ._find import continuum, find
 from ._forced import Response, exact_response, force_range, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
@@ -56,8 +57,8 @@ __all__ = [
     "HarmonicResult", "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
     "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question", "Residuals",
     "Response", "Result", "Scene", "SceneForcedMotion", "SceneForcedResult",
-    "SceneHarmonicMotion", "SceneHarmonicResult", "SceneResiduals", "SceneResult",
-    "SceneSimulation", "Schedule", "Segment", "Settled", "Simulation", "SolutionSet",
+    "SceneHarmonicMotion", "SceneHarmonicResult", "SceneQuestion", "SceneResiduals",
+    "SceneResult", "SceneSimulation", "Schedule", "Segment", "Settled", "Simulation", "SolutionSet",
     "SolverReport", "State", "SteppedProof", "StudyPoint", "Sweep", "SweepPoint", "Table",
     "Waves",
     "__version__", "backends", "continuum", "exact_response", "families", "find", "force_range",

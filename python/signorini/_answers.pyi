@@ -145,6 +145,12 @@ class SceneForcedProof(TypedDict):
     rows: str
     cuts: list[EnergyFloor]
 
+class SceneSet(TypedDict):
+    contact: int
+    steps: int
+    status: Literal["found", "none", "undecided"]
+    detail: NotRequired[str]
+
 class SceneContactTotals(TypedDict):
     number: int
     kind: Literal["right stop", "left stop", "gap"]
@@ -646,6 +652,21 @@ class SceneHarmonicResult(_Record):
     detail: Optional[str]
     found: bool
     def _figure(self, index: int, /) -> str: ...
+    def _scene(self) -> str: ...
+    def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
+
+class SceneQuestion(_Record):
+    status: Literal["found", "none", "undecided"]
+    scene: SceneWords
+    reference: SceneReference
+    cells: int
+    steps: int
+    period: float
+    frequency: float
+    sets: list[SceneSet]
+    motions: list[SceneResult]
+    found: bool
     def _scene(self) -> str: ...
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, overload
 from . import _core
 from ._asking import asks, excited, gathered, scheduled
 from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
-                    Scene, SceneForcedResult, SceneHarmonicResult, SceneResult, State)
+                    Scene, SceneForcedResult, SceneHarmonicResult, SceneQuestion,
+                    SceneResult, State)
 from ._progress import Progress
-from ._question import Question, ask, find_bars, period_of
+from ._question import Question, ask, ask_bars, find_bars, period_of
 from ._words import (Force, Number, Objective, Quantity, Segments, Steps,
                      whole)
 
@@ -94,6 +95,15 @@ def find(first: int | str, /, *schedule: int | str, scene: str, gravity: Quantit
 
 
 @overload
+def find(*, scene: str, gravity: Quantity = 0.0,
+         period: Number | None = None, frequency: Number | None = None,
+         hertz: Quantity | None = None, solver: str = "auto", objective: Objective = "auto",
+         target: str | None = None, energy: Quantity | None = None,
+         energy_ratio: float | None = None, tolerance: Quantity = 1e-7,
+         time_limit: Quantity | None = None, **scales: Unpack[_Parameters]) -> SceneQuestion: ...
+
+
+@overload
 def find(first: int | str, /, *schedule: int | str, scene: str, force: Force,
          gravity: Quantity = 0.0, amplitude: Quantity | None = None,
          amplitude_velocity: Quantity | None = None,
@@ -131,7 +141,7 @@ def find(
          contacts: int = 1, stability: bool = False,
          **bar_options: Quantity | None
          ) -> (Result | Question | ForcedResult | HarmonicResult
-               | SceneResult | SceneForcedResult | SceneHarmonicResult):
+               | SceneResult | SceneForcedResult | SceneHarmonicResult | SceneQuestion):
     """Decide a schedule: a verified motion, or the proof that there is none.
 
     With `period`, `frequency` or `hertz` in place of a schedule all motions of
@@ -164,7 +174,8 @@ def find(
         A Question, a sequence of Result, for a period or frequency; a
         ForcedResult where `damping` and `force` are given, and of a period
         or frequency with them a HarmonicResult. Of several bars likewise a
-        SceneResult, SceneForcedResult or SceneHarmonicResult.
+        SceneResult, SceneForcedResult or SceneHarmonicResult, and of a period
+        without force, as of one bar of several segments, a SceneQuestion.
 
     Raises
     ------
@@ -202,7 +213,15 @@ def find(
     if is_timed and schedule:
         raise ValueError("a schedule clashes with period, frequency and "
                          "hertz: allowed one of them")
-    return ask(times, asked) if is_timed else _core.find(scheduled(asked))
+    if not is_timed:
+        return _core.find(scheduled(asked))
+    if not where.segments:
+        return ask(times, asked)
+    clash = [name for name, value in (("strain_limit", strain_limit), ("tip_floor", tip_floor))
+             if value is not None]
+    if clash:
+        raise ValueError(f"{', '.join(clash)}: allowed of a period only without segments")
+    return ask_bars(times, asked)
 
 
 @asks("continuum")

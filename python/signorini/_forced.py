@@ -165,7 +165,7 @@ def simulate(start: State | Waves | str | None = None, *,
     cells : int, optional
         Steps of the excitation in L/c (those of the state, 300 at rest).
     tip : bool
-        Record the path of the tip.
+        Record the path of the tip; of several bars those at the contacts.
     scene : Scene or str, optional
         In place of `bar` and `second_stop`; or the words of several bars in
         a row, "clamp 60 gap=1e-3 40 driven dash=0.1 20 clamp", whose scales

@@ -241,6 +241,7 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.SceneResult: ("motion", (8, 5)),
     _core.SceneForcedResult: ("motion", (8, 5)),
     _core.SceneHarmonicResult: ("motion", (8, 5)),
+    _core.SceneQuestion: ("scene", (8, 2.5)),
     _core.SceneSimulation: ("simulation", (8, 5)),
     _core.ModeMotion: ("simulation", (8, 5)),
     _core.PolytopeMotion: ("simulation", (8, 5)),
@@ -251,7 +252,7 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
 
 #: Answers that find a motion or not.
 _FOUND = (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.SceneResult,
-          _core.SceneForcedResult, _core.SceneHarmonicResult)
+          _core.SceneForcedResult, _core.SceneHarmonicResult, _core.SceneQuestion)
 
 #: The same of tables, by what a row is.
 _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
@@ -266,6 +267,8 @@ def _has_a_figure(record: Any) -> bool:
         return bool(record.status == "found")
     if isinstance(record, _core.Simulation):
         return len(record.tip_time) > 0
+    if isinstance(record, _core.SceneSimulation):
+        return bool(record._figure())
     if isinstance(record, _core.ExactResponse):
         return len(record.frequencies) > 0
     if isinstance(record, _core.Sweep):
@@ -374,7 +377,7 @@ def be_at_home() -> None:
                        (_core.ForcedResult, "motions"),
                        (_core.HarmonicResult, "motions"),
                        (_core.SceneForcedResult, "motions"),
-                       (_core.SceneHarmonicResult, "motions")):
+                       (_core.SceneHarmonicResult, "motions"), (_core.SceneQuestion, "sets")):
         _set(kind, "frame", _frame_of(rows))
     for kind in (_core.Simulation, _core.SceneSimulation):
         _set(kind, "frame", _contacts)

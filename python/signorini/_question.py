@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from . import _core
-from ._core import Bar, Result, SceneForcedResult, SceneHarmonicResult, SceneResult
+from ._core import Bar, Result, SceneForcedResult, SceneHarmonicResult, SceneQuestion, SceneResult
 from ._tables import Table, plain
 from ._words import Number, fraction_of, number, whole
 
@@ -133,7 +133,7 @@ def _refuse(asked: dict[str, Any], usual: dict[str, Any], names: tuple[str, ...]
 
 
 def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any]
-              ) -> SceneResult | SceneForcedResult | SceneHarmonicResult:
+              ) -> SceneResult | SceneForcedResult | SceneHarmonicResult | SceneQuestion:
     """Answer what is asked about several bars: of a schedule, or under an exact harmonic."""
     if asked["damping"] is not None:
         raise ValueError("damping clashes with a scene of words: allowed dash=D among them")
@@ -147,15 +147,30 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
         asked["steps"] = [word if isinstance(word, str) else str(whole("schedule", word))
                           for word in schedule]
         return _core.find_forced_bars(asked) if forced else _core.find_bars(asked)
-    _refuse(asked, usual, _OF_FREE, "of a schedule")
-    if schedule or asked["force"] is None or asked["amplitude"] is None:
-        raise ValueError("period, frequency, hertz: of a scene of words allowed without a "
-                         "schedule, with force and amplitude")
+    if asked["force"] is None:
+        _refuse(asked, usual, _OF_FORCED, "together with force")
+        return ask_bars(times, asked)
+    _refuse(asked, usual, _OF_FREE, "of a schedule, or without force")
+    if schedule or asked["amplitude"] is None:
+        raise ValueError("period, frequency, hertz: of a forced scene of words allowed without a "
+                         "schedule, with amplitude")
+    return _core.find_harmonic_bars(_timed(times, asked))
+
+
+def _timed(times: dict[str, Any], asked: dict[str, Any]) -> dict[str, Any]:
+    """The same with the number that was asked for."""
     name, word = _one_of(times)
     value = word if name == "hertz" else float(
         fraction_of(str(word) if isinstance(word, float) else word, name))
-    return _core.find_harmonic_bars(
-        {**asked, "period": None, "frequency": None, "hertz": None, name: value})
+    return {**asked, "period": None, "frequency": None, "hertz": None, name: value}
+
+
+def ask_bars(times: dict[str, Any], asked: dict[str, Any]) -> SceneQuestion:
+    """All motions of a period of several bars, or of a bar of several segments."""
+    if asked["schedule"]:
+        raise ValueError("a schedule clashes with period, frequency and hertz: allowed one of "
+                         "them")
+    return _core.find_period_bars(_timed(times, {"words": None, **asked}))
 
 
 def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:

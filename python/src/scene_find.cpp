@@ -11,6 +11,8 @@
 #include "patience.hpp"
 #include "scene_figures.hpp"
 #include "scene_find_answer.hpp"
+#include "scene_harmonic_answer.hpp"
+#include "scene_question_answer.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 #include "state_table.hpp"
@@ -21,6 +23,7 @@ namespace {
 
 using answers::SceneFindAnswer;
 using answers::SceneForcedAnswer;
+using answers::SceneQuestionAnswer;
 
 /// A schedule of bars as a call names it.
 struct AskedBars {
@@ -37,40 +40,67 @@ struct AskedBars {
     }
 };
 
+/// What is asked of a motion, and how it is looked for.
+struct AskedWish {
+    FindOptions options = {};
+    NetworkWish wish = {};
+
+    AskedWish(const Asked& asked, const Network& network)
+    {
+        options.solver = asked.get<std::string>("solver");
+        options.objective = asked.named("objective", objectiveNames);
+        options.tolerance = asked.get<double>("tolerance");
+        options.timeLimit = asked.maybe<double>("time_limit").value_or(options.timeLimit);
+        wish.objective = options.objective;
+        wish.energy =
+            heldEnergy(network, asked.maybe<double>("energy"), asked.maybe<double>("energy_ratio"));
+        if (const auto file = asked.maybe<std::string>("target")) {
+            wish.target = meansOf(network, readStateTable(*file, network));
+        }
+    }
+};
+
 SceneFindAnswer findInBars(const Asked& asked)
 {
     const AskedBars of(asked);
-    FindOptions options;
-    options.solver = asked.get<std::string>("solver");
-    options.objective = asked.named("objective", objectiveNames);
-    options.tolerance = asked.get<double>("tolerance");
-    options.timeLimit = asked.maybe<double>("time_limit").value_or(options.timeLimit);
-    NetworkWish wish{options.objective, asked.maybe<double>("energy"), {}};
-    if (wish.energy) {
-        *wish.energy /= of.network.scales.energy();
-    } else if (const auto ratio = asked.maybe<double>("energy_ratio")) {
-        const auto unit = firstEnergy(of.network);
-        if (!unit) {
-            Faults faults;
-            faults.add(
-                "energy_ratio", *ratio,
-                "none where no energy E_1 is needed to reach contact 1: energy in its place");
-            faults.throwIfAny();
-        }
-        wish.energy = *ratio * *unit;
-    }
-    if (const auto file = asked.maybe<std::string>("target")) {
-        wish.target = meansOf(of.network, readStateTable(*file, of.network));
-    }
+    AskedWish asks(asked, of.network);
     const bool triesStability = asked.triesStability(stepsOf(of.schedule));
     return patiently([=](const Wires& wires) mutable {
-        options.cancel = wires.cancel;
+        asks.options.cancel = wires.cancel;
         SceneFindAnswer answer =
-            answers::answerOf(of.assembly, of.network, of.schedule, wish, options);
+            answers::answerOf(of.assembly, of.network, of.schedule, asks.wish, asks.options);
         if (triesStability) {
             tryStability(answer, of.network, wires.cancel);
         }
         return answer;
+    });
+}
+
+/// Of several bars in words, or of a bar of several segments.
+SceneQuestionAnswer findPeriodInBars(const Asked& asked)
+{
+    const auto assembly = [&asked] {
+        if (asked.has("words")) {
+            return asked.assembly();
+        }
+        const Scene scene = asked.scene();
+        std::int64_t cells = 0;
+        for (const Segment& segment : scene.segments) {
+            cells += segment.cells;
+        }
+        return answers::assemblyOf(scene, cells, {});
+    }();
+    const Network network = networkOf(assembly);
+    const std::int64_t steps =
+        answers::stepsOf(assembly,
+                         {asked.maybe<double>("period"), asked.maybe<double>("frequency"),
+                          asked.maybe<double>("hertz")},
+                         1);
+    AskedWish asks(asked, network);
+    return patiently([=](const Wires& wires) mutable {
+        asks.options.cancel = wires.cancel;
+        return answers::questionOf(assembly, network, steps, asks.wish, asks.options,
+                                   wires.progress);
     });
 }
 
@@ -150,7 +180,11 @@ void addSceneFind(py::module_& module)
     addClasses<NetworkResiduals, answers::SceneForcedMotion>(module);
     addMotions<SceneFindAnswer>(module);
     addMotions<SceneForcedAnswer>(module);
+    classOf<SceneQuestionAnswer>(module)->more().def("_scene", [](const SceneQuestionAnswer& a) {
+        return asJson(sceneFigure(a.period.bars.assembly));
+    });
     addCall(module, "find_bars", &findInBars);
+    addCall(module, "find_period_bars", &findPeriodInBars);
     addCall(module, "find_forced_bars", &findForcedInBars);
 }
 

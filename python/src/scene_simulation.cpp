@@ -19,7 +19,7 @@ using answers::SceneSimulationAnswer;
 /// What a simulation of bars came to, each contact in SI units, and its picture.
 struct SimulatedBars : SceneSimulationAnswer {
     std::vector<NetworkContactEvent> pushes;
-    std::string figure;
+    std::string figure;  ///< empty: no paths were recorded
 };
 
 template <typename D>
@@ -68,14 +68,18 @@ SimulatedBars simulateBars(const Asked& asked)
     const double duration = answers::durationOf(network, drive, asked.maybe<double>("time"),
                                                 asked.maybe<std::int64_t>("periods"));
     const NetworkStart start = startOf(asked, network);
+    const bool recordsPaths = asked.get<bool>("tip");
     return patiently(
         [=](const Wires& wires) {
             SimulatedBars answer;
             answer.bars = answers::severalOf(assembly, network);
             answer.drive = drive.told;
-            NetworkSimulation simulation = answers::simulationOf(network, start, drive, true);
+            NetworkSimulation simulation =
+                answers::simulationOf(network, start, drive, recordsPaths);
             answer.follow(simulation, drive.moved, duration, wires.cancel, wires.progress);
-            answer.figure = asJson(simulationFigure(simulation));
+            if (recordsPaths) {
+                answer.figure = asJson(simulationFigure(simulation));
+            }
             const NetworkScales& scales = network.scales;
             answer.pushes = simulation.contacts();
             for (NetworkContactEvent& push : answer.pushes) {

@@ -310,6 +310,29 @@ def test_random_requests_about_several_bars_agree(program: Program, ask: str,
     assert found > 20
 
 
+def test_all_motions_of_a_period_of_bars_agree(program: Program) -> None:
+    """Of several bars, and of a bar of several segments; a row of the frame is a schedule."""
+    bars = {"scene": "clamp 4 gap=2e-3 4 clamp", "length": 2.0}
+    asked: list[tuple[dict[str, Any], dict[str, Any]]] = [
+        ({"period": 1.75}, bars), ({"hertz": 0.3, "energy_ratio": 20.0}, bars),
+        ({"frequency": 0.75, "objective": "max-impulse"}, bars),
+        ({"period": 3.5}, {"segments": [(3, 1.0), (3, 2.0)]})]
+    for when, where in asked:
+        answer = sg.find(**when, **where)
+        assert isinstance(answer, sg.SceneQuestion)
+        given = {**when, **where} if where is bars else {**when, "segments": "3:1,3:2"}
+        said = program("find", *words_of(given))
+        alike(said, answer.to_dict())
+        assert answer.found == bool(answer.motions) and len(answer.frame()) == len(answer.sets)
+        shown: Any = answer
+        assert (shown._repr_png_() is not None) == answer.found
+        assert "sets" in shown._repr_html_()
+    with pytest.raises(ValueError, match="clashes with period"):
+        sg.find(3, 11, period=1.75, scene="clamp 4 gap=2e-3 4 clamp")  # type: ignore[call-overload]
+    with pytest.raises(ValueError, match="tip_floor: allowed"):
+        sg.find(period=3.5, segments=[(3, 1.0), (3, 2.0)], tip_floor=-1.0)
+
+
 def test_motions_of_bars_come_back_and_are_drawn(tmp_path: Path) -> None:
     """What `write` writes is where a simulation starts, and a target."""
     file = str(tmp_path / "s.csv")
@@ -326,6 +349,12 @@ def test_motions_of_bars_come_back_and_are_drawn(tmp_path: Path) -> None:
     moving = sg.plot.animate(found, str(tmp_path / "pair.gif"), frames=7)
     assert (tmp_path / "pair.gif").stat().st_size > 1000 and "<img" in moving._repr_html_()
     assert len(sg.plot.simulation(run)) == 1 and sg.plot.scene(run)
+    silent: Any = sg.simulate(file, time=5 * found.period, tip=False, **bars)
+    assert silent.contacts == run.contacts and silent._repr_png_() is None
+    with pytest.raises(ValueError, match="tip=True"):
+        sg.plot.simulation(silent)
+    with pytest.raises(ValueError, match="energy_ratio = 3.* E₁"):
+        sg.find("1:3", "-:9", scene="stop=1e-3 8 stop=1e-3", energy_ratio=3.0)
     assert found._repr_png_() and run._repr_png_()
     assert "contact" in run._repr_html_() and len(run.frame()) == 5
     with pytest.raises(ValueError, match="no motion was found"):
@@ -361,8 +390,6 @@ def test_bars_that_meet_under_an_exact_harmonic() -> None:
     assert motion.impulse == pytest.approx(1.35451e-3, rel=1e-5)
     again = sg.find(scene=BARS, frequency=found.frequency_ratio, force="tip", amplitude=2e-3)
     assert again == found
-    with pytest.raises(ValueError, match="with force and amplitude"):
-        sg.find(scene=BARS, hertz=0.5)  # type: ignore[call-overload]
     with pytest.raises(ValueError, match="energy"):
         sg.find(  # type: ignore[call-overload]
             scene=BARS, hertz=0.5, force="tip", amplitude=2e-3, energy=1.0)

@@ -151,18 +151,23 @@ unsigned FindCommand::kind() const
                               : asks::schedule;
 }
 
+ExitStatus FindCommand::findInBars() const
+{
+    return !question.isAsked() ? findInScene(*this)
+           : isForced()        ? findHarmonicInBars(*this, common.assembly())
+                               : findPeriodInBars(*this, common.assembly());
+}
+
 ExitStatus FindCommand::run() const
 {
     if (common.hasScene()) {
         const bool isOfBar = question.isAsked() && (!isForced() || force.ratio);
         if (given.outside(asks::network) == nullptr && !(isOfBar && barOf(common.assembly()))) {
-            return question.isAsked() ? findHarmonicInBars(*this, common.assembly())
-                                      : findInScene(*this);
+            return findInBars();
         }
         if (!barOf(common.assembly())) {
-            given.requireOnly(isForced() || question.isAsked() ? asks::network
-                                                               : asks::network | asks::freeNetwork);
-            return findInScene(*this);
+            given.requireOnly(isForced() ? asks::network : asks::network | asks::freeNetwork);
+            return findInBars();
         }
     }
     const unsigned asked = kind();
@@ -173,8 +178,9 @@ ExitStatus FindCommand::run() const
              given.text("--motion"), "FILE.csv|.vtk of segments with several speeds");
     refuseIf(question.isAsked() && !given.words().empty(),
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
-    refuseIf(question.isAsked() && !isForced() && !isUniform(bar.segments),
-             "--segments: allowed only together with NC NF, or with --force");
+    if (question.isAsked() && !isForced() && !isUniform(bar.segments)) {
+        return findPeriodInBars(*this, answers::assemblyOf(bar, common.usualCells(), {}));
+    }
     ExitStatus status = exitUndecided;
     if (asked == asks::forcedPeriod) {
         status = answerHarmonic(*this);

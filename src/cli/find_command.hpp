@@ -41,6 +41,8 @@ struct FindCommand {
 private:
     /// answers::asks::..., of a bar.
     [[nodiscard]] unsigned kind() const;
+    /// Of a scene of several bars.
+    [[nodiscard]] ExitStatus findInBars() const;
     [[nodiscard]] ExitStatus answerSchedule(const Schedule& schedule,
                                             const FindRequest& request) const;
     [[nodiscard]] ExitStatus answerQuestion(const answers::AskedPeriod& asked,
@@ -55,7 +57,10 @@ private:
 /// All motions with one contact in a period under an exact harmonic of the amplitude given.
 [[nodiscard]] ExitStatus answerHarmonic(const FindCommand& call);
 
-/// The same of several bars, or of a bar of several segments, whose words say what is damped.
+/// All motions of a period of several bars, or of a bar of several segments.
+[[nodiscard]] ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly);
+
+/// The same under an exact harmonic; their words say what is damped.
 [[nodiscard]] ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly);
 
 /// A target belongs to the objective nearest. \throws std::invalid_argument

@@ -94,6 +94,18 @@ void PeriodQuestion::requireOne() const
              "--period, --frequency, --hertz: allowed one of them");
 }
 
+answers::AskedSteps PeriodQuestion::ofBars() const
+{
+    requireOne();
+    answers::AskedSteps asked{.hertz = hertz};
+    if (!period.empty()) {
+        asked.period = parseNumber("--period", period, "L/c").value;
+    } else if (!frequency.empty()) {
+        asked.frequency = parseNumber("--frequency", frequency, "ω₁").value;
+    }
+    return asked;
+}
+
 ExactPeriod PeriodQuestion::exactly(std::int64_t cells, const Bar& bar, std::int64_t cycles) const
 {
     requireOne();

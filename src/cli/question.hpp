@@ -12,6 +12,7 @@
 #include <string>
 
 #include "question_answer.hpp"
+#include "scene_harmonic_answer.hpp"
 
 namespace signorini::cli {
 
@@ -36,6 +37,9 @@ struct PeriodQuestion {
     /// more cells than harmonicContacts allows.
     [[nodiscard]] ExactPeriod exactly(std::int64_t cells, const Bar& bar,
                                       std::int64_t cycles) const;
+
+    /// The same of bars in a row. \throws std::invalid_argument unless one is given.
+    [[nodiscard]] answers::AskedSteps ofBars() const;
 
     /// \throws std::invalid_argument unless one is given.
     void requireOne() const;

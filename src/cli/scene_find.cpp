@@ -12,14 +12,6 @@ namespace {
 
 using answers::SceneFindAnswer;
 
-/// "2 E₁", or in joules.
-std::string inWords(const SceneFindAnswer& answer, double energy)
-{
-    const auto ratio = answer.ratio(energy);
-    return ratio ? fmt::format("{:.6g} E₁", *ratio)
-                 : fmt::format("{:.6g} J", answer.joules(energy));
-}
-
 /// Pushes on a bar that drifts balance what else acts on it, on average.
 std::string whyGrazing(const SceneFind& of)
 {
@@ -29,29 +21,32 @@ std::string whyGrazing(const SceneFind& of)
                : "";
 }
 
-NetworkWish wishOf(const SceneFind& of)
+}  // namespace
+
+std::string inWords(const SceneFindAnswer& answer, double energy)
 {
-    const FindOptions& options = of.call.options;
-    NetworkWish wish{options.objective, of.call.given.number("--energy"), {}};
-    refuseIf(wish.energy && options.energyRatio,
+    const auto ratio = answer.ratio(energy);
+    return ratio ? fmt::format("{:.6g} E₁", *ratio)
+                 : fmt::format("{:.6g} J", answer.joules(energy));
+}
+
+NetworkWish wishOf(const FindCommand& call, const Network& network)
+{
+    const FindOptions& options = call.options;
+    const auto joules = call.given.number("--energy");
+    refuseIf(joules && options.energyRatio,
              "--energy clashes with --energy-ratio: allowed one of them");
-    if (wish.energy) {
-        *wish.energy /= of.network.scales.energy();
-    } else if (options.energyRatio) {
-        const auto unit = firstEnergy(of.network);
-        refuseIf(!unit, "--energy-ratio", of.call.given.text("--energy-ratio"),
-                 "none where no energy E₁ is needed to reach contact 1: --energy in its place");
-        wish.energy = *options.energyRatio * *unit;
-    }
-    const std::string target = of.call.given.text("--target");
+    NetworkWish wish{options.objective, heldEnergy(network, joules, options.energyRatio), {}};
+    const std::string target = call.given.text("--target");
     requireTarget(options, target);
     if (!target.empty()) {
-        wish.target = forFile("--target", target, [&] {
-            return meansOf(of.network, readStateTable(target, of.network));
-        });
+        wish.target = forFile("--target", target,
+                              [&] { return meansOf(network, readStateTable(target, network)); });
     }
     return wish;
 }
+
+namespace {
 
 std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
 {
@@ -138,8 +133,8 @@ ExitStatus findInScene(const FindCommand& command)
     FindOptions options = command.options;
     options.cancel = interrupt.cancel();
     const bool triesStability = command.triesStability(stepsOf(scene.schedule));
-    SceneFindAnswer answer =
-        answers::answerOf(scene.assembly, scene.network, scene.schedule, wishOf(scene), options);
+    SceneFindAnswer answer = answers::answerOf(scene.assembly, scene.network, scene.schedule,
+                                               wishOf(command, scene.network), options);
     if (triesStability) {
         tryStability(answer, scene.network, options.cancel);
     }

@@ -41,6 +41,10 @@ private:
     void write(const NetworkClaim* motion, bool isProof, const std::string& json);
 };
 
+/// What is asked of a motion. \throws std::invalid_argument, FileError.
+[[nodiscard]] NetworkWish wishOf(const FindCommand& call, const Network& network);
+/// "2 E₁", or in joules.
+[[nodiscard]] std::string inWords(const answers::SceneFindAnswer& answer, double energy);
 /// The line of what was tried, or none.
 [[nodiscard]] std::string asText(const std::optional<answers::SceneStability>& tried);
 /// A line for each contact of a motion.

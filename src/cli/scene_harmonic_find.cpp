@@ -48,8 +48,6 @@ std::string asText(const answers::SceneHarmonicAnswer& answer)
 ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
 {
     const ForceOptions& force = call.force;
-    refuseIf(!call.isForced(),
-             "--period, --frequency, --hertz: of several bars allowed only together with --force");
     force.requirePlace();
     force.requireAmplitude();
     refuseIf(call.given.has("--stability"), "--stability: allowed only of a schedule");
@@ -62,16 +60,8 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     refuseIf(call.given.whole("--contacts").value_or(1) != 1, "--contacts",
              call.given.text("--contacts"), "1 of several bars or segments");
     const Network network = networkOf(assembly);
-    const PeriodQuestion& question = call.question;
-    question.requireOne();
-    answers::AskedSteps asked{.hertz = question.hertz};
-    if (!question.period.empty()) {
-        asked.period = parseNumber("--period", question.period, "L/c").value;
-    } else if (!question.frequency.empty()) {
-        asked.frequency = parseNumber("--frequency", question.frequency, "ω₁").value;
-    }
     FindOutputs files(call);
-    const std::int64_t steps = answers::stepsOf(assembly, asked, call.cycles);
+    const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), call.cycles);
     const double hertz =
         static_cast<double>(call.cycles) / (static_cast<double>(steps) * network.scales.time);
     const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);

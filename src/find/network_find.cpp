@@ -16,6 +16,25 @@ std::optional<double> firstEnergy(const Network& network)
                : std::nullopt;
 }
 
+std::optional<double> heldEnergy(const Network& network, const std::optional<double>& joules,
+                                 const std::optional<double>& energyRatio)
+{
+    if (joules) {
+        return *joules / network.scales.energy();
+    }
+    if (!energyRatio) {
+        return std::nullopt;
+    }
+    const auto unit = firstEnergy(network);
+    Faults faults;
+    if (!unit) {
+        faults.add("energyRatio", *energyRatio,
+                   "none where no energy E₁ is needed to reach contact 1: joules in its place");
+    }
+    faults.throwIfAny();
+    return *energyRatio * *unit;
+}
+
 double usualEnergy(const Network& network, const std::vector<ContactSpan>& schedule)
 {
     double force = 0.0;

@@ -14,6 +14,12 @@ inline constexpr double networkTolerance = 1e-9;
 /// E_1 [Z_1 delta^2/h]; none where a bar drifts, or the gap is 0.
 [[nodiscard]] std::optional<double> firstEnergy(const Network& network);
 
+/// The energy to be held [Z_1 delta^2/h], of joules or of a multiple of E_1, if either is given.
+/// \throws std::invalid_argument on a multiple where there is no E_1.
+[[nodiscard]] std::optional<double> heldEnergy(const Network& network,
+                                               const std::optional<double>& joules,
+                                               const std::optional<double>& energyRatio);
+
 /// E_1, or else what bars have that move by the gaps in a step, or under constant forces in a
 /// period: motions of `hugeEnergyRatio` times as much are not looked for [Z_1 delta^2/h].
 [[nodiscard]] double usualEnergy(const Network& network, const std::vector<ContactSpan>& schedule);

@@ -10,7 +10,8 @@ namespace signorini {
 struct FineNumber::Inside {
     using Value = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
                                                 boost::multiprecision::et_off>;
-    static_assert(sizeof(Value) <= sizeof(FineNumber) && alignof(Value) <= alignof(FineNumber));
+    static_assert(sizeof(Value) <= sizeof(FineNumber));
+    static_assert(alignof(Value) <= alignof(FineNumber));
     static_assert(std::is_trivially_destructible_v<Value>);
 
     static Value& of(FineNumber& number)

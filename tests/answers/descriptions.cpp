@@ -14,6 +14,7 @@
 #include "response_answer.hpp"
 #include "scene_find_answer.hpp"
 #include "scene_harmonic_answer.hpp"
+#include "scene_question_answer.hpp"
 #include "scene_simulation_answer.hpp"
 #include "simulation_answer.hpp"
 #include "study_answer.hpp"
@@ -158,6 +159,7 @@ int main()
                {"find-forced", nameOf<ForcedAnswer>()},
                {"find-scene", nameOf<SceneFindAnswer>()},
                {"find-scene-forced", nameOf<SceneForcedAnswer>()},
+               {"find-scene-question", nameOf<SceneQuestionAnswer>()},
                {"continuum", nameOf<ContinuumAnswer>()},
                {"families", nameOf<FamilyList>()},
                {"modes", nameOf<ModeList>()},

@@ -520,3 +520,57 @@ TEST_CASE("cli scenes: a stepped bar from a drawing")
     write("length,young,density,area\n");
     refuses("", "pieces = 0");
 }
+
+TEST_CASE("cli find --period of several bars: each schedule is decided as by itself")
+{
+    const CommandLine program;
+    const auto parsed = [&program](const std::string& words) {
+        const auto outcome = program.run(words + " --format json");
+        INFO(words << outcome.err);
+        REQUIRE(outcome.status <= 1);
+        return json::parse(outcome.out);
+    };
+    // Two bars that meet are the paper's bar and its mirror image.
+    const json bars = parsed("find --period 1.75 --scene 'clamp 4 gap=2e-3 4 clamp'");
+    REQUIRE(bars["steps"] == 14);
+    REQUIRE(bars["sets"].size() == 13);
+    std::size_t found = 0;
+    for (const json& set : bars["sets"]) {
+        const auto steps = set["steps"].get<int>();
+        const std::string asked = fmt::format("find {} {} --cells 4", steps, 14 - steps);
+        const json one = parsed(asked);
+        INFO(asked);
+        CHECK(set["contact"] == 1);
+        CHECK(set["status"] == one["status"]);
+        if (set["status"] == "found") {
+            const json& motion = bars["motions"][found++];
+            CHECK(motion["schedule"][0]["steps"] == steps);
+            CHECK(motion["energy_ratio"].get<double>() ==
+                  Approx(one["energy_ratio"].get<double>()).epsilon(1e-9));
+        }
+    }
+    CHECK(found == bars["motions"].size());
+    CHECK(found > 0);
+    const json stepped = parsed("find --period 7/2 --segments 3:1,3:2");
+    REQUIRE(stepped["sets"].size() == 20);
+    for (const int k : {1, 2, 5, 6, 7, 11, 19}) {
+        const json one = parsed(fmt::format("find {} {} --segments 3:1,3:2", k, 21 - k));
+        INFO(k);
+        CHECK(stepped["sets"][static_cast<std::size_t>(k) - 1]["status"] == one["status"]);
+    }
+    const auto written =
+        program.run("find --period 1.75 --scene 'clamp 4 gap=2e-3 4 clamp' --state s.csv --quiet");
+    CHECK(written.status == 0);
+    CHECK_THAT(written.out, containsText("proved to have none"));
+    CHECK(program.files() == 1);
+    for (const auto& [words, part] : {std::pair{"--certificate c.json", "--certificate: allowed"},
+                                      {"--stability", "--stability: allowed"},
+                                      {"--tip-floor -1", "--tip-floor"},
+                                      {"3 11", "NC NF clash"}}) {
+        const auto outcome =
+            program.run("find --period 7/2 --segments 3:1,3:2 " + std::string(words));
+        INFO(words << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK_THAT(outcome.err, containsText(part));
+    }
+}

@@ -132,6 +132,11 @@ CALLS = [
     ("find-scene-forced", "find --scene 'clamp 3 dash=0.1 driven gap=1e-3 4:1.3 dash=0.05 2 clamp' 4 13 --force tip"),
     ("find-scene-forced", "find --scene 'clamp 3 dash=0.1 driven gap=1e-3 4:1.3 dash=0.05 2 clamp' 3 17 --force tip"),
     ("find-scene", "find --scene '4 stop=0' --gravity 10 8 24"),
+    ("find-scene", "find 3 11 --scene 'clamp 4 gap=2e-3 4 clamp' --stability"),
+    ("find-scene-forced", "find 6 42 --scene 'clamp 6 dash=0.2 driven gap=1e-3 6 clamp' --force tip --stability"),
+    ("find-scene-question", "find --period 1.75 --scene 'clamp 4 gap=2e-3 4 clamp'"),
+    ("find-scene-question", "find --hertz 0.6 --scene 'stop=1e-3 6 stop=1e-3' --energy 1e-5"),
+    ("find-scene-question", "find --period 7/2 --segments 4:1,4:2"),
     ("find-scene", "find --scene '4 stop=0' --gravity 10 8 24 --energy 1e-9"),
     ("find-scene", "find --scene 'clamp 3 stop=1e-3 3 gap=1e-3 4 clamp' 1:2 -:9 1+2:3 -:8"),
     ("simulate-scene", "simulate --scene 'clamp 20 driven stop=1e-3 dash=0.05' --amplitude 4e-4"

@@ -8,7 +8,7 @@ from typing import Any, Union
 from .._asking import asks
 from .._core import (Continuum, ContinuumPoint, ForcedResult, HarmonicResult,
                      ForceRange, Motion, Result, Scene, SceneForcedResult,
-                     SceneHarmonicResult, SceneResult, SceneSimulation)
+                     SceneHarmonicResult, SceneQuestion, SceneResult, SceneSimulation)
 from .._words import whole
 from ._draw import draw
 from ._style import unit_for
@@ -76,7 +76,8 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
 
 @asks("figure")
 def scene(where: Scene | SceneResult | SceneForcedResult | SceneHarmonicResult
-          | SceneSimulation | ForceRange, *, axes: Any = None, figure: Any = None) -> Any:
+          | SceneQuestion | SceneSimulation | ForceRange, *, axes: Any = None,
+          figure: Any = None) -> Any:
     """Draw bars and what stands at them, of one bar with sizes; gaps are not to scale.
 
     Returns

@@ -67,6 +67,8 @@ def simulation(run: Simulation | SceneSimulation, *, figure: Any = None,
     """
     if isinstance(run, SceneSimulation):
         contacts = tuple(f"contact {one['number']}" for one in run.contacts[:6])
+        if not run._figure():
+            raise ValueError("the paths at the contacts were not recorded: tip=True")
         return tuple(draw(run._figure(), contacts, axes, figure).values())
     if len(run.tip_time) == 0:
         raise ValueError("the path of the tip was not recorded: tip=True")

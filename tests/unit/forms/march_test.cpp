@@ -40,7 +40,8 @@ TEST_CASE("march: a piece at a time it decides as step by step, beside one stop 
         if (draw() % 4 != 0) {
             place(state, stops.right, second && draw() % 3 == 0 ? *second : 0.0);
         }
-        const auto count = static_cast<std::int64_t>(1 + draw() % static_cast<unsigned>(12 * cells));
+        const auto count =
+            static_cast<std::int64_t>(1 + draw() % static_cast<unsigned>(12 * cells));
         INFO("trial " << trial << ", N = " << cells << ", " << count << " steps");
         const March expected = marchBySteps(state, count, {stops.right, second}).march;
         const March seen = march(state, count, 1e-9, stops);

@@ -1,0 +1,61 @@
+#include "scene_question_answer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "faults.hpp"
+
+namespace signorini::answers {
+
+std::int64_t SceneQuestionAnswer::count(Status status) const
+{
+    return std::count_if(sets.begin(), sets.end(),
+                         [status](const SceneSet& set) { return set.status == status; });
+}
+
+Status SceneQuestionAnswer::status() const
+{
+    return count(Status::found) > 0       ? Status::found
+           : count(Status::undecided) > 0 ? Status::undecided
+                                          : Status::none;
+}
+
+SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network, std::int64_t steps,
+                               const NetworkWish& wish, const FindOptions& options,
+                               const std::function<void(double, double)>& show)
+{
+    constexpr std::int64_t most = 10'000;
+    Faults faults;
+    if (steps < 2 || steps > most) {
+        faults.add("steps of the period", steps,
+                   fmt::format("2..{}, for each number of them is a schedule", most));
+    }
+    faults.throwIfAny();
+    SceneQuestionAnswer answer{scheduleOf(assembly, network, {{0, steps}}), {}, {}};
+    const std::size_t contacts = network.contacts.size();
+    const auto all = static_cast<double>(contacts) * static_cast<double>(steps - 1);
+    for (std::size_t j = 0; j < contacts; ++j) {
+        for (std::int64_t m = 1; m < steps; ++m) {
+            const ContactSet closed = ContactSet{1} << j;
+            SceneSet& set = answer.sets.emplace_back(SceneSet{j, m, Status::undecided, {}});
+            if (isRequested(options.cancel)) {
+                set.detail = "interrupted";
+                continue;
+            }
+            SceneFindAnswer found =
+                answerOf(assembly, network, {{closed, m}, {0, steps - m}}, wish, options);
+            set.status = found.status();
+            if (set.status == Status::undecided) {
+                set.detail = found.motions.detail;
+            }
+            if (found.isFound()) {
+                answer.motions.push_back(std::move(found));
+            }
+            show(static_cast<double>(answer.sets.size()), all);
+        }
+    }
+    return answer;
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// All motions of bars in a row of one period with one contact in it: of each contact, and each
+/// number of steps for which it is closed, the one of least energy, or of a wish.
+
+#include <functional>
+
+#include "scene_find_answer.hpp"
+
+namespace signorini::answers {
+
+/// A schedule of the period: one contact closed for so many steps.
+struct SceneSet {
+    static constexpr bool isDictionary = true;
+    std::size_t contact = 0;  ///< from 0
+    std::int64_t steps = 0;
+    Status status = Status::undecided;
+    std::optional<std::string> detail = {};  ///< why it is not decided
+};
+
+struct SceneQuestionAnswer {
+    SceneSchedule period;  ///< in which no contact is closed
+    std::vector<SceneSet> sets;
+    std::vector<SceneFindAnswer> motions;  ///< of sets that have one
+
+    /// Found: at least one motion; undecided: none, and some set undecided; none: proved of every
+    /// set.
+    [[nodiscard]] Status status() const;
+    [[nodiscard]] std::int64_t count(Status status) const;
+};
+
+/// O(n) schedules for each contact, each with the limits of the options. \throws
+/// std::invalid_argument as `wishedMotion`, and on a period of more than 10,000 steps.
+[[nodiscard]] SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network,
+                                             std::int64_t steps, const NetworkWish& wish,
+                                             const FindOptions& options,
+                                             const std::function<void(double, double)>& show);
+
+template <typename D>
+void describe(D& d, Type<SceneSet>)
+{
+    using T = SceneSet;
+    d.record("SceneSet", "A schedule with one contact in a period.");
+    d.key("contact", "- >= 1", "That closes.", [](const T& s) { return s.contact + 1; });
+    d.key("steps", "- >= 1", "For which it is closed.", &T::steps);
+    d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
+    d.key("detail", "-", "Why it is not decided.", &T::detail, When::any);
+}
+
+template <typename D>
+void describe(D& d, Type<SceneQuestionAnswer>)
+{
+    using T = SceneQuestionAnswer;
+    d.record("SceneQuestion", "Motions of bars in a row of one period, with one contact in it.");
+    d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
+    d.key("scene", "-", "Asked about.", [](const T& a) { return a.period.bars.assembly; });
+    d.key("reference", "-", "What the bars are measured with.",
+          [](const T& a) { return a.period.bars.reference; });
+    d.key("cells", "- >= 1", "Of all bars.", [](const T& a) { return a.period.cells; });
+    d.key("steps", "- >= 2", "n.", [](const T& a) { return stepsOf(a.period.spans); });
+    d.key("period", "s > 0", "T.", [](const T& a) { return a.period.period(); });
+    d.key("frequency", "Hz > 0", "1/T.", [](const T& a) { return 1.0 / a.period.period(); });
+    d.key("sets", "-", "[dict, ...]: each contact, and each number of steps for it.", &T::sets);
+    d.key("motions", "-", "Of those that have one.", [](const T& a) {
+        return std::vector<std::reference_wrapper<const SceneFindAnswer>>(a.motions.begin(),
+                                                                          a.motions.end());
+    });
+}
+
+}  // namespace signorini::answers

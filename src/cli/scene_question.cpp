@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "progress.hpp"
+#include "scene_find.hpp"
+#include "scene_question_answer.hpp"
+#include "scene_report.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+using answers::SceneFindAnswer;
+using answers::SceneQuestionAnswer;
+
+std::string asText(const SceneQuestionAnswer& answer)
+{
+    std::string text = fmt::format(
+        "{:<12}{} of {} schedules with one contact in {} steps have motions, {} proved to have "
+        "none, {} undecided\n",
+        name(answer.status()), answer.motions.size(), answer.sets.size(),
+        stepsOf(answer.period.spans), answer.count(Status::none), answer.count(Status::undecided));
+    text += fmt::format("period      {:.6g} s, {:.6g} Hz\n", answer.period.period(),
+                        1.0 / answer.period.period());
+    for (const SceneFindAnswer& motion : answer.motions) {
+        text += fmt::format("motion      {}, {}{}\n", textOf(motion.schedule.spans),
+                            inWords(motion, motion.motions.energy),
+                            motion.presses() ? "" : ", grazing: nothing presses");
+    }
+    const auto open = std::find_if(answer.sets.begin(), answer.sets.end(),
+                                   [](const answers::SceneSet& set) { return set.detail; });
+    if (open != answer.sets.end()) {
+        text += fmt::format("why         contact {} for {} steps: {}\n", open->contact + 1,
+                            open->steps, *open->detail);
+    }
+    return text;
+}
+
+}  // namespace
+
+ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
+{
+    for (const char* option : {"--stability", "--certificate", "--formulation", "--strain-limit",
+                               "--tip-floor", "--yield-stress"}) {
+        refuseIf(
+            call.given.has(option),
+            fmt::format("{}: allowed of a period only with one bar of equal segments", option));
+    }
+    refuseIf(!call.given.words().empty(),
+             "NC NF clash with --period, --frequency and --hertz: allowed one of them");
+    FindOutputs files(call);
+    const Network network = networkOf(assembly);
+    const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), 1);
+    const NetworkWish wish = wishOf(call, network);
+    FindOptions options = call.options;
+    const SceneQuestionAnswer answer =
+        watched(call.common, "deciding schedules", [&](const Cancel& cancel, const auto& show) {
+            options.cancel = cancel;
+            return answers::questionOf(assembly, network, steps, wish, options, show);
+        });
+    if (answer.motions.empty()) {
+        files.lackMotion();
+    } else {
+        files.writeBars(assembly, network, *answer.motions.front().motions.motion);
+    }
+    call.common.useOneThread();
+    writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))
+                                   : headline(assembly, network) + asText(answer));
+    return exitStatusOf(answer.status());
+}
+
+}  // namespace signorini::cli
