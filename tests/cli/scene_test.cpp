@@ -563,8 +563,8 @@ TEST_CASE("cli find --period of several bars: each schedule is decided as by its
     CHECK(written.status == 0);
     CHECK_THAT(written.out, containsText("proved to have none"));
     CHECK(program.files() == 1);
-    for (const auto& [words, part] : {std::pair{"--certificate c.json", "--certificate: allowed"},
-                                      {"--stability", "--stability: allowed"},
+    for (const auto& [words, part] : {std::pair{"--certificate c.json", "--certificate clashes"},
+                                      {"--stability", "--stability clashes"},
                                       {"--tip-floor -1", "--tip-floor"},
                                       {"3 11", "NC NF clash"}}) {
         const auto outcome =
