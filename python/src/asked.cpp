@@ -10,6 +10,7 @@
 #include "excited_amplitude.hpp"
 #include "excited_names.hpp"
 #include "find_answer.hpp"
+#include "scene_harmonic_answer.hpp"
 #include "share_work.hpp"
 
 namespace signorini::python {
@@ -94,6 +95,13 @@ Assembly Asked::assembly() const
                             .young = bar.young};
     validate(assembly);
     return assembly;
+}
+
+std::int64_t Asked::steps(const Assembly& assembly, std::int64_t cycles) const
+{
+    return answers::stepsOf(
+        assembly, {maybe<double>("period"), maybe<double>("frequency"), maybe<double>("hertz")},
+        cycles);
 }
 
 std::optional<double> Asked::energyRatio(const Bar& bar) const

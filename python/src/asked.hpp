@@ -91,6 +91,8 @@ public:
     [[nodiscard]] Damping damping() const { return {get<double>("damping")}; }
     /// Of "words", with the scales of "scene" and "gravity". \throws std::invalid_argument.
     [[nodiscard]] Assembly assembly() const;
+    /// Of "period", "frequency" or "hertz" of bars, in steps.
+    [[nodiscard]] std::int64_t steps(const Assembly& assembly, std::int64_t cycles) const;
     [[nodiscard]] py::object progress() const { return object("progress"); }
     /// "tip" or "base", of "force".
     [[nodiscard]] Excited place() const;

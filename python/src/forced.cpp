@@ -100,11 +100,7 @@ answers::SceneHarmonicAnswer findHarmonicBars(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();
     const auto cycles = asked.get<std::int64_t>("cycles");
-    const std::int64_t steps =
-        answers::stepsOf(assembly,
-                         {asked.maybe<double>("period"), asked.maybe<double>("frequency"),
-                          asked.maybe<double>("hertz")},
-                         cycles);
+    const std::int64_t steps = asked.steps(assembly, cycles);
     const Excited place = asked.place();
     const double period = static_cast<double>(steps) * networkOf(assembly).scales.time;
     const Bar unit;  // L/c of 1 s

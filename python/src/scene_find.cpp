@@ -11,7 +11,6 @@
 #include "patience.hpp"
 #include "scene_figures.hpp"
 #include "scene_find_answer.hpp"
-#include "scene_harmonic_answer.hpp"
 #include "scene_question_answer.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
@@ -91,11 +90,7 @@ SceneQuestionAnswer findPeriodInBars(const Asked& asked)
         return answers::assemblyOf(scene, cells, {});
     }();
     const Network network = networkOf(assembly);
-    const std::int64_t steps =
-        answers::stepsOf(assembly,
-                         {asked.maybe<double>("period"), asked.maybe<double>("frequency"),
-                          asked.maybe<double>("hertz")},
-                         1);
+    const std::int64_t steps = asked.steps(assembly, 1);
     AskedWish asks(asked, network);
     return patiently([=](const Wires& wires) mutable {
         asks.options.cancel = wires.cancel;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
 #include "disturbed.hpp"
 #include "echo.hpp"
 #include "faults.hpp"
