@@ -1,10 +1,6 @@
 #include "scene_question_answer.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "faults.hpp"
 
 namespace signorini::answers {
 
@@ -25,13 +21,6 @@ SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network,
                                const NetworkWish& wish, const FindOptions& options,
                                const std::function<void(double, double)>& show)
 {
-    constexpr std::int64_t most = 10'000;
-    Faults faults;
-    if (steps < 2 || steps > most) {
-        faults.add("steps of the period", steps,
-                   fmt::format("2..{}, for each number of them is a schedule", most));
-    }
-    faults.throwIfAny();
     SceneQuestionAnswer answer{scheduleOf(assembly, network, {{0, steps}}), {}, {}};
     const std::size_t contacts = network.contacts.size();
     const auto all = static_cast<double>(contacts) * static_cast<double>(steps - 1);

@@ -29,8 +29,8 @@ struct SceneQuestionAnswer {
     [[nodiscard]] std::int64_t count(Status status) const;
 };
 
-/// O(n) schedules for each contact, each with the limits of the options. \throws
-/// std::invalid_argument as `wishedMotion`, and on a period of more than 10,000 steps.
+/// O(n) schedules for each contact, each with the limits of the options. \pre steps of `stepsOf`
+/// (scene_harmonic_answer.hpp). \throws std::invalid_argument as `wishedMotion`.
 [[nodiscard]] SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network,
                                              std::int64_t steps, const NetworkWish& wish,
                                              const FindOptions& options,
