@@ -25,11 +25,11 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable, Ba
                     ForcedFrequency, ForcedMotion, ForcedResult, ForceRange, HarmonicContact,
                     HarmonicMotion, HarmonicResult, Mode, ModeChain, ModeMotion, ModePolytope,
                     Motion, PermanentContact, Physical, PolytopeMotion, ProgramProof, Residuals,
-                    Result, Scene, SceneForcedMotion, SceneForcedResult, SceneHarmonicMotion,
-                    SceneHarmonicResult, SceneQuestion, SceneResiduals, SceneResult,
-                    SceneSimulation, Schedule, Segment, Settled, Simulation, SolutionSet,
-                    SolverReport, State, SteppedProof, StudyPoint, Sweep, SweepPoint, Waves,
-                    __version__, backends)
+                    Result, Scene, SceneForcedMotion, SceneForcedResult, SceneFrequency,
+                    SceneHarmonicMotion, SceneHarmonicResult, SceneQuestion, SceneResiduals,
+                    SceneResponse, SceneResult, SceneSimulation, Schedule, Segment, Settled,
+                    Simulation, SolutionSet, SolverReport, State, SteppedProof, StudyPoint, Sweep,
+                    SweepPoint, Waves, __version__, backends)
 from ._find import continuum, find
 from ._forced import Response, exact_response, force_range, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
@@ -56,11 +56,11 @@ __all__ = [
     "ForcedMotion", "ForcedResult", "ForceRange", "HarmonicContact", "HarmonicMotion",
     "HarmonicResult", "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
     "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question", "Residuals",
-    "Response", "Result", "Scene", "SceneForcedMotion", "SceneForcedResult",
+    "Response", "Result", "Scene", "SceneForcedMotion", "SceneForcedResult", "SceneFrequency",
     "SceneHarmonicMotion", "SceneHarmonicResult", "SceneQuestion", "SceneResiduals",
-    "SceneResult", "SceneSimulation", "Schedule", "Segment", "Settled", "Simulation", "SolutionSet",
-    "SolverReport", "State", "SteppedProof", "StudyPoint", "Sweep", "SweepPoint", "Table",
-    "Waves",
+    "SceneResponse", "SceneResult", "SceneSimulation", "Schedule", "Segment", "Settled",
+    "Simulation", "SolutionSet", "SolverReport", "State", "SteppedProof", "StudyPoint", "Sweep",
+    "SweepPoint", "Table", "Waves",
     "__version__", "backends", "continuum", "exact_response", "families", "find", "force_range",
     "mode", "modes", "plot", "polytope", "response", "simulate", "study", "sweep",
 ]

@@ -854,6 +854,34 @@ class Branch(_Record):
     points: list[BranchPoint]
     marks: list[BranchMark]
 
+class SceneFrequency(_Record):
+    steps: int
+    frequency: float
+    frequency_ratio: Optional[float]
+    amplitude: float
+    touches: bool
+    distance: list[float]
+    motions: list[SceneHarmonicMotion]
+    reason: Optional[str]
+
+class SceneResponse(_Record):
+    status: Literal["found", "none", "undecided"]
+    force: Literal["tip", "base"]
+    cycles: int
+    amplitude: float
+    amplitude_of: str
+    frequency_range: tuple[float, float]
+    complete: bool
+    frequencies: list[SceneFrequency]
+    scene: SceneWords
+    reference: SceneReference
+    contacts: list[SceneContact]
+    found: bool
+    def _figure(self) -> str: ...
+    def _scene(self) -> str: ...
+    def __bool__(self) -> bool: ...
+    def frame(self) -> Any: ...
+
 class ExactResponse(_Record):
     status: Literal["found", "none", "undecided"]
     cells: int

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, overload
 from . import _core
 from ._asking import asks, excited, gathered
 from ._core import (Bar, Damping, ExactResponse, ForcedFrequency, ForcedMotion, ForceRange, Scene,
-                    SceneSimulation, Simulation, State, Sweep, Waves)
+                    SceneResponse, SceneSimulation, Simulation, State, Sweep, Waves)
 from ._progress import Progress
 from ._tables import Table, flat, frame_of, keys_of
 from ._words import Force, Over, Quantity, Segments
@@ -92,26 +92,75 @@ def response(*, damping: Quantity, force: Force, amplitude: Quantity | None = No
     return table
 
 
-@asks("response")
+@overload
 def exact_response(*, damping: Quantity, force: Force, amplitude: Quantity,
                    start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
                    cells: int | None = None, threads: int = 1, bar: Bar | None = None,
                    scene: Scene | None = None, second_stop: Quantity | None = None,
                    progress: Progress = None,
-                   **bar_options: Quantity | None) -> ExactResponse:
+                   **bar_options: Unpack[_Parameters]) -> ExactResponse: ...
+
+
+@overload
+def exact_response(*, force: Force, amplitude: Quantity | None = None,
+                   amplitude_velocity: Quantity | None = None,
+                   amplitude_acceleration: Quantity | None = None,
+                   scene: str, gravity: Quantity = 0.0, start: Quantity = 0.5,
+                   to: Quantity = 2.0, cycles: int = 1, threads: int = 1,
+                   progress: Progress = None,
+                   **scales: Unpack[_Parameters]) -> SceneResponse: ...
+
+
+@overload
+def exact_response(*, damping: Quantity, force: Force, amplitude: Quantity | None = None,
+                   amplitude_velocity: Quantity | None = None,
+                   amplitude_acceleration: Quantity | None = None,
+                   segments: Segments, start: Quantity = 0.5, to: Quantity = 2.0,
+                   cycles: int = 1, cells: int | None = None, threads: int = 1,
+                   bar: Bar | None = None, second_stop: Quantity | None = None,
+                   progress: Progress = None,
+                   **bar_options: Unpack[_Parameters]) -> SceneResponse: ...
+
+
+@asks("response")
+def exact_response(*, damping: Quantity | None = None, force: Force,
+                   amplitude: Quantity | None = None,
+                   amplitude_velocity: Quantity | None = None,
+                   amplitude_acceleration: Quantity | None = None,
+                   start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
+                   cells: int | None = None, threads: int = 1, bar: Bar | None = None,
+                   scene: Scene | str | None = None, gravity: Quantity = 0.0,
+                   second_stop: Quantity | None = None,
+                   segments: Segments | None = None, progress: Progress = None,
+                   **bar_options: Quantity | None) -> ExactResponse | SceneResponse:
     """List motions under an exact harmonic over a range, and the curves they lie on.
 
     Parameters
     ----------
-    scene : Scene, optional
-        In place of `bar` and `second_stop`; without segments.
+    scene : Scene or str, optional
+        In place of `bar`, `second_stop` and `segments`; or the words of several
+        bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 clamp", whose scales
+        are `length`, `wave_speed` and `axial_stiffness`.
 
     Returns
     -------
-    ExactResponse
+    ExactResponse, or of several bars or segments SceneResponse
+        Without curves, and one contact in a period.
     """
-    return _core.exact_response(excited(gathered(
-        {**locals(), "amplitude_velocity": None, "amplitude_acceleration": None})))
+    asked = excited(gathered(locals()))
+    if "words" in asked:
+        if damping is not None or cells is not None:
+            raise ValueError("damping, cells: allowed only without a scene of words "
+                             "(dash=D among them)")
+        return _core.exact_response_bars(asked)
+    if gravity != 0.0:
+        raise ValueError("gravity: allowed only with a scene of words")
+    if len(asked["scene"].segments) > 1:
+        return _core.exact_response_bars(asked)
+    if asked["derivative"] > 0:
+        raise ValueError("amplitude_velocity, amplitude_acceleration: allowed only of several "
+                         "bars or segments")
+    return _core.exact_response(asked)
 
 
 @overload

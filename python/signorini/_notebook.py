@@ -236,6 +236,7 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Sweep: ("sweep", (8, 6)),
     Response: ("response", (8, 6)),
     _core.ExactResponse: ("response", (8, 6)),
+    _core.SceneResponse: ("response", (8, 6)),
     _core.ForcedResult: ("motion", (9, 7)),
     _core.HarmonicResult: ("motion", (8, 6)),
     _core.SceneResult: ("motion", (8, 5)),
@@ -269,7 +270,7 @@ def _has_a_figure(record: Any) -> bool:
         return len(record.tip_time) > 0
     if isinstance(record, _core.SceneSimulation):
         return bool(record._figure())
-    if isinstance(record, _core.ExactResponse):
+    if isinstance(record, (_core.ExactResponse, _core.SceneResponse)):
         return len(record.frequencies) > 0
     if isinstance(record, _core.Sweep):
         return len(record.points) > 0
@@ -369,11 +370,12 @@ def be_at_home() -> None:
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)
     for kind in (*_FOUND, _core.Continuum, _core.AtlasSchedule, _core.ExactResponse,
-                 Question, Response):
+                 _core.SceneResponse, Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)
     for kind, rows in ((_core.Continuum, "points"), (_core.Sweep, "points"),
                        (_core.ExactResponse, "frequencies"),
+                       (_core.SceneResponse, "frequencies"),
                        (_core.ForcedResult, "motions"),
                        (_core.HarmonicResult, "motions"),
                        (_core.SceneForcedResult, "motions"),

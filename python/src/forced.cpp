@@ -184,9 +184,6 @@ ResponseAnswer response(const Asked& asked)
 ExactAnswer exactResponse(const Asked& asked)
 {
     const ResponseAnswer question = responseAsked(asked);
-    if (!isUniform(question.scene.segments)) {
-        throw std::invalid_argument("segments: allowed only a uniform bar under an exact harmonic");
-    }
     const auto threads = asked.get<std::int64_t>("threads");
     return patiently(
         [question, threads](const Wires& wires) {
@@ -203,13 +200,52 @@ ExactAnswer exactResponse(const Asked& asked)
         asked.progress());
 }
 
+/// The same of several bars in words, or of a bar of several segments.
+answers::SceneResponse exactResponseOfBars(const Asked& asked)
+{
+    const Assembly assembly =
+        asked.has("words")
+            ? asked.assembly()
+            : answers::assemblyOf(asked.scene(), asked.get<std::int64_t>("cells"), asked.damping());
+    const Network network = networkOf(assembly);
+    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    const auto hertz = [&](const char* name) {
+        if (!(first > 0.0) && !py::isinstance<py::str>(asked.object(name))) {
+            throw std::invalid_argument(
+                fmt::format("{}: allowed text in Hz, \"530Hz\": these bars do not vibrate", name));
+        }
+        const Bar unit{.waveSpeed = 4.0};  // its omega_1 is 1 Hz
+        return first > 0.0 ? asked.frequency(name, answers::unitsOf(assembly, network)) * first
+                           : asked.frequency(name, unit);
+    };
+    const answers::SceneRange range{asked.place(),
+                                    asked.get<double>("amplitude"),
+                                    asked.get<int>("derivative"),
+                                    asked.get<std::int64_t>("cycles"),
+                                    hertz("start"),
+                                    hertz("to")};
+    const auto threads = asked.get<std::int64_t>("threads");
+    return patiently(
+        [=](const Wires& wires) {
+            answers::SceneResponse answer = answers::responseOf(assembly, range);
+            const std::vector<std::int64_t> steps = stepsOf(answer);
+            answer.frequencies = shareOut(
+                std::vector<std::optional<answers::SceneFrequency>>(steps.size()), threads,
+                [&](std::size_t k) { return frequencyAt(answer, steps[k], wires.cancel); },
+                wires.progress);
+            return answer;
+        },
+        asked.progress());
+}
+
 }  // namespace
 
 void addForced(py::module_& module)
 {
     addClasses<HarmonicContactOf, HarmonicMotionOf, answers::SceneHarmonicMotion,
                answers::PermanentOf, answers::FrequencyOf, answers::ExactFrequencyOf,
-               answers::BranchPointOf, answers::BranchMarkOf, answers::ExactBranchOf>(module);
+               answers::BranchPointOf, answers::BranchMarkOf, answers::ExactBranchOf,
+               answers::SceneFrequency>(module);
     addMotionOf(module);
     classOf<ForcedAnswer>(module)
         ->more()
@@ -258,6 +294,16 @@ void addForced(py::module_& module)
         return asJson(exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar));
     });
     addCall(module, "exact_response", &exactResponse);
+    classOf<answers::SceneResponse>(module)
+        ->more()
+        .def("_figure",
+             [](const answers::SceneResponse& answer) {
+                 return asJson(sceneResponseFigure(answer));
+             })
+        .def("_scene", [](const answers::SceneResponse& answer) {
+            return asJson(sceneFigure(answer.bars.assembly));
+        });
+    addCall(module, "exact_response_bars", &exactResponseOfBars);
 }
 
 }  // namespace signorini::python

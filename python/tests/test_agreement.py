@@ -269,5 +269,27 @@ def test_responses_to_an_exact_harmonic_agree(program: Program) -> None:
     alike(said, ours.to_dict())
     assert ours.found and ours.branches and len(ours.frame()) == len(ours.frequencies)
     assert pickle.loads(pickle.dumps(ours)) == ours
-    with pytest.raises(ValueError, match="uniform"):
-        sg.exact_response(scene=sg.Scene(segments=[sg.Segment(2), sg.Segment(2, 1.3)]), **drive)
+
+
+def test_responses_of_bars_to_an_exact_harmonic_agree(program: Program) -> None:
+    """Of several bars, and of a bar of several segments."""
+    bars = "clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp"
+    said = program("response", "--exact", "--scene", bars, "--from", "0.4Hz", "--to", "0.7Hz",
+                   "--force", "tip", "--amplitude", 2e-3)
+    ours = sg.exact_response(scene=bars, force="tip", amplitude=2e-3, start="0.4 Hz", to="0.7 Hz",
+                             threads=2)
+    alike(said, ours.to_dict())
+    assert ours.found and any(at.motions for at in ours.frequencies)
+    assert len(ours.frame()) == len(ours.frequencies)
+    assert pickle.loads(pickle.dumps(ours)) == ours
+    drive: dict[str, Any] = {"damping": 0.05, "force": "base", "amplitude_acceleration": 3e-3}
+    said = program("response", "--exact", "--segments", "6:1,6:1.3", "--from", 1.1, "--to", 1.4,
+                   *words_of(drive))
+    segments = [sg.Segment(6), sg.Segment(6, 1.3)]
+    alike(said, sg.exact_response(segments=segments, start=1.1, to=1.4, **drive).to_dict())
+    with pytest.raises(ValueError, match="dash"):
+        sg.exact_response(scene=bars, damping=0.1, force="tip",  # type: ignore[call-overload]
+                          amplitude=2e-3)
+    with pytest.raises(ValueError, match="holds"):
+        sg.exact_response(scene="stop=1e-3 4 dash=0.1 driven stop=1e-3", force="tip",
+                          amplitude=2e-3)

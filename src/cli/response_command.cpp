@@ -13,6 +13,8 @@
 #include "progress.hpp"
 #include "refined_response.hpp"
 #include "reports.hpp"
+#include "response_command.hpp"
+#include "scene_options.hpp"
 #include "share_work.hpp"
 #include "stepped_bar.hpp"
 
@@ -136,10 +138,10 @@ ExitStatus runExact(const Given& given, const CommonOptions& common, const Force
 {
     constexpr std::array others{"--band", "--yield-stress", "--stability",
                                 "--map",  "--map-csv",      "--backbone-csv"};
-    if (!isUniform(scene.segments) || force.derivative > 0 || asked.contacts > 1 ||
+    if (force.derivative > 0 || asked.contacts > 1 ||
         std::any_of(others.begin(), others.end(), [&](const char* o) { return given.has(o); })) {
         throw std::invalid_argument(
-            "--exact: allowed with --amplitude, --cycles, --csv and --figure, of a uniform bar; "
+            "--exact: allowed with --amplitude, --cycles, --csv and --figure; "
             "it says how disturbances grow by itself");
     }
     const auto forceSteps = given.whole("--force-steps");
@@ -220,12 +222,41 @@ ResponseAnswer asked(const Given& given, const CommonOptions& common, const Forc
     return answer;
 }
 
+/// Bars in a row, whose words say what is damped, or segments under the harmonic itself.
+std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common,
+                               const ForceOptions& force)
+{
+    const auto isDash = [](const AssemblyPart& part) { return part.kind == PartKind::dash; };
+    if (common.hasScene()) {
+        const Assembly& assembly = common.assembly();
+        const bool areBars =
+            !barOf(assembly) ||
+            (!force.ratio && std::any_of(assembly.parts.begin(), assembly.parts.end(), isDash));
+        if (areBars) {
+            refuseIf(!given.has("--exact"),
+                     "--scene of more than one bar, clamped on the left, with stops at its tip: "
+                     "allowed with --exact, the harmonic itself in place of a staircase of forces");
+            refuseIf(force.ratio.has_value(),
+                     "--damping clashes with --scene: allowed dash=D among its words");
+            return assembly;
+        }
+    }
+    const Scene scene = common.scene();
+    if (!given.has("--exact") || isUniform(scene.segments)) {
+        return std::nullopt;
+    }
+    return answers::assemblyOf(scene, common.usualCells(), force.damping());
+}
+
 }  // namespace
 
 ExitStatus runResponse(const Given& given)
 {
     const CommonOptions common(given);
     const ForceOptions force(given);
+    if (const auto bars = barsOf(given, common, force)) {
+        return respondInBars(given, common, force, *bars);
+    }
     ResponseAnswer answer = asked(given, common, force);
     if (given.has("--exact")) {
         return runExact(given, common, force, answer.range, answer.scene);

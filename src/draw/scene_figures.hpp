@@ -6,6 +6,7 @@
 
 #include "harmonic_network_walk.hpp"
 #include "network_walk.hpp"
+#include "scene_response_answer.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/figures.hpp"
 
@@ -34,6 +35,11 @@ class NetworkSimulation;
 [[nodiscard]] std::vector<FigureData> barsFrames(const Assembly& assembly, const Network& network,
                                                  const NetworkClaim& motion,
                                                  std::size_t most = 120);
+
+/// Largest force and impulse of each motion against the frequency, a look for each contact; where
+/// bars do not meet, and where they would and no motion is known. \throws std::invalid_argument
+/// without frequencies.
+[[nodiscard]] FigureData sceneResponseFigure(const answers::SceneResponse& response);
 
 /// A contact over one period: how far it is open, and its force. \pre a path of some times.
 [[nodiscard]] FigureData contactFigure(const std::vector<ContactInstant>& path,

@@ -271,13 +271,33 @@ void requireDecidable(const HarmonicNetwork& given)
     }
 }
 
+/// Distances counted from the shape under constant forces. \throws std::invalid_argument.
+HarmonicNetwork stillOf(HarmonicNetwork given)
+{
+    requireDecidable(given);
+    given.network = underConstantForces(std::move(given.network));
+    return given;
+}
+
 }  // namespace
+
+std::vector<double> openDistances(const HarmonicNetwork& given)
+{
+    const HarmonicNetwork still = stillOf(given);
+    const OpenNetwork open(still);
+    const Vector driven = open.arriving(given.cycles, open.sentByDrive());
+    std::vector<double> distances;
+    for (std::size_t contact = 0; contact < still.network.contacts.size(); ++contact) {
+        const double swing =
+            given.amplitude / given.omega() * lengthOf(open.rate(contact, driven, 0.0, 1.0));
+        distances.push_back(still.network.contacts[contact].gap - swing);
+    }
+    return distances;
+}
 
 std::vector<NetworkHarmonicMotion> harmonicContacts(const HarmonicNetwork& given)
 {
-    requireDecidable(given);
-    HarmonicNetwork still = given;
-    still.network = underConstantForces(given.network);
+    const HarmonicNetwork still = stillOf(given);
     const OpenNetwork open(still);
     std::vector<NetworkHarmonicMotion> found;
     for (std::size_t contact = 0; contact < still.network.contacts.size(); ++contact) {

@@ -24,7 +24,11 @@ inline constexpr std::int64_t maxHarmonicSteps = 2'000;
 /// The motions by ascending impulse, measured; residuals are at most `harmonicTolerance`. Every
 /// contact in turn is the one that closes. O(n^2) and, for each frequency, channels^3; O(n^2) for
 /// each candidate. \throws std::invalid_argument unless n is in 2..maxHarmonicSteps and K
-/// in 1..n/2, something is driven and damped, all bars are held, and no wave resonates.
+/// in 1..n/2, something is driven and damped, and all bars are held; Resonance.
 [[nodiscard]] std::vector<NetworkHarmonicMotion> harmonicContacts(const HarmonicNetwork& given);
+
+/// What is left at least of the distance of each contact while none closes; below 0 one would.
+/// O(channels^3). \throws as `harmonicContacts`.
+[[nodiscard]] std::vector<double> openDistances(const HarmonicNetwork& given);
 
 }  // namespace signorini

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <numbers>
-#include <stdexcept>
 
 #include "harmonic_motion.hpp"
 #include "least_norm.hpp"
@@ -93,7 +92,7 @@ OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent) co
     waves.real() = least.head(channels());
     waves.imag() = least.tail(channels());
     if (!((matrix * waves - right).norm() <= harmonicTolerance * right.norm())) {
-        throw std::invalid_argument("waves that nothing damps resonate at this period");
+        throw Resonance("waves that nothing damps resonate at this period");
     }
     return waves;
 }

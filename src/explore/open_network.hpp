@@ -39,7 +39,7 @@ public:
     [[nodiscard]] Vector sentBy(std::size_t contact) const;
     [[nodiscard]] Vector sentByDrive() const;
     /// w, for the k-th frequency. Waves without damping that nothing excites are left out.
-    /// O(channels^3). \throws std::invalid_argument if such waves resonate.
+    /// O(channels^3). \throws Resonance if such waves resonate.
     [[nodiscard]] Vector arriving(std::int64_t k, const Vector& sent) const;
     /// The same where a constant push of 1 holds the network still: of a bar that is held twice
     /// waves of frequency 0 do not tell how far it is stretched.

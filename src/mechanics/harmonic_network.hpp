@@ -10,12 +10,18 @@
 
 #include <complex>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "network.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {
+
+/// Waves that nothing damps, and that an excitation feeds without end.
+class Resonance : public std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
+};
 
 /// A network and what drives it: its driven nodes, or its shaken clamps.
 struct HarmonicNetwork {

@@ -15,6 +15,7 @@
 #include "scene_find_answer.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "scene_question_answer.hpp"
+#include "scene_response_answer.hpp"
 #include "scene_simulation_answer.hpp"
 #include "simulation_answer.hpp"
 #include "study_answer.hpp"
@@ -173,6 +174,7 @@ int main()
                {"atlas-query", nameOf<AtlasAnswer>()},
                {"find-harmonic", nameOf<HarmonicAnswer>()},
                {"find-harmonic-bars", nameOf<SceneHarmonicAnswer>()},
+               {"response-bars", nameOf<SceneResponse>()},
                {"response-exact", nameOf<ExactAnswer>()},
                {"study", nameOf<StudyAnswer>()},
                {"simulate-reach", nameOf<ForceRange>()}};

@@ -570,6 +570,58 @@ TEST_CASE("cli response --exact: curves, and beside them what a staircase has")
     }
 }
 
+TEST_CASE("cli response --exact of several bars: lists of find, and where a simulation settles")
+{
+    const CommandLine program;
+    const std::string bars = " --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'";
+    // A simulation drives in steps: these are eight times as many.
+    const std::string finer = " --scene 'clamp 48 dash=0.1 driven gap=1e-3 64 dash=0.2 16 clamp'";
+    const std::string force = " --force tip --amplitude 2e-3";
+    const json answer =
+        parsed(program, "response --exact --from-hertz 0.4 --to-hertz 0.8 --threads 2 --csv r.csv" +
+                            bars + force);
+    std::size_t motions = 0;
+    std::size_t settled = 0;
+    for (const json& at : answer["frequencies"]) {
+        const std::string period = fmt::format("{}/16", at["steps"].get<int>());
+        INFO(period);
+        const auto found = program.run("find --format json --period " + period + bars + force);
+        CHECK(json::parse(found.out)["motions"] == at["motions"]);
+        motions += at["motions"].size();
+        CHECK(at["touches"] == (at["distance"][0].get<double>() < 0.0));
+        const json run =
+            parsed(program, fmt::format("simulate --rest --periods 400 --hertz {:.17g}",
+                                        at["frequency"].get<double>()) +
+                                finer + force);
+        if (!at["touches"].get<bool>()) {
+            CHECK(run["contacts"][0]["count"] == 0);
+        }
+        const json& end = run["settled"];
+        if (!end.is_null() && end["periods"] == 1 && end["contacts"] == 1) {
+            ++settled;
+            const auto& list = at["motions"];
+            CHECK(std::any_of(list.begin(), list.end(), [&](const json& motion) {
+                return motion["impulse"].get<double>() ==
+                       Approx(end["impulse"].get<double>()).epsilon(1e-3);
+            }));
+        }
+    }
+    CHECK(motions >= 8);
+    CHECK(settled >= 5);
+    CHECK(lines(contentOf(program.file("r.csv"))) >= 1 + std::ssize(answer["frequencies"]));
+    for (const std::string& wrong :
+         {"response" + bars + force, "response --exact --damping 0.1" + bars + force,
+          "response --exact --contacts 2" + bars + force,
+          "response --exact --map m.svg" + bars + force,
+          "response --exact --from 1e-4" + bars + force,
+          "response --exact --scene 'stop=1e-3 4 dash=0.1 driven stop=1e-3'" + force}) {
+        const auto outcome = program.run(wrong);
+        INFO(wrong << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+    }
+}
+
 TEST_CASE("cli response, simulate: figures with their labels")
 {
     const CommandLine program;

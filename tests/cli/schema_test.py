@@ -78,6 +78,10 @@ CALLS = [
     ("find-harmonic", f"find --frequency 1.1 {FORCE}"),
     ("find-harmonic-bars", "find --period 21/14 --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'"
      " --force tip --amplitude 2e-3"),
+    ("response-bars", "response --exact --from 0.4Hz --to 0.7Hz --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2"
+     " clamp' --force tip --amplitude 2e-3"),
+    ("response-bars", "response --exact --from 0.9 --to 1.4 --segments 6:1,6:1.3 --damping 0.03 --force base"
+     " --amplitude-acceleration 3e-3"),
     ("find-harmonic", "find --period 18/5 --contacts 1 --damping 0.05 --force base --amplitude 1e-9"),
     ("find-forced", "find 12 96 --cells 30 --damping 0.03 --force tip --amplitude 1e-5"),
     ("find-forced", "find 30 40 --cells 20 --damping 0.03 --force tip"),

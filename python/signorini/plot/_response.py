@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._asking import asks
-from .._core import ExactResponse, SceneSimulation, Simulation, Sweep
+from .._core import ExactResponse, SceneResponse, SceneSimulation, Simulation, Sweep
 from ._draw import draw
 from ._style import axes_of, colour_map, unit_for
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 @asks("figure")
-def response(data: Response | ExactResponse, *, figure: Any = None,
+def response(data: Response | ExactResponse | SceneResponse, *, figure: Any = None,
              axes: Any = None) -> tuple[Any, Any]:
     """Draw impulse on the wall and swing of the tip against frequency.
 
@@ -39,7 +39,7 @@ def response(data: Response | ExactResponse, *, figure: Any = None,
     """
     if len(data.frequencies) == 0:
         raise ValueError("the response has no frequency: nothing to draw")
-    if isinstance(data, ExactResponse):
+    if isinstance(data, (ExactResponse, SceneResponse)):
         drawn = draw(data._figure(), ("force", "impulse"), axes, figure)
         return drawn["force"], drawn["impulse"]
     drawn = draw(data._answer._figure(), ("impulse", "tip"), axes, figure)

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "exact_response.hpp"
 #include "harmonic_contact.hpp"
 #include "harmonic_network_contact.hpp"
 #include "has_solver.hpp"
@@ -140,6 +141,31 @@ TEST_CASE(
         }
     }
     CHECK(count >= 8);
+}
+
+TEST_CASE("harmonic network: without contact a gap keeps what the linear motion of one bar leaves")
+{
+    std::mt19937 random(7);
+    const auto draw = [&](double least, double most) {
+        return std::uniform_real_distribution<>(least, most)(random);
+    };
+    for (int i = 0; i < 200; ++i) {
+        ResponseRange range;
+        range.cells = 2 + i % 7;
+        range.damping = {std::pow(10.0, draw(-2.5, -0.5))};
+        range.place = i % 2 == 0 ? Excited::tip : Excited::base;
+        range.amplitude = std::pow(10.0, draw(-2.0, 0.5));
+        const auto cells = static_cast<double>(range.cells);
+        const auto n = static_cast<std::int64_t>(draw(2.5, 6.0) * cells);
+        const double unit = range.place == Excited::tip ? 1.0 : cells;
+        const auto distances =
+            openDistances(HarmonicNetwork{networkOf(Scene{}, range.cells, range.damping),
+                                          range.place, unit * range.amplitude, n, 1});
+        INFO(i << ": " << range.cells << " cells, n = " << n);
+        REQUIRE(distances.size() == 1);
+        CHECK(distances[0] == Approx(cells * (1.0 - exactAt(range, n)->linearPeak))
+                                  .margin(1e-10 * cells * (1.0 + range.amplitude * 1e3)));
+    }
 }
 
 TEST_CASE("harmonic network: what cannot be asked")

@@ -1,0 +1,106 @@
+#pragma once
+/// \file
+/// What is said of bars in a row under an exact harmonic over a range of frequencies.
+
+#include "excited_amplitude.hpp"
+#include "scene_harmonic_answer.hpp"
+#include "signorini/control.hpp"
+
+namespace signorini::answers {
+
+/// Which frequencies of which excitation.
+struct SceneRange {
+    Excited place;
+    double amplitude;  ///< [N] or [m], or of a derivative [m/s], [m/s^2]
+    int derivative = 0;
+    std::int64_t cycles = 1;  ///< of the excitation in a period
+    double leastHertz = 0.0;  ///< [Hz], of the excitation
+    double mostHertz = 0.0;
+};
+
+/// All motions with one contact at one frequency.
+struct SceneFrequency {
+    std::int64_t steps = 0;  ///< n, of the period
+    double hertz = 0.0;      ///< [Hz], of the excitation
+    std::optional<double> ratio;
+    double amplitude = 0.0;        ///< [N] or [m]
+    std::vector<double> distance;  ///< [m], least of each contact while none closes
+    std::vector<SceneHarmonicMotion> motions;
+    std::optional<std::string> reason;  ///< why it is not known
+
+    /// Would a contact close?
+    [[nodiscard]] bool touches() const;
+};
+
+/// The outcome of one call.
+struct SceneResponse {
+    SceneRange range;
+    NetworkScales scales;
+    SeveralBars bars;
+    std::vector<SceneFrequency> frequencies = {};  ///< by descending frequency
+    bool isComplete = true;                        ///< false: interrupted
+
+    /// Found, also if there is no motion.
+    [[nodiscard]] Status status() const;
+};
+
+/// The periods of a range in steps, ascending. \throws std::invalid_argument if there is none, or
+/// they are too long for `harmonicContacts`.
+[[nodiscard]] std::vector<std::int64_t> stepsOf(const SceneResponse& asked);
+
+/// What is asked, without frequencies.
+[[nodiscard]] SceneResponse responseOf(const Assembly& assembly, const SceneRange& range);
+
+/// One frequency of what is asked; waves that resonate are its reason. O(n^2) for each contact;
+/// none if it was cancelled. \throws as harmonicContacts (harmonic_network_contact.hpp).
+[[nodiscard]] std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked,
+                                                        std::int64_t steps, const Cancel& cancel);
+
+template <typename D>
+void describe(D& d, Type<SceneFrequency>)
+{
+    using T = SceneFrequency;
+    d.record("SceneFrequency", "Motions of bars with one contact in a period, at one frequency.");
+    d.key("steps", "- >= 2", "Of the period.", &T::steps);
+    d.key("frequency", "Hz > 0", "Of the excitation.", &T::hertz);
+    d.key("frequency_ratio", "- > 0", "The same in omega_1 of these bars, if they vibrate.",
+          &T::ratio);
+    d.key("amplitude", "N or m > 0", "Of the force, or of the displacement of the base.",
+          &T::amplitude);
+    d.key("touches", "-", "Would bars that pass through each other meet?", &T::touches);
+    d.key("distance", "m", "Least, of each contact, of bars that pass through each other.",
+          &T::distance);
+    d.key("motions", "-", "By ascending impulse.", &T::motions);
+    d.key("reason", "-", "Why they are not known.", &T::reason);
+}
+
+template <typename D>
+void describe(D& d, Type<SceneResponse>)
+{
+    using T = SceneResponse;
+    d.record(
+        "SceneResponse",
+        "Motions of bars in a row with one contact in a period, under an exact harmonic over a "
+        "range of frequencies.");
+    d.key("status", "-", R"("found", or "undecided": the list may lack motions.)", &T::status);
+    d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).",
+          [](const T& a) { return a.range.place; });
+    d.key("cycles", "- >= 1", "Of the excitation in a period.",
+          [](const T& a) { return a.range.cycles; });
+    d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation.",
+          [](const T& a) { return a.range.amplitude; });
+    d.key("amplitude_of", "-",
+          R"(Whose: "force", or of the base "displacement", "velocity" or "acceleration".)",
+          [](const T& a) { return amplitudeOf(a.range.place, a.range.derivative); });
+    d.key("frequency_range", "Hz > 0", "(least, most), of the excitation.",
+          [](const T& a) { return std::tuple(a.range.leastHertz, a.range.mostHertz); });
+    d.key("complete", "-", "Not interrupted, and known at each frequency.",
+          [](const T& a) { return a.status() == Status::found; });
+    d.key("frequencies", "-", "By descending frequency.", &T::frequencies);
+    d.key("scene", "-", "Asked about.", [](const T& a) { return a.bars.assembly; });
+    d.key("reference", "-", "What the bars are measured with.",
+          [](const T& a) { return a.bars.reference; });
+    d.key("contacts", "-", "[dict, ...], of the bars.", [](const T& a) { return a.bars.contacts; });
+}
+
+}  // namespace signorini::answers

@@ -1,0 +1,151 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "files.hpp"
+#include "force_options.hpp"
+#include "printing.hpp"
+#include "progress.hpp"
+#include "response_command.hpp"
+#include "scene_figures.hpp"
+#include "scene_report.hpp"
+#include "scene_response_answer.hpp"
+#include "share_work.hpp"
+
+namespace signorini::cli {
+
+namespace {
+
+using answers::SceneFrequency;
+using answers::SceneHarmonicMotion;
+using answers::SceneResponse;
+
+/// --from to --to, in ω₁ of these bars, which may not vibrate, or in Hz.
+void takeHertz(const Given& given, const Network& network, answers::SceneRange& range)
+{
+    const ResponseRange usual;
+    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    const auto read = [&](const char* name, const char* twin, double otherwise) {
+        const FrequencyOption option(given, name, twin);
+        if (!option.hertz && !(first > 0.0)) {
+            refuse(name, option.ratio ? fmt::format("{}", *option.ratio) : "missing",
+                   fmt::format("in Hz, as by {}: these bars do not vibrate", twin));
+        }
+        return option.ratioFor(first > 0.0 ? first : 1.0, otherwise) * (first > 0.0 ? first : 1.0);
+    };
+    range.leastHertz = read("--from", "--from-hertz", usual.leastFrequencyRatio);
+    range.mostHertz = read("--to", "--to-hertz", usual.mostFrequencyRatio);
+    requireOrder(given, range.leastHertz, range.mostHertz);
+}
+
+std::string asText(const SceneResponse& answer)
+{
+    const answers::SceneRange& range = answer.range;
+    const auto count = [&answer](auto holds) {
+        return std::count_if(answer.frequencies.begin(), answer.frequencies.end(), holds);
+    };
+    std::string text = fmt::format(
+        "{:<12}{} of amplitude {:.6g} {}, an exact harmonic, {:.6g} … {:.6g} Hz\n",
+        name(answer.status()),
+        range.place == Excited::tip ? "force on what is driven" : "moving base", range.amplitude,
+        amplitudeUnitName(range.place, range.derivative), range.leastHertz, range.mostHertz);
+    text += fmt::format("one contact at {} of {} frequencies\n",
+                        count([](const SceneFrequency& at) { return !at.motions.empty(); }),
+                        answer.frequencies.size());
+    text += fmt::format(
+        "apart       at {} bars do not meet; at {} they would, and no motion with "
+        "one contact is known: computed, not proved\n",
+        count([](const SceneFrequency& at) { return !at.reason && !at.touches(); }),
+        count([](const SceneFrequency& at) {
+            return at.motions.empty() && (at.reason || at.touches());
+        }));
+    const SceneHarmonicMotion* worst = nullptr;
+    double hertz = 0.0;
+    for (const SceneFrequency& at : answer.frequencies) {
+        for (const SceneHarmonicMotion& motion : at.motions) {
+            if (worst == nullptr || motion.value.peakForce > worst->value.peakForce) {
+                worst = &motion;
+                hertz = at.hertz;
+            }
+        }
+    }
+    if (worst != nullptr) {
+        text += fmt::format("worst       force {:.6g} N at contact {}, at {:.6g} Hz\n",
+                            worst->value.peakForce * answer.scales.force(),
+                            worst->value.contact + 1, hertz);
+    }
+    const auto open = std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
+                                   [](const SceneFrequency& at) { return at.reason; });
+    if (open != answer.frequencies.end()) {
+        text += fmt::format("why         {:.6g} Hz: {}\n", open->hertz, *open->reason);
+    }
+    return text;
+}
+
+void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
+{
+    constexpr std::string_view header =
+        "steps,frequency_ratio,frequency,amplitude,touches,motion,contact,contact_time,release,"
+        "phase,impulse,peak_force,speed,residual";
+    writeCsv(path, header, [&](CsvRows& row) {
+        for (const SceneFrequency& at : answer.frequencies) {
+            const auto put = [&](const auto&... values) {
+                row(at.steps, at.ratio, at.hertz, at.amplitude, at.touches(), values...);
+            };
+            if (at.motions.empty()) {
+                put(",,,,,,,,");
+            }
+            for (std::size_t k = 0; k < at.motions.size(); ++k) {
+                const auto& [value, scales] = at.motions[k];
+                put(k, value.contact + 1, value.release * scales.time, answers::releaseOf(value),
+                    value.phase, value.impulse * scales.force() * scales.time,
+                    value.peakForce * scales.force(), value.speed * scales.velocity(),
+                    value.residual);
+            }
+        }
+    });
+}
+
+}  // namespace
+
+ExitStatus respondInBars(const Given& given, const CommonOptions& common, const ForceOptions& force,
+                         const Assembly& assembly)
+{
+    constexpr std::array others{"--band",    "--force-steps",  "--stability",   "--map",
+                                "--map-csv", "--backbone-csv", "--yield-stress"};
+    for (const char* option : others) {
+        refuseIf(given.has(option), option, given.text(option),
+                 "none of the harmonic itself and several bars or segments");
+    }
+    refuseIf(given.whole("--contacts").value_or(1) != 1, "--contacts", given.text("--contacts"),
+             "1 of several bars or segments");
+    force.requirePlace();
+    force.requireAmplitude();
+    answers::SceneRange range{*force.place, *force.amplitude, force.derivative,
+                              given.whole("--cycles").value_or(1)};
+    const Network network = networkOf(assembly);
+    takeHertz(given, network, range);
+    Outputs outputs(given, {"--csv", "--figure"});
+    SceneResponse answer = answers::responseOf(assembly, range);
+    const std::vector<std::int64_t> steps = stepsOf(answer);
+    watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
+        answer.frequencies = shareOut(
+            std::vector<std::optional<SceneFrequency>>(steps.size()), common.threads,
+            [&](std::size_t k) { return frequencyAt(answer, steps[k], cancel); }, show);
+        answer.isComplete = answer.frequencies.size() == steps.size();
+    });
+    if (answer.isComplete) {
+        outputs.put("--csv", writeSceneResponseCsv, answer);
+        outputs.draw("--figure", [&] { return sceneResponseFigure(answer); });
+        outputs.commit();
+    } else {
+        common.say("interrupted; the list is not complete");
+    }
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
+                              : headline(assembly, network) + asText(answer));
+    return exitStatusOf(answer.status());
+}
+
+}  // namespace signorini::cli

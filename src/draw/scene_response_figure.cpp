@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <stdexcept>
+
+#include "axes.hpp"
+#include "excited_amplitude.hpp"
+#include "scene_figures.hpp"
+
+namespace signorini {
+
+namespace {
+
+using namespace plot;
+using answers::SceneFrequency;
+using answers::SceneHarmonicMotion;
+
+double forceOf(const SceneHarmonicMotion& motion)
+{
+    return motion.value.peakForce * motion.scales.force();
+}
+
+double impulseOf(const SceneHarmonicMotion& motion)
+{
+    return motion.value.impulse * motion.scales.force() * motion.scales.time;
+}
+
+/// A dot for each motion at a contact, in the panels of force and impulse.
+struct ContactDots {
+    Series force;
+    Series impulse;
+
+    explicit ContactDots(std::size_t contact)
+    {
+        // One look for one contact; with many they repeat.
+        constexpr std::array roles{Role::contact, Role::strain, Role::velocity, Role::ink};
+        constexpr std::array markers{Marker::disc, Marker::square, Marker::triangle,
+                                     Marker::diamond};
+        force = dots(roles.at(contact % roles.size()), 0.6, markers.at(contact % markers.size()));
+        impulse = force;
+    }
+};
+
+}  // namespace
+
+FigureData sceneResponseFigure(const answers::SceneResponse& response)
+{
+    if (response.frequencies.empty()) {
+        throw std::invalid_argument("figure: the response holds no frequency to draw");
+    }
+    double force = 0.0;
+    double impulse = 0.0;
+    for (const SceneFrequency& at : response.frequencies) {
+        for (const SceneHarmonicMotion& motion : at.motions) {
+            force = std::max(force, forceOf(motion));
+            impulse = std::max(impulse, impulseOf(motion));
+        }
+    }
+    const Unit forceUnit = unitFor(force, "N");
+    const Unit impulseUnit = unitFor(impulse, "N s");
+    const double first = response.bars.reference.frequency / (2.0 * std::numbers::pi);
+    const double low = response.frequencies.back().hertz;
+    const double high = response.frequencies.front().hertz;
+    std::vector<ContactDots> contacts;
+    for (std::size_t contact = 0; contact < response.bars.contacts.size(); ++contact) {
+        contacts.emplace_back(contact);
+    }
+    Series open = line(Role::faint, 2.4);
+    Series unknown = dots(Role::ink, 0.8, Marker::cross);
+    for (const SceneFrequency& at : response.frequencies) {
+        at.touches() || at.reason ? open.breakOff() : open.add(at.hertz, 0.0);
+        if (at.motions.empty() && (at.touches() || at.reason)) {
+            unknown.add(at.hertz, 0.0);
+        }
+        for (const SceneHarmonicMotion& motion : at.motions) {
+            ContactDots& dots = contacts[motion.value.contact];
+            dots.force.add(at.hertz, forceOf(motion) * forceUnit.factor);
+            dots.impulse.add(at.hertz, impulseOf(motion) * impulseUnit.factor);
+        }
+    }
+    FigureData figure;
+    figure.title =
+        fmt::format("{} of amplitude {},  exact harmonic",
+                    response.range.place == Excited::tip ? "force" : "moving base",
+                    withUnit(response.range.amplitude,
+                             amplitudeUnitName(response.range.place, response.range.derivative)));
+    figure.height = 14.0;
+    const double margin = high > low ? 0.02 * (high - low) : 0.02 * high;
+    const Axis x{
+        .label = "frequency of the excitation  [Hz]", .low = low - margin, .high = high + margin};
+    Panel upper{.name = "force", .place = {0.12, 0.95, 0.56, 0.85}};
+    upper.x = x;
+    upper.x.label.clear();
+    upper.x.hasNumbers = false;
+    if (first > 0.0) {
+        upper.x.other = {.label = "ω/ω_1", .factor = 1.0 / first};
+    }
+    upper.y = {.label = labelled("largest force", forceUnit),
+               .low = 0.0,
+               .high = std::max(1.15 * force * forceUnit.factor, 1e-9)};
+    Panel lower{.name = "impulse", .place = {0.12, 0.95, 0.25, 0.52}, .legend = Legend::below};
+    lower.legendRows = 2 + static_cast<int>(contacts.size());
+    lower.x = x;
+    lower.y = {.label = labelled("impulse a period", impulseUnit),
+               .low = 0.0,
+               .high = std::max(1.15 * impulse * impulseUnit.factor, 1e-9)};
+    const auto put = [&](Series above, const Series& below, std::string words) {
+        if (!above.x.empty()) {
+            upper.add(std::move(above));
+            lower.add(below.named(std::move(words)));
+        }
+    };
+    put(open, open, "bars that do not meet");
+    for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
+        put(std::move(contacts[contact].force), contacts[contact].impulse,
+            fmt::format("contact {}", contact + 1));
+    }
+    put(unknown, unknown, "they would, and no motion with one contact is known");
+    figure.panels = {std::move(upper), std::move(lower)};
+    return figure;
+}
+
+}  // namespace signorini
