@@ -143,7 +143,7 @@ def words_of(question, scene, demand=None):
         if demand == "--target" and scene in STATES:
             value = f"'{{folder}}/{scene}.csv'"
         words += f" {demand} {value} {WITH.get((command, demand), '')}"
-        words += YIELDING if demand == "--yield-stress" and "--scene" not in given else ""
+        words += YIELDING if demand == "--yield-stress" else ""
     return f"{command} {words} {given}"
 
 

@@ -107,9 +107,15 @@ class SceneContactForces(TypedDict):
     kind: Literal["right stop", "left stop", "gap"]
     place: float
     gap: float
+    approach_speed: NotRequired[float]
     peak_force: NotRequired[float]
     impulse: NotRequired[float]
     contact_time: NotRequired[float]
+
+class SceneStrains(TypedDict):
+    peak_compression: float
+    peak_tension: float
+    peak_stress: Optional[float]
 
 class SceneStabilityReport(TypedDict):
     verdict: Literal["attracts", "repels", "unclear"]
@@ -691,6 +697,7 @@ class SceneResult(_Record):
     energy: Known[float]
     energy_ratio: Known[float]
     energy_ratio_proved: Known[float]
+    strains: Known[SceneStrains]
     residuals: Known[SceneResiduals]
     stability: Known[SceneStabilityReport]
     certificate: Known[SceneEnergyFloor]
@@ -708,6 +715,7 @@ class SceneForcedMotion(_Record):
     amplitude: float
     phase: float
     contacts: list[SceneContactForces]
+    strains: SceneStrains
     residual: float
     stability: Optional[SceneStabilityReport]
 

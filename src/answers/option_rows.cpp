@@ -315,8 +315,9 @@ std::vector<Option> ofOutputs()
         words(Takes::ending, "--animate",
               schedule | period | forced | forcedPeriod | network | mode | continuum,
               "FILE.gif|.mp4", "draw it moving (needs gnuplot, and ffmpeg for .mp4)"),
-        positive("--yield-stress", schedule | period | forced | forcedPeriod | response | sweep,
-                 "PA", "Pa", "warn where the stress exceeds it (needs --young)"),
+        positive("--yield-stress",
+                 schedule | period | forced | forcedPeriod | network | response | sweep, "PA", "Pa",
+                 "warn where the stress exceeds it (needs --young)"),
         flag(
             "--stability", schedule | forced,
             "perturb the motion to test its stability, undamped and with a damping ratio of 0.001"),

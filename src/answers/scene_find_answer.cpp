@@ -37,11 +37,33 @@ std::vector<ContactInPeriod> contactsOf(const SceneSchedule& schedule,
         for (const ContactSpan& span : schedule.spans) {
             steps += contains(span.closed, j) ? static_cast<double>(span.steps) : 0.0;
         }
+        one.speed = residuals->extremes.contacts[j].approach * scales.velocity();
         one.peakForce = residuals->peakForces[j] * scales.force();
         one.impulse = std::max(0.0, residuals->impulses[j]) * scales.force() * scales.time;
         one.time = scales.time * steps;
     }
     return all;
+}
+
+std::optional<double> modulusOf(const Assembly& assembly)
+{
+    const auto isOther = [](const AssemblyPart& part) {
+        return part.kind == PartKind::cells && part.speed != 1.0;
+    };
+    const bool isOne = std::none_of(assembly.parts.begin(), assembly.parts.end(), isOther);
+    return isOne ? assembly.young : std::nullopt;
+}
+
+SceneStrains strainsOf(const SceneSchedule& schedule, const NetworkResiduals& residuals)
+{
+    const Assembly& assembly = schedule.bars.assembly;
+    const double unit = schedule.scales.displacement / (schedule.scales.time * assembly.waveSpeed);
+    SceneStrains strains{-residuals.extremes.leastStrain * unit,
+                         residuals.extremes.mostStrain * unit};
+    if (const auto modulus = modulusOf(assembly)) {
+        strains.stress = *modulus * std::max(strains.compression, strains.tension);
+    }
+    return strains;
 }
 
 bool SceneFindAnswer::presses() const
@@ -114,8 +136,9 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
         NetworkClaim claim = claimOf(set, motion);
         NetworkResiduals residuals = walk(network, claim);
         auto contacts = contactsOf(answer.schedule, &residuals);
+        const SceneStrains strains = strainsOf(answer.schedule, residuals);
         answer.motions.push_back({motion.amplitude * unit, motion.phase, std::move(claim),
-                                  std::move(residuals), std::move(contacts)});
+                                  std::move(residuals), std::move(contacts), strains});
     }
     if (motions.empty()) {
         const AmplitudeExclusion exclusion = exclusionOf(set, *amplitude / unit);

@@ -34,12 +34,25 @@ struct SceneSchedule {
 struct ContactInPeriod {
     static constexpr bool isDictionary = true;
     SceneContact contact;
+    std::optional<double> speed = {};  ///< of approach
     std::optional<double> peakForce = {};
     std::optional<double> impulse = {};  ///< what is rounded below 0 where nothing presses is 0
     std::optional<double> time = {};
 };
 [[nodiscard]] std::vector<ContactInPeriod> contactsOf(const SceneSchedule& schedule,
                                                       const NetworkResiduals* residuals);
+
+/// Extremes of strain in a period.
+struct SceneStrains {
+    static constexpr bool isDictionary = true;
+    double compression = 0.0;           ///< -min s >= 0
+    double tension = 0.0;               ///< max s >= 0
+    std::optional<double> stress = {};  ///< [Pa], where all bars have one modulus that is known
+};
+/// Young's modulus [Pa], if it is known and bars have one wave speed.
+[[nodiscard]] std::optional<double> modulusOf(const Assembly& assembly);
+[[nodiscard]] SceneStrains strainsOf(const SceneSchedule& schedule,
+                                     const NetworkResiduals& residuals);
 
 /// What multipliers prove: no motion has less energy.
 struct SceneFloor {
@@ -72,6 +85,11 @@ struct SceneFindAnswer {
     {
         return unit ? std::optional(energy / *unit) : std::nullopt;
     }
+    /// Of the motion, if there is one.
+    [[nodiscard]] std::optional<SceneStrains> strains() const
+    {
+        return isFound() ? std::optional(strainsOf(schedule, motions.residuals)) : std::nullopt;
+    }
     /// Does any contact press?
     [[nodiscard]] bool presses() const;
     /// What is proved is that of least energy.
@@ -98,6 +116,7 @@ struct SceneForcedMotion {
     NetworkClaim claim;
     NetworkResiduals residuals;
     std::vector<ContactInPeriod> contacts;
+    SceneStrains strains;
     std::optional<SceneStability> stability = {};  ///< where it was asked for
 };
 
@@ -167,9 +186,24 @@ void describe(D& d, Type<ContactInPeriod>)
     using T = ContactInPeriod;
     d.record("SceneContactForces", "A contact of bars, and what it does in a period of a motion.");
     describeContact(d, [](const T& c) -> const SceneContact& { return c.contact; });
+    d.key("approach_speed", "m/s >= 0", "Largest, before it closes.", &T::speed, When::any);
     d.key("peak_force", "N", "Largest.", &T::peakForce, When::any);
     d.key("impulse", "N s >= 0", "In a period.", &T::impulse, When::any);
     d.key("contact_time", "s >= 0", "In a period.", &T::time, When::any);
+}
+
+template <typename D>
+void describe(D& d, Type<SceneStrains>)
+{
+    using T = SceneStrains;
+    d.record(
+        "SceneStrains",
+        "Strains of bars in a period of a motion, those at rest under constant forces included.");
+    d.key("peak_compression", "- >= 0", "-min s over all x and t.", &T::compression);
+    d.key("peak_tension", "- >= 0", "max s over all x and t.", &T::tension);
+    d.key("peak_stress", "Pa >= 0",
+          "Largest |stress|, where Young's modulus is known and all bars have one wave speed.",
+          &T::stress);
 }
 
 template <typename D>
@@ -260,6 +294,7 @@ void describe(D& d, Type<SceneFindAnswer>)
           [](const T& a) { return a.isFound() ? a.ratio(a.motions.energy) : std::nullopt; });
     d.key("energy_ratio_proved", "- >= 0", "No motion has less.",
           [](const T& a) { return a.isFound() ? a.ratio(a.motions.provedEnergy) : std::nullopt; });
+    d.key("strains", "-", "Of the motion.", &T::strains, When::found);
     d.key("residuals", "-", "Of the motion.",
           ofMotion([](const T& a) { return a.motions.residuals; }), When::found);
     d.key("stability", "-", "Started beside the motion.", &T::stability, When::any);
@@ -284,6 +319,7 @@ void describe(D& d, Type<SceneForcedMotion>)
     d.key("amplitude", "N or m >= 0", "Of the excitation.", &T::amplitude);
     d.key("phase", "rad", "Of the excitation at the start.", &T::phase);
     d.key("contacts", "-", "[dict, ...]: each contact, and its forces.", &T::contacts);
+    d.key("strains", "-", "In a period.", &T::strains);
     d.key("residual", "- >= 0", "The worst that was seen walking its waves; relative.",
           [](const T& m) { return m.residuals.worst(); });
     d.key("stability", "-", "Started beside the motion.", &T::stability, When::any);

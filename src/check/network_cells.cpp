@@ -38,7 +38,9 @@ NetworkCells::NetworkCells(const Network& network, const NetworkClaim& claim, do
         Row made{{std::reverse_iterator(next + cells), std::reverse_iterator(next)},
                  {next + cells, next + 2 * cells},
                  SlidingRange(cells + 1),
-                 SlidingRange(cells + 1)};
+                 SlidingRange(cells + 1),
+                 (network.nodes[row.right].rest - network.nodes[row.left].rest) /
+                     static_cast<double>(cells)};
         for (std::size_t k = 0; k < cells; ++k) {
             meet(made, row.speed, made.right[k], made.left[k]);
         }
@@ -90,13 +92,21 @@ double NetworkCells::approach(std::size_t number) const
                                                     : -here;
 }
 
-/// Two waves that enter a row meet those of the other side that are in it.
+/// Two waves that enter a row meet those of the other side that are in it: number a of one and b of
+/// the other where weight stretches a cell by -gravity (b - a)/2 more than in the middle, and by
+/// half of gravity less or more on the way through each other.
 void NetworkCells::meet(Row& row, double speed, double right, double left)
 {
+    const double weight = network_.gravity * 0.5 * static_cast<double>(row.met++);
+    right -= weight;
+    left -= weight;
     row.rights.add(right);
     row.lefts.add(left);
-    const double least = std::min(row.lefts.least() - right, left - row.rights.most());
-    const double most = std::max(row.lefts.most() - right, left - row.rights.least());
+    const double half = 0.5 * std::abs(network_.gravity);
+    const double least =
+        row.rest - half + std::min(row.lefts.least() - right, left - row.rights.most());
+    const double most =
+        row.rest + half + std::max(row.lefts.most() - right, left - row.rights.least());
     extremes_.leastStrain = std::min(extremes_.leastStrain, least / speed);
     extremes_.mostStrain = std::max(extremes_.mostStrain, most / speed);
 }

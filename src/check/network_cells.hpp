@@ -72,7 +72,9 @@ private:
         std::vector<double> left;
         SlidingRange rights;  ///< those of which some still meet what enters now
         SlidingRange lefts;
+        double rest;  ///< stretch of a cell in the middle of the row at rest
         std::size_t head = 0;
+        std::int64_t met = 0;  ///< so many of either side
     };
     /// 2 sum Z w + f and sum Z + D of a node.
     struct Pull {

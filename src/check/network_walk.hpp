@@ -51,11 +51,12 @@ struct ContactExtremes {
 };
 
 /// What a network reaches in a period. Strains are those of motions: waves that meet before the
-/// period or after it are among them.
+/// period or after it are among them; and with weight to within that of half a cell.
 struct NetworkExtremes {
     std::vector<ContactExtremes> contacts;
-    double leastStrain = 0.0;  ///< of (l - r)/speed, in cells, between them and at their nodes
-    double mostStrain = 0.0;
+    double leastStrain = 0.0;  ///< of (l - r)/speed, in cells, between them and at their nodes, and
+                               ///< of the shape at rest under constant forces; at most 0
+    double mostStrain = 0.0;   ///< at least 0
     std::vector<double> leastDisplacements;  ///< by node
 };
 

@@ -67,7 +67,8 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
         if (!answer.presses()) {
             text += fmt::format("contact     grazing: nothing presses{}\n", whyGrazing(of));
         }
-        text += cli::asText(contactsOf(answer.schedule, &motions.residuals));
+        text += cli::asText(contactsOf(answer.schedule, &motions.residuals)) +
+                cli::asText(*answer.strains(), of.call);
         text += fmt::format("residual    {:.2g}\n{}", motions.residuals.worst(),
                             cli::asText(answer.stability));
     }
@@ -76,12 +77,32 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
 
 }  // namespace
 
+std::string asText(const answers::SceneStrains& strains, const FindCommand& call)
+{
+    Physical physical;
+    physical.peakCompression = strains.compression;
+    physical.peakStress = strains.stress;
+    call.warn(physical);
+    return fmt::format("strain      at most {:.6g} in compression, {:.6g} in tension{}\n",
+                       strains.compression, strains.tension,
+                       strains.stress ? fmt::format("; stress {:.6g} Pa", *strains.stress) : "");
+}
+
+void requireStress(const FindCommand& call, const Assembly& assembly)
+{
+    Bar bar;
+    bar.young = answers::modulusOf(assembly);
+    (void)yieldStressOf(call.given, bar);
+}
+
 std::string asText(const std::vector<answers::ContactInPeriod>& contacts)
 {
     std::string text;
     for (const answers::ContactInPeriod& one : contacts) {
-        text += fmt::format("contact {:<4}force at most {:.6g} N, impulse {:.6g} N s per period\n",
-                            one.contact.number, *one.peakForce, *one.impulse);
+        text += fmt::format(
+            "contact {:<4}force at most {:.6g} N, impulse {:.6g} N s per period; "
+            "met at {:.6g} m/s\n",
+            one.contact.number, *one.peakForce, *one.impulse, *one.speed);
     }
     return text;
 }
@@ -101,6 +122,7 @@ SceneFind::SceneFind(const FindCommand& of)
 {
     refuseIf(of.given.text("--motion").ends_with(".pvd"), "--motion", of.given.text("--motion"),
              "FILE.csv|.vtk of several bars: a .pvd shows one before its wall");
+    requireStress(of, assembly);
 }
 
 std::string SceneFind::lines(Status status) const

@@ -26,7 +26,7 @@ std::string asText(const answers::SceneForcedAnswer& answer, const SceneFind& of
     for (const answers::SceneForcedMotion& one : answer.motions) {
         text += fmt::format("motion      amplitude {:.6g} {}, phase {:.6g}\n", one.amplitude, unit,
                             one.phase);
-        text += cli::asText(one.contacts);
+        text += cli::asText(one.contacts) + cli::asText(one.strains, of.call);
         text += fmt::format("residual    {:.2g}\n{}", one.residuals.worst(),
                             cli::asText(one.stability));
     }

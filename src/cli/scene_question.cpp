@@ -14,7 +14,7 @@ namespace {
 using answers::SceneFindAnswer;
 using answers::SceneQuestionAnswer;
 
-std::string asText(const SceneQuestionAnswer& answer)
+std::string asText(const SceneQuestionAnswer& answer, const FindCommand& call)
 {
     std::string text = fmt::format(
         "{:<12}{} of {} schedules with one contact in {} steps have motions, {} proved to have "
@@ -26,7 +26,8 @@ std::string asText(const SceneQuestionAnswer& answer)
     for (const SceneFindAnswer& motion : answer.motions) {
         text += fmt::format("motion      {}, {}{}\n", textOf(motion.schedule.spans),
                             inWords(motion, motion.motions.energy),
-                            motion.presses() ? "" : ", grazing: nothing presses");
+                            motion.presses() ? "" : ", grazing: nothing presses") +
+                cli::asText(*motion.strains(), call);
     }
     const auto open = std::find_if(answer.sets.begin(), answer.sets.end(),
                                    [](const answers::SceneSet& set) { return set.detail; });
@@ -41,14 +42,15 @@ std::string asText(const SceneQuestionAnswer& answer)
 
 ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
 {
-    for (const char* option : {"--stability", "--certificate", "--formulation", "--strain-limit",
-                               "--tip-floor", "--yield-stress"}) {
+    for (const char* option :
+         {"--stability", "--certificate", "--formulation", "--strain-limit", "--tip-floor"}) {
         refuseIf(
             call.given.has(option),
             fmt::format("{}: allowed of a period only with one bar of equal segments", option));
     }
     refuseIf(!call.given.words().empty(),
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
+    requireStress(call, assembly);
     FindOutputs files(call);
     const Network network = networkOf(assembly);
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), 1);
@@ -65,8 +67,8 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
         files.writeBars(assembly, network, *answer.motions.front().motions.motion);
     }
     call.common.useOneThread();
-    writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))
-                                   : headline(assembly, network) + asText(answer));
+    const std::string text = headline(assembly, network) + asText(answer, call);
+    writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer)) : text);
     return exitStatusOf(answer.status());
 }
 

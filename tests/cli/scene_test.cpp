@@ -396,6 +396,50 @@ TEST_CASE("cli scenes: bars that nothing holds rest, fly and bounce; energies ar
     CHECK(program.find(ground + "20 61", 1)["certificate"]["energy"].get<double>() > 1e9);
 }
 
+TEST_CASE(
+    "cli find of several bars: strains, stress and speeds of a bar are those of its own answer")
+{
+    const CommandLine program;
+    const auto answered = [&program](const std::string& words) {
+        return json::parse(program.run(words + " --format json").out);
+    };
+    const std::string steel = " --young 210e9 --density 7800 --area 1e-4";
+    const json bar = answered("find 3 25 --cells 8" + steel)["physical"];
+    const json words = answered("find 1:3 -:25 --scene 'clamp 8 stop=1e-3'" + steel);
+    for (const char* key : {"peak_compression", "peak_tension", "peak_stress"}) {
+        CHECK(words["strains"][key].get<double>() == Approx(bar[key].get<double>()).epsilon(1e-9));
+    }
+    CHECK(words["contacts"][0]["approach_speed"].get<double>() ==
+          Approx(bar["approach_speed"].get<double>()).epsilon(1e-9));
+    // Two bars have that of the one whose mirror image they are.
+    const std::string two = "find 3 25 --scene 'clamp 8 gap=2e-3 8 clamp' --length 2" + steel;
+    const json mirror = answered(two);
+    CHECK(mirror["strains"]["peak_stress"].get<double>() ==
+          Approx(bar["peak_stress"].get<double>()).epsilon(1e-9));
+    const double stress = mirror["strains"]["peak_stress"];
+    CHECK_THAT(program.run(two + fmt::format(" --yield-stress {}", 0.99 * stress)).err,
+               containsText("beyond --yield-stress"));
+    CHECK(program.run(two + fmt::format(" --yield-stress {}", 1.01 * stress)).err.empty());
+    const std::string forced =
+        "find 1:6 -:42 --scene 'clamp 6 dash=0.2 driven gap=1e-3 dash=0.3 6 clamp' --force tip";
+    CHECK_THAT(program.run(forced + steel + " --yield-stress 1").err,
+               containsText("beyond --yield-stress"));
+    CHECK_THAT(program
+                   .run("find --period 1.75 --scene 'clamp 4 gap=2e-3 4 clamp'" + steel +
+                        " --yield-stress 1")
+                   .err,
+               containsText("beyond --yield-stress"));
+    // Whose modulus is not known, or not one.
+    for (const std::string& wrong :
+         {forced + " --yield-stress 1",
+          "find 3 14 --scene 'clamp 4 gap=2e-3 4:1:2 clamp' --yield-stress 1" + steel}) {
+        const auto outcome = program.run(wrong);
+        INFO(wrong << "\n" << outcome.err);
+        CHECK(outcome.status == 2);
+        CHECK(lines(outcome.err) == 1);
+    }
+}
+
 TEST_CASE("cli scenes: a bar is the same question by its words and by its options")
 {
     const CommandLine program;

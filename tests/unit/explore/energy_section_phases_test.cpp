@@ -8,6 +8,7 @@
 
 #include "catch.hpp"
 #include "energy_section.hpp"
+#include "sanitized.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/lumped_set.hpp"
 #include "support.hpp"
@@ -122,6 +123,9 @@ TEST_CASE("energy section: several phases have as many components as random moti
         const LumpedShape shape = shapeOf(lumpedSet(schedule));
         varying += shape.spanning.size() > 1 ? 1 : 0;
         for (const double part : {0.1, 0.35, 0.6}) {
+            if (test::isSanitized && part != 0.1) {
+                continue;
+            }
             const double energy = std::lerp(shape.energy.least, shape.energy.most, part);
             const auto section = sectionOfPhases(schedule, energy);
             REQUIRE(section);
@@ -165,7 +169,7 @@ TEST_CASE("energy section: several phases have as many components as random moti
             }
         }
     }
-    CHECK(several >= 15);
+    CHECK(several >= test::drawn(15));
     CHECK(varying >= 8);
 }
 

@@ -8,6 +8,7 @@
 #include "catch.hpp"
 #include "energy_floor.hpp"
 #include "has_solver.hpp"
+#include "network_field.hpp"
 #include "scene_words.hpp"
 #include "signorini/find_periodic.hpp"
 
@@ -38,6 +39,63 @@ int existing(const std::string& words, std::int64_t contact, std::int64_t free)
 }
 
 }  // namespace
+
+TEST_CASE(
+    "network find: strains of a period are what is seen along the bars, at rest stretched or not")
+{
+    // On a grid twice as fine the field at whole steps holds all that waves do on the coarse one.
+    struct Bars {
+        const char* coarse;
+        const char* fine;
+        double gravity;
+        std::int64_t contact;
+        std::int64_t free;
+    };
+    for (const Bars& bars :
+         {Bars{"clamp 4 gap=2e-3 4:2:0.5 clamp", "clamp 8 gap=2e-3 8:2:0.5 clamp", 0, 3, 11},
+          Bars{"clamp 5 force=3e-3 stop=5e-3 2 clamp", "clamp 10 force=3e-3 stop=5e-3 4 clamp", 0,
+               1, 12},
+          Bars{"4 stop=0", "8 stop=0", 10, 8, 24},
+          Bars{"clamp 6 stop=1e-3", "clamp 12 stop=1e-3", 1e-3, 3, 17}}) {
+        const auto network = [&bars](const char* words) {
+            return networkOf({.parts = partsOf(words), .gravity = bars.gravity});
+        };
+        const Network coarse = network(bars.coarse);
+        const Network fine = network(bars.fine);
+        INFO(bars.coarse);
+        const LeastMotion found = leastMotion(coarse, {{1, bars.contact}, {0, bars.free}}, 1e12);
+        INFO(found.detail);
+        REQUIRE(found.motion);
+        NetworkStart start;
+        for (const double wave : found.motion->waves) {
+            start.waves.insert(start.waves.end(), 2, wave);
+        }
+        // Half as long a cell, and half as wide the unit of gaps.
+        for (const double place : found.motion->displacements) {
+            start.displacements.push_back(2.0 * place);
+        }
+        double least = 0.0;
+        double most = 0.0;
+        const auto places = placesOfRows(fine, fine.cells());
+        const std::int64_t steps = 2 * (bars.contact + bars.free);
+        (void)throughPeriod(fine, start, {}, static_cast<double>(steps), steps,
+                            [&](const NetworkSimulation& now) {
+                                NetworkLook seen;
+                                look(seen, fine, now.state(), places);
+                                for (const double strain : seen.strains) {
+                                    least = std::min(least, strain);
+                                    most = std::max(most, strain);
+                                }
+                            });
+        const NetworkExtremes& extremes = found.residuals.extremes;
+        // Means over a cell of the fine grid miss at most what a cell and a half weigh.
+        const double weight = 1.5 * coarse.gravity;
+        CHECK(extremes.leastStrain <= least + 1e-9 * most);
+        CHECK(extremes.leastStrain >= least - weight - 1e-9 * most);
+        CHECK(extremes.mostStrain >= most - 1e-9 * most);
+        CHECK(extremes.mostStrain <= most + weight + 1e-9 * most);
+    }
+}
 
 TEST_CASE("network find: held energies, most impulses and the nearest motions of the paper's bar")
 {
