@@ -63,7 +63,7 @@ QUESTIONS = {
 OTHERWISE = {("The motion of a mode", "pressed"): "4 -1 --period 2.5"}
 #: Demands: an example of each. The text of the program says what they do.
 DEMANDS = {
-    "--solver": "auto", "--formulation": "auto", "--objective": "max-energy", "--target": "{folder}/state.csv",
+    "--solver": "auto", "--formulation": "kernel", "--objective": "max-energy", "--target": "{folder}/state.csv",
     "--energy-ratio": "9", "--energy": "1e-5", "--points": "5", "--sample": "", "--seed": "1", "--engine": "auto",
     "--strain-limit": "0.1", "--resolution": "0.2", "--tip-floor": "-0.1", "--tolerance": "1e-6",
     "--time-limit": "10", "--member": "0", "--cycles": "1", "--contacts": "2", "--band": "0.04",
@@ -76,6 +76,8 @@ DEMANDS = {
     "--events": "{folder}/events.csv", "--statistics": "{folder}/statistics.csv", "--tip": "{folder}/tip.csv",
     "--threads": "2", "--gravity": "2e-4",
 }
+#: Bars of one segment, whose unknowns are others.
+UNIFORM = ("one stop", "two stops", "pressed")
 #: Options that are the question, the scene or the way of printing.
 OTHERS = set("""--help --period --frequency --hertz --from --to --direction --damping --force --amplitude
     --amplitude-velocity --amplitude-acceleration --phase --from-hertz --to-hertz --exact --over --rest --time
@@ -142,6 +144,8 @@ def words_of(question, scene, demand=None):
         value = DEMANDS[demand]
         if demand == "--target" and scene in STATES:
             value = f"'{{folder}}/{scene}.csv'"
+        if demand == "--formulation" and scene in UNIFORM:
+            value = "state"
         words += f" {demand} {value} {WITH.get((command, demand), '')}"
         words += YIELDING if demand == "--yield-stress" else ""
     return f"{command} {words} {given}"

@@ -160,14 +160,11 @@ ResponseAnswer response(const Asked& asked)
     return patiently(
         [answer, stability, threads](const Wires& wires) mutable {
             const std::vector<std::int64_t> steps = stepsOf(answer.range);
-            StabilityOptions options;
-            options.cancel = wires.cancel;
-            options.segments = answer.range.segments;
             const auto make = [&](std::size_t k) {
                 auto response = responseAt(answer.range, steps[k], wires.cancel);
                 if (response && stability) {
                     for (ForcedMotion& motion : response->motions) {
-                        motion.stability = stabilityOf(motion, options).stability;
+                        answers::tryStability(motion, answer.range.segments, wires.cancel);
                     }
                 }
                 return isRequested(wires.cancel) ? std::nullopt : std::move(response);

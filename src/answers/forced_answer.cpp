@@ -36,13 +36,18 @@ ForcedAnswer answerOf(ForcedSet set, const Scene& scene, std::optional<double> a
     return answer;
 }
 
-void tryStability(ForcedAnswer& answer, const Cancel& cancel)
+void tryStability(ForcedMotion& motion, const std::vector<Segment>& segments, const Cancel& cancel)
 {
     StabilityOptions options;
     options.cancel = cancel;
-    options.segments = answer.scene.segments;
+    options.segments = segments;
+    motion.stability = stabilityOf(motion, options).stability;
+}
+
+void tryStability(ForcedAnswer& answer, const Cancel& cancel)
+{
     for (ForcedMotionOf& motion : answer.motions) {
-        motion.value.stability = stabilityOf(motion.value, options).stability;
+        tryStability(motion.value, answer.scene.segments, cancel);
     }
 }
 

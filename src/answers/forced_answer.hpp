@@ -54,6 +54,8 @@ struct ForcedAnswer {
 
 /// Starts beside each motion.
 void tryStability(ForcedAnswer& answer, const Cancel& cancel);
+/// The same of one, of a bar of such segments.
+void tryStability(ForcedMotion& motion, const std::vector<Segment>& segments, const Cancel& cancel);
 
 /// Kind and undamped waves of a set.
 struct ForcedSetPart {

@@ -29,12 +29,9 @@ std::optional<FrequencyResponse> responseOf(const ResponseRange& range, std::int
     if (!response) {
         return std::nullopt;
     }
-    StabilityOptions options;
-    options.cancel = cancel;
-    options.segments = range.segments;
     for (ForcedMotion& motion : response->motions) {
         if (wantsStability) {
-            motion.stability = stabilityOf(motion, options).stability;
+            answers::tryStability(motion, range.segments, cancel);
         }
         motion.state = {};
         motion.excitation.values = {};

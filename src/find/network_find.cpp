@@ -126,6 +126,7 @@ LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>&
     if (least.status != Status::found || wish.isOfLeast()) {
         return least;
     }
+    const std::vector<double> leastWaves = std::move(least.motion->waves);
     least.motion.reset();
     if (wish.energy && least.provedEnergy > *wish.energy) {
         least.status = Status::none;
@@ -145,7 +146,7 @@ LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>&
     }
     NetworkPoints points(single, options);
     const NetworkPoint point =
-        wish.energy ? points.ofEnergy(*wish.energy) : points.extreme(wish.objective);
+        wish.energy ? points.ofEnergy(*wish.energy, leastWaves) : points.extreme(wish.objective);
     least.detail = point.detail;
     if (point.detail.empty()) {
         enterMotion(least, single, points.motion(point), options.tolerance);

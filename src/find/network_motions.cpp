@@ -107,7 +107,7 @@ private:
         RowSystemOf<Number> system = rows.system;
         VectorOf<Number> from = VectorOf<Number>::Zero(system.rows.cols());
         if (demands_.target) {
-            from = nearest(*kernel);
+            from = coordinatesOf(blocks_, *kernel, *demands_.target);
             system.rhs -= system.rows * from;
         }
         const LeastNormOf<Number> least = leastNorm(
@@ -138,25 +138,6 @@ private:
         NetworkClaim claim{wavesAt(blocks_, *kernel, VectorOf<Number>(from + least.z), forces)};
         claim.displacements = displacementsAt(blocks_, rows, claim.waves);
         return enterMotion(result_, blocks_, std::move(claim), demands_.tolerance);
-    }
-
-    /// The coordinates of what is nearest to the target: x^T Z times it for each x of the basis.
-    template <typename Number>
-    [[nodiscard]] VectorOf<Number> nearest(const NetworkKernel<Number>& kernel) const
-    {
-        const std::vector<double> impedances = impedancesOf(blocks_.network());
-        VectorOf<Number> z(kernel.coordinates());
-        for (Eigen::Index k = 0; k < z.size(); ++k) {
-            const std::vector<double> x =
-                wavesAt(blocks_, kernel, VectorOf<Number>(VectorOf<Number>::Unit(z.size(), k)),
-                        VectorOf<Number>(0.0 * steadyInputs(kernel)));
-            double sum = 0.0;
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                sum += x[i] * impedances[i] * (*demands_.target)[i];
-            }
-            z[k] = sum;
-        }
-        return z;
     }
 
     template <typename Number>
@@ -200,6 +181,29 @@ LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands
 {
     return Search(blocks, demands).run();
 }
+
+template <typename Number>
+VectorOf<Number> coordinatesOf(const NetworkBlocks& blocks, const NetworkKernel<Number>& kernel,
+                               std::span<const double> waves)
+{
+    const std::vector<double> impedances = impedancesOf(blocks.network());
+    VectorOf<Number> z(kernel.coordinates());
+    for (Eigen::Index k = 0; k < z.size(); ++k) {
+        const std::vector<double> x =
+            wavesAt(blocks, kernel, VectorOf<Number>(VectorOf<Number>::Unit(z.size(), k)),
+                    VectorOf<Number>(0.0 * steadyInputs(kernel)));
+        double sum = 0.0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            sum += x[i] * impedances[i] * waves[i];
+        }
+        z[k] = sum;
+    }
+    return z;
+}
+template VectorOf<double> coordinatesOf(const NetworkBlocks&, const NetworkKernel<double>&,
+                                        std::span<const double>);
+template VectorOf<FineNumber> coordinatesOf(const NetworkBlocks&, const NetworkKernel<FineNumber>&,
+                                            std::span<const double>);
 
 double energyOf(const Network& network, std::span<const double> waves)
 {

@@ -55,6 +55,13 @@ struct LeastMotion {
 /// network. \throws std::invalid_argument as `rowsOf` does.
 [[nodiscard]] LeastMotion leastMotion(const NetworkBlocks& blocks, const LeastDemands& demands);
 
+/// The coordinates of what is nearest to waves, in the norm of the energy: x^T Z times them for
+/// each x of the basis. O(M coordinates).
+template <typename Number>
+[[nodiscard]] VectorOf<Number> coordinatesOf(const NetworkBlocks& blocks,
+                                             const NetworkKernel<Number>& kernel,
+                                             std::span<const double> waves);
+
 /// sum Z x^2 of waves in the order of `Network::waves`, or of none.
 [[nodiscard]] double energyOf(const Network& network, std::span<const double> waves);
 

@@ -12,6 +12,8 @@ namespace signorini {
 
 namespace {
 
+constexpr const char* outOfReach = "the kernel of W - 1 is out of reach";
+
 /// The point of a given energy on the way from one to another, of energies below and above.
 Eigen::VectorXd between(const Eigen::VectorXd& low, const Eigen::VectorXd& high, double energy)
 {
@@ -44,7 +46,7 @@ NetworkPoint NetworkPoints::solved(const std::string& solver) const
 {
     NetworkPoint point;
     if (!kernel_) {
-        point.detail = "the kernel of W - 1 is out of reach";
+        point.detail = outOfReach;
         return point;
     }
     if (program_.variables() == 0) {
@@ -83,13 +85,15 @@ NetworkPoint NetworkPoints::extreme(Objective objective)
     return solved(options_.solver);
 }
 
-NetworkPoint NetworkPoints::ofEnergy(double wanted)
+NetworkPoint NetworkPoints::ofEnergy(double wanted, std::span<const double> leastWaves)
 {
     constexpr int directions = 8;
-    NetworkPoint least = extreme(Objective::minEnergy);
-    if (!least.detail.empty()) {
+    NetworkPoint least;
+    if (!kernel_) {
+        least.detail = outOfReach;
         return least;
     }
+    least.z = coordinatesOf(blocks_, *kernel_, leastWaves);
     // Waves that constant forces make are at right angles to free ones.
     const double asked = wanted;
     const double steady = energyOf(
@@ -116,14 +120,16 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted)
             cost[i] = std::cos(static_cast<double>((i + 1) * (k + 1)));
         }
         for (double reached = -1.0;;) {
-            const NetworkPoint vertex = solved(std::string(automaticChoice));
+            const NetworkPoint vertex = solved(options_.solver);
             if (!vertex.detail.empty()) {
                 break;
             }
+            least.iterations += vertex.iterations;
             const double found = vertex.z.squaredNorm();
             highest = std::max(highest, found);
             if (found >= wanted) {
                 least.z = between(least.z, vertex.z, wanted);
+                least.solver = vertex.solver;
                 return least;
             }
             if (!(found > reached * (1.0 + 1e-9))) {

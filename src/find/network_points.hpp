@@ -28,9 +28,10 @@ public:
 
     /// The motion of least energy, or of most impulse. \throws BackendUnavailable
     [[nodiscard]] NetworkPoint extreme(Objective objective);
-    /// A motion of an energy [Z_1 delta^2/h], between that of least energy and one of more: the set
-    /// is convex and the energy grows on the way. Those of more are vertices in several directions.
-    [[nodiscard]] NetworkPoint ofEnergy(double wanted);
+    /// A motion of an energy [Z_1 delta^2/h], between that of least energy, whose waves are known,
+    /// and one of more: the set is convex and the energy grows on the way. Those of more are
+    /// vertices in several directions. \throws BackendUnavailable
+    [[nodiscard]] NetworkPoint ofEnergy(double wanted, std::span<const double> leastWaves);
     /// Waves, and where the nodes are at the start.
     [[nodiscard]] NetworkClaim motion(const NetworkPoint& point) const;
 

@@ -218,7 +218,8 @@ private:
         // Motions of more than the least energy have different waves in a block.
         const NetworkBlocks single(blocks_.network(), blocks_.schedule(), false);
         NetworkPoints points(single, options_);
-        return entered(points.ofEnergy(*options_.energyRatio * firstEnergy(request_.schedule)),
+        return entered(points.ofEnergy(*options_.energyRatio * firstEnergy(request_.schedule),
+                                       least.motion->waves),
                        points);
     }
 

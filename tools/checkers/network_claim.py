@@ -10,7 +10,8 @@ from .reading import NoProof, close, integer, number, require_keys, shown, told
 from .scene import listed
 
 SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "kernel_dimension",
-        "contacts", "contact", "energy", "energy_ratio", "energy_ratio_proved", "residuals", "certificate", "detail")
+        "contacts", "contact", "energy", "energy_ratio", "energy_ratio_proved", "strains", "residuals", "certificate",
+        "detail")
 NINE = Fraction(1, 10 ** 9)
 
 
@@ -154,7 +155,8 @@ class Claim:
         if len(found) != len(bars.contacts):
             raise NoProof("contacts: not those of the scene")
         for k, (one, contact) in enumerate(zip(found, bars.contacts), 1):
-            require_keys(one, "contacts", ("number", "kind", "place", "gap"), ("peak_force", "impulse", "contact_time"))
+            require_keys(one, "contacts", ("number", "kind", "place", "gap"),
+                         ("approach_speed", "peak_force", "impulse", "contact_time"))
             if one["kind"] != contact.kind:
                 raise NoProof(f"contacts: {shown(one['kind'])} is not the kind of contact {k}")
             truth += [("contacts: number", one["number"], Fraction(k)),
@@ -199,7 +201,7 @@ def check_scene(answer):
     if not lowest * (1 - NINE) <= claimed <= least:
         raise NoProof(f"{key}: {shown(answer['certificate'][key])}: allowed {told(lowest)} to what is proved, "
                       f"{told(least)}")
-    unproved = ("energy", "energy_ratio", "energy_ratio_proved", "residuals")
+    unproved = ("energy", "energy_ratio", "energy_ratio_proved", "strains", "residuals")
     for key in () if is_found else unproved:
         if answer[key] is not None:
             raise NoProof(f"{key}: {shown(answer[key])} is not proved here")

@@ -97,6 +97,24 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("network find: an energy is held without asking for the least again, which is known")
+{
+    if (!test::hasSimplex()) {
+        return;
+    }
+    // In resonance, where nothing presses: an interior point has no inside to stay in.
+    const Network network = sceneOf("clamp 6 gap=1e-3 6 clamp");
+    const double energy = *heldEnergy(network, {}, 9.0);
+    FindOptions options;
+    options.timeLimit = 5.0;
+    const LeastMotion held =
+        wishedMotion(network, {{1, 6}, {0, 42}}, 1e9, {Objective::automatic, energy, {}}, options);
+    INFO(held.detail);
+    REQUIRE(held.status == Status::found);
+    CHECK(held.energy == Approx(energy).epsilon(1e-9));
+    CHECK(held.residuals.worst() < 1e-9);
+}
+
 TEST_CASE("network find: held energies, most impulses and the nearest motions of the paper's bar")
 {
     if (!test::hasSimplex()) {
