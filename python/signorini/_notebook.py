@@ -259,6 +259,7 @@ _FOUND = (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.SceneRes
 _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Family: ("families", (9, 6.5)),
     _core.Mode: ("frequency_energy", (9, 6)),
+    _core.ModePolytope: ("polytopes", (8, 9.5)),
     _core.StudyPoint: ("study", (7, 5)),
 }
 

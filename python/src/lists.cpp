@@ -152,6 +152,19 @@ std::string familiesAsFigure(const std::vector<FamilyOf>& rows)
     return asJson(familiesFigure(families, families.back().order, true));
 }
 
+std::string polytopesAsFigure(const std::vector<answers::PolytopeOf>& rows, double top)
+{
+    std::vector<ModePolytope> polytopes;
+    for (const answers::PolytopeOf& row : rows) {
+        polytopes.push_back(row.value);
+    }
+    FrequencyEnergyOptions drawing{.maxEnergyRatio = top};
+    if (!rows.empty()) {
+        drawing.bar = rows.front().bar;
+    }
+    return asJson(polytopesFigure(polytopes, drawing));
+}
+
 std::string planeAsFigure(std::int64_t maxOrder, double left, double right, double top)
 {
     const std::vector<Mode> modes = findModes({.maxEnergyRatio = top});
@@ -169,6 +182,7 @@ void addLists(py::module_& module)
     addMode(module);
     addCall(module, "families", &families);
     module.def("families_figure", &familiesAsFigure);
+    module.def("polytopes_figure", &polytopesAsFigure);
     module.def("frequency_energy_figure", &planeAsFigure);
     addCall(module, "modes", &modes);
     addCall(module, "mode", &mode);

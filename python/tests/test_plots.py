@@ -89,6 +89,20 @@ def test_forced_motions_and_scenes(tmp_path: Path) -> None:
           tmp_path)
 
 
+def test_polytopes(tmp_path: Path) -> None:
+    """Motions with several contacts, as the program draws them; in a notebook by themselves."""
+    rows = sg.modes(phases=2, max_order=3, max_period=8)
+    contact, energy = plot.polytopes(rows)
+    drawn(contact, tmp_path)
+    assert "first contact" in contact.get_ylabel() and "energy" in energy.get_ylabel()
+    assert contact.get_xlim()[1] > max(p / q for row in rows for p, q in row.period_range)
+    assert rows._repr_png_().startswith(b"\x89PNG")
+    with pytest.raises(ValueError, match="no motion to draw"):
+        plot.polytopes([])
+    with pytest.raises(ValueError, match="gap > 0"):
+        plot.polytopes(sg.modes(phases=2, max_order=3, max_period=8, gap=-1e-3))
+
+
 def test_response_and_simulation(tmp_path: Path) -> None:
     options: dict[str, Any] = {"damping": 0.02, "force": "tip",
                                "amplitude": 2e-4, "cells": 10}
@@ -102,6 +116,11 @@ def test_response_and_simulation(tmp_path: Path) -> None:
     assert upper is two[0] and lower is two[1]
     assert "N s" in lower.get_ylabel() and len(upper.lines) >= len(exact.branches) > 0
     drawn(upper, tmp_path)
+    bars = sg.exact_response(scene="clamp 3 dash=0.1 driven gap=1e-3 4 dash=0.2 2 clamp",
+                             force="tip", amplitude=2e-3, start=1.0, to=1.5)
+    upper, lower = plot.response(bars)
+    drawn(upper, tmp_path)
+    assert "Hz" in lower.get_xlabel() and bars.found
     run = sg.simulate(frequency=1.1, periods=30, **options)
     drawn(plot.simulation(run)[0], tmp_path)
     upper, lower = plot.sweep(sg.sweep("frequency", 0.9, 1.2, points=4,

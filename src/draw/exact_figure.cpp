@@ -41,6 +41,10 @@ public:
     {
         low_ = frequencies.back().frequencyRatio;
         high_ = frequencies.front().frequencyRatio;
+        if (!(low_ < high_)) {  // a single one in the middle
+            low_ *= 0.98;
+            high_ *= 1.02;
+        }
         for (const ExactFrequency& at : frequencies) {
             for (const ExactMotion& one : at.motions) {
                 look(one.motion);

@@ -7,10 +7,10 @@ go over it. Units are SI with a prefix, or the ratios E/E_1 and omega/omega_1.
 
 from ._animate import Animation, animate
 from ._motion import continuum, motion, scene
-from ._plane import existence_map, families, frequency_energy
+from ._plane import existence_map, families, frequency_energy, polytopes
 from ._response import response, simulation, study, sweep
 from ._style import colours, unit_for
 
 __all__ = ["Animation", "animate", "colours", "continuum", "existence_map",
-           "families", "frequency_energy", "motion", "response", "scene",
-           "simulation", "study", "sweep", "unit_for"]
+           "families", "frequency_energy", "motion", "polytopes", "response",
+           "scene", "simulation", "study", "sweep", "unit_for"]

@@ -7,6 +7,7 @@ panels with axes, series, legend and words.
 from __future__ import annotations
 
 import json
+import math
 import re
 from typing import Any
 
@@ -21,6 +22,7 @@ DASHES: dict[str, Any] = {"solid": "-", "dashed": "--", "dotted": ":",
 LEGENDS = {"top left": "upper left", "top right": "upper right",
            "bottom left": "lower left", "bottom right": "lower right",
            "above": "lower right", "below": "best"}
+BELOW = 0.55  # inches, of an axis with numbers and label
 INCHES = 0.52  # a centimetre of a figure on paper
 
 
@@ -195,10 +197,19 @@ def draw_panel(axes: Any, panel: dict[str, Any], places: bool) -> None:
     axes.set_axisbelow(True)
     if panel["title"]:
         axes.set_title(markup(panel["title"]), fontsize="medium")
-    if panel["legend"] != "none" and axes.get_legend_handles_labels()[0]:
-        beside = ({"bbox_to_anchor": (1.0, 1.0), "ncols": 4, "frameon": False}
-                  if panel["legend"] == "above" else {})
-        axes.legend(loc=LEGENDS[panel["legend"]], fontsize="small", **beside)
+    count = len(axes.get_legend_handles_labels()[0])
+    if panel["legend"] != "none" and count:
+        how: dict[str, Any] = {"loc": LEGENDS[panel["legend"]]}
+        if panel["legend"] == "above":
+            how.update(bbox_to_anchor=(1.0, 1.0), ncols=4, frameon=False)
+        elif panel["legend"] == "below" and places:
+            left, right, low, _ = panel["place"]
+            under = low - BELOW / axes.figure.get_figheight()
+            rows = panel["legendRows"] or count
+            how.update(loc="upper left", bbox_to_anchor=(left, 0.0, right - left, under),
+                       bbox_transform=axes.figure.transFigure, borderaxespad=0.0,
+                       ncols=math.ceil(count / rows), frameon=False)
+        axes.legend(fontsize="small", **how)
     if panel["colourBar"] and painted:
         left, right, low, high = panel["colourBar"]
         where = ({"cax": axes.figure.add_axes(

@@ -10,7 +10,7 @@ import numpy as np
 from .. import _core, _lists
 from .._asking import asks
 from .._atlas import Atlas
-from .._core import Family
+from .._core import Family, ModePolytope
 from ._draw import draw
 from ._style import colours
 
@@ -89,6 +89,33 @@ def families(rows: Sequence[Family] | None = None, *, max_order: int = 12,
         raise ValueError("there are no families to draw")
     return draw(_core.families_figure(list(rows)), ("families",), axes,
                 figure)["families"]
+
+
+@asks("figure")
+def polytopes(rows: Sequence[ModePolytope], *, max_energy_ratio: float = 50.0,
+              axes: Any = None, figure: Any = None) -> tuple[Any, Any]:
+    """Draw motions with several contacts on no grid.
+
+    How long the first contact may last against the period, and all of them on
+    the frequency-energy plot beside the modes of one contact.
+
+    Parameters
+    ----------
+    rows : sequence of ModePolytope
+        As `modes(phases=2)` lists them, of one number of contacts.
+    max_energy_ratio : float
+        Top, E/E_1.
+
+    Returns
+    -------
+    (axes, axes)
+        Of the contact, and of the energy.
+    """
+    if len(rows) > 0 and rows[0].bar.gap < 0.0:
+        raise ValueError("there is no such figure without a gap > 0")
+    drawn = draw(_core.polytopes_figure(list(rows), max_energy_ratio), ("contact", "energy"),
+                 axes, figure)
+    return drawn["contact"], drawn["energy"]
 
 
 @asks("figure")
