@@ -33,12 +33,12 @@ std::vector<std::int64_t> stepsOf(const SceneResponse& asked)
     const auto shortest = static_cast<double>(std::max<std::int64_t>(2, 2 * range.cycles));
     constexpr auto longest = static_cast<double>(maxHarmonicSteps);
     if (!(std::max(least, shortest) <= most && most <= longest)) {
+        const bool isLow = most > longest;
         Faults faults;
-        faults.add("frequencies",
-                   fmt::format("{:.6g}..{:.6g} Hz", range.leastHertz, range.mostHertz),
-                   fmt::format("K/T = {:.6g}/n Hz of some whole n, n = {}..{}: from {:.6g} to "
-                               "{:.6g} Hz",
-                               second, shortest, longest, second / longest, second / shortest));
+        faults.add(isLow ? "leastFrequencyRatio" : "mostFrequencyRatio",
+                   isLow ? range.leastHertz : range.mostHertz,
+                   fmt::format("a range that holds {:.6g}/n Hz of some whole n = {}..{}", second,
+                               shortest, longest));
         faults.throwIfAny();
     }
     std::vector<std::int64_t> all;

@@ -27,17 +27,20 @@ void takeHertz(const Given& given, const Network& network, answers::SceneRange& 
 {
     const ResponseRange usual;
     const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    const double unit = first > 0.0 ? first : 1.0;  // [Hz], that of ratios
     const auto read = [&](const char* name, const char* twin, double otherwise) {
         const FrequencyOption option(given, name, twin);
         if (!option.hertz && !(first > 0.0)) {
             refuse(name, option.ratio ? fmt::format("{}", *option.ratio) : "missing",
                    fmt::format("in Hz, as by {}: these bars do not vibrate", twin));
         }
-        return option.ratioFor(first > 0.0 ? first : 1.0, otherwise) * (first > 0.0 ? first : 1.0);
+        return option.ratioFor(unit, otherwise);
     };
-    range.leastHertz = read("--from", "--from-hertz", usual.leastFrequencyRatio);
-    range.mostHertz = read("--to", "--to-hertz", usual.mostFrequencyRatio);
-    requireOrder(given, range.leastHertz, range.mostHertz);
+    const double least = read("--from", "--from-hertz", usual.leastFrequencyRatio);
+    const double most = read("--to", "--to-hertz", usual.mostFrequencyRatio);
+    requireOrder(given, least, most);
+    range.leastHertz = unit * least;
+    range.mostHertz = unit * most;
 }
 
 std::string asText(const SceneResponse& answer)
@@ -121,6 +124,8 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     }
     refuseIf(given.whole("--contacts").value_or(1) != 1, "--contacts", given.text("--contacts"),
              "1 of several bars or segments");
+    refuseIf(common.choosesCells, "--cells", given.text("--cells"),
+             "a number, or auto for a uniform bar: of others the cells are given");
     force.requirePlace();
     force.requireAmplitude();
     answers::SceneRange range{*force.place, *force.amplitude, force.derivative,
