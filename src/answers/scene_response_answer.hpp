@@ -18,7 +18,7 @@ struct SceneRange {
     double mostHertz = 0.0;
 };
 
-/// All motions with one contact at one frequency.
+/// The motions with one contact at one frequency; that none is left out is computed, not proved.
 struct SceneFrequency {
     std::int64_t steps = 0;  ///< n, of the period
     double hertz = 0.0;      ///< [Hz], of the excitation
@@ -94,8 +94,11 @@ void describe(D& d, Type<SceneResponse>)
           [](const T& a) { return amplitudeOf(a.range.place, a.range.derivative); });
     d.key("frequency_range", "Hz > 0", "(least, most), of the excitation.",
           [](const T& a) { return std::tuple(a.range.leastHertz, a.range.mostHertz); });
-    d.key("complete", "-", "Not interrupted, and known at each frequency.",
-          [](const T& a) { return a.status() == Status::found; });
+    d.key(
+        "complete", "-",
+        "Not interrupted, and no frequency at which waves resonate; that no motion is left out is "
+        "computed, not proved.",
+        [](const T& a) { return a.status() == Status::found; });
     d.key("frequencies", "-", "By descending frequency.", &T::frequencies);
     d.key("scene", "-", "Asked about.", [](const T& a) { return a.bars.assembly; });
     d.key("reference", "-", "What the bars are measured with.",

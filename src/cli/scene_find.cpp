@@ -68,7 +68,7 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
             text += fmt::format("contact     grazing: nothing presses{}\n", whyGrazing(of));
         }
         text += cli::asText(contactsOf(answer.schedule, &motions.residuals)) +
-                cli::asText(*answer.strains(), of.call);
+                cli::asText(*answer.strains());
         text += fmt::format("residual    {:.2g}\n{}", motions.residuals.worst(),
                             cli::asText(answer.stability));
     }
@@ -77,12 +77,16 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
 
 }  // namespace
 
-std::string asText(const answers::SceneStrains& strains, const FindCommand& call)
+void warnOf(const answers::SceneStrains& strains, const FindCommand& call)
 {
     Physical physical;
     physical.peakCompression = strains.compression;
     physical.peakStress = strains.stress;
     call.warn(physical);
+}
+
+std::string asText(const answers::SceneStrains& strains)
+{
     return fmt::format("strain      at most {:.6g} in compression, {:.6g} in tension{}\n",
                        strains.compression, strains.tension,
                        strains.stress ? fmt::format("; stress {:.6g} Pa", *strains.stress) : "");
@@ -159,6 +163,9 @@ ExitStatus findInScene(const FindCommand& command)
                                                wishOf(command, scene.network), options);
     if (triesStability) {
         tryStability(answer, scene.network, options.cancel);
+    }
+    if (const auto strains = answer.strains()) {
+        warnOf(*strains, command);
     }
     const auto& motion = answer.motions.motion;
     return scene.finish(answer, motion ? &*motion : nullptr, answer.isProof(),

@@ -47,8 +47,9 @@ private:
 [[nodiscard]] std::string inWords(const answers::SceneFindAnswer& answer, double energy);
 /// The line of what was tried, or none.
 [[nodiscard]] std::string asText(const std::optional<answers::SceneStability>& tried);
-/// The line of strains; warns of those that a bar does not bear.
-[[nodiscard]] std::string asText(const answers::SceneStrains& strains, const FindCommand& call);
+[[nodiscard]] std::string asText(const answers::SceneStrains& strains);
+/// Says on stderr where bars do not bear them.
+void warnOf(const answers::SceneStrains& strains, const FindCommand& call);
 /// \throws std::invalid_argument on --yield-stress of bars whose stress is not known.
 void requireStress(const FindCommand& call, const Assembly& assembly);
 /// A line for each contact of a motion.

@@ -26,7 +26,7 @@ std::string asText(const answers::SceneForcedAnswer& answer, const SceneFind& of
     for (const answers::SceneForcedMotion& one : answer.motions) {
         text += fmt::format("motion      amplitude {:.6g} {}, phase {:.6g}\n", one.amplitude, unit,
                             one.phase);
-        text += cli::asText(one.contacts) + cli::asText(one.strains, of.call);
+        text += cli::asText(one.contacts) + cli::asText(one.strains);
         text += fmt::format("residual    {:.2g}\n{}", one.residuals.worst(),
                             cli::asText(one.stability));
     }
@@ -63,6 +63,9 @@ ExitStatus findForcedInScene(const FindCommand& command)
     if (triesStability) {
         const Interrupt interrupt;
         tryStability(answer, scene.network, interrupt.cancel());
+    }
+    for (const answers::SceneForcedMotion& one : answer.motions) {
+        warnOf(one.strains, command);
     }
     const NetworkClaim* last = answer.motions.empty() ? nullptr : &answer.motions.back().claim;
     return scene.finish(answer, last, answer.status() == Status::none, asText(answer, scene));

@@ -14,7 +14,7 @@ namespace {
 using answers::SceneFindAnswer;
 using answers::SceneQuestionAnswer;
 
-std::string asText(const SceneQuestionAnswer& answer, const FindCommand& call)
+std::string asText(const SceneQuestionAnswer& answer)
 {
     std::string text = fmt::format(
         "{:<12}{} of {} schedules with one contact in {} steps have motions, {} proved to have "
@@ -27,7 +27,7 @@ std::string asText(const SceneQuestionAnswer& answer, const FindCommand& call)
         text += fmt::format("motion      {}, {}{}\n", textOf(motion.schedule.spans),
                             inWords(motion, motion.motions.energy),
                             motion.presses() ? "" : ", grazing: nothing presses") +
-                cli::asText(*motion.strains(), call);
+                cli::asText(*motion.strains());
     }
     const auto open = std::find_if(answer.sets.begin(), answer.sets.end(),
                                    [](const answers::SceneSet& set) { return set.detail; });
@@ -67,8 +67,11 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
         files.writeBars(assembly, network, *answer.motions.front().motions.motion);
     }
     call.common.useOneThread();
-    const std::string text = headline(assembly, network) + asText(answer, call);
-    writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer)) : text);
+    for (const SceneFindAnswer& motion : answer.motions) {
+        warnOf(*motion.strains(), call);
+    }
+    writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))
+                                   : headline(assembly, network) + asText(answer));
     return exitStatusOf(answer.status());
 }
 
