@@ -101,10 +101,23 @@ struct ContactMultiplier {
     friend bool operator==(const ContactMultiplier&, const ContactMultiplier&) = default;
 };
 
+/// The multiplier of a limit on strain where two waves of a row of N cells pass each other: those
+/// that arrive at its right end in a step p and at its left end in a step q, |p - q| <= N, whole
+/// periods left out.
+struct StrainMultiplier {
+    std::size_t row = 0;     ///< zero-based, from left to right
+    std::int64_t right = 0;  ///< p, zero-based, from the start of the schedule
+    std::int64_t left = 0;   ///< q
+    double value = 0.0;      ///< >= 0
+
+    friend bool operator==(const StrainMultiplier&, const StrainMultiplier&) = default;
+};
+
 /// Multipliers that bound the energy of all motions of a schedule from below (docs/theory.md,
 /// section 20). With x the waves at t = 0, S the step and x_m = S ... S x,
 ///
-///     sum y (x_n - x) + sum of places x distances + sum of pushes x pushes = eta . x - delta >= 0
+///     sum y (x_n - x) + sum of places x distances + sum of pushes x pushes
+///         + sum of strains x (strain + limit) = eta . x - delta >= 0
 ///
 /// for every motion, so that its energy sum Z x^2 is at least delta^2/(sum eta^2/Z), whatever was
 /// rounded in finding them. A bound that is huge says that there is no motion.
@@ -113,6 +126,7 @@ struct EnergyFloor {
     std::vector<ContactMultiplier> places;  ///< of distances when a step begins: 0 next to a closed
                                             ///< step, else >= 0
     std::vector<ContactMultiplier> pushes;  ///< in closed steps, >= 0
+    std::vector<StrainMultiplier> strains = {};  ///< of a limit, if there is one
 
     friend bool operator==(const EnergyFloor&, const EnergyFloor&) = default;
 };

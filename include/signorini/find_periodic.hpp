@@ -132,9 +132,10 @@ struct SteppedProof {
 struct EnergyFloorProof {
     EnergyFloor multipliers = {};  ///< checked by a march backwards, its rounding bounded
     double energyRatio = 0.0;      ///< E/E_1: no motion has less
-    double tipFloor = -std::numeric_limits<double>::infinity();  ///< [g], as asked for
-    double tolerance = 0.0;                                      ///< relative
-    std::optional<double> held = std::nullopt;                   ///< E/E_1 to hold
+    double tipFloor = -std::numeric_limits<double>::infinity();    ///< [g], as asked for
+    double tolerance = 0.0;                                        ///< relative
+    std::optional<double> held = std::nullopt;                     ///< E/E_1 to hold
+    double strainLimit = std::numeric_limits<double>::infinity();  ///< [g/L], as asked for
 };
 
 /// What no bar bears, E/E_1: below it at least absence is proved where no energy is held.

@@ -72,6 +72,7 @@ class EnergyFloor(TypedDict):
     periodicity: list[float]
     places: list[tuple[int, int, float]]
     pushes: list[tuple[int, int, float]]
+    strains: NotRequired[list[tuple[int, int, int, float]]]
 
 class SceneWords(TypedDict):
     length: float
@@ -135,9 +136,11 @@ class SceneEnergyFloor(TypedDict):
     rows: str
     energy_ratio: Optional[float]
     energy: float
+    strain_limit: NotRequired[float]
     periodicity: list[float]
     places: list[tuple[int, int, float]]
     pushes: list[tuple[int, int, float]]
+    strains: NotRequired[list[tuple[int, int, int, float]]]
 
 class SceneContact(TypedDict):
     number: int
@@ -237,9 +240,11 @@ class EnergyFloorProof(_Record):
     rows: str
     energy_ratio: float
     tip_floor: Optional[float]
+    strain_limit: Optional[float]
     periodicity: list[float]
     places: list[tuple[int, int, float]]
     pushes: list[tuple[int, int, float]]
+    strains: Optional[list[tuple[int, int, int, float]]]
 
 class EnergyExclusion(_Record):
     kind: str

@@ -217,10 +217,8 @@ def find(
         return _core.find(scheduled(asked))
     if not where.segments:
         return ask(times, asked)
-    clash = [name for name, value in (("strain_limit", strain_limit), ("tip_floor", tip_floor))
-             if value is not None]
-    if clash:
-        raise ValueError(f"{', '.join(clash)}: allowed of a period only without segments")
+    if tip_floor is not None:
+        raise ValueError("tip_floor: allowed of a period only without segments")
     return ask_bars(times, asked)
 
 

@@ -120,7 +120,8 @@ def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
 
 
 #: What is asked of a schedule of bars, without a force and with one.
-_OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solver", "tolerance")
+_OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solver", "tolerance",
+            "strain_limit")
 _OF_FORCED = ("amplitude", "cycles")
 
 
@@ -137,7 +138,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
     """Answer what is asked about several bars: of a schedule, or under an exact harmonic."""
     if asked["damping"] is not None:
         raise ValueError("damping clashes with a scene of words: allowed dash=D among them")
-    _refuse(asked, usual, ("cells", "strain_limit", "tip_floor", "formulation", "contacts"),
+    _refuse(asked, usual, ("cells", "tip_floor", "formulation", "contacts"),
             "without a scene of words")
     schedule = asked["schedule"]
     if not times:

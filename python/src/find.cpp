@@ -66,11 +66,12 @@ Answer find(const Asked& asked)
     const Schedule schedule = asked.schedule();
     FindOptions options;
     options.scene = asked.scene();
-    const Scales scale = scales(options.scene.bar);
+    const Bar units = answers::unitsOf(options.scene);
+    const Scales scale = scales(units);
     options.solver = asked.get<std::string>("solver");
     options.formulation = asked.named("formulation", formulationNames);
     options.objective = asked.named("objective", objectiveNames);
-    options.energyRatio = asked.energyRatio(options.scene.bar);
+    options.energyRatio = asked.energyRatio(units);
     options.strainLimit = asked.strainLimit(scale.strain);
     if (const auto floor = asked.maybe<double>("tip_floor")) {
         options.tipFloor = *floor / scale.displacement;
@@ -112,7 +113,7 @@ void addFind(py::module_& module)
         const Asked asked(given);
         FindOptions options;
         options.scene = asked.scene();
-        options.energyRatio = asked.energyRatio(options.scene.bar);
+        options.energyRatio = asked.energyRatio(answers::unitsOf(options.scene));
         answers::QuestionAnswer answer =
             answers::questionOf({asked.get<std::string>("option"), asked.get<std::string>("word"),
                                  asked.get<std::int64_t>("steps")},

@@ -36,6 +36,7 @@ struct AskedBars {
           schedule(spansOf(py::cast<std::vector<std::string>>(asked.object("steps")),
                            network.contacts.size()))
     {
+        answers::limitStrain(network, assembly, asked.maybe<double>("strain_limit"));
     }
 };
 
@@ -89,7 +90,8 @@ SceneQuestionAnswer findPeriodInBars(const Asked& asked)
         }
         return answers::assemblyOf(scene, cells, {});
     }();
-    const Network network = networkOf(assembly);
+    Network network = networkOf(assembly);
+    answers::limitStrain(network, assembly, asked.maybe<double>("strain_limit"));
     const std::int64_t steps = asked.steps(assembly, 1);
     AskedWish asks(asked, network);
     return patiently([=](const Wires& wires) mutable {

@@ -316,6 +316,8 @@ def test_all_motions_of_a_period_of_bars_agree(program: Program) -> None:
     asked: list[tuple[dict[str, Any], dict[str, Any]]] = [
         ({"period": 1.75}, bars), ({"hertz": 0.3, "energy_ratio": 20.0}, bars),
         ({"frequency": 0.75, "objective": "max-impulse"}, bars),
+        ({"frequency": 0.75, "strain_limit": 2.7e-3}, bars),
+        ({"period": 3.5, "strain_limit": 4e-3}, {"segments": [(3, 1.0), (3, 2.0)]}),
         ({"period": 3.5}, {"segments": [(3, 1.0), (3, 2.0)]})]
     for when, where in asked:
         answer = sg.find(**when, **where)
@@ -359,9 +361,12 @@ def test_motions_of_bars_come_back_and_are_drawn(tmp_path: Path) -> None:
     assert "contact" in run._repr_html_() and len(run.frame()) == 5
     with pytest.raises(ValueError, match="no motion was found"):
         sg.plot.motion(sg.find(11, 3, **bars))
+    gentle = sg.find(3, 11, **bars, strain_limit=1e-3)
+    assert gentle.status == "none" and gentle.certificate
+    assert gentle.certificate["strain_limit"] == 1e-3 and gentle.certificate["strains"]
     wrongs: list[tuple[str, dict[str, Any]]] = [
         ("dash=D", {"damping": 0.1}), ("cells", {"cells": 4}), ("amplitude", {"amplitude": 1.0}),
-        ("cycles", {"cycles": 2}), ("strain_limit", {"strain_limit": 0.1}),
+        ("cycles", {"cycles": 2}), ("strain_limit = -1", {"strain_limit": -1}),
         ("allowed auto", {"objective": "max-energy"}), ("word driven", {"force": "tip"}),
         ("energy", {"energy": 1.0, "energy_ratio": 1.0}), ("contacts", {"contacts": 2})]
     for said, wrong in wrongs:

@@ -144,6 +144,11 @@ inline auto listed(const ContactMultiplier& m)
 {
     return std::tuple(m.contact + 1, m.step, m.value);
 }
+/// So do rows of cells.
+inline auto listed(const StrainMultiplier& m)
+{
+    return std::tuple(m.row + 1, m.right, m.left, m.value);
+}
 /// (n_c, n_f), on the second stop (n_c, n_f, "left").
 inline auto listed(const Phase& phase)
 {

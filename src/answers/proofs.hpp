@@ -87,6 +87,14 @@ void describeMultipliers(D& d, Get floor)
         "[(contact, step, multiplier >= 0), ...].", [floor](const auto& a) -> const auto& {
             return floor(a).pushes;
         });
+    d.key(
+        "strains", "-",
+        "[(row of cells, step on its right, step on its left, multiplier >= 0), ...], rows from 1.",
+        [floor](const auto& a) {
+            const auto& strains = floor(a).strains;
+            return strains.empty() ? std::nullopt : std::optional(strains);
+        },
+        When::any);
 }
 
 template <>
@@ -109,6 +117,9 @@ void describe(D& d, Type<EnergyFloorProof>)
     d.key("energy_ratio", "E_1", "No motion has less.", &T::energyRatio);
     d.key("tip_floor", "g", "That the proof rests on, if any.",
           [](const T& p) { return known(p.tipFloor - p.tolerance); });
+    d.key(
+        "strain_limit", "g/L", "That the proof rests on.",
+        [](const T& p) { return known(p.strainLimit * (1.0 + p.tolerance)); }, When::any);
     describeMultipliers(d, [](const T& p) -> const EnergyFloor& { return p.multipliers; });
 }
 

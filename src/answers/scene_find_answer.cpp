@@ -54,10 +54,22 @@ std::optional<double> modulusOf(const Assembly& assembly)
     return isOne ? assembly.young : std::nullopt;
 }
 
+double strainUnit(const Assembly& assembly, const NetworkScales& scales)
+{
+    return scales.displacement / (scales.time * assembly.waveSpeed);
+}
+
+void limitStrain(Network& network, const Assembly& assembly, const std::optional<double>& limit)
+{
+    if (limit) {
+        network.strainLimit = *limit / strainUnit(assembly, network.scales);
+    }
+}
+
 SceneStrains strainsOf(const SceneSchedule& schedule, const NetworkResiduals& residuals)
 {
     const Assembly& assembly = schedule.bars.assembly;
-    const double unit = schedule.scales.displacement / (schedule.scales.time * assembly.waveSpeed);
+    const double unit = strainUnit(assembly, schedule.scales);
     SceneStrains strains{-residuals.extremes.leastStrain * unit,
                          residuals.extremes.mostStrain * unit};
     if (const auto modulus = modulusOf(assembly)) {
@@ -78,16 +90,21 @@ std::optional<SceneFloor> SceneFindAnswer::certificate() const
         return std::nullopt;
     }
     return SceneFloor{motions.multipliers, joules(motions.provedEnergy),
-                      ratio(motions.provedEnergy)};
+                      ratio(motions.provedEnergy), strainLimit};
 }
 
 SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
                          const std::vector<ContactSpan>& schedule, const NetworkWish& wish,
                          const FindOptions& options)
 {
-    return {scheduleOf(assembly, network, schedule), firstEnergy(network), wish.isOfLeast(),
-            wishedMotion(network, schedule, hugeEnergyRatio * usualEnergy(network, schedule), wish,
-                         options)};
+    SceneFindAnswer answer{
+        scheduleOf(assembly, network, schedule), firstEnergy(network), wish.isOfLeast(),
+        wishedMotion(network, schedule, hugeEnergyRatio * usualEnergy(network, schedule), wish,
+                     options)};
+    if (network.strainLimit < infinity) {
+        answer.strainLimit = network.strainLimit * strainUnit(assembly, network.scales);
+    }
+    return answer;
 }
 
 void tryStability(SceneFindAnswer& answer, const Network& network, const Cancel& cancel)

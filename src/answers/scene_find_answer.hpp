@@ -51,6 +51,10 @@ struct SceneStrains {
 };
 /// Young's modulus [Pa], if it is known and bars have one wave speed.
 [[nodiscard]] std::optional<double> modulusOf(const Assembly& assembly);
+/// What a difference of waves stretches, over the relative speed [-].
+[[nodiscard]] double strainUnit(const Assembly& assembly, const NetworkScales& scales);
+/// Only motions with strain >= -limit everywhere are asked for, if one is given [-].
+void limitStrain(Network& network, const Assembly& assembly, const std::optional<double>& limit);
 [[nodiscard]] SceneStrains strainsOf(const SceneSchedule& schedule,
                                      const NetworkResiduals& residuals);
 
@@ -60,6 +64,7 @@ struct SceneFloor {
     EnergyFloor multipliers;
     double energy = 0.0;  ///< [J]
     std::optional<double> ratio = {};
+    std::optional<double> strainLimit = {};  ///< [-], that it rests on
 };
 
 /// What became of disturbances of a motion.
@@ -75,6 +80,7 @@ struct SceneFindAnswer {
     std::optional<double> unit;  ///< E_1 [Z_1 delta^2/h], if there is one
     bool isOfLeast = true;       ///< NetworkWish::isOfLeast
     LeastMotion motions;
+    std::optional<double> strainLimit = {};        ///< [-], asked for
     std::optional<SceneStability> stability = {};  ///< where it was asked for
 
     [[nodiscard]] Status status() const { return motions.status; }
@@ -215,6 +221,7 @@ void describe(D& d, Type<SceneFloor>)
     d.key("energy_ratio", "- >= 0", "No motion has less; E_1 of the scene, if there is one.",
           &T::ratio);
     d.key("energy", "J >= 0", "No motion has less.", &T::energy);
+    d.key("strain_limit", "- > 0", "That the proof rests on.", &T::strainLimit, When::any);
     describeMultipliers(d, [](const T& f) -> const EnergyFloor& { return f.multipliers; });
 }
 

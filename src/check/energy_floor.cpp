@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "rational.hpp"
 
@@ -89,6 +91,9 @@ public:
             areGood_ = areGood_ && isGood;
             pushes_[m.step].push_back(m);
         }
+        for (const StrainMultiplier& m : multipliers.strains) {
+            takeStrain(m);
+        }
         // What is left of the displacements of bars that drift has to be nothing at all.
         std::map<std::size_t, Rational> drifts;
         for (const auto& [step, list] : places_) {
@@ -107,6 +112,8 @@ public:
     [[nodiscard]] Interval right() const { return right_; }
     [[nodiscard]] const auto& places() const { return places_; }
     [[nodiscard]] const auto& pushes() const { return pushes_; }
+    /// Waves that arrive: (channel, factor).
+    [[nodiscard]] const auto& arrivals() const { return arrivals_; }
 
 private:
     [[nodiscard]] bool isThere(const ContactMultiplier& m) const
@@ -142,6 +149,31 @@ private:
         places_[m.step].push_back(m);
     }
 
+    /// l - r of two waves that pass each other.
+    void takeStrain(const StrainMultiplier& m)
+    {
+        const auto isStep = [this](std::int64_t step) { return step >= 0 && step < steps_; };
+        areGood_ = areGood_ && m.row < network_.rows.size() && isStep(m.right) && isStep(m.left) &&
+                   m.value >= 0.0 && std::isfinite(m.value);
+        const auto least =
+            areGood_ ? leastDifference(network_, m.row, m.right, m.left, steps_) : std::nullopt;
+        areGood_ = least && std::isfinite(*least);
+        if (!areGood_) {
+            return;
+        }
+        // A sum of three numbers that were computed from those of the scene.
+        constexpr double rounding = 32.0 * std::numeric_limits<double>::epsilon();
+        const CellRow& row = network_.rows[m.row];
+        const double size = network_.strainLimit * row.speed +
+                            std::abs(network_.nodes[row.left].rest) +
+                            std::abs(network_.nodes[row.right].rest) +
+                            std::abs(network_.gravity) * static_cast<double>(row.cells);
+        const double error = rounding * size;
+        right_ = right_ + Interval(m.value) * (Interval(*least) + Interval(-error, error));
+        arrivals_[m.right].emplace_back(2 * m.row, -m.value);
+        arrivals_[m.left].emplace_back(2 * m.row + 1, m.value);
+    }
+
     const Network& network_;
     std::span<const ContactSpan> schedule_;
     std::int64_t steps_ = 0;
@@ -149,6 +181,7 @@ private:
     Interval right_;
     std::map<std::int64_t, std::vector<ContactMultiplier>> places_;
     std::map<std::int64_t, std::vector<ContactMultiplier>> pushes_;
+    std::map<std::int64_t, std::vector<std::pair<std::size_t, double>>> arrivals_;
 };
 
 /// `Number`: double, or long double where sums of many steps are to be known well.
@@ -272,6 +305,12 @@ private:
         if (const auto now = conditions_.pushes().find(step_); now != conditions_.pushes().end()) {
             for (const ContactMultiplier& m : now->second) {
                 add(law.push(m.contact), static_cast<Number>(m.value));
+            }
+        }
+        if (const auto now = conditions_.arrivals().find(step_);
+            now != conditions_.arrivals().end()) {
+            for (const auto& [channel, factor] : now->second) {
+                add({{{channel, Number(1)}}}, static_cast<Number>(factor));
             }
         }
         if (const auto now = conditions_.places().find(step_); now != conditions_.places().end()) {

@@ -22,9 +22,9 @@ namespace signorini {
 
 /// No motion of the schedule has less energy [Z_1 delta^2/h, sum Z x^2]; rounded downwards. 0 if
 /// nothing is proved: steps or contacts that do not exist, an inequality with a multiplier < 0,
-/// numbers that are not finite, displacements of bars that drift that are left over. Constant
-/// forces are part of delta.
-/// \throws std::invalid_argument on contacts whose pushes do not follow from the waves.
+/// numbers that are not finite, waves that do not meet, displacements of bars that drift that are
+/// left over. Constant forces are part of delta. \throws std::invalid_argument on contacts whose
+/// pushes do not follow from the waves.
 [[nodiscard]] double provedEnergy(const EnergyFloor& multipliers, const Network& network,
                                   std::span<const ContactSpan> schedule);
 

@@ -40,7 +40,7 @@ FindRequest completed(const FindCommand& call)
                  "--energy clashes with --energy-ratio: allowed one of them");
         options.energyRatio = *energy / scales(firstMaterial(options.scene)).energy;
     }
-    options.strainLimit /= scales(options.scene.bar).strain;
+    options.strainLimit /= scales(firstMaterial(options.scene)).strain;
     if (std::isfinite(options.tipFloor) && !(options.tipFloor < options.scene.bar.gap)) {
         refuse("--tip-floor", fmt::format("{}", options.tipFloor), "below the gap [m]");
     }

@@ -184,10 +184,12 @@ std::string asText(const SteppedProof& proof)
 
 std::string asText(const EnergyFloorProof& proof)
 {
+    const std::size_t strains = proof.multipliers.strains.size();
     return fmt::format(
-        "none below {:.3g} E₁: multipliers of {} distances, {} pushes and of periodicity, checked "
-        "by stepping backwards in time",
-        proof.energyRatio, proof.multipliers.places.size(), proof.multipliers.pushes.size());
+        "none below {:.3g} E₁: multipliers of {} distances, {} pushes{} and of periodicity, "
+        "checked by stepping backwards in time",
+        proof.energyRatio, proof.multipliers.places.size(), proof.multipliers.pushes.size(),
+        strains > 0 ? fmt::format(", {} strains", strains) : "");
 }
 
 std::string asText(const EnergyExclusion& exclusion)

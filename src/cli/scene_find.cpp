@@ -53,16 +53,18 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
     const LeastMotion& motions = answer.motions;
     std::string text = of.lines(motions.status) +
                        fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.schedule.period());
+    const std::string limited =
+        answer.strainLimit ? fmt::format(" with strain >= -{:.6g}", *answer.strainLimit) : "";
     if (motions.status == Status::none) {
-        text += fmt::format("proof       none below {}; verified by stepping backwards in time\n",
-                            inWords(answer, motions.provedEnergy));
+        text += fmt::format("proof       none below {}{}; verified by stepping backwards in time\n",
+                            inWords(answer, motions.provedEnergy), limited);
     } else if (motions.status == Status::undecided) {
         text += fmt::format("why         {}\n", motions.detail);
     } else {
-        text += fmt::format("energy      {:.6g} J{}{}; proved: none has less than {}\n",
+        text += fmt::format("energy      {:.6g} J{}{}; proved: none{} has less than {}\n",
                             answer.joules(motions.energy),
                             answer.unit ? ", " + inWords(answer, motions.energy) : "",
-                            answer.isOfLeast ? ", the least" : "",
+                            answer.isOfLeast ? ", the least" + limited : "", limited,
                             inWords(answer, motions.provedEnergy));
         if (!answer.presses()) {
             text += fmt::format("contact     grazing: nothing presses{}\n", whyGrazing(of));
@@ -127,6 +129,7 @@ SceneFind::SceneFind(const FindCommand& of)
     refuseIf(of.given.text("--motion").ends_with(".pvd"), "--motion", of.given.text("--motion"),
              "FILE.csv|.vtk of several bars: a .pvd shows one before its wall");
     requireStress(of, assembly);
+    answers::limitStrain(network, assembly, of.given.number("--strain-limit"));
 }
 
 std::string SceneFind::lines(Status status) const

@@ -42,8 +42,7 @@ std::string asText(const SceneQuestionAnswer& answer)
 
 ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
 {
-    for (const char* option :
-         {"--stability", "--certificate", "--formulation", "--strain-limit", "--tip-floor"}) {
+    for (const char* option : {"--stability", "--certificate", "--formulation", "--tip-floor"}) {
         refuseIf(
             call.given.has(option),
             fmt::format("{}: allowed of a period only with one bar of equal segments", option));
@@ -52,7 +51,8 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     requireStress(call, assembly);
     FindOutputs files(call);
-    const Network network = networkOf(assembly);
+    Network network = networkOf(assembly);
+    answers::limitStrain(network, assembly, call.given.number("--strain-limit"));
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), 1);
     const NetworkWish wish = wishOf(call, network);
     FindOptions options = call.options;

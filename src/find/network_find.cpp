@@ -101,7 +101,8 @@ LeastMotion leastMotion(const Network& network, const std::vector<ContactSpan>& 
                         double largest, const Cancel& cancel)
 {
     requireKnown(network, schedule);
-    const NetworkBlocks blocks(network, schedule);
+    // Residues that share a limit are no longer alike in blocks.
+    const NetworkBlocks blocks(network, schedule, network.strainLimit == infinity);
     LeastMotion least =
         leastMotion(blocks, {.absent = largest, .tolerance = networkTolerance, .cancel = cancel});
     if (least.status == Status::found) {

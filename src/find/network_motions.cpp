@@ -40,6 +40,16 @@ bool isDelicate(const Network& network)
     return false;
 }
 
+/// By how much strain differs on a cell at most [of `NetworkExtremes`].
+double weightOfHalfCell(const Network& network)
+{
+    double most = 0.0;
+    for (const CellRow& row : network.rows) {
+        most = std::max(most, 0.5 * std::abs(network.gravity) / row.speed);
+    }
+    return most;
+}
+
 /// Is a row met, or broken, by so little that rounding may have done it, and by too much to be 0?
 bool isDoubtful(const RowSystem& system, const Eigen::VectorXd& z)
 {
@@ -103,16 +113,21 @@ private:
         if (isClear) {
             result_.kernelDimension = kernel->dimension;
         }
-        const NetworkRows<Number> rows = rowsOf(blocks_, *kernel);
-        RowSystemOf<Number> system = rows.system;
-        VectorOf<Number> from = VectorOf<Number>::Zero(system.rows.cols());
+        NetworkRows<Number> rows = rowsOf(blocks_, *kernel);
+        VectorOf<Number> from = VectorOf<Number>::Zero(rows.system.rows.cols());
         if (demands_.target) {
             from = coordinatesOf(blocks_, *kernel, *demands_.target);
-            system.rhs -= system.rows * from;
         }
-        const LeastNormOf<Number> least = leastNorm(
-            system, broken<Number>, std::sqrt(demands_.absent * hugeFactor), demands_.cancel);
-        result_.iterations += least.steps;
+        RowSystemOf<Number> system;
+        LeastNormOf<Number> least;
+        do {
+            system = rows.system;
+            system.rhs -= system.rows * from;
+            least = leastNorm(system, broken<Number>, std::sqrt(demands_.absent * hugeFactor),
+                              demands_.cancel);
+            result_.iterations += least.steps;
+        } while (least.end == LeastNormEnd::found &&
+                 addBrokenStrains(rows, blocks_, *kernel, VectorOf<Number>(from + least.z)) > 0);
         if (least.end == LeastNormEnd::stopped) {
             result_.detail = isRequested(demands_.cancel)
                                  ? "cancelled"
@@ -227,6 +242,14 @@ bool enterMotion(LeastMotion& result, const NetworkBlocks& blocks, NetworkClaim 
                                     result.residuals.worst());
         return false;
     }
+    const double limit = blocks.network().strainLimit;
+    if (const double strain =
+            -result.residuals.extremes.leastStrain - weightOfHalfCell(blocks.network());
+        strain > limit * (1.0 + tolerance)) {
+        result.detail = fmt::format("the motion that was found has {:.9g} times the largest strain",
+                                    strain / limit);
+        return false;
+    }
     result.status = Status::found;
     result.isEmpty = false;
     result.detail.clear();
@@ -254,6 +277,9 @@ Reason reasonOf(const LeastMotion& motion, const NetworkBlocks& blocks)
     bool isOfGap = true;
     bool isOfContact = true;
     for (const BlockCondition& condition : motion.conditions) {
+        if (condition.kind == BlockCondition::Kind::strain) {
+            return Reason::constraints;
+        }
         const bool isStart =
             condition.kind != BlockCondition::Kind::push &&
             (condition.kind == BlockCondition::Kind::tie || contains(first, condition.contact)) &&

@@ -33,16 +33,36 @@ NetworkPoints::NetworkPoints(const NetworkBlocks& blocks, const FindOptions& opt
         return;
     }
     rows_ = rowsOf(blocks, *kernel_);
+    program_ = emptyProgram(rows_.system.rows.cols());
+    enterRows();
+}
+
+void NetworkPoints::enterRows()
+{
     const RowSystem& system = rows_.system;
     const Eigen::Index below = system.rows.rows() - system.equalities;
-    program_ = emptyProgram(system.rows.cols());
     program_.equalities = system.rows.topRows(system.equalities).sparseView();
     program_.equalityRhs = system.rhs.head(system.equalities);
     program_.inequalities = (-system.rows.bottomRows(below)).sparseView();
     program_.inequalityRhs = -system.rhs.tail(below);
 }
 
-NetworkPoint NetworkPoints::solved(const std::string& solver) const
+NetworkPoint NetworkPoints::solved(const std::string& solver)
+{
+    NetworkPoint point;
+    std::int64_t iterations = 0;
+    for (;;) {
+        point = solvedOnce(solver);
+        iterations += point.iterations;
+        point.iterations = iterations;
+        if (!point.detail.empty() || addBrokenStrains(rows_, blocks_, *kernel_, point.z) == 0) {
+            return point;
+        }
+        enterRows();
+    }
+}
+
+NetworkPoint NetworkPoints::solvedOnce(const std::string& solver) const
 {
     NetworkPoint point;
     if (!kernel_) {

@@ -36,7 +36,10 @@ public:
     [[nodiscard]] NetworkClaim motion(const NetworkPoint& point) const;
 
 private:
-    [[nodiscard]] NetworkPoint solved(const std::string& solver) const;
+    /// Of the program, and of the limit on strain, whose rows are added as they are broken.
+    [[nodiscard]] NetworkPoint solved(const std::string& solver);
+    [[nodiscard]] NetworkPoint solvedOnce(const std::string& solver) const;
+    void enterRows();
 
     const NetworkBlocks& blocks_;
     const FindOptions& options_;

@@ -9,6 +9,7 @@
 #include "energy_floor.hpp"
 #include "faults.hpp"
 #include "infeasibility.hpp"
+#include "infinity.hpp"
 #include "network_points.hpp"
 #include "stepped_bar.hpp"
 #include "stepped_form.hpp"
@@ -19,10 +20,12 @@ namespace signorini {
 
 namespace {
 
-/// The bar with its stops, and, contact number three or last, the floor that its tip keeps above.
-Network networkOf(const Schedule& schedule, const Scene& scene, double tipFloor)
+/// The bar with its stops, its largest strain [g/L] and, contact number three or last, the floor
+/// that its tip keeps above [g].
+Network networkOf(const Schedule& schedule, const Scene& scene, double tipFloor, double strainLimit)
 {
     Network network = networkOf(scene, schedule.cells);
+    network.strainLimit = strainLimit;
     if (std::isfinite(tipFloor)) {
         network.contacts.push_back({ContactKind::stopLeft, network.nodes.size() - 1,
                                     -tipFloor * static_cast<double>(schedule.cells)});
@@ -84,10 +87,12 @@ public:
     explicit NetworkSearch(Request& request)
         : request_(request),
           options_(request.options),
-          blocks_(networkOf(request.schedule, options_.scene, options_.tipFloor),
-                  spansOf(request.schedule)),
-          relaxed_(
-              networkOf(request.schedule, options_.scene, options_.tipFloor - options_.tolerance))
+          blocks_(
+              networkOf(request.schedule, options_.scene, options_.tipFloor, options_.strainLimit),
+              spansOf(request.schedule), options_.strainLimit == infinity),
+          relaxed_(networkOf(request.schedule, options_.scene,
+                             options_.tipFloor - options_.tolerance,
+                             options_.strainLimit * (1.0 + options_.tolerance)))
     {
     }
 
@@ -138,7 +143,8 @@ private:
         LeastMotion least = leastMotion(blocks_, demands());
         how_.solver.iterations = least.iterations;
         request_.known.set.kernelDimension = least.kernelDimension;
-        if (least.isEmpty && least.status == Status::undecided) {
+        if (least.isEmpty && least.status == Status::undecided &&
+            options_.strainLimit == infinity) {
             // Doubles cannot say it. Demands relaxed by the tolerance are what has to be
             // impossible.
             const SteppedBlocks relaxed = exactBlocks(request_.schedule, options_.scene,
@@ -154,8 +160,11 @@ private:
             return fmt::format("active-set: {}", least.detail);
         }
         if (least.status == Status::none) {
-            request_.known.set.kind = SetKind::empty;
-            return absenceOf(least, reasonOf(least, blocks_));
+            const Reason reason = reasonOf(least, blocks_);
+            if (reason != Reason::constraints) {
+                request_.known.set.kind = SetKind::empty;
+            }
+            return absenceOf(least, reason);
         }
         return motionFrom(least);
     }
@@ -166,7 +175,8 @@ private:
                                          ratioOf(least.provedEnergy, request_.schedule),
                                          options_.tipFloor,
                                          options_.tolerance,
-                                         {}}};
+                                         {},
+                                         options_.strainLimit}};
     }
 
     Answer motionFrom(LeastMotion& least)
@@ -288,9 +298,6 @@ void requireKnownOfJoints(const Schedule& schedule, const FindOptions& options)
     if (options.energyRatio && objective != Objective::automatic && objective != Objective::any) {
         refuse("objective", name(objective), "auto|any when an energy is held,");
     }
-    if (std::isfinite(options.strainLimit)) {
-        refuse("strainLimit", options.strainLimit, "none");
-    }
     if (!options.fixed.empty()) {
         refuse("fixed values", options.fixed.size(), "none");
     }
@@ -319,8 +326,9 @@ Claim networkRoute(Request& request)
 std::optional<EnergyFloorProof> leastEnergyFloor(const Schedule& schedule,
                                                  const FindOptions& options)
 {
-    const NetworkBlocks blocks(networkOf(schedule, options.scene, options.tipFloor),
-                               spansOf(schedule));
+    const NetworkBlocks blocks(
+        networkOf(schedule, options.scene, options.tipFloor, options.strainLimit),
+        spansOf(schedule), options.strainLimit == infinity);
     LeastMotion least = leastMotion(blocks, {.absent = hugeEnergyRatio * firstEnergy(schedule),
                                              .tolerance = options.tolerance,
                                              .cancel = options.cancel});
@@ -332,7 +340,8 @@ std::optional<EnergyFloorProof> leastEnergyFloor(const Schedule& schedule,
                            ratioOf(least.provedEnergy, schedule),
                            options.tipFloor,
                            0.0,
-                           {}};
+                           {},
+                           options.strainLimit};
     return proof.energyRatio > 0.0 ? std::optional(std::move(proof)) : std::nullopt;
 }
 
@@ -346,7 +355,8 @@ bool holds(const SteppedProof& proof, const Schedule& schedule, const Scene& sce
 
 bool holds(const EnergyFloorProof& proof, const Schedule& schedule, const Scene& scene)
 {
-    const Network network = networkOf(schedule, scene, proof.tipFloor - proof.tolerance);
+    const Network network = networkOf(schedule, scene, proof.tipFloor - proof.tolerance,
+                                      proof.strainLimit * (1.0 + proof.tolerance));
     return proof.tolerance >= 0.0 && isExcluded(proof) &&
            ratioOf(provedEnergy(proof.multipliers, network, spansOf(schedule)), schedule) >=
                proof.energyRatio;

@@ -74,6 +74,10 @@ private:
                 break;
             case BlockCondition::Kind::tie:
                 break;  // any multiple may be taken away
+            case BlockCondition::Kind::strain:
+                floor_.strains.push_back(
+                    {of.contact, static_cast<std::int64_t>(of.type), of.turn, value});
+                break;
             case BlockCondition::Kind::drift:
                 ways_[of.contact] += value;
                 break;

@@ -15,11 +15,13 @@ namespace signorini {
 /// What a row is about: 0 or >= 0.
 struct BlockCondition {
     enum class Kind {
-        place,  ///< distance where a block begins, an equality where the contact closes
-        push,   ///< mean over the steps of a block in contact
-        tie,    ///< of bars held more than once (contact_spans.hpp), an equality
-        drift,  ///< way in a period of a bar that drifts, an equality
-        work,   ///< of all inputs on coordinate `turn` of the type, an equality
+        place,   ///< distance where a block begins, an equality where the contact closes
+        push,    ///< mean over the steps of a block in contact
+        tie,     ///< of bars held more than once (contact_spans.hpp), an equality
+        drift,   ///< way in a period of a bar that drifts, an equality
+        work,    ///< of all inputs on coordinate `turn` of the type, an equality
+        strain,  ///< of two waves of a row (`contact`) that arrive at its right end in step `type`
+                 ///< and at its left end in step `turn`, above the limit
     };
     Kind kind = Kind::place;
     std::size_t contact = 0;  ///< or number of the tie, or of the bar among those that drift
@@ -45,6 +47,14 @@ struct NetworkRows {
 template <typename Number>
 [[nodiscard]] NetworkRows<Number> rowsOf(const NetworkBlocks& blocks,
                                          const NetworkKernel<Number>& kernel);
+
+/// Adds rows of the limit on strain that waves break, those of constant forces included, the most
+/// broken ones first; none: there is nothing to add. Rows that are there already are not added
+/// again. O(n N) for each row of cells. \pre blocks of single residues.
+template <typename Number>
+[[nodiscard]] std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blocks,
+                                           const NetworkKernel<Number>& kernel,
+                                           const VectorOf<Number>& z);
 
 /// Multipliers of rows as those of distances and pushes, step by step; to be completed
 /// (periodic_multipliers.hpp).

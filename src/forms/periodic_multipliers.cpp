@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace signorini {
@@ -67,6 +68,11 @@ public:
         for (const ContactMultiplier& m : floor.pushes) {
             pushes[m.step].push_back(m);
         }
+        std::map<std::int64_t, std::vector<std::pair<std::size_t, double>>> arrivals;
+        for (const StrainMultiplier& m : floor.strains) {
+            arrivals[m.right].emplace_back(2 * m.row, -m.value);
+            arrivals[m.left].emplace_back(2 * m.row + 1, m.value);
+        }
         const Eigen::VectorXd end = y.cwiseProduct(scale_);
         NetworkWaves<double> waves = wavesOf(end);
         std::int64_t step = steps_;
@@ -80,6 +86,9 @@ public:
                 }
                 for (const ContactMultiplier& push : pushes[step]) {
                     add(waves, law->push(push.contact).terms, push.value);
+                }
+                for (const auto& [channel, factor] : arrivals[step]) {
+                    waves.add(channel, factor);
                 }
                 for (const ContactMultiplier& place : places[step]) {
                     addPlace(waves, place);

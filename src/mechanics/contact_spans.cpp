@@ -175,6 +175,25 @@ double addDistance(std::span<double> derivatives, const Network& network, std::s
     return byBase;
 }
 
+std::optional<double> leastDifference(const Network& network, std::size_t row, std::int64_t right,
+                                      std::int64_t left, std::int64_t steps)
+{
+    const CellRow& of = network.rows[row];
+    // They pass d/2 cells to the right of the middle, -N <= d <= N, d = left - right or periods
+    // more.
+    const std::int64_t least = ((left - right + of.cells) % steps + steps) % steps - of.cells;
+    if (least > of.cells) {
+        return std::nullopt;
+    }
+    const std::int64_t most = least + (of.cells - least) / steps * steps;
+    // Weight stretches a cell there by so much less than in the middle.
+    const double weight =
+        0.5 * network.gravity * static_cast<double>(network.gravity > 0.0 ? most : least);
+    const double rest = (network.nodes[of.right].rest - network.nodes[of.left].rest) /
+                        static_cast<double>(of.cells);
+    return weight - rest - network.strainLimit * of.speed;
+}
+
 Network withoutForces(Network network)
 {
     for (NetworkNode& node : network.nodes) {

@@ -4,6 +4,7 @@
 /// as functions of the waves.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -76,6 +77,13 @@ struct StepDrive {
 /// Returns that by the place of the shaken clamps. O(cells of its bars).
 double addDistance(std::span<double> derivatives, const Network& network, std::size_t contact,
                    double factor);
+
+/// What the limit on strain asks of two waves of a row that arrive at its right end and at its left
+/// end in these steps of a period: l - r is this or more. None: they do not pass each other. O(1).
+/// \pre steps of the period.
+[[nodiscard]] std::optional<double> leastDifference(const Network& network, std::size_t row,
+                                                    std::int64_t right, std::int64_t left,
+                                                    std::int64_t steps);
 
 /// The same without constant forces.
 [[nodiscard]] Network withoutForces(Network network);

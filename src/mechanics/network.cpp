@@ -68,6 +68,9 @@ bool isImpedance(double value)
 
 void checkNumbers(const Network& network, Faults& faults)
 {
+    if (!(network.strainLimit > 0.0)) {
+        faults.add("strainLimit", network.strainLimit, "numbers > 0");
+    }
     const std::string positive = fmt::format("{}..{} [-]", 1.0 / mostImpedance, mostImpedance);
     std::int64_t cells = 0;
     for (const CellRow& row : network.rows) {

@@ -28,6 +28,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "infinity.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/schedule.hpp"
@@ -135,6 +136,9 @@ struct Network {
     std::vector<NetworkBar> bars;
     NetworkScales scales = {};
     double gravity = 0.0;  ///< by which `rest` was found [delta/h^2]
+    /// S > 0: only motions with (l - r)/speed >= -S everywhere are asked for, with weight to within
+    /// that of half a cell. Nothing that moves knows of it.
+    double strainLimit = infinity;
 
     /// M, of all rows.
     [[nodiscard]] std::int64_t cells() const;

@@ -126,7 +126,7 @@ def forge_bars(forger):
     for answer in (uniform, stepped, motion, gentle):
         forger.say(certificate.check, answer, "bar L 1.0", "g 0.001", "free and undamped")
         for name, value in [("damping", {"ratio": 0.05, "dashpot": 0.1}), ("force", "tip"), ("cycles", 2),
-                            ("strain_limit", 1e-3), ("amplitude", 1.0), ("anything", None)]:
+                            ("strain_limit", 0.0), ("amplitude", 1.0), ("anything", None)]:
             forger.changed(certificate.check, answer, name, lambda a: a.__setitem__(name, value))
             forger.changed(certificate.check, answer, f"certificate: {name}",
                            lambda a: a["certificate"].__setitem__(name, value)
@@ -151,6 +151,37 @@ def forge_bars(forger):
     ranged = forger.proof("5", "30", "--cells", "10")
     forger.changed(certificate.check, ranged, "a most energy", lambda a: a["energy_ratio_range"].__setitem__(1, 10.0))
     forger.changed(certificate.check, ranged, "an objective", lambda a: a.update(objective="max-energy"))
+
+
+def forge_strains(forger):
+    """Limits of strain of bars whose waves meet in more than one place, and of waves that do not meet."""
+    bars = ["--scene", "clamp 4 gap=2e-3 4:2:0.5 clamp"]
+    for words, limit, seen in ((["3", "11", "--segments", "4:1,2:0.5"], 3e-2, 86.0), (["3", "11", *bars], 2e-3, 8e-3)):
+        answer = forger.proof(*words, "--strain-limit", repr(limit))
+        forger.say(certificate.check, answer, "no" + ("ne below" if "--segments" in words else " periodic motion"),
+                   "with strains >= -")
+        held = answer["certificate"]
+        if answer["status"] != "none" or not held["strains"]:
+            sys.exit(f"{words}: the limit is not what excludes motions")
+        for value in (seen * 1.001, 0.0, -1.0, None, "1", math.nan):
+            forger.changed(certificate.check, answer, f"a limit of {value}",
+                           lambda a: a["certificate"].update(strain_limit=value))
+        for key in ("strain_limit", "strains"):
+            forger.changed(certificate.check, answer, f"no {key}", lambda a: a["certificate"].pop(key))
+        row, right, left, value = held["strains"][0]
+        steps, cells = sum(map(int, words[:2])), 4
+        for entry in ([row, right, left, -value], [0, right, left, value], [9, right, left, value],
+                      [row, steps, left, value], [row, right, -1, value], [row, right, left], 1,
+                      [row, right, left, 2 * value], [row, right, left, "1"],
+                      [row, right, (right + cells + 1) % steps, value]):
+            forger.changed(certificate.check, answer, f"strains: {entry}",
+                           lambda a: a["certificate"]["strains"].__setitem__(0, entry))
+    words = ["3", "25", *STEPPED]
+    motion = forger.proof(*words, "--strain-limit", "1")
+    forger.say(certificate.check, motion, "with strains >= -1000")
+    for value in (0.5, 1e-3, 0.0):
+        forger.changed(certificate.check, motion, f"a limit of {value} that the state exceeds",
+                       lambda a: a["certificate"].update(strain_limit=value))
 
 
 def forge_driven(forger):
@@ -335,6 +366,7 @@ def main():
             forge_motions(forger)
             forge_floors(forger)
             forge_bars(forger)
+            forge_strains(forger)
         else:
             print("several segments: this build has no solver for them")
     print(f"{forger.refused} forgeries are refused, {forger.said} proofs say all that they are about")

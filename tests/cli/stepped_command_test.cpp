@@ -68,7 +68,6 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("find 3 25 --segments 4", "CELLS:IMPEDANCE[:SPEED");
     refuses("find 3 25 --segments 4:0,4:1", "--segments");
     refuses("find 3 25 --segments 4:1,4:1.3 --cells 9", "cells of all segments = 8");
-    refuses("find 3 25 --segments 4:1,4:1.3 --strain-limit 1", "for a bar of several segments");
     refuses("find 3 25 --segments 4:1,4:1.3:2 --motion m.pvd", "several speeds");
     refuses("find --frequency 8/7 --segments 4:1,4:1.3 --formulation state", "--formulation");
     refuses("simulate --segments 4:1,4:1.3:1:-1 --time 1", "dashpot of segment 2");

@@ -33,8 +33,10 @@ PROOFS = {
     ("none", "farkas", "joints"): (check_joints, LISTS, ("tip_floor",)),
     ("none", "energy-range", "lumped"): (check_energies, (*LISTS, "energy_ratio"), ("strain_limit",)),
     ("found", "energy-range", "lumped"): (check_energies, LISTS, ()),
-    ("none", "energy-floor", "network"): (check_floor, (*FLOOR, "energy_ratio"), ("tip_floor",)),
-    ("found", "energy-floor", "network"): (check_least, (*FLOOR, "energy_ratio", "state"), ("tip_floor",)),
+    ("none", "energy-floor", "network"): (
+        check_floor, (*FLOOR, "energy_ratio"), ("tip_floor", "strain_limit", "strains")),
+    ("found", "energy-floor", "network"): (
+        check_least, (*FLOOR, "energy_ratio", "state"), ("tip_floor", "strain_limit", "strains")),
 }
 
 

@@ -9,19 +9,14 @@ import collections
 import math
 from fractions import Fraction
 
-from .limits import floor_of, within
+from .limits import floor_of, strain_of, within
 from .march import NEAR, March
 from .reading import NoProof, close, integer, number, shown, told
 from .segments import impedances_of, joints_of
+from .strains import Strains, whole
 
-UNIT = 2 ** 400
 MOST_WORK = 10 ** 7  # steps times segments, and waves times places
 HUGE = 10 ** 9  # E/E_1 that no bar bears
-
-
-def whole(value, what):
-    """A double in units, rounded down."""
-    return math.floor(Fraction(number(value, what)) * UNIT)
 
 
 class Backwards:
@@ -50,6 +45,13 @@ class Backwards:
     def push(self, value):
         """Of the wave that reaches the tip."""
         self.right[-1][-1] += value
+
+    def arrive(self, segment, side, value):
+        """Of the wave that reaches an end of a segment."""
+        if side == "right":
+            self.right[segment][-1] += value
+        else:
+            self.left[segment][0] += value
 
     def place(self, value):
         """Of u(L) = sum of b - a over all cells, in units of |g|/N."""
@@ -83,6 +85,8 @@ class Floor:
         self.periodicity = self.read_periodicity(certificate["periodicity"])
         self.places = self.read(certificate, "places")
         self.pushes = self.read(certificate, "pushes")
+        self.strain = strain_of(certificate)
+        self.strains = Strains(certificate, self.strain, [s.cells for s in scene.segments], scene.steps)
         if len(self.places) * scene.cells > MOST_WORK:
             raise NoProof(f"places: this checker takes up to {MOST_WORK} cells times places")
 
@@ -122,6 +126,8 @@ class Floor:
     def least(self):
         """E/E_1 of any motion is this or more."""
         delta = -sum(value * self.gap(side) for listed in self.places.values() for side, value in listed)
+        delta -= sum(value * self.strain * Fraction(self.scene.segments[row].speed)
+                     for row, _, _, value in self.strains.all)
         if not delta > 0:
             raise NoProof("the right sides do not ask for a motion other than rest")
         march = Backwards(self.scene, self.joints, self.periodicity)
@@ -132,6 +138,8 @@ class Floor:
             for side, value in self.pushes.get(step, ()):
                 march.push(math.floor(twice * value * (1 if side == "right" else -1)))
                 rounded += 1
+            for row, side, value in self.strains.arrivals.get(step, ()):
+                march.arrive(row, side, value)
             for side, value in self.places.get(step, ()):
                 march.place(-value if side == "right" else value)
         square, at = Fraction(0), 0
@@ -151,7 +159,7 @@ class Floor:
 
     def text(self):
         """What they are, in words."""
-        count = sum(map(len, self.places.values())) + sum(map(len, self.pushes.values()))
+        count = sum(map(len, (*self.places.values(), *self.pushes.values()))) + len(self.strains.all)
         return f"{count} conditions and {len(self.periodicity)} waves, stepped backwards in time"
 
 
@@ -168,7 +176,7 @@ def check_floor(scene, answer):
     if not lowest <= claimed <= least:
         raise NoProof(f"energy_ratio: {shown(certificate['energy_ratio'])}: allowed {lowest} to what is proved, "
                       f"{told(least)}")
-    return f"none below {float(claimed)!r} E_1{within(None, floor.floor)}: {floor.text()}"
+    return f"none below {float(claimed)!r} E_1{within(floor.strain, floor.floor)}: {floor.text()}"
 
 
 def check_least(scene, answer):
@@ -185,6 +193,6 @@ def check_least(scene, answer):
     march = March(scene, floor.joints, impedances_of(scene.segments), certificate["state"])
     if abs(march.energy() / least - 1) > NEAR:
         raise NoProof(f"state: an energy of {float(march.energy())!r}, and {float(least)!r} is proved")
-    off = march.off(floor.floor)
-    return (f"{floor.text()}: E/E_1 >= {float(least)!r}{within(None, floor.floor)}; the state of the file is a "
+    off = march.off(floor.floor, floor.strain)
+    return (f"{floor.text()}: E/E_1 >= {float(least)!r}{within(floor.strain, floor.floor)}; the state of the file is a "
             f"motion with {float(march.energy())!r}, to {off:.1g} of its largest wave")

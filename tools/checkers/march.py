@@ -58,14 +58,14 @@ class March:
             raise NoProof("segments: impedances differ by more than this checker marches")
         return (1 + math.isqrt(int(most / least) + 1)) * (2 * len(self.joints) * self.scene.steps + 1)
 
-    def off(self, floor):
+    def off(self, floor, limit):
         """By how much the waves miss a motion, in units of the largest; NoProof if that is more than NEAR."""
-        worst = self.worst(floor) / (UNIT * self.size)
+        worst = self.worst(floor, limit) / (UNIT * self.size)
         if worst > NEAR:
             raise NoProof(f"state: it misses a motion by {float(worst):.2g} of its largest wave")
         return float(worst)
 
-    def worst(self, floor):
+    def worst(self, floor, limit):
         """The worst fault, in units."""
         scene, half = self.scene, Fraction(self.scene.cells, 2)
         lines = Lines(self)
@@ -88,14 +88,29 @@ class March:
             faults = [max(faults)]
         faults.append(abs(place - half * scene.where[scene.stops[0]] * UNIT) / half)
         faults += [abs(x - y) for x, y in zip(start, lines.waves())]
+        if limit is not None:
+            faults.append(self.strained(lines.arrived, limit))
         return max(faults)
+
+    def strained(self, arrived, limit):
+        """By how much strain goes below -limit at most, in units: two waves of a segment of N cells meet if they
+        arrive at its ends in steps that differ by no more than N, periods left out."""
+        steps, most = self.scene.steps, []
+        if any(steps * min(steps, 2 * s.cells + 1) > 10 * MOST_WORK for s in self.scene.segments):
+            raise NoProof("state: too many waves meet for this checker")
+        for k, segment in enumerate(self.scene.segments):
+            right, left = [ends[k] for ends, _ in arrived], [begins[k] for _, begins in arrived]
+            around = range(min(steps, 2 * segment.cells + 1))
+            meets = (right[p] - left[(p + d - segment.cells) % steps] for p in range(steps) for d in around)
+            most.append(max(meets) / Fraction(segment.speed))
+        return max(most) - limit * UNIT
 
 
 class Lines:
     """The waves of each segment in the order in which they arrive at its ends."""
 
     def __init__(self, march):
-        self.joints, at = march.joints, 0
+        self.joints, self.arrived, at = march.joints, [], 0
         self.right, self.left = [], []
         for segment in march.scene.segments:
             cells = slice(at, at + segment.cells)
@@ -111,6 +126,7 @@ class Lines:
         """One step, the tip sending back `echo` times what arrives; what arrived."""
         ends = [line.pop() for line in self.right]
         begins = [line.popleft() for line in self.left]
+        self.arrived.append((ends, begins))
         self.right[0].appendleft(-begins[0])
         for j, (one, two, both) in enumerate(self.joints):
             a, b = ends[j], begins[j + 1]

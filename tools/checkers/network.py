@@ -12,7 +12,7 @@ from fractions import Fraction
 from .reading import NoProof, integer, number, require_keys, shown, simplest
 from .scene import listed, positive
 
-Row = collections.namedtuple("Row", "cells impedance left right")
+Row = collections.namedtuple("Row", "cells impedance speed left right")
 Contact = collections.namedtuple("Contact", "kind node gap")
 WORDS = {"clamp": (), "free": (), "driven": (), "shaken": (), "cells": ("cells", "impedance", "speed"),
          "gap": ("gap",), "right stop": ("gap",), "left stop": ("gap",), "dash": ("impedance",),
@@ -52,7 +52,9 @@ class Bars:
         for k, (_, node, _) in enumerate(self.stubs):
             self.branches[node].append(2 * len(self.rows) + k)
         self.drifting = [bar for bar in range(self.bar_of[-1] + 1) if self.reference(bar)[0] == "drift"]
-        self.lean(Fraction(number(scene["gravity"], "scene: gravity")) * self.step ** 2 / self.delta)
+        self.gravity = Fraction(number(scene["gravity"], "scene: gravity")) * self.step ** 2 / self.delta
+        self.rest = [Fraction(0)] * len(self.clamped)  # of the nodes, under weight
+        self.lean(self.gravity)
         if any(self.clamped[contact.node] for contact in self.contacts if contact.kind != "gap"):
             raise NoProof("scene: a stop at a clamp")
 
@@ -76,8 +78,9 @@ class Bars:
         elif kind == "cells":
             if not integer(part["cells"], "scene: cells") >= 1:
                 raise NoProof("scene: allowed cells above 0")
-            self.rows.append(Row(part["cells"], simplest(positive(part, "impedance", "scene")), node, node + 1))
-            self.travel += part["cells"] * Fraction(positive(part, "speed", "scene"))
+            speed = Fraction(positive(part, "speed", "scene"))
+            self.rows.append(Row(part["cells"], simplest(positive(part, "impedance", "scene")), speed, node, node + 1))
+            self.travel += part["cells"] * speed
             self.add_node(self.bar_of[-1])
         elif kind in ("gap", "right stop", "left stop"):
             size = number(part["gap"], "scene: gap")
@@ -193,6 +196,7 @@ class Bars:
                 support = self.support(nodes, gravity > 0)
                 self.forces[support] += sum(weights[node] for node in nodes)
             rest.update(self.shape(nodes, weights, support))
+        self.rest = [rest[node] for node in range(len(self.clamped))]
         self.gaps = [gap + sum(sign * rest[node] for node, sign in self.faces(contact))
                      for gap, contact in zip(self.gaps, self.contacts)]
 

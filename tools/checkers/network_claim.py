@@ -3,11 +3,13 @@ import collections
 import math
 from fractions import Fraction
 
-from .floor import HUGE, MOST_WORK, whole
+from .floor import HUGE, MOST_WORK
 from .march import NEAR
 from .network import Backwards, Bars, Law
 from .reading import NoProof, close, integer, number, require_keys, shown, told
+from .limits import strain_of
 from .scene import listed
+from .strains import Strains, whole
 
 SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule", "period", "kernel_dimension",
         "contacts", "contact", "energy", "energy_ratio", "energy_ratio_proved", "strains", "residuals", "certificate",
@@ -43,6 +45,8 @@ class Claim:
         self.y = self.y[:waves]
         self.places = self.read(lists, "places")
         self.pushes = self.read(lists, "pushes")
+        self.limit = strain_of(lists)
+        self.strains = Strains(lists, self.limit, [row.cells for row in self.bars.rows], len(self.closed))
 
     def read(self, certificate, name):
         """{step: [(contact, multiplier)]} of [contact, step, multiplier]."""
@@ -95,6 +99,8 @@ class Claim:
             for contact, value in self.pushes.get(step, ()):
                 march.add(law.pushes[contact], value)
                 rounded += len(law.pushes[contact])
+            for row, side, value in self.strains.arrivals.get(step, ()):
+                march.add({2 * row + (side == "left"): 1}, value)
             moved = 0  # by the place of the base
             for contact, value in self.places.get(step, ()):
                 march.place(distances[contact], value)
@@ -110,11 +116,20 @@ class Claim:
             raise NoProof("places: the displacement of a bar that nothing holds does not drop out")
         delta = -constant - slack - sum(value * bars.gaps[contact] for found in self.places.values()
                                         for contact, value in found)
+        delta += sum(value * self.least_difference(*waves) for *waves, value in self.strains.all)
         eta = [x - y for x, y in zip(march.waves(), self.y)]
         square = self.norm_square(eta)
         # A wave rounded by less than a unit has a norm below 1/sqrt(Z), and no step makes it larger.
         norm = math.isqrt(math.ceil(square)) + 1 + rounded * (math.isqrt(math.ceil(1 / least_impedance)) + 1)
         return delta, norm
+
+    def least_difference(self, row, right, left):
+        """What the limit, less the shape under weight, asks of l - r where these waves meet."""
+        bars = self.bars
+        asked = -self.limit * bars.rows[row].speed * bars.speed * bars.step / bars.delta
+        stretched = bars.rest[bars.rows[row].right] - bars.rest[bars.rows[row].left]
+        return asked - stretched / bars.rows[row].cells + max(
+            bars.gravity * apart / 2 for apart in self.strains.apart(row, right, left))
 
     def norm_square(self, eta):
         """sum eta^2/Z, less what ties take: they are 0 for every motion, so multiples of them may be added."""
@@ -181,7 +196,7 @@ def check_scene(answer):
     claim = Claim(answer)
     certificate = require_keys(answer["certificate"], "certificate",
                                ("kind", "verified", "rows", "energy_ratio", "energy", "periodicity", "places",
-                                "pushes"))
+                                "pushes"), ("strain_limit", "strains"))
     if (certificate["kind"], certificate["rows"]) != ("energy-floor", "network"):
         raise NoProof("certificate: allowed energy-floor over rows of a network")
     claim.take(certificate)
@@ -212,9 +227,10 @@ def check_scene(answer):
         joules = unit[0] and Fraction(number(answer["energy_ratio"], "energy_ratio")) * unit[0] * claim.bars.joules()
         if unit[0] and not close(answer["energy"], joules, NINE):
             raise NoProof(f"energy: {shown(answer['energy'])} is not energy_ratio in joules")
-    count = sum(map(len, claim.places.values())) + sum(map(len, claim.pushes.values()))
+    count = sum(map(len, (*claim.places.values(), *claim.pushes.values()))) + len(claim.strains.all)
     words = f"{count} conditions and {len(claim.y)} waves, stepped backwards in time"
     besides = " (that a motion has this energy is not shown by this file)" if is_found else ""
-    return (f"no periodic motion of schedule {spans(answer)} of these bars below {float(claimed)!r} "
+    limit = "" if claim.limit is None else f" with strains >= -{float(claim.limit)!r}"
+    return (f"no periodic motion of schedule {spans(answer)} of these bars{limit} below {float(claimed)!r} "
             f"{'E_1' if unit[0] else 'J'}: {words}{besides}; not checked: contact, detail, kernel_dimension, and "
             "the frequency and damping of reference")

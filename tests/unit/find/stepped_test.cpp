@@ -509,7 +509,6 @@ TEST_CASE("stepped: what is not known of such bars is refused in a sentence")
                       containsText("formulation = state"));
     CHECK_THROWS_WITH(find([](auto& o) { o.objective = Objective::minPeakStrain; }),
                       containsText("objective = min-peak-strain"));
-    CHECK_THROWS_WITH(find([](auto& o) { o.strainLimit = 1.0; }), containsText("strainLimit"));
     CHECK_THROWS_WITH(find([](auto& o) { o.scene.bar.gap = 0.0; }), containsText("gap = 0"));
     CHECK_THROWS_WITH(findPeriodic(8, 24, 9, optionsFor(halves)),
                       containsText("cells of all segments = 8"));
