@@ -152,6 +152,7 @@ class SceneForcedProof(TypedDict):
     kind: str
     verified: bool
     rows: str
+    strain_limit: NotRequired[float]
     cuts: list[EnergyFloor]
 
 class SceneSet(TypedDict):

@@ -120,8 +120,7 @@ def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
 
 
 #: What is asked of a schedule of bars, without a force and with one.
-_OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solver", "tolerance",
-            "strain_limit")
+_OF_FREE = ("energy", "energy_ratio", "target", "time_limit", "objective", "solver", "tolerance")
 _OF_FORCED = ("amplitude", "cycles")
 
 
@@ -151,7 +150,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
     if asked["force"] is None:
         _refuse(asked, usual, _OF_FORCED, "together with force")
         return ask_bars(times, asked)
-    _refuse(asked, usual, _OF_FREE, "of a schedule, or without force")
+    _refuse(asked, usual, (*_OF_FREE, "strain_limit"), "of a schedule, or without force")
     if schedule or asked["amplitude"] is None:
         raise ValueError("period, frequency, hertz: of a forced scene of words allowed without a "
                          "schedule, with amplitude")

@@ -329,6 +329,9 @@ def test_all_motions_of_a_period_of_bars_agree(program: Program) -> None:
         shown: Any = answer
         assert (shown._repr_png_() is not None) == answer.found
         assert "sets" in shown._repr_html_()
+    parts = [(2, 1.0, 1.0), (2, 1.0, 2.0), (3, 1.0, 0.5)]
+    alike(program("find", 2, 26, "--segments", "2:1,2:1:2,3:1:0.5", "--energy", 1e-5),
+          sg.find(2, 26, segments=parts, energy=1e-5).to_dict())
     with pytest.raises(ValueError, match="clashes with period"):
         sg.find(3, 11, period=1.75, scene="clamp 4 gap=2e-3 4 clamp")  # type: ignore[call-overload]
     with pytest.raises(ValueError, match="tip_floor: allowed"):

@@ -129,7 +129,7 @@ std::vector<Option> ofMotions()
               "join two members drawn at random; with --sample, which ones"),
         text("--engine", continuum, "auto|geometric|ipopt|nlopt",
              "method that traces the curve, or a back end", "auto"),
-        positive("--strain-limit", schedule | period | forced | continuum | freeNetwork, "S", "-",
+        positive("--strain-limit", schedule | period | forced | continuum | network, "S", "-",
                  "strain >= -S everywhere, always"),
         positive("--resolution", continuum, "X", "-",
                  "largest distance between neighbours on a curve found by solvers, in √(E/E₁)",

@@ -66,6 +66,11 @@ void limitStrain(Network& network, const Assembly& assembly, const std::optional
     }
 }
 
+std::optional<double> strainLimitOf(const Network& network, const Assembly& assembly)
+{
+    return known(network.strainLimit * strainUnit(assembly, network.scales));
+}
+
 SceneStrains strainsOf(const SceneSchedule& schedule, const NetworkResiduals& residuals)
 {
     const Assembly& assembly = schedule.bars.assembly;
@@ -101,9 +106,7 @@ SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
         scheduleOf(assembly, network, schedule), firstEnergy(network), wish.isOfLeast(),
         wishedMotion(network, schedule, hugeEnergyRatio * usualEnergy(network, schedule), wish,
                      options)};
-    if (network.strainLimit < infinity) {
-        answer.strainLimit = network.strainLimit * strainUnit(assembly, network.scales);
-    }
+    answer.strainLimit = strainLimitOf(network, assembly);
     return answer;
 }
 
@@ -140,7 +143,7 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
                              .cuts = {},
                              .motions = {}};
     if (set.status == Status::none) {
-        answer.cuts = SceneCuts{false, set.cuts};
+        answer.cuts = SceneCuts{false, set.cuts, strainLimitOf(network, assembly)};
     }
     if (set.status != Status::found) {
         return answer;
@@ -161,7 +164,7 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
         const AmplitudeExclusion exclusion = exclusionOf(set, *amplitude / unit);
         answer.decided = exclusion.isCertain ? Status::none : Status::undecided;
         if (exclusion.isCertain) {
-            answer.cuts = SceneCuts{true, exclusion.cuts};
+            answer.cuts = SceneCuts{true, exclusion.cuts, strainLimitOf(network, assembly)};
         } else {
             answer.detail = "conditions exclude this amplitude by no more than rounding can do";
         }

@@ -55,6 +55,8 @@ struct SceneStrains {
 [[nodiscard]] double strainUnit(const Assembly& assembly, const NetworkScales& scales);
 /// Only motions with strain >= -limit everywhere are asked for, if one is given [-].
 void limitStrain(Network& network, const Assembly& assembly, const std::optional<double>& limit);
+/// The same, read back.
+[[nodiscard]] std::optional<double> strainLimitOf(const Network& network, const Assembly& assembly);
 [[nodiscard]] SceneStrains strainsOf(const SceneSchedule& schedule,
                                      const NetworkResiduals& residuals);
 
@@ -131,6 +133,7 @@ struct SceneCuts {
     static constexpr bool isDictionary = true;
     bool isOfAmplitude = false;
     std::vector<EnergyFloor> cuts;
+    std::optional<double> strainLimit = {};  ///< [-], that it rests on
 };
 
 /// Of a schedule whose driven nodes, or shaken clamps, are excited.
@@ -234,6 +237,7 @@ void describe(D& d, Type<SceneCuts>)
           [](const T& c) { return c.isOfAmplitude ? "amplitude-range" : "forced"; });
     d.key("verified", "-", "By stepping backwards in time.", [](const T&) { return true; });
     d.key("rows", "-", "What the multipliers refer to.", [](const T&) { return "network"; });
+    d.key("strain_limit", "- > 0", "That the proof rests on.", &T::strainLimit, When::any);
     d.key("cuts", "-", "[dict, ...]: multipliers.", &T::cuts);
 }
 

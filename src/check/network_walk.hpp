@@ -83,6 +83,11 @@ struct NetworkResiduals {
 [[nodiscard]] NetworkResiduals walk(const Network& network, const NetworkClaim& claim,
                                     double tolerance = 1e-9);
 
+/// By how much strain goes beyond the limit of the network, weight on half a cell left out,
+/// relative to the limit or the strain of the largest wave; 0: it does not.
+[[nodiscard]] double strainExcess(const Network& network, const NetworkClaim& claim,
+                                  const NetworkExtremes& seen);
+
 /// What time stepping saw that is not told the schedule.
 struct NetworkMarch {
     double residual = 0.0;         ///< change of the waves over the period / largest wave, or the

@@ -18,12 +18,9 @@ void requireForce(const ForceOptions& force)
     force.requirePlace();
 }
 
-void validate(const FindCommand& call, const Schedule& schedule, bool isStepped)
+void validate(const FindCommand& call, const Schedule& schedule)
 {
     requireForce(call.force);
-    refuseIf(isStepped && std::isfinite(call.options.strainLimit), "--strain-limit",
-             fmt::format("{}", call.options.strainLimit),
-             "none for a forced bar of several segments");
     if (canRest(schedule.phases, schedule.stops) && !call.force.amplitude) {
         refuse("--amplitude", "missing",
                "numbers > 0 [N or m]: without a gap motions are as small as one likes");
@@ -104,7 +101,7 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
     const Scene scene = common.scene();
     // Equal segments are one bar.
     const bool isStepped = !isUniform(scene.segments);
-    validate(call, schedule, isStepped);
+    validate(call, schedule);
     const bool triesStability = call.triesStability(steps(schedule));
     const ForceOptions& force = call.force;
     const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;

@@ -51,8 +51,8 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     force.requirePlace();
     force.requireAmplitude();
     refuseIf(call.given.has("--stability"), "--stability: allowed only of a schedule");
-    for (const char* name :
-         {"--state", "--certificate", "--motion", "--animate", "--yield-stress"}) {
+    for (const char* name : {"--state", "--certificate", "--motion", "--animate", "--yield-stress",
+                             "--strain-limit"}) {
         refuseIf(call.given.has(name), name, call.given.text(name),
                  "none with --period, --frequency and --hertz of several bars or segments");
     }

@@ -52,14 +52,28 @@ DrivenRows::DrivenRows(Network network, std::vector<ContactSpan> schedule,
     if (isClear()) {
         rows_ = rowsOf(blocks_, *kernel_);
         sort();
-        read();
-        clearRounding();
+        read(0);
     }
+}
+
+bool DrivenRows::limitStrain(Plane place, std::span<const double> free)
+{
+    const std::size_t first = order_.size();
+    const std::size_t added =
+        addBrokenStrains(rows_, blocks_, *kernel_, coordinatesAt(free), inputsAt(place));
+    for (std::size_t k = 0; k < added; ++k) {
+        order_.push_back(first + k);
+    }
+    read(first);
+    return added > 0;
 }
 
 std::int64_t DrivenRows::stepOf(std::size_t row) const
 {
     const auto& [kind, contact, type, turn] = of(row);
+    if (kind == BlockCondition::Kind::strain) {
+        return static_cast<std::int64_t>(type);
+    }
     return blocks_.stepOf(network().contacts[contact].node, type, turn);
 }
 
@@ -89,18 +103,19 @@ ForcedRule DrivenRows::ruleOf(std::size_t row) const
 {
     using Kind = BlockCondition::Kind;
     const bool isEquality = static_cast<Eigen::Index>(order_[row]) < rows_.system.equalities;
-    return row == 0                    ? ForcedRule::gap
-           : kindOf(row) == Kind::push ? ForcedRule::pressure
-           : kindOf(row) == Kind::work ? ForcedRule::work
-           : isEquality                ? ForcedRule::closure
+    return row == 0                      ? ForcedRule::gap
+           : kindOf(row) == Kind::push   ? ForcedRule::pressure
+           : kindOf(row) == Kind::work   ? ForcedRule::work
+           : kindOf(row) == Kind::strain ? ForcedRule::strain
+           : isEquality                  ? ForcedRule::closure
            : network().contacts[of(row).contact].kind == ContactKind::stopLeft
                ? ForcedRule::secondStop
                : ForcedRule::penetration;
 }
 
-void DrivenRows::read()
+void DrivenRows::read(std::size_t first)
 {
-    for (std::size_t row = 0; row < order_.size(); ++row) {
+    for (std::size_t row = first; row < order_.size(); ++row) {
         const auto k = static_cast<Eigen::Index>(order_[row]);
         ForcedRow& made = forced_.emplace_back();
         made.condition = {ruleOf(row), static_cast<std::int64_t>(row)};
@@ -111,6 +126,7 @@ void DrivenRows::read()
             made.free.emplace_back(static_cast<std::size_t>(wave), rows_.system.rows(k, wave));
         }
     }
+    clearRounding();
 }
 
 /// What is 0 but for rounding is 0.
@@ -133,16 +149,26 @@ void DrivenRows::clearRounding()
     }
 }
 
-std::vector<double> DrivenRows::waves(Plane place, std::span<const double> free) const
+Eigen::VectorXd DrivenRows::inputsAt(Plane place) const
 {
     Eigen::VectorXd inputs = steadyInputs(*kernel_);
     inputs[0] = place.c;
     if (shapes_.size() > 1) {
         inputs[1] = place.s;
     }
+    return inputs;
+}
+
+Eigen::VectorXd DrivenRows::coordinatesAt(std::span<const double> free) const
+{
     Eigen::VectorXd z = Eigen::VectorXd::Zero(freeWaves());
     std::copy(free.begin(), free.end(), z.begin());
-    return wavesAt(blocks_, *kernel_, z, inputs);
+    return z;
+}
+
+std::vector<double> DrivenRows::waves(Plane place, std::span<const double> free) const
+{
+    return wavesAt(blocks_, *kernel_, coordinatesAt(free), inputsAt(place));
 }
 
 std::vector<double> DrivenRows::displacements(Plane place, std::span<const double> waves) const
@@ -150,35 +176,59 @@ std::vector<double> DrivenRows::displacements(Plane place, std::span<const doubl
     return displacementsAt(blocks_, rows_, waves, combined(shapes_, place));
 }
 
-std::vector<double> DrivenRows::contradiction(std::span<const std::size_t> rows,
-                                              std::optional<Plane> way) const
+std::vector<double> DrivenRows::multipliersOf(std::span<const std::size_t> rows,
+                                              Eigen::VectorXd near, bool hasLimits,
+                                              const Eigen::Vector3d& sum) const
 {
     const auto count = static_cast<Eigen::Index>(rows.size());
     Eigen::MatrixXd parts = Eigen::MatrixXd::Zero(3 + freeWaves(), count);
     for (Eigen::Index k = 0; k < count; ++k) {
         const ForcedRow& row = forced_[rows[static_cast<std::size_t>(k)]];
-        parts(0, k) = row.limit;
+        parts(0, k) = hasLimits ? row.limit : 0.0;
         parts(1, k) = row.plane.c;
         parts(2, k) = row.plane.s;
         for (const auto& [wave, factor] : row.free) {
             parts(3 + static_cast<Eigen::Index>(wave), k) = factor;
         }
     }
-    Eigen::VectorXd right = Eigen::VectorXd::Unit(parts.rows(), 0);
-    if (way) {
-        right.head(3) << 0.0, -way->c, -way->s;
-    }
-    const Eigen::VectorXd found = LeastSquares(parts).solve(right);
-    if (!((parts * found - right).norm() < 1e-6)) {
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(parts.rows());
+    right.head(3) = sum;
+    near += LeastSquares(parts).solve(right - parts * near);
+    if (!((parts * near - right).norm() < 1e-6)) {
         return {};
     }
-    std::vector<double> multipliers(found.begin(), found.end());
+    std::vector<double> multipliers(near.begin(), near.end());
     for (std::size_t k = 0; k < rows.size(); ++k) {
         if (!forced_[rows[k]].isEquality) {
             multipliers[k] = std::max(multipliers[k], 0.0);
         }
     }
     return multipliers;
+}
+
+std::vector<double> DrivenRows::contradiction(std::span<const std::size_t> rows,
+                                              std::span<const double> start) const
+{
+    Eigen::VectorXd near = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(rows.size()));
+    if (start.size() == rows.size()) {
+        double whole = 0.0;
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            whole += forced_[rows[k]].limit * start[k];
+        }
+        near = Eigen::Map<const Eigen::VectorXd>(start.data(), near.size()) *
+               (whole > 0.0 ? 1.0 / whole : 0.0);
+    }
+    return multipliersOf(rows, std::move(near), true, {1.0, 0.0, 0.0});
+}
+
+std::vector<double> DrivenRows::barrier(std::span<const std::size_t> rows,
+                                        std::span<const double> start, Plane way,
+                                        bool hasRightSide) const
+{
+    return multipliersOf(
+        rows,
+        Eigen::Map<const Eigen::VectorXd>(start.data(), static_cast<Eigen::Index>(start.size())),
+        !hasRightSide, {0.0, -way.c, -way.s});
 }
 
 EnergyFloor DrivenRows::floor(std::span<const std::size_t> rows,

@@ -28,6 +28,8 @@ public:
     /// In the order of time, their own numbers in place of steps; distances and pushes in units of
     /// the network. The first is the distance where the schedule begins.
     [[nodiscard]] const std::vector<ForcedRow>& rows() const { return forced_; }
+    /// Adds rows of the limit on strain that the motion at a place breaks. Are there any?
+    bool limitStrain(Plane place, std::span<const double> free);
     /// What a row is about, and its step.
     [[nodiscard]] BlockCondition::Kind kindOf(std::size_t row) const { return of(row).kind; }
     [[nodiscard]] std::int64_t stepOf(std::size_t row) const;
@@ -36,10 +38,14 @@ public:
     [[nodiscard]] std::vector<double> displacements(Plane place,
                                                     std::span<const double> waves) const;
     /// Multipliers for which these rows add up to nothing but their right sides, 1 together; those
-    /// of inequalities >= 0. Empty if there are none. With a way: to nothing but -way . (C, S), and
-    /// no right sides. O(rows^3).
+    /// of inequalities >= 0. Empty if there are none. Those nearest to a multiple of a start.
+    /// O(rows^3).
     [[nodiscard]] std::vector<double> contradiction(std::span<const std::size_t> rows,
-                                                    std::optional<Plane> way = {}) const;
+                                                    std::span<const double> start = {}) const;
+    /// Those for which they add up to -way . (C, S) >= some right side, or none.
+    [[nodiscard]] std::vector<double> barrier(std::span<const std::size_t> rows,
+                                              std::span<const double> start, Plane way,
+                                              bool hasRightSide) const;
     /// The sum of rows with multipliers, as what a march backwards checks.
     [[nodiscard]] EnergyFloor floor(std::span<const std::size_t> rows,
                                     std::span<const double> multipliers) const;
@@ -53,8 +59,15 @@ private:
     {
         return rows_.conditions[order_[row]];
     }
+    /// Of limits, places and free waves of the rows, so that they add up to such a column.
+    [[nodiscard]] std::vector<double> multipliersOf(std::span<const std::size_t> rows,
+                                                    Eigen::VectorXd near, bool hasLimits,
+                                                    const Eigen::Vector3d& sum) const;
+    [[nodiscard]] Eigen::VectorXd inputsAt(Plane place) const;
+    [[nodiscard]] Eigen::VectorXd coordinatesAt(std::span<const double> free) const;
     void sort();
-    void read();
+    /// The rows from this one on.
+    void read(std::size_t first);
     void clearRounding();
     void addWork(EnergyFloor& floor, Eigen::Vector3d sum) const;
     [[nodiscard]] ForcedRule ruleOf(std::size_t row) const;

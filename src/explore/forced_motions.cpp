@@ -12,7 +12,8 @@ namespace signorini {
 
 namespace {
 
-void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimits& limits)
+void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimits& limits,
+              bool isOneBar)
 {
     Faults faults;
     const std::int64_t n = steps(schedule);
@@ -21,7 +22,7 @@ void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimi
     }
     if (!(limits.strain > 0.0)) {
         faults.add("strain limit", limits.strain, "> 0 [g/L]");
-    } else if (std::isfinite(limits.strain) && forcing.place == Excited::base) {
+    } else if (isOneBar && std::isfinite(limits.strain) && forcing.place == Excited::base) {
         faults.add("strain limit", limits.strain, "none with a base that moves");
     }
     if (forcing.shape.empty()) {
@@ -239,7 +240,7 @@ ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping, const 
 {
     signorini::validate(schedule);
     signorini::validate(damping);
-    validate(schedule, forcing, limits);
+    validate(schedule, forcing, limits, isUniform(segments));
     ForcedSet set;
     set.schedule = schedule;
     set.damping = damping;

@@ -94,26 +94,33 @@ private:
         const MissedProgram missed = leastMissed(rows_, unknowns_);
         const SolverResult answer = solver_.solve(missed.program);
         if (answer.status == SolverStatus::optimal && answer.objective > missedByMore) {
-            return {.detail = {}, .conflict = conflictOf(missed, answer), .corners = {}};
+            return conflictOf(missed, answer);
         }
         return {.detail = "the linear program: " + trouble_, .conflict = {}, .corners = {}};
     }
 
     /// The rows that do.
-    [[nodiscard]] std::vector<ForcedCondition> conflictOf(const MissedProgram& missed,
-                                                          const SolverResult& answer) const
+    [[nodiscard]] ForcedPolytope conflictOf(const MissedProgram& missed,
+                                            const SolverResult& answer) const
     {
-        const Eigen::VectorXd& duals = answer.inequalityDuals;
-        const double least = alike * duals.cwiseAbs().maxCoeff();
-        std::vector<ForcedCondition> conflict;
+        const Eigen::VectorXd duals = answer.inequalityDuals.cwiseAbs();
+        const double least = alike * duals.maxCoeff();
+        ForcedPolytope result{.detail = {}, .conflict = {}, .multipliers = {0.0}, .corners = {}};
+        std::vector<ForcedCondition>& conflict = result.conflict.emplace();
         for (std::size_t k = 0; k < rows_.size(); ++k) {
-            double weight = std::abs(duals[missed.first[k]]);
-            weight += rows_[k].isEquality ? std::abs(duals[missed.first[k] + 1]) : 0.0;
-            if (weight > least && rows_[k].condition.rule != ForcedRule::gap) {
+            const double below = duals[missed.first[k]];
+            const double above = rows_[k].isEquality ? duals[missed.first[k] + 1] : 0.0;
+            const double multiplier = (below - above) / missed.sizes[k];
+            if (k == 0) {
+                result.multipliers.front() = multiplier;
+            } else if (rows_[k].condition.rule == ForcedRule::gap) {
+                result.added = multiplier;
+            } else if (below + above > least) {
                 conflict.push_back(rows_[k].condition);
+                result.multipliers.push_back(multiplier);
             }
         }
-        return conflict;
+        return result;
     }
 
     /// Sets may be no more than a point: rows give way a little, and are polished afterwards.

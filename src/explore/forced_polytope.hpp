@@ -20,6 +20,9 @@ struct ForcedPolytope {
     std::string detail;  ///< why they say nothing
     /// There is no motion, for these conditions.
     std::optional<std::vector<ForcedCondition>> conflict;
+    /// As the program knows them: of the distance where contact starts, then of these conditions.
+    std::vector<double> multipliers = {};
+    double added = 0.0;                 ///< of another row with the rule `gap`
     std::vector<ForcedCorner> corners;  ///< as in ForcedSet
     bool isBounded = true;
 };

@@ -18,6 +18,7 @@ namespace signorini {
 
 namespace {
 
+constexpr double noEnd = 1e9;       // times what meets the first row
 constexpr double parallel = 1e-12;  // rows with a smaller part along the line do not cut it
 
 SteppedBar checkedBar(const ForcedSet& set)
@@ -28,9 +29,6 @@ SteppedBar checkedBar(const ForcedSet& set)
     const char* where = " for a bar of several segments";
     if (!set.forcing.shape.empty()) {
         faults.add("shape", set.forcing.shape.size(), std::string("a harmonic") + where);
-    }
-    if (std::isfinite(set.limits.strain)) {
-        faults.add("strain limit", set.limits.strain, std::string("none") + where);
     }
     if (steps(set.schedule) > maxNetworkSteps) {
         faults.add("steps", steps(set.schedule),
@@ -49,7 +47,9 @@ Network networkOf(const ForcedSet& set)
         scene.secondStop = set.schedule.stops.left->value();
     }
     scene.segments = set.segments;
-    return networkOf(scene, set.schedule.cells, set.damping);
+    Network network = networkOf(scene, set.schedule.cells, set.damping);
+    network.strainLimit = set.limits.strain;
+    return network;
 }
 
 /// Of a period. \throws as the constructor says.
@@ -97,6 +97,7 @@ NetworkForced::NetworkForced(const ForcedSet& set)
       canRest_(canRest(set)),
       mostEnergy_(hugeEnergyRatio * 0.5 * static_cast<double>(bar_->cells))
 {
+    limitStrain();
 }
 
 NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> spans,
@@ -106,6 +107,31 @@ NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> spans,
       canRest_(false),
       mostEnergy_(hugeEnergyRatio * usualEnergy)
 {
+    limitStrain();
+}
+
+void NetworkForced::limitStrain()
+{
+    if (waves_.network().strainLimit == infinity || !waves_.isClear()) {
+        return;
+    }
+    for (bool isBroken = true; isBroken;) {
+        isBroken = false;
+        if (waves_.freeWaves() > 0) {
+            for (const ForcedCorner& corner :
+                 forcedPolytope(waves_.rows(), {true, waves_.freeWaves()}).corners) {
+                isBroken |= waves_.limitStrain({corner.place[0], corner.place[1]}, corner.free);
+            }
+            continue;
+        }
+        const ForcedLine line = this->line();
+        if (line.hasLine && !line.isEmpty()) {
+            const double far = noEnd * (1.0 + size(line.foot));
+            for (const double end : {std::max(line.low, -far), std::min(line.high, far)}) {
+                isBroken |= waves_.limitStrain(line.at(end), {});
+            }
+        }
+    }
 }
 
 MotionAt NetworkForced::motionAt() const
@@ -119,14 +145,18 @@ MotionAt NetworkForced::motionAt() const
                 all.data(), static_cast<Eigen::Index>(all.size()));
             motion.state.b = Eigen::Map<const Eigen::VectorXd>(
                 places.data(), static_cast<Eigen::Index>(places.size()));
-            const NetworkResiduals residuals = walk(waves_.network(), claimOf(motion));
-            motion.residual = residuals.worst();
+            const NetworkClaim claim = claimOf(motion);
+            const NetworkResiduals residuals = walk(waves_.network(), claim);
+            motion.residual = std::max(residuals.worst(),
+                                       strainExcess(waves_.network(), claim, residuals.extremes));
             motion.extremes.impulse =
                 std::accumulate(residuals.impulses.begin(), residuals.impulses.end(), 0.0);
             return motion;
         }
         ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
         enterState(motion, bar_->segments, stateOf(waves_.network(), all));
+        const double excess = motion.extremes.peakCompression / waves_.network().strainLimit - 1.0;
+        motion.residual = std::max(motion.residual, excess);
         return motion;
     };
 }
@@ -196,43 +226,15 @@ ForcedLine NetworkForced::line() const
     return cut.result();
 }
 
-bool NetworkForced::isCertain(std::span<const EnergyFloor> cuts) const
-{
-    const auto known = cutsOf(cuts, waves_.network(), waves_.schedule(), waves_.shapes());
-    if (!canRest_) {
-        return forbidUpTo(known, mostCutAmplitude, mostEnergy_);
-    }
-    // What is touched alone scales with the excitation.
-    const bool scales = std::all_of(cuts.begin(), cuts.end(), [this](const EnergyFloor& cut) {
-        return std::all_of(cut.places.begin(), cut.places.end(), [this](const auto& place) {
-            return waves_.network().contacts[place.contact].gap == 0.0;
-        });
-    });
-    return scales && forbidJust(known, 1.0, mostEnergy_);
-}
-
-/// One for each row, and one more for each equality, negated.
-std::vector<EnergyFloor> NetworkForced::floorsOf(std::span<const std::size_t> rows) const
-{
-    std::vector<EnergyFloor> floors;
-    for (const std::size_t row : rows) {
-        const double size = 1.0 / std::max(1e-300, signorini::size(waves_.rows()[row].plane));
-        for (const double sign : {size, -size}) {
-            if (sign > 0.0 || waves_.rows()[row].isEquality) {
-                floors.push_back(waves_.floor(std::array{row}, std::array{sign}));
-            }
-        }
-    }
-    return floors;
-}
-
-void NetworkForced::explainAbsence(ForcedSet& set, const std::vector<std::size_t>& conflict) const
+void NetworkForced::explainAbsence(ForcedSet& set, const std::vector<std::size_t>& conflict,
+                                   std::span<const double> start) const
 {
     set.detail = "conditions exclude each other by no more than rounding can do";
     std::vector<EnergyFloor> cuts;
     if (canRest_) {
         cuts = floorsOf(conflict);
-    } else if (const auto multipliers = waves_.contradiction(conflict); !multipliers.empty()) {
+    } else if (const auto multipliers = waves_.contradiction(conflict, start);
+               !multipliers.empty()) {
         cuts.push_back(waves_.floor(conflict, multipliers));
     }
     if (isCertain(cuts)) {
@@ -264,8 +266,9 @@ void NetworkForced::decide(ForcedSet& set) const
     }
     if (line.isEmpty()) {
         std::vector<std::size_t> conflict{0};
+        const bool crosses = line.low > line.high;
         for (const auto& row : {line.blocking, line.lowRow, line.highRow}) {
-            if (row && !(line.blocking && !(line.low > line.high) && row != line.blocking)) {
+            if (row && (line.blocking && !crosses ? row == line.blocking : row != line.blocking)) {
                 conflict.push_back(static_cast<std::size_t>(row->step));
             }
         }
@@ -277,38 +280,6 @@ void NetworkForced::decide(ForcedSet& set) const
         describeLine(set, line);
     }
     believe(set, motionAt());
-}
-
-/// Four programs say that no way from C = S = 0 leads anywhere: each row that is added, C >= 1 and
-/// the like, contradicts others, whose sum is the cut C <= 0.
-void NetworkForced::explainRest(ForcedSet& set) const
-{
-    set.detail = "conditions exclude each other by no more than rounding can do";
-    std::vector<EnergyFloor> cuts;
-    std::vector<std::size_t> used;
-    for (const Plane way : {Plane{1, 0}, Plane{0, 1}, Plane{-1, 0}, Plane{0, -1}}) {
-        std::vector<ForcedRow> rows = waves_.rows();
-        rows.push_back({{ForcedRule::gap, 0}, false, way, {}, 1.0});
-        const auto found = forcedPolytope(std::move(rows), {true, waves_.freeWaves()});
-        if (!found.conflict) {
-            return;
-        }
-        std::vector<std::size_t> conflict{0};
-        for (const ForcedCondition& row : *found.conflict) {
-            conflict.push_back(static_cast<std::size_t>(row.step));
-        }
-        const auto multipliers = waves_.contradiction(conflict, way);
-        if (multipliers.empty()) {
-            return;
-        }
-        cuts.push_back(waves_.floor(conflict, multipliers));
-        used.insert(used.end(), conflict.begin(), conflict.end());
-    }
-    if (isCertain(cuts)) {
-        std::sort(used.begin(), used.end());
-        used.erase(std::unique(used.begin(), used.end()), used.end());
-        enterProof(set, used, std::move(cuts));
-    }
 }
 
 void NetworkForced::enterProof(ForcedSet& set, std::span<const std::size_t> conflict,
@@ -330,7 +301,7 @@ void NetworkForced::decidePolytope(ForcedSet& set) const
         for (const ForcedCondition& row : *polytope.conflict) {
             conflict.push_back(static_cast<std::size_t>(row.step));
         }
-        explainAbsence(set, conflict);
+        explainAbsence(set, conflict, polytope.multipliers);
     }
     if (polytope.corners.empty()) {
         return;
@@ -343,33 +314,6 @@ void NetworkForced::decidePolytope(ForcedSet& set) const
         return;
     }
     believe(set, motionAt());
-}
-
-AmplitudeExclusion NetworkForced::exclusion(const ForcedSet& set, double amplitude) const
-{
-    AmplitudeExclusion exclusion{amplitude, {}, {}, false};
-    std::vector<std::size_t> rows;
-    if (set.kind == ForcedKind::polytope) {
-        for (std::size_t row = 0; row < waves_.rows().size(); ++row) {
-            if (waves_.rows()[row].condition.rule == ForcedRule::work) {
-                rows.push_back(row);
-            }
-        }
-    } else {
-        const ForcedLine line = this->line();
-        rows.push_back(0);
-        for (const auto& row : {line.lowRow, line.highRow}) {
-            if (row) {
-                rows.push_back(static_cast<std::size_t>(row->step));
-            }
-        }
-    }
-    exclusion.cuts = floorsOf(rows);
-    exclusion.conflict = named(rows);
-    exclusion.isCertain =
-        forbidJust(cutsOf(exclusion.cuts, waves_.network(), waves_.schedule(), waves_.shapes()),
-                   amplitude, mostEnergy_);
-    return exclusion;
 }
 
 ForcedSet forcedScene(const Network& network, const std::vector<ContactSpan>& schedule,

@@ -14,8 +14,8 @@ namespace signorini {
 class NetworkForced {
 public:
     /// Of a set's schedule, damping, forcing and segments, which are kept. O(N^3 + n N).
-    /// \throws std::invalid_argument on segments that are none or have other cells, a limit, a
-    /// shape, more than maxNetworkSteps steps.
+    /// \throws std::invalid_argument on segments that are none or have other cells, a shape, more
+    /// than maxNetworkSteps steps.
     explicit NetworkForced(const ForcedSet& set);
     /// Of any network, with its forces on driven nodes or its shaken clamps; `usualEnergy`: motions
     /// of `hugeEnergyRatio` times as much are not looked for. \throws std::invalid_argument as
@@ -37,11 +37,20 @@ public:
     [[nodiscard]] bool isCertain(std::span<const EnergyFloor> cuts) const;
 
 private:
+    /// Adds the rows of a limit on strain that motions would break.
+    void limitStrain();
     [[nodiscard]] ForcedLine line() const;
     [[nodiscard]] ForcedCondition named(std::size_t row) const;
     [[nodiscard]] std::vector<ForcedCondition> named(std::span<const std::size_t> rows) const;
-    void explainAbsence(ForcedSet& set, const std::vector<std::size_t>& conflict) const;
+    void explainAbsence(ForcedSet& set, const std::vector<std::size_t>& conflict,
+                        std::span<const double> multipliers = {}) const;
+    /// That a way leads nowhere: way . (C, S) is at most `most`, or, of none, 0. Enters the rows.
+    [[nodiscard]] std::optional<EnergyFloor> barrier(Plane way, std::optional<double> most,
+                                                     std::vector<std::size_t>& used) const;
     void explainRest(ForcedSet& set) const;
+    /// The sides of a polygon, as far as programs prove them. Enters their rows.
+    [[nodiscard]] std::vector<EnergyFloor> bordersOf(const std::vector<ForcedCorner>& corners,
+                                                     std::vector<std::size_t>& used) const;
     void enterProof(ForcedSet& set, std::span<const std::size_t> conflict,
                     std::vector<EnergyFloor> cuts) const;
     void decidePolytope(ForcedSet& set) const;

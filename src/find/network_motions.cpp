@@ -40,16 +40,6 @@ bool isDelicate(const Network& network)
     return false;
 }
 
-/// By how much strain differs on a cell at most [of `NetworkExtremes`].
-double weightOfHalfCell(const Network& network)
-{
-    double most = 0.0;
-    for (const CellRow& row : network.rows) {
-        most = std::max(most, 0.5 * std::abs(network.gravity) / row.speed);
-    }
-    return most;
-}
-
 /// Is a row met, or broken, by so little that rounding may have done it, and by too much to be 0?
 bool isDoubtful(const RowSystem& system, const Eigen::VectorXd& z)
 {
@@ -127,7 +117,8 @@ private:
                               demands_.cancel);
             result_.iterations += least.steps;
         } while (least.end == LeastNormEnd::found &&
-                 addBrokenStrains(rows, blocks_, *kernel, VectorOf<Number>(from + least.z)) > 0);
+                 addBrokenStrains(rows, blocks_, *kernel, VectorOf<Number>(from + least.z),
+                                  steadyInputs(*kernel)) > 0);
         if (least.end == LeastNormEnd::stopped) {
             result_.detail = isRequested(demands_.cancel)
                                  ? "cancelled"
@@ -242,12 +233,10 @@ bool enterMotion(LeastMotion& result, const NetworkBlocks& blocks, NetworkClaim 
                                     result.residuals.worst());
         return false;
     }
-    const double limit = blocks.network().strainLimit;
-    if (const double strain =
-            -result.residuals.extremes.leastStrain - weightOfHalfCell(blocks.network());
-        strain > limit * (1.0 + tolerance)) {
-        result.detail = fmt::format("the motion that was found has {:.9g} times the largest strain",
-                                    strain / limit);
+    if (const double excess = strainExcess(blocks.network(), claim, result.residuals.extremes);
+        !(excess <= tolerance)) {
+        result.detail =
+            fmt::format("the motion that was found exceeds the limit on strain by {:.3g}", excess);
         return false;
     }
     result.status = Status::found;

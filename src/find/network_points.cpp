@@ -55,7 +55,8 @@ NetworkPoint NetworkPoints::solved(const std::string& solver)
         point = solvedOnce(solver);
         iterations += point.iterations;
         point.iterations = iterations;
-        if (!point.detail.empty() || addBrokenStrains(rows_, blocks_, *kernel_, point.z) == 0) {
+        if (!point.detail.empty() ||
+            addBrokenStrains(rows_, blocks_, *kernel_, point.z, steadyInputs(*kernel_)) == 0) {
             return point;
         }
         enterRows();

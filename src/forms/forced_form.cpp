@@ -13,6 +13,7 @@ namespace {
 struct Divided {
     Row entries;
     double limit = 0.0;
+    double size = 1.0;  ///< that coefficient
 };
 
 Divided divided(const ForcedRow& row, const ForcedUnknowns& unknowns, double sign)
@@ -21,8 +22,9 @@ Divided divided(const ForcedRow& row, const ForcedUnknowns& unknowns, double sig
     for (const auto& [place, factor] : row.free) {
         largest = std::max(largest, std::abs(factor));
     }
-    const double scale = largest > 0.0 ? sign / largest : sign;
-    Divided result{{{0, -scale * row.plane.c}}, -scale * row.limit};
+    const double size = largest > 0.0 ? largest : 1.0;
+    const double scale = sign / size;
+    Divided result{{{0, -scale * row.plane.c}}, -scale * row.limit, size};
     if (unknowns.isPlane) {
         result.entries.emplace_back(1, -scale * row.plane.s);
     }
@@ -53,13 +55,16 @@ Program forcedProgram(std::span<const ForcedRow> rows, const ForcedUnknowns& unk
 
 MissedProgram leastMissed(std::span<const ForcedRow> rows, const ForcedUnknowns& unknowns)
 {
-    MissedProgram missed{emptyProgram(unknowns.count() + 1), {}};
+    MissedProgram missed{emptyProgram(unknowns.count() + 1), {}, {}};
     RowList below;
     Eigen::Index next = 0;
     for (const ForcedRow& row : rows) {
         missed.first.push_back(next);
         for (const double sign : {1.0, -1.0}) {
             Divided one = divided(row, unknowns, sign);
+            if (sign > 0.0) {
+                missed.sizes.push_back(one.size);
+            }
             one.entries.emplace_back(unknowns.count(), -1.0);
             below.add(one.entries, one.limit);
             ++next;

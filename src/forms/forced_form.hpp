@@ -30,6 +30,7 @@ struct ForcedUnknowns {
 struct MissedProgram {
     Program program;
     std::vector<Eigen::Index> first;
+    std::vector<double> sizes;  ///< by which rows were divided
 };
 [[nodiscard]] MissedProgram leastMissed(std::span<const ForcedRow> rows,
                                         const ForcedUnknowns& unknowns);

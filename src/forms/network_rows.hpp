@@ -48,13 +48,14 @@ template <typename Number>
 [[nodiscard]] NetworkRows<Number> rowsOf(const NetworkBlocks& blocks,
                                          const NetworkKernel<Number>& kernel);
 
-/// Adds rows of the limit on strain that waves break, those of constant forces included, the most
-/// broken ones first; none: there is nothing to add. Rows that are there already are not added
-/// again. O(n N) for each row of cells. \pre blocks of single residues.
+/// Adds rows of the limit on strain that the waves at z break, driven by inputs, the most broken
+/// ones first; none: there is nothing to add. Rows that are there already are not added again.
+/// O(n N) for each row of cells. \pre blocks of single residues.
 template <typename Number>
 [[nodiscard]] std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blocks,
                                            const NetworkKernel<Number>& kernel,
-                                           const VectorOf<Number>& z);
+                                           const VectorOf<Number>& z,
+                                           const VectorOf<Number>& inputs);
 
 /// Multipliers of rows as those of distances and pushes, step by step; to be completed
 /// (periodic_multipliers.hpp).

@@ -33,10 +33,10 @@ public:
     /// For each wave that arrives on the right the one from the left with which it breaks the limit
     /// most, and by how much.
     void collect(std::vector<std::pair<double, StrainMultiplier>>& broken,
-                 const VectorOf<Number>& z) const
+                 const VectorOf<Number>& z, const VectorOf<Number>& inputs) const
     {
-        const std::vector<double> rights = arriving(2 * row_, z);
-        const std::vector<double> lefts = arriving(2 * row_ + 1, z);
+        const std::vector<double> rights = arriving(2 * row_, z, inputs);
+        const std::vector<double> lefts = arriving(2 * row_ + 1, z, inputs);
         double size = 0.0;
         for (std::size_t k = 0; k < rights.size(); ++k) {
             size = std::max({size, std::abs(rights[k]), std::abs(lefts[k])});
@@ -61,24 +61,25 @@ public:
         }
     }
 
-    /// l_q - r_p in the coordinates, and what constant forces make of it.
-    [[nodiscard]] std::pair<VectorOf<Number>, Number> difference(const StrainMultiplier& of) const
+    /// l_q - r_p in the coordinates, and in the inputs.
+    [[nodiscard]] std::pair<VectorOf<Number>, VectorOf<Number>> difference(
+        const StrainMultiplier& of) const
     {
         using std::abs;
         VectorOf<Number> row = VectorOf<Number>::Zero(firsts_.back());
-        Number made = 0;
+        VectorOf<Number> driven = VectorOf<Number>::Zero(kernel_.inputs());
         for (const bool isLeft : {false, true}) {
             const auto [type, index] =
                 placeOf(2 * row_ + (isLeft ? 1 : 0), isLeft ? of.left : of.right);
             const auto& waves = kernel_.waves[type];
             const Number sign = isLeft ? 1 : -1;
             row.segment(firsts_[type], waves.cols()) += sign * waves.row(index).transpose();
-            made += sign * steady(type, index);
+            driven += sign * kernel_.driven[type].row(index).transpose();
         }
         row = row.unaryExpr([](const Number& value) {
             return abs(value) <= noCoefficient<Number> ? Number(0) : value;
         });
-        return {row, made};
+        return {row, driven};
     }
 
 private:
@@ -95,19 +96,16 @@ private:
         return {type, static_cast<Eigen::Index>(channel) * blocks_.turns() + turn};
     }
 
-    [[nodiscard]] Number steady(std::size_t type, Eigen::Index index) const
-    {
-        return kernel_.hasForces ? kernel_.driven[type](index, kernel_.inputs() - 1) : Number(0);
-    }
-
-    [[nodiscard]] std::vector<double> arriving(std::size_t channel, const VectorOf<Number>& z) const
+    [[nodiscard]] std::vector<double> arriving(std::size_t channel, const VectorOf<Number>& z,
+                                               const VectorOf<Number>& inputs) const
     {
         std::vector<double> all;
         for (std::int64_t step = 0; step < steps_; ++step) {
             const auto [type, index] = placeOf(channel, step);
             const auto& waves = kernel_.waves[type];
-            const Number wave = waves.row(index).dot(z.segment(firsts_[type], waves.cols()));
-            all.push_back(static_cast<double>(Number(wave + steady(type, index))));
+            Number wave = waves.row(index).dot(z.segment(firsts_[type], waves.cols()));
+            wave += kernel_.driven[type].row(index).dot(inputs);
+            all.push_back(static_cast<double>(wave));
         }
         return all;
     }
@@ -123,7 +121,8 @@ private:
 
 template <typename Number>
 std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blocks,
-                             const NetworkKernel<Number>& kernel, const VectorOf<Number>& z)
+                             const NetworkKernel<Number>& kernel, const VectorOf<Number>& z,
+                             const VectorOf<Number>& inputs)
 {
     const Network& network = blocks.network();
     if (network.strainLimit == infinity) {
@@ -131,7 +130,7 @@ std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blo
     }
     std::vector<std::pair<double, StrainMultiplier>> broken;
     for (std::size_t row = 0; row < network.rows.size(); ++row) {
-        StrainRows<Number>(blocks, kernel, row).collect(broken, z);
+        StrainRows<Number>(blocks, kernel, row).collect(broken, z, inputs);
     }
     std::erase_if(broken, [&rows](const auto& one) {
         return std::any_of(rows.conditions.begin(), rows.conditions.end(),
@@ -151,13 +150,16 @@ std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blo
     system.rows.conservativeResize(next + added, Eigen::NoChange);
     system.rhs.conservativeResize(next + added);
     rows.driven.conservativeResize(next + added, Eigen::NoChange);
-    rows.driven.bottomRows(added).setZero();
+    const std::int64_t steps = blocks.turns() * blocks.unit();
     for (const auto& [missing, one] : broken) {
-        const auto [row, made] = StrainRows<Number>(blocks, kernel, one.row).difference(one);
+        const auto [row, driven] = StrainRows<Number>(blocks, kernel, one.row).difference(one);
         system.rows.row(next) = row.transpose();
-        system.rhs[next++] = Number(*leastDifference(network, one.row, one.right, one.left,
-                                                     blocks.turns() * blocks.unit())) -
-                             made;
+        rows.driven.row(next) = driven.head(rows.driven.cols()).transpose();
+        system.rhs[next] = *leastDifference(network, one.row, one.right, one.left, steps);
+        if (kernel.hasForces) {
+            system.rhs[next] -= driven[driven.size() - 1];
+        }
+        ++next;
         rows.conditions.push_back(
             {BlockCondition::Kind::strain, one.row, static_cast<std::size_t>(one.right), one.left});
     }
@@ -165,9 +167,10 @@ std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blo
 }
 
 template std::size_t addBrokenStrains(NetworkRows<double>&, const NetworkBlocks&,
-                                      const NetworkKernel<double>&, const VectorOf<double>&);
+                                      const NetworkKernel<double>&, const VectorOf<double>&,
+                                      const VectorOf<double>&);
 template std::size_t addBrokenStrains(NetworkRows<FineNumber>&, const NetworkBlocks&,
-                                      const NetworkKernel<FineNumber>&,
+                                      const NetworkKernel<FineNumber>&, const VectorOf<FineNumber>&,
                                       const VectorOf<FineNumber>&);
 
 }  // namespace signorini

@@ -62,7 +62,9 @@ def random_segments(draw):
     """Words about a bar of several segments, damped or not."""
     parts = [draw.randint(1, 4) for _ in range(draw.randint(2, 3))]
     impedances = [10 ** draw.uniform(-1, 1) for _ in parts]
-    words = [f"{count}:{impedance:.3g}" for count, impedance in zip(parts, impedances)]
+    if draw.random() < 0.3:  # that differ in speed alone
+        impedances = [1] * len(parts)
+    words = [f"{count}:{impedance:.3g}:{draw.choice([1, 1, 2])}" for count, impedance in zip(parts, impedances)]
     cells, phases = sum(parts), []
     has_two = draw.random() < 0.3
     for _ in range(draw.choice([1, 1, 2])):
@@ -72,6 +74,7 @@ def random_segments(draw):
     words = [*phases, "--segments", ",".join(words), "--force", draw.choice(["tip", "base"]), "--gap", gap,
              "--damping", draw.choice(["0", "0.02", "0.1", "0.5"])]
     words += ["--second-stop", draw.choice(["2e-3", "3e-3"])] if has_two else []
+    words += ["--strain-limit", repr(10 ** draw.uniform(-4, -2))] if draw.random() < 0.3 else []
     if gap == "0" or draw.random() < 0.4:
         words += ["--amplitude", repr(draw.choice([1, 3]) * 10 ** draw.uniform(-5, -2))]
     return words + random_bar(draw)

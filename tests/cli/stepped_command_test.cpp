@@ -75,8 +75,6 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --cells 9",
             "cells of all segments = 8");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only", "families only");
-    refuses("find 6 28 --segments 4:1,4:1.3 --damping 0.05 --force tip --strain-limit 1",
-            "--strain-limit");
     const std::string response = "response --damping 0.1 --force tip --amplitude 1e-4 --segments ";
     refuses(response + "4:1,4:1.3 --gap -1e-3", "gap <= 0");
     refuses(response + "4:1,4:1.3 --second-stop 1e-3", "a second stop");

@@ -66,7 +66,7 @@ class Backwards:
 class Floor:
     """The multipliers of a certificate, and what they prove."""
 
-    def __init__(self, scene, certificate, needs_gap=True):
+    def __init__(self, scene, certificate, needs_gap=True, strain=None):
         if not scene.segments or (needs_gap and not scene.where["right"]):
             raise NoProof("rows: those of a network need segments and a gap other than 0")
         self.scene, self.floor = scene, floor_of(certificate)
@@ -85,7 +85,7 @@ class Floor:
         self.periodicity = self.read_periodicity(certificate["periodicity"])
         self.places = self.read(certificate, "places")
         self.pushes = self.read(certificate, "pushes")
-        self.strain = strain_of(certificate)
+        self.strain = strain if strain is not None else strain_of(certificate)
         self.strains = Strains(certificate, self.strain, [s.cells for s in scene.segments], scene.steps)
         if len(self.places) * scene.cells > MOST_WORK:
             raise NoProof(f"places: this checker takes up to {MOST_WORK} cells times places")
@@ -123,11 +123,15 @@ class Floor:
         if value < 0 and (name == "pushes" or side not in (here, before)):
             raise NoProof(f"{name}: a multiplier below 0 in step {step}")
 
+    def right_side(self):
+        """delta, of distances and limits of strain."""
+        return -sum(value * self.gap(side) for listed in self.places.values() for side, value in listed) - \
+            sum(value * self.strain * self.scene.speed(row)
+                for row, _, _, value in self.strains.all)
+
     def least(self):
         """E/E_1 of any motion is this or more."""
-        delta = -sum(value * self.gap(side) for listed in self.places.values() for side, value in listed)
-        delta -= sum(value * self.strain * Fraction(self.scene.segments[row].speed)
-                     for row, _, _, value in self.strains.all)
+        delta = self.right_side()
         if not delta > 0:
             raise NoProof("the right sides do not ask for a motion other than rest")
         march = Backwards(self.scene, self.joints, self.periodicity)

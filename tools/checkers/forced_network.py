@@ -39,9 +39,10 @@ class Cut(Floor):
     """One list of multipliers."""
 
     def __init__(self, question, multipliers):
-        require_keys(multipliers, "cuts", ("periodicity", "places", "pushes"))
+        require_keys(multipliers, "cuts", ("periodicity", "places", "pushes"), ("strains",))
         self.question = question
-        super().__init__(question.scene, multipliers, needs_gap=False)
+        super().__init__(question.scene, multipliers, needs_gap=False,
+                         strain=None if question.most_wave is None else 2 * question.most_wave)
         rho = decay(question.ratio)
         self.dashpot = (ONE - rho) / (ONE + rho)
         self.march()
@@ -77,6 +78,9 @@ class Cut(Floor):
                 march.push(math.floor(twice * value * sign))
                 rounded, size = rounded + 1, size + math.ceil(twice * value) * self.coarse()
                 driven += enclosed(sign * value) if is_force else NOTHING.c
+            for row, side, value in self.strains.arrivals.get(step, ()):
+                march.arrive(row, side, value)
+                size += abs(value) * self.coarse()
             if is_force:
                 line += self.cosine(2 * step + 1, 2 * steps).times(driven)
             else:
@@ -94,7 +98,7 @@ class Cut(Floor):
         error = Decimal(steps * rounded * self.coarse() * (2 if is_force else 8 * scene.cells))
         slack = Interval(error.copy_negate(), error)
         self.line = Vector(line.c + slack, line.s + slack)
-        self.delta = -sum(value * self.gap(side) for listed in self.places.values() for side, value in listed)
+        self.delta = self.right_side()
 
     def coarse(self):
         """At least sqrt(Z) and 1/sqrt(Z) of every segment."""

@@ -56,7 +56,7 @@ class Question:
             self.most_wave = Fraction(number(self.limit, "strain_limit")) * length / self.reach / 2
             if not self.most_wave > 0:
                 raise NoProof("strain_limit: allowed above 0")
-            if answer["force"] == "base":
+            if answer["force"] == "base" and not self.scene.segments:
                 raise NoProof("strain_limit: none with a base that moves")
 
     def read_excitation(self, answer):

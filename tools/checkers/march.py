@@ -102,7 +102,7 @@ class March:
             right, left = [ends[k] for ends, _ in arrived], [begins[k] for _, begins in arrived]
             around = range(min(steps, 2 * segment.cells + 1))
             meets = (right[p] - left[(p + d - segment.cells) % steps] for p in range(steps) for d in around)
-            most.append(max(meets) / Fraction(segment.speed))
+            most.append(max(meets) / self.scene.speed(k))
         return max(most) - limit * UNIT
 
 

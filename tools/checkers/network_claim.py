@@ -35,7 +35,7 @@ class Claim:
         if not self.closed:
             raise NoProof("schedule: allowed some steps")
 
-    def take(self, lists):
+    def take(self, lists, certificate):
         """The multipliers of a certificate."""
         self.y = [whole(value, "periodicity") for value in listed(lists["periodicity"], "periodicity")]
         waves = 2 * self.bars.cells + len(self.bars.stubs)
@@ -45,7 +45,7 @@ class Claim:
         self.y = self.y[:waves]
         self.places = self.read(lists, "places")
         self.pushes = self.read(lists, "pushes")
-        self.limit = strain_of(lists)
+        self.limit = strain_of(certificate)
         self.strains = Strains(lists, self.limit, [row.cells for row in self.bars.rows], len(self.closed))
 
     def read(self, certificate, name):
@@ -199,7 +199,7 @@ def check_scene(answer):
                                 "pushes"), ("strain_limit", "strains"))
     if (certificate["kind"], certificate["rows"]) != ("energy-floor", "network"):
         raise NoProof("certificate: allowed energy-floor over rows of a network")
-    claim.take(certificate)
+    claim.take(certificate, certificate)
     unit = claim.bars.unit()
     claim.require_derived(answer, unit)
     key, size = ("energy_ratio", unit[0]) if unit[0] else ("energy", 1 / claim.bars.joules())

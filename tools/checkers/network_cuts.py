@@ -24,14 +24,14 @@ SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule"
 class Cut:
     """One list of multipliers, and the line that it leaves."""
 
-    def __init__(self, claim, lists, force, cycles):
-        require_keys(lists, "cuts", ("periodicity", "places", "pushes"))
+    def __init__(self, claim, lists, certificate, force, cycles):
+        require_keys(lists, "cuts", ("periodicity", "places", "pushes"), ("strains",))
         self.bars, self.steps, self.force, self.cycles = claim.bars, len(claim.closed), force, cycles
         self.line, self.error = NOTHING, Fraction(0)
         impedances = [row.impedance for row in self.bars.rows] + [z for _, _, z in self.bars.stubs]
         # Waves spoilt by a unit each, times what a force or the base adds to them in a step.
         self.reach = (len(self.bars.driven) + 1 + 2 * sum(impedances)) / min(impedances) + 1
-        claim.take(lists)
+        claim.take(lists, certificate)
         self.delta, self.norm = claim.march(self)
         bound = Decimal(math.ceil(2 * self.error))
         slack = Interval(bound.copy_negate(), bound)
@@ -78,7 +78,7 @@ def check_scene_forced(answer):
     """What an answer of `find --scene ... --force` proves, in a sentence. NoProof if it proves nothing."""
     require_keys(answer, "answer", SAID)
     claim, certificate = Claim(answer), answer["certificate"]
-    require_keys(certificate, "certificate", ("kind", "verified", "rows", "cuts"))
+    require_keys(certificate, "certificate", ("kind", "verified", "rows", "cuts"), ("strain_limit",))
     cycles, force, lists = integer(answer["cycles"], "cycles"), answer["force"], certificate["cuts"]
     if answer["status"] != "none" or force not in ("tip", "base") or not 1 <= 2 * cycles < len(claim.closed) or \
             certificate["rows"] != "network" or not isinstance(lists, list) or not 1 <= len(lists) <= MOST_CUTS:
@@ -90,7 +90,7 @@ def check_scene_forced(answer):
         raise NoProof(f"frequency: {shown(answer['frequency'])} does not follow from the schedule")
     if answer["motions"] != []:
         raise NoProof("motions: none are proved here")
-    cuts = [Cut(claim, one, force, cycles) for one in lists]
+    cuts = [Cut(claim, one, certificate, force, cycles) for one in lists]
     words = f"{len(cuts)} sums of {len(claim.y)} waves and conditions, stepped backwards in time, below {HUGE} E_1"
     if certificate["kind"] == "amplitude-range":
         amplitude = Fraction(number(answer["amplitude"], "amplitude"))
@@ -101,5 +101,6 @@ def check_scene_forced(answer):
     elif certificate["kind"] != "forced" or answer["kind"] != "empty" or answer["amplitude_range"] is not None or \
             not any(cut.excludes(MOST_AMPLITUDE) for cut in cuts):
         raise NoProof("cuts: they leave an excitation")
-    return (f"no forced motion of schedule {spans(answer)} of these bars: {words}; not checked: detail, free_waves, "
+    limit = "" if claim.limit is None else f" with strains >= -{float(claim.limit)!r}"
+    return (f"no forced motion of schedule {spans(answer)} of these bars{limit}: {words}; not checked: detail, free_waves, "
             "and the frequency and damping of reference")

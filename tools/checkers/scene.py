@@ -111,6 +111,10 @@ class Scene:
         """Are its segments, if it has any, those of one bar, from which no wave comes back?"""
         return all(s.impedance == self.segments[0].impedance and s.dashpot == 0 for s in self.segments)
 
+    def speed(self, k):
+        """The wave speed of a segment over that of the first one."""
+        return Fraction(self.segments[k].speed) / Fraction(self.segments[0].speed)
+
     def lengthening(self):
         """Its length over that of a bar of the first material with the same travel time."""
         parts = [Fraction(s.cells) * Fraction(s.speed) / Fraction(self.segments[0].speed) for s in self.segments]

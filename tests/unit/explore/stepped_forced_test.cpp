@@ -15,9 +15,10 @@ namespace {
 
 /// By the engine of networks, also of equal segments.
 ForcedSet setOf(const Schedule& schedule, const Damping& damping, Excited place,
-                const std::vector<Segment>& segments)
+                const std::vector<Segment>& segments, const ForcedLimits& limits = {})
 {
     ForcedSet set;
+    set.limits = limits;
     set.schedule = schedule;
     set.damping = damping;
     set.forcing = {place, 1};
@@ -86,6 +87,56 @@ TEST_CASE("stepped forced: equal segments have the sets, motions and proofs of o
                << found << " found, " << none << " none, " << undecided << " undecided");
     CHECK(none > 5);
     CHECK(undecided < 6);
+}
+
+TEST_CASE("stepped forced: equal segments keep limits on strain as one bar does", "[glpk]")
+{
+    const double ratio = GENERATE(0.05, 0.0);
+    const Stops stops =
+        GENERATE(Stops{1, std::nullopt}, Stops{-1, std::nullopt}, Stops{1, Fraction{3, 2}});
+    const std::vector<Segment> equal{{.cells = 2}, {.cells = 3}};
+    int cut = 0;
+    int none = 0;
+    for (std::int64_t contact = 1; contact < 9; contact += 2) {
+        for (std::int64_t free = 4; free < 20; ++free) {
+            Schedule schedule{5, {{contact, free}}, stops};
+            if (stops.left && free % 3 != 0) {
+                schedule.phases.push_back({contact, free, Stop::left});
+            }
+            const ForcedSet whole = forcedMotions(schedule, {ratio}, {});
+            if (whole.status != Status::found) {
+                continue;
+            }
+            const double seen = leastAmplitudeMotion(whole).extremes.peakCompression;
+            for (const double factor : {1.5, 1.01, 0.9, 0.5, 0.1}) {
+                const ForcedLimits limits{factor * seen};
+                const ForcedSet one = forcedMotions(schedule, {ratio}, {}, limits);
+                const ForcedSet parts = setOf(schedule, {ratio}, Excited::tip, equal, limits);
+                INFO(describe(schedule)
+                     << ", " << ratio << ", " << stops.right << ", limit " << limits.strain << ": "
+                     << parts.detail << "; " << one.detail);
+                if (one.status == Status::undecided) {
+                    continue;
+                }
+                REQUIRE(parts.status == one.status);
+                if (one.status == Status::none) {
+                    ++none;
+                    CHECK(isCertain(parts));
+                    CHECK(parts.reason == Reason::constraints);
+                    continue;
+                }
+                CHECK(parts.leastAmplitude ==
+                      Approx(one.leastAmplitude).epsilon(1e-6).margin(1e-9));
+                CHECK((std::isinf(one.mostAmplitude)
+                           ? parts.mostAmplitude > 1e5
+                           : parts.mostAmplitude == Approx(one.mostAmplitude).epsilon(1e-6)));
+                cut += one.mostAmplitude < whole.mostAmplitude ? 1 : 0;
+            }
+        }
+    }
+    INFO(ratio << ", " << stops.right << ": " << cut << " cut, " << none << " none");
+    CHECK(cut > 3);
+    CHECK(none > 3);
 }
 
 TEST_CASE("stepped forced: none where a linear program of its own finds none, and proved", "[glpk]")
@@ -233,7 +284,7 @@ TEST_CASE("stepped forced: what is not known is refused")
     const auto ask = [&](const Schedule& of, const Forcing& forcing, const ForcedLimits& limits) {
         return forcedMotions(of, {0.1}, forcing, limits, segments);
     };
-    CHECK_THROWS_WITH(ask(schedule, {}, {1.0}), containsText("strain limit"));
+    CHECK_THROWS_WITH(ask(schedule, {}, {0.0}), containsText("strain limit"));
     CHECK_THROWS_WITH(ask(schedule, {Excited::tip, 8}, {}), containsText("cycles = 8"));
     CHECK_THROWS_WITH(ask({5, {{3, 12}}}, {}, {}), containsText("cells of all segments = 4"));
     CHECK_THROWS_WITH(ask(schedule, {Excited::tip, 1, {1.0}}, {}), containsText("shape"));
