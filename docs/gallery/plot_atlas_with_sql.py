@@ -2,8 +2,8 @@
 An atlas, asked in SQL
 ======================
 
-1.44 million schedules of N = 300 are decided in a moment, and what exists is in an SQLite
-database that every language can read.
+1.44 million schedules of N = 300 are decided in a moment, and those with motions are in
+an SQLite database that every language can read.
 """
 
 import sqlite3

@@ -74,6 +74,8 @@ def response(*, damping: Quantity, force: Force, amplitude: Quantity | None = No
              **bar_options: Quantity | None) -> Response:
     """List every forced motion with one contact, for all periods of a range.
 
+    The force goes in steps; `exact_response` takes the harmonic itself, and several bars.
+
     Parameters
     ----------
     stability : bool

@@ -90,14 +90,16 @@ def _cells_of(cells: Any) -> int:
     return count
 
 
-def _nearest(word: Any, cells: int, unit: float) -> int:
+def _nearest(word: Any, cells: int, bar: Bar) -> int:
     """The steps of the period of the grid nearest to a frequency in Hz."""
-    least = cells / unit / MOST_STEPS
+    steps = cells / bar.time_unit  # in a second
     hertz = number("hertz", word)
-    if not least < hertz < math.inf:
-        raise ValueError(f"hertz = {word} is out of range: allowed finite "
-                         f"numbers > {least:.3g} [Hz]")
-    return max(2, round(cells / unit / hertz))
+    if not 1.5 * hertz < steps <= MOST_STEPS * hertz:
+        usual = " by default" if (bar.length, bar.wave_speed) == (1, 1) else ""
+        raise ValueError(f"hertz = {word} is out of range: allowed {steps / MOST_STEPS:.3g}.."
+                         f"{steps / 2:.6g} Hz for this bar (L = {bar.length:.6g} m, c = "
+                         f"{bar.wave_speed:.6g} m/s{usual})")
+    return round(steps / hertz)
 
 
 def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
@@ -109,7 +111,7 @@ def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
     name, word = _one_of(asked)
     if name == "hertz":
         count = _cells_of(cells)
-        period = Fraction(_nearest(word, count, bar.time_unit), count) * cycles
+        period = Fraction(_nearest(word, count, bar), count) * cycles
     else:
         exact = fraction_of(str(word) if isinstance(word, float) else word, name)
         period = exact if name == "period" else 4 * cycles / exact
@@ -177,7 +179,7 @@ def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     """Answer a question by `find` for each set of motions of a period."""
     name, word = _one_of(times)
     cells, scene = _cells_of(asked["cells"]), asked["scene"]
-    steps = (_nearest(word, cells, scene.bar.time_unit) if name == "hertz"
+    steps = (_nearest(word, cells, scene.bar) if name == "hertz"
              else _on_grid(name, word, cells))
     sets = [_core.find({**asked, "schedule": schedule})
             for schedule in _core.schedules_of_period(cells, steps, scene)]

@@ -88,7 +88,12 @@ public:
     [[nodiscard]] Schedule schedule() const;
     /// Of "energy" or "energy_ratio", if one is given.
     [[nodiscard]] std::optional<double> energyRatio(const Bar& bar) const;
-    [[nodiscard]] Damping damping() const { return {get<double>("damping")}; }
+    [[nodiscard]] Damping damping() const
+    {
+        const Damping damping{get<double>("damping")};
+        warnIf(damping.ratio > 1.0, "damping above 1: percent are \"5%\" or 0.05");
+        return damping;
+    }
     /// Of "words", with the scales of "scene" and "gravity". \throws std::invalid_argument.
     [[nodiscard]] Assembly assembly() const;
     /// Of "period", "frequency" or "hertz" of bars, in steps.

@@ -148,7 +148,16 @@ ResponseAnswer responseAsked(const Asked& asked)
                           bar,
                           amplitude,
                           {}};
-    (void)stepsOf(answer.range);
+    try {
+        (void)stepsOf(answer.range);
+    } catch (const std::invalid_argument& error) {
+        constexpr double high = 10.0;
+        const double most = answer.range.mostFrequencyRatio;
+        throw std::invalid_argument(
+            most < high ? error.what()
+                        : fmt::format("{}; {:.6g} [omega_1] looks like Hz: to=\"{:.6g}Hz\"",
+                                      error.what(), most, most));
+    }
     return answer;
 }
 

@@ -44,6 +44,15 @@ using Quantity = std::variant<double, std::string>;
 /// Of an array that a method makes: 800 MB.
 inline constexpr std::int64_t mostCells = 100'000'000;
 
+/// A UserWarning about what is hardly meant. \throws py::error_already_set where warnings are
+/// errors.
+inline void warnIf(bool isOdd, const char* what)
+{
+    if (isOdd && PyErr_WarnEx(PyExc_UserWarning, what, 1) != 0) {
+        throw py::error_already_set();
+    }
+}
+
 /// No text, no complex numbers.
 /// \throws py::type_error naming the argument
 [[nodiscard]] Numbers numbersOf(const py::object& given, const char* name);

@@ -26,6 +26,8 @@ void addBar(py::module_& module)
             Bar bar{.length = quantityOf("length", length),
                     .gap = quantityOf("gap", gap),
                     .young = quantityOf("young", young)};
+            warnIf(bar.young && *bar.young < 1e5,
+                   "young is softer than rubber: GPa are \"210GPa\"");
             if (density || area) {
                 if (!young || !density || !area) {
                     throw std::invalid_argument(

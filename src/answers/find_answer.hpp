@@ -222,7 +222,7 @@ frequencies in omega_1.
     d.key("detail", "-", "Why it is undecided, or what the proof says.", &T::detail,
           When::undecided);
     d.key(
-        "stability", "-", "Started beside the motion, without and with damping.",
+        "stability", "-", "Of the motion when it is perturbed, without and with damping.",
         [](const T& a) { return a.stability.empty() ? std::nullopt : std::optional(a.stability); },
         When::any);
 }

@@ -65,8 +65,9 @@ std::string inOptions(const std::string& message, unsigned questions,
                       const std::function<std::string(std::string_view)>& typed)
 {
     constexpr std::string_view is = " = ";
-    constexpr std::string_view verdict = " is out of range: allowed ";
     const std::size_t equals = message.find(is);
+    const bool isNone = message.find(notApplied) < message.find(outOfRange);
+    const std::string_view verdict = isNone ? notApplied : outOfRange;
     const std::size_t out = message.find(verdict);
     if (equals == std::string::npos || out == std::string::npos || out < equals) {
         return message;

@@ -9,7 +9,7 @@ namespace signorini::answers {
 
 /// Said of a range that has no proof.
 inline constexpr const char* rangeNote =
-    "this end of the range is computed, not checked by other code";
+    "this end of the range is computed, not independently verified";
 
 /// What all proofs by multipliers begin with.
 template <typename D, typename Rows>

@@ -308,7 +308,7 @@ void describe(D& d, Type<SceneFindAnswer>)
     d.key("strains", "-", "Of the motion.", &T::strains, When::found);
     d.key("residuals", "-", "Of the motion.",
           ofMotion([](const T& a) { return a.motions.residuals; }), When::found);
-    d.key("stability", "-", "Started beside the motion.", &T::stability, When::any);
+    d.key("stability", "-", "Of the motion when it is perturbed.", &T::stability, When::any);
     d.key("certificate", "-", "No motion has less energy; of none: than any looked for, or held.",
           &T::certificate);
     d.key("detail", "-", "Why it is not decided.", [](const T& a) { return a.motions.detail; });
@@ -333,7 +333,7 @@ void describe(D& d, Type<SceneForcedMotion>)
     d.key("strains", "-", "In a period.", &T::strains);
     d.key("residual", "- >= 0", "The worst that was seen walking its waves; relative.",
           [](const T& m) { return m.residuals.worst(); });
-    d.key("stability", "-", "Started beside the motion.", &T::stability, When::any);
+    d.key("stability", "-", "Of the motion when it is perturbed.", &T::stability, When::any);
 }
 
 template <typename D>

@@ -27,10 +27,17 @@ std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked, std::int
         faults.add(name, value, "bars that vibrate with their contacts open; hertz is of any");
     } else if (!(nearest >= 2.0 && nearest <= static_cast<double>(maxHarmonicSteps)) ||
                (asked.period && std::abs(wanted - nearest) > 1e-9 * nearest)) {
+        const std::string steps = fmt::format("periods of 2..{} steps of {:.6g} s",
+                                              maxHarmonicSteps, network.scales.time);
+        const double most = 0.5 * periods * second;
         faults.add(name, value,
-                   fmt::format("periods of 2..{} steps of {:.6g} s{}", maxHarmonicSteps,
-                               network.scales.time,
-                               asked.period ? fmt::format(", {:.10g} to L/c", crossing) : ""));
+                   asked.period ? fmt::format("{}, {:.10g} to L/c", steps, crossing)
+                   : asked.hertz
+                       ? fmt::format("{:.6g}..{:.6g} Hz for these bars (L = {:.6g} m, c = "
+                                     "{:.6g} m/s): {}",
+                                     2.0 * most / static_cast<double>(maxHarmonicSteps), most,
+                                     assembly.length, assembly.waveSpeed, steps)
+                       : steps);
     }
     faults.throwIfAny();
     return static_cast<std::int64_t>(nearest);

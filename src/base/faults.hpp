@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -34,7 +35,12 @@ inline std::string shortened(std::string_view text, std::size_t most = 60)
     return fmt::format("{}…{}", text.substr(0, head), text.substr(tail));
 }
 
-/// One line per check: field, value, allowed range, and what to do about it.
+/// What is wrong with a value: how it reads where some are allowed, and where none is.
+inline constexpr std::string_view outOfRange = " is out of range: allowed ";
+inline constexpr std::string_view notApplied = " does not apply";
+
+/// One line per check: field, value, allowed range ("none", and where, if no value is), and what to
+/// do about it.
 class Faults {
 public:
     template <typename Value>
@@ -45,11 +51,16 @@ public:
             text_ += "; ";
         }
         if constexpr (std::is_convertible_v<Value, std::string_view>) {
-            text_ += fmt::format("{} = {} is out of range: allowed {}", field, shortened(value),
-                                 allowed);
+            text_ += fmt::format("{} = {}", field, shortened(value));
         } else {
-            text_ += fmt::format("{} = {} is out of range: allowed {}", field, value, allowed);
+            text_ += fmt::format("{} = {}", field, value);
         }
+        constexpr std::string_view none = "none";
+        const std::string_view rest = allowed.substr(std::min(none.size(), allowed.size()));
+        const bool isNone = allowed.starts_with(none) &&
+                            (rest.empty() || rest.front() == ' ' || rest.front() == ':');
+        text_ += isNone ? notApplied : outOfRange;
+        text_ += isNone ? rest : allowed;
         if (!remedy.empty()) {
             text_ += fmt::format(" ({})", remedy);
         }

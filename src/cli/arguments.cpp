@@ -331,12 +331,7 @@ std::string CommonOptions::restated(std::optional<std::int64_t> grid,
             "them\n",
             pieces().cells, 100.0 * pieces().rounding);
     }
-    constexpr double softest = 1e5;  // Pa; rubber is ten times as stiff
-    if (young_ && *young_ < softest) {
-        text += fmt::format(
-            "note        E = {0:.6g} Pa is softer than rubber: {0:.6g} GPa are --young {1:.6g}\n",
-            *young_, *young_ * 1e9);
-    }
+    text += youngNote(young_);
     if (damping && *damping > 1.0) {
         text +=
             fmt::format("note        ζ = {0:.6g} is {1:.6g} %: {0:.6g} % are --damping {2:.6g}\n",

@@ -139,8 +139,12 @@ void FindCommand::warn(const Physical& physical) const
 {
     common.warnUnlessAdmissible(physical);
     if (yieldStress && *physical.peakStress > *yieldStress) {
-        common.say(fmt::format("the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} Pa",
-                               *physical.peakStress, *yieldStress));
+        constexpr double softest = 1e5;  // of what is meant in Pa
+        common.say(fmt::format("the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} Pa{}",
+                               *physical.peakStress, *yieldStress,
+                               *yieldStress < softest
+                                   ? fmt::format(" ({0:.6g} MPa are {0:.6g}MPa)", *yieldStress)
+                                   : ""));
     }
 }
 

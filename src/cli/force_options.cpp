@@ -49,11 +49,9 @@ void ForceOptions::requireAmplitude() const
 std::optional<double> yieldStressOf(const Given& given, const Bar& bar)
 {
     const auto yieldStress = given.number("--yield-stress");
-    if (yieldStress && !bar.young) {
-        refuse("--yield-stress", given.text("--yield-stress"),
-               "only for a bar with one modulus, by --young, --density and --area or "
-               "--segments-file: of several the largest strain is known, not in which it is");
-    }
+    refuseIf(yieldStress && !bar.young, "--yield-stress", given.text("--yield-stress"),
+             "with one modulus for all of the bar: it requires --young, --density and --area, or "
+             "--segments-file");
     return yieldStress;
 }
 

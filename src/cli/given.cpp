@@ -144,7 +144,8 @@ void Given::refuseUnknown(const std::vector<std::string>& words) const
         hint += hint.empty() && word.starts_with("--") ? didYouMean(word, names) : "";
     }
     throw std::invalid_argument(
-        fmt::format("{} is not expected{}; see signorini --help", text, hint));
+        hint.empty() ? fmt::format("{} is not expected; see signorini --help", text)
+                     : fmt::format("{} is not expected{} (see signorini --help)", text, hint));
 }
 
 const Option& Given::row(std::string_view option) const

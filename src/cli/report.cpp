@@ -149,8 +149,8 @@ std::string motionAsText(const PeriodicResult& result)
     }
     text += signorini::cli::asText(motion.physical);
     text += fmt::format(
-        "residuals   periodicity {:.3g}, gap {:.3g}, pressure {:.3g}, penetration {:.3g}, march "
-        "{:.3g}, demands {:.3g}\n",
+        "residuals   periodicity {:.3g}, gap {:.3g}, pressure {:.3g}, penetration {:.3g}, time "
+        "stepping {:.3g}, demands {:.3g}\n",
         r.periodicity, r.gap, r.pressure, r.penetration, r.march, r.demands);
     return text;
 }

@@ -122,9 +122,7 @@ void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
     if (wrong.hertz) {
         allowed += "; " + size;
     } else if (wrong.ratio) {
-        allowed +=
-            fmt::format("; {0:.6g} looks like Hz: {1}, so it is {2} {0:.6g}Hz, or {2} {3:.6g}",
-                        *wrong.ratio, size, name, *wrong.ratio / hertz);
+        allowed += looksLikeHertz(name, *wrong.ratio, hertz, sizeOf(bar));
     }
     refuse(name, text, allowed);
 }

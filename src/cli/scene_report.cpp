@@ -1,5 +1,7 @@
 #include "scene_report.hpp"
 
+#include "hints.hpp"
+
 #include <fmt/format.h>
 
 #include <numbers>
@@ -21,7 +23,7 @@ std::string headline(const Assembly& assembly, const Network& network)
     if (reference.energy && *reference.energy > 0.0) {
         text += fmt::format(", E₁ = {:.6g} J", *reference.energy);
     }
-    return text + "\n";
+    return text + "\n" + youngNote(assembly.young);
 }
 
 }  // namespace signorini::cli

@@ -6,6 +6,7 @@
 
 #include "files.hpp"
 #include "force_options.hpp"
+#include "hints.hpp"
 #include "printing.hpp"
 #include "progress.hpp"
 #include "response_command.hpp"
@@ -58,7 +59,7 @@ std::string asText(const SceneResponse& answer)
                         count([](const SceneFrequency& at) { return !at.motions.empty(); }),
                         answer.frequencies.size());
     text += fmt::format(
-        "apart       at {} bars do not meet; at {} they would, and no motion with "
+        "apart       at {} bars do not meet; at {} they would touch, and no motion with "
         "one contact is known: computed, not proved\n",
         count([](const SceneFrequency& at) { return !at.reason && !at.touches(); }),
         count([](const SceneFrequency& at) {
@@ -134,7 +135,11 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     takeHertz(given, network, range);
     Outputs outputs(given, {"--csv", "--figure"});
     SceneResponse answer = answers::responseOf(assembly, range);
-    const std::vector<std::int64_t> steps = stepsOf(answer);
+    const FrequencyOption to(given, "--to", "--to-hertz");
+    const std::vector<std::int64_t> steps =
+        hinting("--to", to.ratio, referenceOf(network).frequency / (2.0 * std::numbers::pi),
+                {.length = assembly.length, .waveSpeed = assembly.waveSpeed},
+                [&] { return stepsOf(answer); });
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
         answer.frequencies = shareOut(
             std::vector<std::optional<SceneFrequency>>(steps.size()), common.threads,

@@ -6,6 +6,7 @@
 
 #include "files.hpp"
 #include "force_history.hpp"
+#include "hints.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
 #include "signorini/settling.hpp"
@@ -101,11 +102,13 @@ Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
         return {.stepsPerCrossing = cells};
     }
     const double ratio = frequency.ratioFor(firstHertz(bar));
-    return excitationAt({.place = *force.place,
-                         .amplitude = force.at(ratio, firstHertz(bar)).scaledAmplitude(bar),
-                         .phase = phase,
-                         .stepsPerCrossing = cells},
-                        ratio, "--frequency");
+    return hinting("--frequency", frequency.ratio, firstHertz(bar), bar, [&] {
+        return excitationAt({.place = *force.place,
+                             .amplitude = force.at(ratio, firstHertz(bar)).scaledAmplitude(bar),
+                             .phase = phase,
+                             .stepsPerCrossing = cells},
+                            ratio, "--frequency");
+    });
 }
 
 double SimulateCommand::stretches(double stretch, double crossing, const Bar& bar) const

@@ -83,7 +83,7 @@ public:
         lower_.x = {.label = "frequency of the excitation  [Hz]",
                     .low = low_ * hertz_,
                     .high = high_ * hertz_};
-        lower_.y = axisIn(impulseUnit_, "impulse a period", 0.0, 1.15 * impulse_);
+        lower_.y = axisIn(impulseUnit_, "impulse per period", 0.0, 1.15 * impulse_);
         addStaircase(staircase);
         for (const bool areSeveral : {false, true}) {
             for (std::size_t kind = 0; kind < partSorts.size(); ++kind) {

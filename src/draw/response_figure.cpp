@@ -115,7 +115,7 @@ public:
         upper_.x = frequencyAxis("", low_, high_, bar_);
         upper_.x.label.clear();
         upper_.x.hasNumbers = false;
-        upper_.y = axisIn(impulseUnit_, "impulse a period", 0.0, impulse_, "EA " + gap + "/c");
+        upper_.y = axisIn(impulseUnit_, "impulse per period", 0.0, impulse_, "EA " + gap + "/c");
         lower_ = {.name = "tip", .place = {0.12, 0.88, 0.12, 0.48}};
         lower_.x = {.label = "frequency of the excitation  ω/ω_1", .low = low_, .high = high_};
         lower_.y = axisIn(swingUnit_, "swing  −min u(L)", 0.0, swing_, gap);

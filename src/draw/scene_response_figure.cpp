@@ -103,7 +103,7 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
     Panel lower{.name = "impulse", .place = {0.12, 0.95, 0.25, 0.52}, .legend = Legend::below};
     lower.legendRows = 2 + static_cast<int>(contacts.size());
     lower.x = x;
-    lower.y = {.label = labelled("impulse a period", impulseUnit),
+    lower.y = {.label = labelled("impulse per period", impulseUnit),
                .low = 0.0,
                .high = std::max(1.15 * impulse * impulseUnit.factor, 1e-9)};
     const auto put = [&](Series above, const Series& below, std::string words) {

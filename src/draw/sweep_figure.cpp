@@ -166,7 +166,7 @@ FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& ran
             return std::array{-point.tip[0], -point.tip[0], -point.tip[0]};
         });
     }
-    upper.y = axisAround(upper.series, labelled("impulse a period", impulse), true);
+    upper.y = axisAround(upper.series, labelled("impulse per period", impulse), true);
     lower.y = axisAround(lower.series, labelled("swing  −min u(L)", swing), true);
     figure.panels = {std::move(upper), std::move(lower)};
     return figure;

@@ -293,11 +293,11 @@ private:
         if (clamp > 0) {
             for (const auto& [kind, number] : here.words) {
                 if (kind != PartKind::clamp && kind != PartKind::shaken) {
-                    refuse(number, "not at a clamp, which does not move");
+                    refuse(number, "places that move: a clamp does not");
                 }
             }
             if (here.hasGap) {
-                refuse(clamp, "no clamp at a gap: a clamp does not move, write a stop instead");
+                refuse(clamp, "a stop in its place: a clamp at a gap does not move");
             }
             if (!here.hasCells) {
                 refuse(clamp, "a clamp with cells beside it");
@@ -311,8 +311,9 @@ private:
         }
         const bool isContact = right > 0 || left > 0 || here.hasGap;
         if (const std::size_t mass = here.numberOf(PartKind::mass); mass > 0 && isContact) {
-            refuse(mass,
-                   "not at a contact: what happens when a mass strikes needs a law of impact");
+            refuse(
+                mass,
+                "places without contact: what happens when a mass strikes needs a law of impact");
         }
         if (right > 0 && left > 0 &&
             !(assembly_.parts[right - 1].value + assembly_.parts[left - 1].value > 0.0)) {

@@ -145,7 +145,7 @@ def study(data: Table[StudyPoint], *, x: str = "amplitude", y: str = "gap",
     axes.plot([a * shown[x][0] for a, _ in quiets],
               [b * shown[y][0] for _, b in quiets], "x", ms=4, color="white")
     axes.figure.colorbar(dots, ax=axes,
-                         label=f"worst impulse a period  [{unit}]")
+                         label=f"worst impulse per period  [{unit}]")
     axes.set_xlabel(shown[x][1])
     axes.set_ylabel(shown[y][1])
     return axes
