@@ -676,6 +676,7 @@ class SceneQuestion(_Record):
     steps: int
     period: float
     frequency: float
+    strain_limit: Optional[float]
     sets: list[SceneSet]
     motions: list[SceneResult]
     found: bool
@@ -704,6 +705,7 @@ class SceneResult(_Record):
     energy_ratio: Known[float]
     energy_ratio_proved: Known[float]
     strains: Known[SceneStrains]
+    peak_compression_proved: Known[float]
     residuals: Known[SceneResiduals]
     stability: Known[SceneStabilityReport]
     certificate: Known[SceneEnergyFloor]
@@ -736,6 +738,7 @@ class SceneForcedResult(_Record):
     cycles: int
     frequency: float
     amplitude: Optional[float]
+    strain_limit: Optional[float]
     kind: Literal["empty", "point", "segment", "ray", "polytope"]
     free_waves: int
     amplitude_range: Optional[Bounds]

@@ -154,9 +154,10 @@ ResponseAnswer responseAsked(const Asked& asked)
         constexpr double high = 10.0;
         const double most = answer.range.mostFrequencyRatio;
         throw std::invalid_argument(
-            most < high ? error.what()
-                        : fmt::format("{}; {:.6g} [omega_1] looks like Hz: to=\"{:.6g}Hz\"",
-                                      error.what(), most, most));
+            most < high || !std::string_view(error.what()).starts_with("frequency ratios")
+                ? error.what()
+                : fmt::format("{}; {:.6g} [omega_1] looks like Hz: to=\"{:.6g}Hz\"", error.what(),
+                              most, most));
     }
     return answer;
 }

@@ -48,7 +48,7 @@ inline constexpr std::int64_t mostCells = 100'000'000;
 /// errors.
 inline void warnIf(bool isOdd, const char* what)
 {
-    if (isOdd && PyErr_WarnEx(PyExc_UserWarning, what, 1) != 0) {
+    if (isOdd && PyErr_WarnEx(PyExc_UserWarning, what, 2) != 0) {
         throw py::error_already_set();
     }
 }

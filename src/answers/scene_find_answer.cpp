@@ -83,6 +83,13 @@ SceneStrains strainsOf(const SceneSchedule& schedule, const NetworkResiduals& re
     return strains;
 }
 
+std::optional<double> SceneFindAnswer::provedCompression() const
+{
+    const auto& proved = motions.provedStrain;
+    return proved ? std::optional(*proved * strainUnit(schedule.bars.assembly, schedule.scales))
+                  : std::nullopt;
+}
+
 bool SceneFindAnswer::presses() const
 {
     const auto& impulses = motions.residuals.impulses;
@@ -141,9 +148,10 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
                              .decided = set.status,
                              .detail = set.detail,
                              .cuts = {},
-                             .motions = {}};
+                             .motions = {},
+                             .strainLimit = strainLimitOf(network, assembly)};
     if (set.status == Status::none) {
-        answer.cuts = SceneCuts{false, set.cuts, strainLimitOf(network, assembly)};
+        answer.cuts = SceneCuts{false, set.cuts, answer.strainLimit};
     }
     if (set.status != Status::found) {
         return answer;
@@ -164,7 +172,7 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
         const AmplitudeExclusion exclusion = exclusionOf(set, *amplitude / unit);
         answer.decided = exclusion.isCertain ? Status::none : Status::undecided;
         if (exclusion.isCertain) {
-            answer.cuts = SceneCuts{true, exclusion.cuts, strainLimitOf(network, assembly)};
+            answer.cuts = SceneCuts{true, exclusion.cuts, answer.strainLimit};
         } else {
             answer.detail = "conditions exclude this amplitude by no more than rounding can do";
         }

@@ -98,6 +98,8 @@ struct SceneFindAnswer {
     {
         return isFound() ? std::optional(strainsOf(schedule, motions.residuals)) : std::nullopt;
     }
+    /// Every motion of the schedule has more.
+    [[nodiscard]] std::optional<double> provedCompression() const;
     /// Does any contact press?
     [[nodiscard]] bool presses() const;
     /// What is proved is that of least energy.
@@ -148,6 +150,7 @@ struct SceneForcedAnswer {
     std::string detail;
     std::optional<SceneCuts> cuts;
     std::vector<SceneForcedMotion> motions;
+    std::optional<double> strainLimit = {};  ///< [-], asked for
 
     [[nodiscard]] Status status() const { return decided; }
     /// Of the excitation [Hz].
@@ -306,6 +309,8 @@ void describe(D& d, Type<SceneFindAnswer>)
     d.key("energy_ratio_proved", "- >= 0", "No motion has less.",
           [](const T& a) { return a.isFound() ? a.ratio(a.motions.provedEnergy) : std::nullopt; });
     d.key("strains", "-", "Of the motion.", &T::strains, When::found);
+    d.key("peak_compression_proved", "- > 0", "Of a motion with the least: every motion has more.",
+          &T::provedCompression, When::any);
     d.key("residuals", "-", "Of the motion.",
           ofMotion([](const T& a) { return a.motions.residuals; }), When::found);
     d.key("stability", "-", "Of the motion when it is perturbed.", &T::stability, When::any);
@@ -349,6 +354,7 @@ void describe(D& d, Type<SceneForcedAnswer>)
           [](const T& a) { return a.forcing.cycles; });
     d.key("frequency", "Hz > 0", "Of the excitation.", &T::frequency);
     d.key("amplitude", "N or m > 0", "Asked for.", &T::asked);
+    d.key("strain_limit", "- > 0", "Of all motions, if any.", &T::strainLimit, When::any);
     d.key("kind", "-", "What motions leave of the plane of excitations.", &T::kind);
     d.key("free_waves", "- >= 0", "That nothing damps.", &T::freeWaves);
     d.key("amplitude_range", "N or m >= 0", "Of which there are motions; no end: None.",

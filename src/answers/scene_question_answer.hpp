@@ -21,7 +21,8 @@ struct SceneSet {
 struct SceneQuestionAnswer {
     SceneSchedule period;  ///< in which no contact is closed
     std::vector<SceneSet> sets;
-    std::vector<SceneFindAnswer> motions;  ///< of sets that have one
+    std::vector<SceneFindAnswer> motions;    ///< of sets that have one
+    std::optional<double> strainLimit = {};  ///< [-], asked for
 
     /// Found: at least one motion; undecided: none, and some set undecided; none: proved of every
     /// set.
@@ -60,6 +61,7 @@ void describe(D& d, Type<SceneQuestionAnswer>)
     d.key("steps", "- >= 2", "n.", [](const T& a) { return stepsOf(a.period.spans); });
     d.key("period", "s > 0", "T.", [](const T& a) { return a.period.period(); });
     d.key("frequency", "Hz > 0", "1/T.", [](const T& a) { return 1.0 / a.period.period(); });
+    d.key("strain_limit", "- > 0", "Of all motions, if any.", &T::strainLimit, When::any);
     d.key("sets", "-", "[dict, ...]: each contact, and each number of steps for it.", &T::sets);
     d.key("motions", "-", "Of those that have one.", [](const T& a) {
         return std::vector<std::reference_wrapper<const SceneFindAnswer>>(a.motions.begin(),

@@ -106,8 +106,9 @@ private:
         const auto isStep = [this](std::int64_t step) { return step >= 0 && step < steps_; };
         areGood_ = areGood_ && m.row < network_.rows.size() && isStep(m.right) && isStep(m.left) &&
                    m.value >= 0.0 && std::isfinite(m.value);
-        const auto least =
-            areGood_ ? leastDifference(network_, m.row, m.right, m.left, steps_) : std::nullopt;
+        const auto least = areGood_ ? leastDifference(network_, network_.strainLimit, m.row,
+                                                      m.right, m.left, steps_)
+                                    : std::nullopt;
         areGood_ = least && std::isfinite(*least);
         if (!areGood_) {
             return;
@@ -115,9 +116,11 @@ private:
         // A sum of three numbers that were computed from those of the scene.
         constexpr double rounding = 32.0 * std::numeric_limits<double>::epsilon();
         const CellRow& row = network_.rows[m.row];
-        const double size = network_.strainLimit * row.speed +
-                            std::abs(network_.nodes[row.left].rest) +
-                            std::abs(network_.nodes[row.right].rest) +
+        double rest = 0.0;
+        for (const NetworkNode& node : network_.nodes) {
+            rest = std::max(rest, std::abs(node.rest));
+        }
+        const double size = network_.strainLimit * row.speed + 2.0 * rest +
                             std::abs(network_.gravity) * static_cast<double>(row.cells);
         const double error = rounding * size;
         right_ = right_ + Interval(m.value) * (Interval(*least) + Interval(-error, error));

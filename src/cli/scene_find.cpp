@@ -71,6 +71,12 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
         }
         text += cli::asText(contactsOf(answer.schedule, &motions.residuals)) +
                 cli::asText(*answer.strains());
+        if (const auto least = answer.provedCompression()) {
+            text += fmt::format(
+                "            proved: every motion has more than {:.6g} in "
+                "compression\n",
+                *least);
+        }
         text += fmt::format("residual    {:.2g}\n{}", motions.residuals.worst(),
                             cli::asText(answer.stability));
     }

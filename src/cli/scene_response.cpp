@@ -121,7 +121,7 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
                                 "--map-csv", "--backbone-csv", "--yield-stress"};
     for (const char* option : others) {
         refuseIf(given.has(option), option, given.text(option),
-                 "none of the harmonic itself and several bars or segments");
+                 "none with --exact of several bars or segments");
     }
     refuseIf(given.whole("--contacts").value_or(1) != 1, "--contacts", given.text("--contacts"),
              "1 of several bars or segments");

@@ -59,8 +59,8 @@ DrivenRows::DrivenRows(Network network, std::vector<ContactSpan> schedule,
 bool DrivenRows::limitStrain(Plane place, std::span<const double> free)
 {
     const std::size_t first = order_.size();
-    const std::size_t added =
-        addBrokenStrains(rows_, blocks_, *kernel_, coordinatesAt(free), inputsAt(place));
+    const std::size_t added = addBrokenStrains(rows_, blocks_, *kernel_, network().strainLimit,
+                                               coordinatesAt(free), inputsAt(place));
     for (std::size_t k = 0; k < added; ++k) {
         order_.push_back(first + k);
     }

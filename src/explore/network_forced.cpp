@@ -115,12 +115,22 @@ void NetworkForced::limitStrain()
     if (waves_.network().strainLimit == infinity || !waves_.isClear()) {
         return;
     }
+    constexpr std::size_t mostRows = 500;  // that were added
+    const std::size_t first = waves_.rows().size();
     for (bool isBroken = true; isBroken;) {
         isBroken = false;
+        if (waves_.rows().size() > first + mostRows) {
+            isLimited_ = false;
+            return;
+        }
         if (waves_.freeWaves() > 0) {
+            const std::size_t before = waves_.rows().size();
             for (const ForcedCorner& corner :
                  forcedPolytope(waves_.rows(), {true, waves_.freeWaves()}).corners) {
                 isBroken |= waves_.limitStrain({corner.place[0], corner.place[1]}, corner.free);
+                if (waves_.rows().size() > before + mostRows / 10) {
+                    break;  // the other corners are no longer there
+                }
             }
             continue;
         }
@@ -252,6 +262,10 @@ void NetworkForced::decide(ForcedSet& set) const
         return;
     }
     set.freeWaves = waves_.freeWaves();
+    if (!isLimited_) {
+        set.detail = "out of reach: too many pairs of waves break the limit on strain";
+        return;
+    }
     if (set.freeWaves > 0) {
         decidePolytope(set);
         return;

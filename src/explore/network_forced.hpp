@@ -43,7 +43,7 @@ private:
     [[nodiscard]] ForcedCondition named(std::size_t row) const;
     [[nodiscard]] std::vector<ForcedCondition> named(std::span<const std::size_t> rows) const;
     void explainAbsence(ForcedSet& set, const std::vector<std::size_t>& conflict,
-                        std::span<const double> multipliers = {}) const;
+                        std::span<const double> start = {}) const;
     /// That a way leads nowhere: way . (C, S) is at most `most`, or, of none, 0. Enters the rows.
     [[nodiscard]] std::optional<EnergyFloor> barrier(Plane way, std::optional<double> most,
                                                      std::vector<std::size_t>& used) const;
@@ -62,6 +62,7 @@ private:
     std::vector<Excitation> shapes_;
     DrivenRows waves_;
     bool canRest_;
+    bool isLimited_ = true;  ///< no motion that is left breaks a limit on strain
     double mostEnergy_;
 };
 

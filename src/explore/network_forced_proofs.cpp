@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "energy_floor.hpp"
 #include "forced_cut.hpp"
@@ -101,11 +102,19 @@ std::vector<EnergyFloor> NetworkForced::bordersOf(const std::vector<ForcedCorner
                                                   std::vector<std::size_t>& used) const
 {
     std::vector<Plane> places;
+    places.reserve(corners.size());
     for (const ForcedCorner& corner : corners) {
         places.push_back({corner.place[0], corner.place[1]});
     }
     std::vector<Plane> ways{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-    if (places.size() > 1) {
+    if (places.size() > mostBorders) {
+        ways.clear();
+        for (std::size_t k = 0; k < mostBorders; ++k) {
+            const double angle =
+                2.0 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(mostBorders);
+            ways.push_back({std::cos(angle), std::sin(angle)});
+        }
+    } else if (places.size() > 1) {
         ways.clear();
         for (std::size_t k = 0; k < places.size(); ++k) {
             const Plane edge = places[(k + 1) % places.size()] - places[k];
@@ -147,7 +156,7 @@ AmplitudeExclusion NetworkForced::exclusion(const ForcedSet& set, double amplitu
             }
         }
         decideBy(floorsOf(rows), rows);
-        if (!exclusion.isCertain && set.corners.size() <= mostBorders) {
+        if (!exclusion.isCertain) {
             rows.clear();
             std::vector<EnergyFloor> borders = bordersOf(set.corners, rows);
             std::sort(rows.begin(), rows.end());

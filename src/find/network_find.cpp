@@ -111,13 +111,29 @@ LeastMotion leastMotion(const Network& network, const std::vector<ContactSpan>& 
     return least;
 }
 
+namespace {
+
+/// Enters that no motion is compressed by hardly less.
+void proveStrain(LeastMotion& motion, Network network, const std::vector<ContactSpan>& schedule,
+                 double largest, const Cancel& cancel)
+{
+    constexpr double near = 1e-6;
+    network.strainLimit = -motion.residuals.extremes.leastStrain * (1.0 - near);
+    if (network.strainLimit > 0.0 &&
+        leastMotion(network, schedule, largest, cancel).status == Status::none) {
+        motion.provedStrain = network.strainLimit;
+    }
+}
+
+}  // namespace
+
 LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>& schedule,
                          double largest, const NetworkWish& wish, const FindOptions& options)
 {
     Faults faults;
-    if (wish.objective == Objective::maxEnergy || wish.objective == Objective::minPeakStrain) {
+    if (wish.objective == Objective::maxEnergy) {
         faults.add("objective", name(wish.objective),
-                   "auto|any|min-energy|max-impulse|nearest for several bars");
+                   "auto|any|min-energy|max-impulse|min-peak-strain|nearest for several bars");
     }
     if (wish.energy && wish.objective != Objective::automatic && wish.objective != Objective::any) {
         faults.add("objective", name(wish.objective), "auto|any when an energy is held");
@@ -149,8 +165,10 @@ LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>&
     const NetworkPoint point =
         wish.energy ? points.ofEnergy(*wish.energy, leastWaves) : points.extreme(wish.objective);
     least.detail = point.detail;
-    if (point.detail.empty()) {
-        enterMotion(least, single, points.motion(point), options.tolerance);
+    if (point.detail.empty() &&
+        enterMotion(least, single, points.motion(point), options.tolerance) &&
+        wish.objective == Objective::minPeakStrain) {
+        proveStrain(least, network, schedule, largest, options.cancel);
     }
     return least;
 }

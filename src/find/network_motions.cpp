@@ -117,8 +117,8 @@ private:
                               demands_.cancel);
             result_.iterations += least.steps;
         } while (least.end == LeastNormEnd::found &&
-                 addBrokenStrains(rows, blocks_, *kernel, VectorOf<Number>(from + least.z),
-                                  steadyInputs(*kernel)) > 0);
+                 addBrokenStrains(rows, blocks_, *kernel, blocks_.network().strainLimit,
+                                  VectorOf<Number>(from + least.z), steadyInputs(*kernel)) > 0);
         if (least.end == LeastNormEnd::stopped) {
             result_.detail = isRequested(demands_.cancel)
                                  ? "cancelled"

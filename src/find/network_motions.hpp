@@ -49,6 +49,8 @@ struct LeastMotion {
     /// Of the conditions of the rows, all of them, as steps.
     EnergyFloor unproved = {};
     std::vector<double> steady = {};  ///< waves that constant forces make; empty: none
+    /// Proved: every motion of the schedule is compressed by more somewhere [delta/h over speeds].
+    std::optional<double> provedStrain = {};
 };
 
 /// O(G-blocks of turns waves + state^3 each, and a proof where there is none). \pre a valid

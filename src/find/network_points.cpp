@@ -41,10 +41,33 @@ void NetworkPoints::enterRows()
 {
     const RowSystem& system = rows_.system;
     const Eigen::Index below = system.rows.rows() - system.equalities;
-    program_.equalities = system.rows.topRows(system.equalities).sparseView();
-    program_.equalityRhs = system.rhs.head(system.equalities);
-    program_.inequalities = (-system.rows.bottomRows(below)).sparseView();
-    program_.inequalityRhs = -system.rhs.tail(below);
+    Eigen::MatrixXd all = Eigen::MatrixXd::Zero(system.rows.rows(), program_.variables());
+    all.leftCols(system.rows.cols()) = system.rows;
+    Eigen::VectorXd rhs = system.rhs;
+    if (all.cols() > system.rows.cols()) {  // the last unknown is the limit on strain
+        for (std::size_t k = 0; k < rows_.conditions.size(); ++k) {
+            const BlockCondition& of = rows_.conditions[k];
+            if (of.kind == BlockCondition::Kind::strain) {
+                const auto row = static_cast<Eigen::Index>(k);
+                const double speed = blocks_.network().rows[of.contact].speed;
+                all(row, all.cols() - 1) = speed;
+                rhs[row] += speed * limits_[k];
+            }
+        }
+    }
+    program_.equalities = all.topRows(system.equalities).sparseView();
+    program_.equalityRhs = rhs.head(system.equalities);
+    program_.inequalities = (-all.bottomRows(below)).sparseView();
+    program_.inequalityRhs = -rhs.tail(below);
+}
+
+bool NetworkPoints::addStrains(const Eigen::VectorXd& z, double limit)
+{
+    const bool isBroken = addBrokenStrains(rows_, blocks_, *kernel_, limit,
+                                           Eigen::VectorXd(z.head(rows_.system.rows.cols())),
+                                           steadyInputs(*kernel_)) > 0;
+    limits_.resize(rows_.conditions.size(), limit);
+    return isBroken;
 }
 
 NetworkPoint NetworkPoints::solved(const std::string& solver)
@@ -55,12 +78,51 @@ NetworkPoint NetworkPoints::solved(const std::string& solver)
         point = solvedOnce(solver);
         iterations += point.iterations;
         point.iterations = iterations;
-        if (!point.detail.empty() ||
-            addBrokenStrains(rows_, blocks_, *kernel_, point.z, steadyInputs(*kernel_)) == 0) {
+        if (!point.detail.empty() || !addStrains(point.z, blocks_.network().strainLimit) ||
+            isOver(point)) {
             return point;
         }
         enterRows();
     }
+}
+
+NetworkPoint NetworkPoints::leastStrained()
+{
+    // One more unknown, the limit, is to be least. What it allows at first is all.
+    constexpr double rounding = 1e-9;
+    const Eigen::Index unknowns = rows_.system.rows.cols();
+    program_ = emptyProgram(unknowns + 1);
+    program_.lower[unknowns] = 0.0;
+    program_.linear[unknowns] = 1.0;
+    NetworkPoint point;
+    std::int64_t iterations = 0;
+    for (;;) {
+        enterRows();
+        point = solvedOnce(options_.solver);
+        iterations += point.iterations;
+        point.iterations = iterations;
+        if (!point.detail.empty()) {
+            return point;
+        }
+        const double limit = point.z[unknowns] * (1.0 + rounding);
+        if (!addStrains(point.z, limit)) {
+            point.z.conservativeResize(unknowns);
+            return point;
+        }
+        if (isOver(point)) {
+            return point;
+        }
+    }
+}
+
+bool NetworkPoints::isOver(NetworkPoint& point) const
+{
+    const bool isLate = watch_.seconds() > options_.timeLimit;
+    if (isLate || isRequested(options_.cancel)) {
+        point.detail =
+            isLate ? "the time limit was reached while limits on strain were added" : "cancelled";
+    }
+    return !point.detail.empty();
 }
 
 NetworkPoint NetworkPoints::solvedOnce(const std::string& solver) const
@@ -90,6 +152,9 @@ NetworkPoint NetworkPoints::solvedOnce(const std::string& solver) const
 
 NetworkPoint NetworkPoints::extreme(Objective objective)
 {
+    if (kernel_ && objective == Objective::minPeakStrain) {
+        return leastStrained();
+    }
     program_.linear.setZero();
     program_.quadratic.resize(0);
     if (objective == Objective::minEnergy) {

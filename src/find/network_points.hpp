@@ -26,7 +26,8 @@ public:
     /// O(state^3) for each block.
     NetworkPoints(const NetworkBlocks& blocks, const FindOptions& options);
 
-    /// The motion of least energy, or of most impulse. \throws BackendUnavailable
+    /// The motion of least energy, of most impulse, or whose deepest compression is least (then of
+    /// blocks of single residues). \throws BackendUnavailable
     [[nodiscard]] NetworkPoint extreme(Objective objective);
     /// A motion of an energy [Z_1 delta^2/h], between that of least energy, whose waves are known,
     /// and one of more: the set is convex and the energy grows on the way. Those of more are
@@ -39,13 +40,20 @@ private:
     /// Of the program, and of the limit on strain, whose rows are added as they are broken.
     [[nodiscard]] NetworkPoint solved(const std::string& solver);
     [[nodiscard]] NetworkPoint solvedOnce(const std::string& solver) const;
+    [[nodiscard]] NetworkPoint leastStrained();
+    /// Is the time over? Enters it.
+    [[nodiscard]] bool isOver(NetworkPoint& point) const;
     void enterRows();
+    /// Rows of a limit that the waves at z break. Are there any?
+    bool addStrains(const Eigen::VectorXd& z, double limit);
 
     const NetworkBlocks& blocks_;
     const FindOptions& options_;
     std::optional<NetworkKernel<double>> kernel_;  ///< if within reach
     NetworkRows<double> rows_ = {};
+    std::vector<double> limits_ = {};  ///< on strain, with which rows were made
     Program program_ = {};
+    Stopwatch watch_ = {};
 };
 
 }  // namespace signorini

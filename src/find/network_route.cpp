@@ -189,6 +189,11 @@ private:
         if (options_.objective == Objective::nearest) {
             return nearestMotion();
         }
+        if (options_.objective == Objective::minPeakStrain) {
+            const NetworkBlocks single(blocks_.network(), blocks_.schedule(), false);
+            NetworkPoints points(single, options_);
+            return entered(points.extreme(options_.objective), points);
+        }
         const bool isOther =
             options_.objective == Objective::maxImpulse ||
             (options_.objective == Objective::minEnergy && options_.solver != automaticChoice);
@@ -292,8 +297,9 @@ void requireKnownOfJoints(const Schedule& schedule, const FindOptions& options)
     const Objective objective = options.objective;
     if (objective != Objective::automatic && objective != Objective::any &&
         objective != Objective::minEnergy && objective != Objective::maxImpulse &&
-        objective != Objective::nearest) {
-        refuse("objective", name(objective), "auto|any|min-energy|max-impulse|nearest");
+        objective != Objective::minPeakStrain && objective != Objective::nearest) {
+        refuse("objective", name(objective),
+               "auto|any|min-energy|max-impulse|min-peak-strain|nearest");
     }
     if (options.energyRatio && objective != Objective::automatic && objective != Objective::any) {
         refuse("objective", name(objective), "auto|any when an energy is held,");

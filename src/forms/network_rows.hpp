@@ -48,12 +48,12 @@ template <typename Number>
 [[nodiscard]] NetworkRows<Number> rowsOf(const NetworkBlocks& blocks,
                                          const NetworkKernel<Number>& kernel);
 
-/// Adds rows of the limit on strain that the waves at z break, driven by inputs, the most broken
-/// ones first; none: there is nothing to add. Rows that are there already are not added again.
+/// Adds rows of strain >= -limit that the waves at z break, driven by inputs, the most broken ones
+/// first; none: there is nothing to add. Rows that are there already are not added again.
 /// O(n N) for each row of cells. \pre blocks of single residues.
 template <typename Number>
 [[nodiscard]] std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blocks,
-                                           const NetworkKernel<Number>& kernel,
+                                           const NetworkKernel<Number>& kernel, double limit,
                                            const VectorOf<Number>& z,
                                            const VectorOf<Number>& inputs);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "network_rows.hpp"
@@ -10,17 +12,22 @@ namespace {
 
 constexpr std::size_t mostAdded = 64;  // rows, at once
 template <typename Number>
-constexpr double metStrain = isFine<Number> ? 1e-28 : 2e-10;  // a row broken by less is met
+constexpr double metStrain = isFine<Number> ? 1e-14 : 2e-10;  // a row broken by less is met
 template <typename Number>
 constexpr double noCoefficient = isFine<Number> ? 1e-35 : 1e-11;  // of two waves of size 1
+
+/// Row of cells and steps of a limit that is there already.
+using KnownStrains = std::set<std::tuple<std::size_t, std::int64_t, std::int64_t>>;
 
 /// What arrives at both ends of a row of cells.
 template <typename Number>
 class StrainRows {
 public:
-    StrainRows(const NetworkBlocks& blocks, const NetworkKernel<Number>& kernel, std::size_t row)
+    StrainRows(const NetworkBlocks& blocks, const NetworkKernel<Number>& kernel, double limit,
+               std::size_t row)
         : blocks_(blocks),
           kernel_(kernel),
+          limit_(limit),
           row_(row),
           steps_(blocks.turns() * blocks.unit()),
           firsts_{0}
@@ -31,9 +38,10 @@ public:
     }
 
     /// For each wave that arrives on the right the one from the left with which it breaks the limit
-    /// most, and by how much.
+    /// most, and by how much, but for what is known.
     void collect(std::vector<std::pair<double, StrainMultiplier>>& broken,
-                 const VectorOf<Number>& z, const VectorOf<Number>& inputs) const
+                 const VectorOf<Number>& z, const VectorOf<Number>& inputs,
+                 const KnownStrains& known) const
     {
         const std::vector<double> rights = arriving(2 * row_, z, inputs);
         const std::vector<double> lefts = arriving(2 * row_ + 1, z, inputs);
@@ -48,10 +56,11 @@ public:
             std::pair<double, StrainMultiplier> most{0.0, {row_, p, p, 0.0}};
             for (std::int64_t k = 0; k < all; ++k) {
                 const std::int64_t q = around(p + k - cells);
-                const double least = *leastDifference(network, row_, p, q, steps_);
+                const double least = *leastDifference(network, limit_, row_, p, q, steps_);
                 const double missing = least - (lefts[static_cast<std::size_t>(q)] -
                                                 rights[static_cast<std::size_t>(p)]);
-                if (missing > std::max(most.first, metStrain<Number> * (size + std::abs(least)))) {
+                if (missing > std::max(most.first, metStrain<Number> * (size + std::abs(least))) &&
+                    !known.contains({row_, p, q})) {
                     most = {missing, {row_, p, q, 0.0}};
                 }
             }
@@ -112,6 +121,7 @@ private:
 
     const NetworkBlocks& blocks_;
     const NetworkKernel<Number>& kernel_;
+    double limit_;
     std::size_t row_;
     std::int64_t steps_;
     std::vector<Eigen::Index> firsts_;  ///< coordinate of each type, and how many there are
@@ -121,26 +131,23 @@ private:
 
 template <typename Number>
 std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blocks,
-                             const NetworkKernel<Number>& kernel, const VectorOf<Number>& z,
-                             const VectorOf<Number>& inputs)
+                             const NetworkKernel<Number>& kernel, double limit,
+                             const VectorOf<Number>& z, const VectorOf<Number>& inputs)
 {
     const Network& network = blocks.network();
-    if (network.strainLimit == infinity) {
+    if (limit == infinity) {
         return 0;
+    }
+    KnownStrains known;
+    for (const BlockCondition& of : rows.conditions) {
+        if (of.kind == BlockCondition::Kind::strain) {
+            known.emplace(of.contact, static_cast<std::int64_t>(of.type), of.turn);
+        }
     }
     std::vector<std::pair<double, StrainMultiplier>> broken;
     for (std::size_t row = 0; row < network.rows.size(); ++row) {
-        StrainRows<Number>(blocks, kernel, row).collect(broken, z, inputs);
+        StrainRows<Number>(blocks, kernel, limit, row).collect(broken, z, inputs, known);
     }
-    std::erase_if(broken, [&rows](const auto& one) {
-        return std::any_of(rows.conditions.begin(), rows.conditions.end(),
-                           [&one](const BlockCondition& known) {
-                               return known.kind == BlockCondition::Kind::strain &&
-                                      known.contact == one.second.row &&
-                                      known.type == static_cast<std::size_t>(one.second.right) &&
-                                      known.turn == one.second.left;
-                           });
-    });
     std::sort(broken.begin(), broken.end(),
               [](const auto& one, const auto& other) { return one.first > other.first; });
     broken.resize(std::min(broken.size(), mostAdded));
@@ -152,10 +159,11 @@ std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blo
     rows.driven.conservativeResize(next + added, Eigen::NoChange);
     const std::int64_t steps = blocks.turns() * blocks.unit();
     for (const auto& [missing, one] : broken) {
-        const auto [row, driven] = StrainRows<Number>(blocks, kernel, one.row).difference(one);
+        const auto [row, driven] =
+            StrainRows<Number>(blocks, kernel, limit, one.row).difference(one);
         system.rows.row(next) = row.transpose();
         rows.driven.row(next) = driven.head(rows.driven.cols()).transpose();
-        system.rhs[next] = *leastDifference(network, one.row, one.right, one.left, steps);
+        system.rhs[next] = *leastDifference(network, limit, one.row, one.right, one.left, steps);
         if (kernel.hasForces) {
             system.rhs[next] -= driven[driven.size() - 1];
         }
@@ -167,10 +175,10 @@ std::size_t addBrokenStrains(NetworkRows<Number>& rows, const NetworkBlocks& blo
 }
 
 template std::size_t addBrokenStrains(NetworkRows<double>&, const NetworkBlocks&,
-                                      const NetworkKernel<double>&, const VectorOf<double>&,
+                                      const NetworkKernel<double>&, double, const VectorOf<double>&,
                                       const VectorOf<double>&);
 template std::size_t addBrokenStrains(NetworkRows<FineNumber>&, const NetworkBlocks&,
-                                      const NetworkKernel<FineNumber>&, const VectorOf<FineNumber>&,
-                                      const VectorOf<FineNumber>&);
+                                      const NetworkKernel<FineNumber>&, double,
+                                      const VectorOf<FineNumber>&, const VectorOf<FineNumber>&);
 
 }  // namespace signorini

@@ -175,8 +175,8 @@ double addDistance(std::span<double> derivatives, const Network& network, std::s
     return byBase;
 }
 
-std::optional<double> leastDifference(const Network& network, std::size_t row, std::int64_t right,
-                                      std::int64_t left, std::int64_t steps)
+std::optional<double> leastDifference(const Network& network, double limit, std::size_t row,
+                                      std::int64_t right, std::int64_t left, std::int64_t steps)
 {
     const CellRow& of = network.rows[row];
     // They pass d/2 cells to the right of the middle, -N <= d <= N, d = left - right or periods
@@ -186,12 +186,14 @@ std::optional<double> leastDifference(const Network& network, std::size_t row, s
         return std::nullopt;
     }
     const std::int64_t most = least + (of.cells - least) / steps * steps;
-    // Weight stretches a cell there by so much less than in the middle.
+    // Weight stretches a cell there by so much less than in the middle; they meet on a whole cell.
     const double weight =
-        0.5 * network.gravity * static_cast<double>(network.gravity > 0.0 ? most : least);
+        0.5 * network.gravity *
+        static_cast<double>(network.gravity > 0.0 ? std::min(most + 1, of.cells)
+                                                  : std::max(least - 1, -of.cells));
     const double rest = (network.nodes[of.right].rest - network.nodes[of.left].rest) /
                         static_cast<double>(of.cells);
-    return weight - rest - network.strainLimit * of.speed;
+    return weight - rest - limit * of.speed;
 }
 
 Network withoutForces(Network network)

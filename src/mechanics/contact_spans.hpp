@@ -78,12 +78,12 @@ struct StepDrive {
 double addDistance(std::span<double> derivatives, const Network& network, std::size_t contact,
                    double factor);
 
-/// What the limit on strain asks of two waves of a row that arrive at its right end and at its left
+/// What strain >= -limit asks of two waves of a row that arrive at its right end and at its left
 /// end in these steps of a period: l - r is this or more. None: they do not pass each other. O(1).
 /// \pre steps of the period.
-[[nodiscard]] std::optional<double> leastDifference(const Network& network, std::size_t row,
-                                                    std::int64_t right, std::int64_t left,
-                                                    std::int64_t steps);
+[[nodiscard]] std::optional<double> leastDifference(const Network& network, double limit,
+                                                    std::size_t row, std::int64_t right,
+                                                    std::int64_t left, std::int64_t steps);
 
 /// The same without constant forces.
 [[nodiscard]] Network withoutForces(Network network);

@@ -125,11 +125,13 @@ class Claim:
 
     def least_difference(self, row, right, left):
         """What the limit, less the shape under weight, asks of l - r where these waves meet."""
-        bars = self.bars
+        bars, cells = self.bars, self.bars.rows[row].cells
         asked = -self.limit * bars.rows[row].speed * bars.speed * bars.step / bars.delta
         stretched = bars.rest[bars.rows[row].right] - bars.rest[bars.rows[row].left]
-        return asked - stretched / bars.rows[row].cells + max(
-            bars.gravity * apart / 2 for apart in self.strains.apart(row, right, left))
+        # They meet on a whole cell, with weight at one of its ends.
+        return asked - stretched / cells + max(
+            bars.gravity * min(max(apart + end, -cells), cells) / 2
+            for apart in self.strains.apart(row, right, left) for end in (-1, 1))
 
     def norm_square(self, eta):
         """sum eta^2/Z, less what ties take: they are 0 for every motion, so multiples of them may be added."""

@@ -76,8 +76,10 @@ def require_driven(bars, force):
 
 def check_scene_forced(answer):
     """What an answer of `find --scene ... --force` proves, in a sentence. NoProof if it proves nothing."""
-    require_keys(answer, "answer", SAID)
+    require_keys(answer, "answer", SAID, ("strain_limit",))
     claim, certificate = Claim(answer), answer["certificate"]
+    if isinstance(certificate, dict) and answer.get("strain_limit") != certificate.get("strain_limit"):
+        raise NoProof("strain_limit: allowed that of the certificate")
     require_keys(certificate, "certificate", ("kind", "verified", "rows", "cuts"), ("strain_limit",))
     cycles, force, lists = integer(answer["cycles"], "cycles"), answer["force"], certificate["cuts"]
     if answer["status"] != "none" or force not in ("tip", "base") or not 1 <= 2 * cycles < len(claim.closed) or \

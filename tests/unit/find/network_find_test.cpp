@@ -170,8 +170,9 @@ TEST_CASE("network find: held energies, most impulses and the nearest motions of
         }
     }
     CHECK(found > 10);
-    CHECK_THROWS_WITH(wished(2, 14, {Objective::maxEnergy, {}, {}}),
-                      containsText("allowed auto|any|min-energy|max-impulse|nearest"));
+    CHECK_THROWS_WITH(
+        wished(2, 14, {Objective::maxEnergy, {}, {}}),
+        containsText("allowed auto|any|min-energy|max-impulse|min-peak-strain|nearest"));
     CHECK_THROWS_WITH(wished(2, 14, {Objective::minEnergy, 1.0, {}}), containsText("is held"));
 }
 

@@ -244,6 +244,51 @@ TEST_CASE("network strain: two bars keep the limits that a program written here 
     CHECK(limited > 50);
 }
 
+TEST_CASE("network strain: the least compression of two bars is what a program written here says",
+          "[glpk]")
+{
+    std::mt19937_64 generator(20261127);
+    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
+        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+    };
+    int less = 0;
+    for (int k = 0; k < 600; ++k) {
+        const std::int64_t left = draw(1, 5);
+        const std::int64_t right = draw(1, 5);
+        const double impedance = std::vector{0.5, 1.0, 2.0}[static_cast<std::size_t>(draw(0, 2))];
+        const std::int64_t contact = draw(1, 2 * (left + right));
+        const std::int64_t free = 2 * (left + right) * draw(1, 3) - contact;
+        if (free < 1) {
+            continue;
+        }
+        const Network network =
+            sceneOf("clamp " + std::to_string(left) + " gap=1e-3 " + std::to_string(right) + ":" +
+                    std::to_string(impedance) + " clamp");
+        const auto known = TwoBars(static_cast<std::size_t>(left), static_cast<std::size_t>(right),
+                                   impedance, 1.0, network.contacts.front().gap)
+                               .leastLimit(contact, free);
+        if (!known) {
+            continue;
+        }
+        const std::vector<ContactSpan> schedule{{1, contact}, {0, free}};
+        const double largest = 1e9 * static_cast<double>(network.cells());
+        const LeastMotion answer =
+            wishedMotion(network, schedule, largest, {.objective = Objective::minPeakStrain}, {});
+        INFO(left << " " << right << ":" << impedance << ", " << contact << " " << free << ": "
+                  << answer.detail);
+        REQUIRE(answer.status == Status::found);
+        const double seen = -answer.residuals.extremes.leastStrain;
+        CHECK(seen == Approx(*known).epsilon(1e-7));
+        REQUIRE(answer.provedStrain.has_value());
+        CHECK(*answer.provedStrain == Approx(*known).epsilon(2e-6));
+        CHECK(*answer.provedStrain < *known);
+        const LeastMotion whole = within(network, infinity, contact, free);
+        less += seen < -whole.residuals.extremes.leastStrain * (1.0 - 1e-6) ? 1 : 0;
+    }
+    INFO(less << " motions of least energy are compressed by more");
+    CHECK(less > 10);
+}
+
 TEST_CASE("network strain: bars under weight and forces, on springs and in flight are decided, too")
 {
     struct Bars {

@@ -507,8 +507,8 @@ TEST_CASE("stepped: what is not known of such bars is refused in a sentence")
                       containsText("for a bar of several segments"));
     CHECK_THROWS_WITH(find([](auto& o) { o.formulation = Formulation::state; }),
                       containsText("formulation = state"));
-    CHECK_THROWS_WITH(find([](auto& o) { o.objective = Objective::minPeakStrain; }),
-                      containsText("objective = min-peak-strain"));
+    CHECK_THROWS_WITH(find([](auto& o) { o.objective = Objective::maxEnergy; }),
+                      containsText("objective = max-energy"));
     CHECK_THROWS_WITH(find([](auto& o) { o.scene.bar.gap = 0.0; }), containsText("gap = 0"));
     CHECK_THROWS_WITH(findPeriodic(8, 24, 9, optionsFor(halves)),
                       containsText("cells of all segments = 8"));
