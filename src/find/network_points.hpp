@@ -9,6 +9,7 @@
 #include "network_rows.hpp"
 #include "network_walk.hpp"
 #include "program.hpp"
+#include "request.hpp"
 #include "signorini/find_periodic.hpp"
 
 namespace signorini {
