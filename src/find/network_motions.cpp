@@ -104,9 +104,10 @@ private:
             result_.kernelDimension = kernel->dimension;
         }
         NetworkRows<Number> rows = rowsOf(blocks_, *kernel);
-        VectorOf<Number> from = VectorOf<Number>::Zero(rows.system.rows.cols());
+        // Waves that constant forces make are part of the energy, and of the way to a target.
+        VectorOf<Number> from = -steadyCoordinates(blocks_, *kernel);
         if (demands_.target) {
-            from = coordinatesOf(blocks_, *kernel, *demands_.target);
+            from += coordinatesOf(blocks_, *kernel, *demands_.target);
         }
         RowSystemOf<Number> system;
         LeastNormOf<Number> least;
@@ -210,6 +211,18 @@ template VectorOf<double> coordinatesOf(const NetworkBlocks&, const NetworkKerne
                                         std::span<const double>);
 template VectorOf<FineNumber> coordinatesOf(const NetworkBlocks&, const NetworkKernel<FineNumber>&,
                                             std::span<const double>);
+
+template <typename Number>
+VectorOf<Number> steadyCoordinates(const NetworkBlocks& blocks, const NetworkKernel<Number>& kernel)
+{
+    const VectorOf<Number> none = VectorOf<Number>::Zero(kernel.coordinates());
+    return kernel.hasForces
+               ? coordinatesOf(blocks, kernel, wavesAt(blocks, kernel, none, steadyInputs(kernel)))
+               : none;
+}
+template VectorOf<double> steadyCoordinates(const NetworkBlocks&, const NetworkKernel<double>&);
+template VectorOf<FineNumber> steadyCoordinates(const NetworkBlocks&,
+                                                const NetworkKernel<FineNumber>&);
 
 double energyOf(const Network& network, std::span<const double> waves)
 {

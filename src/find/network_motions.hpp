@@ -64,6 +64,12 @@ template <typename Number>
                                              const NetworkKernel<Number>& kernel,
                                              std::span<const double> waves);
 
+/// The same of the waves that constant forces make alone: at t = 0 these need not be at right
+/// angles to the kernel, as forces work on waves on their way from node to node.
+template <typename Number>
+[[nodiscard]] VectorOf<Number> steadyCoordinates(const NetworkBlocks& blocks,
+                                                 const NetworkKernel<Number>& kernel);
+
 /// sum Z x^2 of waves in the order of `Network::waves`, or of none.
 [[nodiscard]] double energyOf(const Network& network, std::span<const double> waves);
 

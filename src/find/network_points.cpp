@@ -179,12 +179,15 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted, std::span<const double> leas
         least.detail = outOfReach;
         return least;
     }
+    // With z counted from what constant forces make of it the energy is |z|^2 and what is left of
+    // theirs.
+    const Eigen::VectorXd made = steadyCoordinates(blocks_, *kernel_);
     least.z = coordinatesOf(blocks_, *kernel_, leastWaves);
-    // Waves that constant forces make are at right angles to free ones.
     const double asked = wanted;
-    const double steady = energyOf(
-        blocks_.network(),
-        wavesAt(blocks_, *kernel_, Eigen::VectorXd(0.0 * least.z), steadyInputs(*kernel_)));
+    const double steady =
+        energyOf(blocks_.network(), wavesAt(blocks_, *kernel_, Eigen::VectorXd(0.0 * least.z),
+                                            steadyInputs(*kernel_))) -
+        made.squaredNorm();
     wanted -= steady;
     const double lowest = least.z.squaredNorm();
     if (wanted < lowest - options_.tolerance * asked) {
@@ -198,23 +201,24 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted, std::span<const double> leas
     program_.quadratic.resize(0);
     // No motion of the energy is outside of this box, and every vertex on its faces has more.
     const double most = std::sqrt(std::max(wanted, lowest)) * (1.0 + 1e-6);
-    program_.lower.setConstant(program_.variables(), -most);
-    program_.upper.setConstant(program_.variables(), most);
+    program_.lower = -made.array() - most;
+    program_.upper = -made.array() + most;
     for (int k = 0; k < directions && wanted > lowest; ++k) {
         Eigen::VectorXd& cost = program_.linear;
         for (Eigen::Index i = 0; i < cost.size(); ++i) {
             cost[i] = std::cos(static_cast<double>((i + 1) * (k + 1)));
         }
         for (double reached = -1.0;;) {
-            const NetworkPoint vertex = solved(options_.solver);
+            NetworkPoint vertex = solved(options_.solver);
             if (!vertex.detail.empty()) {
                 break;
             }
+            vertex.z += made;
             least.iterations += vertex.iterations;
             const double found = vertex.z.squaredNorm();
             highest = std::max(highest, found);
             if (found >= wanted) {
-                least.z = between(least.z, vertex.z, wanted);
+                least.z = between(least.z, vertex.z, wanted) - made;
                 least.solver = vertex.solver;
                 return least;
             }
@@ -231,6 +235,7 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted, std::span<const double> leas
             "there is none above",
             (highest + steady) / asked);
     }
+    least.z -= made;
     return least;
 }
 

@@ -151,22 +151,44 @@ private:
                                                       options_.tipFloor - options_.tolerance);
             if (auto exact = proofOf(namedExactly(least, relaxed), relaxed)) {
                 request_.known.set.kind = SetKind::empty;
-                return Absence{
-                    reasonOf(least, blocks_),
-                    SteppedProof{std::move(*exact), options_.tipFloor, options_.tolerance}};
+                return Absence{reasonFor(least), SteppedProof{std::move(*exact), options_.tipFloor,
+                                                              options_.tolerance}};
             }
         }
         if (least.status == Status::undecided) {
             return fmt::format("active-set: {}", least.detail);
         }
         if (least.status == Status::none) {
-            const Reason reason = reasonOf(least, blocks_);
+            const Reason reason = reasonFor(least);
             if (reason != Reason::constraints) {
                 request_.known.set.kind = SetKind::empty;
             }
             return absenceOf(least, reason);
         }
         return motionFrom(least);
+    }
+
+    /// Where a floor under the tip is among what contradicts itself, motions may be there without.
+    [[nodiscard]] Reason reasonFor(const LeastMotion& least) const
+    {
+        const std::size_t floor = blocks_.network().contacts.size() - 1;
+        const bool isFloor =
+            std::isfinite(options_.tipFloor) &&
+            std::any_of(least.conditions.begin(), least.conditions.end(),
+                        [floor](const BlockCondition& of) {
+                            return of.kind == BlockCondition::Kind::place && of.contact == floor;
+                        });
+        if (isFloor) {
+            LeastDemands any = demands();
+            any.relaxed = nullptr;
+            const NetworkBlocks without(
+                networkOf(request_.schedule, options_.scene, -infinity, infinity),
+                blocks_.schedule());
+            if (leastMotion(without, any).status == Status::found) {
+                return Reason::constraints;
+            }
+        }
+        return reasonOf(least, blocks_);
     }
 
     [[nodiscard]] Absence absenceOf(LeastMotion& least, Reason reason) const

@@ -136,8 +136,8 @@ struct Network {
     std::vector<NetworkBar> bars;
     NetworkScales scales = {};
     double gravity = 0.0;  ///< by which `rest` was found [delta/h^2]
-    /// S > 0: only motions with (l - r)/speed >= -S everywhere are asked for, the shape under weight
-    /// included. Nothing that moves knows of it.
+    /// S > 0: only motions with (l - r)/speed >= -S everywhere are asked for, the shape under
+    /// weight included. Nothing that moves knows of it.
     double strainLimit = infinity;
 
     /// M, of all rows.

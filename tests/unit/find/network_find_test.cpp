@@ -302,6 +302,28 @@ TEST_CASE("network find: a bar bounces under its weight, and no motion has less 
     }
 }
 
+TEST_CASE("network find: under constant forces the least energy found is the one that is proved")
+{
+    int found = 0;
+    for (const char* words :
+         {"clamp 5 force=1e-3 gap=1e-3 5 clamp", "clamp 2 force=1e-3 3 gap=1e-3 5 clamp",
+          "clamp 5 gap=1e-3 force=1e-3 4:2 clamp", "clamp 5 force=1e-3 stop=1e-3 5 clamp",
+          "clamp 3 force=2e-3 3:0.5 stop=1e-3"}) {
+        for (std::int64_t contact = 1; contact < 6; ++contact) {
+            for (const std::int64_t steps : {12, 18, 20, 24}) {
+                const LeastMotion least = asked(sceneOf(words), contact, steps - contact);
+                INFO(words << ": " << contact << " of " << steps << ": " << least.detail);
+                CHECK(least.status != Status::undecided);
+                if (least.status == Status::found) {
+                    ++found;
+                    CHECK(least.provedEnergy == Approx(least.energy).epsilon(1e-7));
+                }
+            }
+        }
+    }
+    CHECK(found > 20);
+}
+
 TEST_CASE("network find: between two walls each side is met, however long a bar flies")
 {
     const Network network = sceneOf("stop=-1e-3 3 stop=1e-3");
