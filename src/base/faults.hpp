@@ -37,7 +37,7 @@ inline std::string shortened(std::string_view text, std::size_t most = 60)
 
 /// What is wrong with a value: how it reads where some are allowed, and where none is.
 inline constexpr std::string_view outOfRange = " is out of range: allowed ";
-inline constexpr std::string_view notApplied = " does not apply";
+inline constexpr std::string_view notApplied = " is not allowed";
 
 /// One line per check: field, value, allowed range ("none", and where, if no value is), and what to
 /// do about it.
