@@ -152,7 +152,6 @@ class SceneForcedProof(TypedDict):
     kind: str
     verified: bool
     rows: str
-    strain_limit: NotRequired[float]
     cuts: list[EnergyFloor]
 
 class SceneSet(TypedDict):

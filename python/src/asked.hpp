@@ -91,7 +91,8 @@ public:
     [[nodiscard]] Damping damping() const
     {
         const Damping damping{get<double>("damping")};
-        warnIf(damping.ratio > 1.0, "damping above 1: percent are \"5%\" or 0.05");
+        warnIf(damping.ratio > answers::likelyPercent,
+               "damping above 1: percent are \"5%\" or 0.05");
         return damping;
     }
     /// Of "words", with the scales of "scene" and "gravity". \throws std::invalid_argument.

@@ -151,10 +151,10 @@ ResponseAnswer responseAsked(const Asked& asked)
     try {
         (void)stepsOf(answer.range);
     } catch (const std::invalid_argument& error) {
-        constexpr double high = 10.0;
         const double most = answer.range.mostFrequencyRatio;
         throw std::invalid_argument(
-            most < high || !std::string_view(error.what()).starts_with("frequency ratios")
+            most < answers::likelyHertz ||
+                    !std::string_view(error.what()).starts_with("frequency ratios")
                 ? error.what()
                 : fmt::format("{}; {:.6g} [omega_1] looks like Hz: to=\"{:.6g}Hz\"", error.what(),
                               most, most));

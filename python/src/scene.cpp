@@ -26,7 +26,7 @@ void addBar(py::module_& module)
             Bar bar{.length = quantityOf("length", length),
                     .gap = quantityOf("gap", gap),
                     .young = quantityOf("young", young)};
-            warnIf(bar.young && *bar.young < 1e5,
+            warnIf(bar.young && *bar.young < answers::softestModulus,
                    "young is softer than rubber: GPa are \"210GPa\"");
             if (density || area) {
                 if (!young || !density || !area) {

@@ -68,6 +68,12 @@ struct Option {
     [[nodiscard]] bool fits(double value) const;
 };
 
+/// What is hardly meant, but in other units: hertz from this ω/ω₁ on, GPa or MPa below this
+/// many Pa, percent above this damping ratio.
+inline constexpr double likelyHertz = 10.0;
+inline constexpr double softestModulus = 1e5;  // rubber is ten times as stiff
+inline constexpr double likelyPercent = 1.0;
+
 /// All of them, in the order of the help.
 [[nodiscard]] std::span<const Option> options();
 

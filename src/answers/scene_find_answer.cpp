@@ -151,7 +151,7 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
                              .motions = {},
                              .strainLimit = strainLimitOf(network, assembly)};
     if (set.status == Status::none) {
-        answer.cuts = SceneCuts{false, set.cuts, answer.strainLimit};
+        answer.cuts = SceneCuts{false, set.cuts};
     }
     if (set.status != Status::found) {
         return answer;
@@ -172,7 +172,7 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
         const AmplitudeExclusion exclusion = exclusionOf(set, *amplitude / unit);
         answer.decided = exclusion.isCertain ? Status::none : Status::undecided;
         if (exclusion.isCertain) {
-            answer.cuts = SceneCuts{true, exclusion.cuts, answer.strainLimit};
+            answer.cuts = SceneCuts{true, exclusion.cuts};
         } else {
             answer.detail = "conditions exclude this amplitude by no more than rounding can do";
         }

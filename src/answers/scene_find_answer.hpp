@@ -135,7 +135,6 @@ struct SceneCuts {
     static constexpr bool isDictionary = true;
     bool isOfAmplitude = false;
     std::vector<EnergyFloor> cuts;
-    std::optional<double> strainLimit = {};  ///< [-], that it rests on
 };
 
 /// Of a schedule whose driven nodes, or shaken clamps, are excited.
@@ -240,7 +239,6 @@ void describe(D& d, Type<SceneCuts>)
           [](const T& c) { return c.isOfAmplitude ? "amplitude-range" : "forced"; });
     d.key("verified", "-", "By stepping backwards in time.", [](const T&) { return true; });
     d.key("rows", "-", "What the multipliers refer to.", [](const T&) { return "network"; });
-    d.key("strain_limit", "- > 0", "That the proof rests on.", &T::strainLimit, When::any);
     d.key("cuts", "-", "[dict, ...]: multipliers.", &T::cuts);
 }
 

@@ -332,7 +332,7 @@ std::string CommonOptions::restated(std::optional<std::int64_t> grid,
             pieces().cells, 100.0 * pieces().rounding);
     }
     text += youngNote(young_);
-    if (damping && *damping > 1.0) {
+    if (damping && *damping > answers::likelyPercent) {
         text +=
             fmt::format("note        ζ = {0:.6g} is {1:.6g} %: {0:.6g} % are --damping {2:.6g}\n",
                         *damping, *damping * 100.0, *damping / 100.0);

@@ -139,10 +139,9 @@ void FindCommand::warn(const Physical& physical) const
 {
     common.warnUnlessAdmissible(physical);
     if (yieldStress && *physical.peakStress > *yieldStress) {
-        constexpr double softest = 1e5;  // of what is meant in Pa
         common.say(fmt::format("the stress reaches {:.6g} Pa, beyond --yield-stress {:.6g} Pa{}",
                                *physical.peakStress, *yieldStress,
-                               *yieldStress < softest
+                               *yieldStress < answers::softestModulus
                                    ? fmt::format(" ({0:.6g} MPa are {0:.6g}MPa)", *yieldStress)
                                    : ""));
     }

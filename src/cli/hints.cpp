@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "options.hpp"
+
 namespace signorini::cli {
 
 namespace {
@@ -78,18 +80,17 @@ std::string sizeOf(const Bar& bar)
 std::string looksLikeHertz(std::string_view option, double ratio, double hertz,
                            const std::string& size)
 {
-    constexpr double high = 10.0;
-    return ratio < high ? ""
-                        : fmt::format(
-                              "; {0:.6g} looks like Hz: ω₁ is {1:.6g} Hz ({2}), so it is "
-                              "{3} {0:.6g}Hz, or {3} {4:.6g}",
-                              ratio, hertz, size, option, ratio / hertz);
+    return ratio < answers::likelyHertz
+               ? ""
+               : fmt::format(
+                     "; {0:.6g} looks like Hz: ω₁ is {1:.6g} Hz ({2}), so it is "
+                     "{3} {0:.6g}Hz, or {3} {4:.6g}",
+                     ratio, hertz, size, option, ratio / hertz);
 }
 
 std::string youngNote(const std::optional<double>& young)
 {
-    constexpr double softest = 1e5;  // Pa; rubber is ten times as stiff
-    return young && *young < softest
+    return young && *young < answers::softestModulus
                ? fmt::format(
                      "note        E = {0:.6g} Pa is softer than rubber: {0:.6g} GPa are "
                      "--young {1:.6g}\n",

@@ -97,7 +97,6 @@ struct Worker {
 /// meant.
 void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
 {
-    constexpr double high = 10.0;
     const double hertz = firstHertz(bar);
     const FrequencyOption from(given, "--from", "--from-hertz");
     const FrequencyOption to(given, "--to", "--to-hertz");
@@ -110,7 +109,7 @@ void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
     const double fewest = 2.0 * static_cast<double>(range.cycles);  // steps
     const bool isAbove = unit / most <= fewest;
     const double first = std::max(std::ceil(unit / most), fewest);
-    if (least < high || (!isAbove && first <= std::floor(unit / least))) {
+    if (least < answers::likelyHertz || (!isAbove && first <= std::floor(unit / least))) {
         return;
     }
     const auto [name, text] = typedEnd(given, isAbove ? "--to" : "--from");
@@ -118,9 +117,8 @@ void takeFrequencies(const Given& given, ResponseRange& range, const Bar& bar)
     std::string allowed =
         isAbove ? fmt::format("below {:.6g} [ω₁] on {} cells", unit / fewest, range.cells)
                 : "4NK/n for some whole n, n > 2K [ω₁]";
-    const std::string size = fmt::format("ω₁ is {:.6g} Hz ({})", hertz, sizeOf(bar));
     if (wrong.hertz) {
-        allowed += "; " + size;
+        allowed += fmt::format("; ω₁ is {:.6g} Hz ({})", hertz, sizeOf(bar));
     } else if (wrong.ratio) {
         allowed += looksLikeHertz(name, *wrong.ratio, hertz, sizeOf(bar));
     }

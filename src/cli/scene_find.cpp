@@ -100,6 +100,13 @@ std::string asText(const answers::SceneStrains& strains)
                        strains.stress ? fmt::format("; stress {:.6g} Pa", *strains.stress) : "");
 }
 
+std::string limitText(const std::optional<double>& strainLimit)
+{
+    return strainLimit
+               ? fmt::format("limit       strain >= -{:.6g} everywhere, always\n", *strainLimit)
+               : "";
+}
+
 void requireStress(const FindCommand& call, const Assembly& assembly)
 {
     Bar bar;

@@ -18,10 +18,7 @@ std::string asText(const answers::SceneForcedAnswer& answer, const SceneFind& of
     text += fmt::format("excitation  {}, {:.6g} Hz\n",
                         isForce ? "force on what is driven" : "displacement of the base",
                         answer.frequency());
-    if (answer.strainLimit) {
-        text +=
-            fmt::format("limit       strain >= -{:.6g} everywhere, always\n", *answer.strainLimit);
-    }
+    text += limitText(answer.strainLimit);
     if (answer.range) {
         const auto [least, most] = *answer.range;
         text += fmt::format("amplitudes  {:.6g} {} to {}\n", least, unit,

@@ -21,10 +21,7 @@ std::string asText(const SceneQuestionAnswer& answer)
         "none, {} undecided\n",
         name(answer.status()), answer.motions.size(), answer.sets.size(),
         stepsOf(answer.period.spans), answer.count(Status::none), answer.count(Status::undecided));
-    if (answer.strainLimit) {
-        text +=
-            fmt::format("limit       strain >= -{:.6g} everywhere, always\n", *answer.strainLimit);
-    }
+    text += limitText(answer.strainLimit);
     text += fmt::format("period      {:.6g} s, {:.6g} Hz\n", answer.period.period(),
                         1.0 / answer.period.period());
     for (const SceneFindAnswer& motion : answer.motions) {

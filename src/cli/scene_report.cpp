@@ -1,10 +1,10 @@
 #include "scene_report.hpp"
 
-#include "hints.hpp"
-
 #include <fmt/format.h>
 
 #include <numbers>
+
+#include "hints.hpp"
 
 namespace signorini::cli {
 

@@ -189,10 +189,9 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
     }
     Outputs outputs(given, {"--csv", "--figure", "--bifurcation"});
     (void)valuesOf(answer.range);  // nothing is written of what is refused
-    constexpr double high = 10.0;  // hertz may have been meant
     const auto [option, from] = typedEnd(given, "--from");
-    if (over == Swept::frequency && answer.range.least >= high && option == "--from" &&
-        !from.ends_with("Hz")) {
+    if (over == Swept::frequency && answer.range.least >= answers::likelyHertz &&
+        option == "--from" && !from.ends_with("Hz")) {
         common.say(fmt::format("--from {0} is {0} ω₁; {0} Hz are --from {0}Hz", from));
     }
     std::optional<Journal> journal;

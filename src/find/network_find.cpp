@@ -101,10 +101,7 @@ LeastMotion leastMotion(const Network& network, const std::vector<ContactSpan>& 
                         double largest, const Cancel& cancel)
 {
     requireKnown(network, schedule);
-    // Residues that share a limit, or whose energy forces change on the way from node to node, are
-    // no longer alike in blocks.
-    const bool areAlike = network.strainLimit == infinity && withoutForces(network) == network;
-    const NetworkBlocks blocks(network, schedule, areAlike);
+    const NetworkBlocks blocks(network, schedule);
     LeastMotion least =
         leastMotion(blocks, {.absent = largest, .tolerance = networkTolerance, .cancel = cancel});
     if (least.status == Status::found) {

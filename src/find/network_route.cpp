@@ -89,7 +89,7 @@ public:
           options_(request.options),
           blocks_(
               networkOf(request.schedule, options_.scene, options_.tipFloor, options_.strainLimit),
-              spansOf(request.schedule), options_.strainLimit == infinity),
+              spansOf(request.schedule)),
           relaxed_(networkOf(request.schedule, options_.scene,
                              options_.tipFloor - options_.tolerance,
                              options_.strainLimit * (1.0 + options_.tolerance)))
@@ -113,8 +113,8 @@ private:
     void explain()
     {
         how_.reason = fmt::format("{} segments: no closed form", options_.scene.segments.size());
-        if (blocks_.unit() > 1) {
-            const auto types = static_cast<std::int64_t>(blocks_.types().size());
+        const auto types = static_cast<std::int64_t>(blocks_.types().size());
+        if (types < blocks_.unit()) {
             how_.leftOut.push_back(fmt::format(
                 "all but {} of the {} steps: residues mod {} obey equations of their "
                 "own, alike in blocks",
@@ -211,16 +211,13 @@ private:
         if (options_.objective == Objective::nearest) {
             return nearestMotion();
         }
-        if (options_.objective == Objective::minPeakStrain) {
-            const NetworkBlocks single(blocks_.network(), blocks_.schedule(), false);
-            NetworkPoints points(single, options_);
-            return entered(points.extreme(options_.objective), points);
-        }
+        const bool isOfStrain = options_.objective == Objective::minPeakStrain;
         const bool isOther =
-            options_.objective == Objective::maxImpulse ||
+            isOfStrain || options_.objective == Objective::maxImpulse ||
             (options_.objective == Objective::minEnergy && options_.solver != automaticChoice);
         if (isOther) {
-            NetworkPoints points(blocks_, options_);
+            const NetworkBlocks blocks(blocks_.network(), blocks_.schedule(), !isOfStrain);
+            NetworkPoints points(blocks, options_);
             return entered(points.extreme(options_.objective), points);
         }
         State state = stateOf(blocks_.network(), least.motion->waves);
@@ -356,7 +353,7 @@ std::optional<EnergyFloorProof> leastEnergyFloor(const Schedule& schedule,
 {
     const NetworkBlocks blocks(
         networkOf(schedule, options.scene, options.tipFloor, options.strainLimit),
-        spansOf(schedule), options.strainLimit == infinity);
+        spansOf(schedule));
     LeastMotion least = leastMotion(blocks, {.absent = hugeEnergyRatio * firstEnergy(schedule),
                                              .tolerance = options.tolerance,
                                              .cancel = options.cancel});

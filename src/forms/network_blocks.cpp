@@ -26,7 +26,8 @@ NetworkBlocks::NetworkBlocks(Network network, std::vector<ContactSpan> schedule,
     for (std::size_t node = clocks_.size() - 1; node-- > 0;) {
         clocks_[node] = clocks_[node + 1] + crossing[node];
     }
-    findTypes(lumps);
+    const bool areAlike = network_.strainLimit == infinity && withoutForces(network_) == network_;
+    findTypes(lumps && areAlike);
 }
 
 /// Cut where a contact switches.

@@ -30,8 +30,10 @@ struct ResidueType {
 
 class NetworkBlocks {
 public:
-    /// `lumps`: whether blocks of several residues are made; else each residue is a block.
-    /// O(blocks contacts). \pre a valid network, steps > 0.
+    /// `lumps`: whether blocks of several residues are made, where these are alike: not under a
+    /// limit on strain, which waves of different residues share, nor under constant forces, which
+    /// work on waves on their way from node to node. Else each residue is a block. O(blocks
+    /// contacts). \pre a valid network, steps > 0.
     NetworkBlocks(Network network, std::vector<ContactSpan> schedule, bool lumps = true);
 
     [[nodiscard]] const Network& network() const { return network_; }

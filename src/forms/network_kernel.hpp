@@ -6,7 +6,8 @@
 /// A period takes the waves x to W x + sum of inputs i times f_i: the shapes of a drive, and
 /// constant forces, i = 1. W is a contraction in the norm of the energy, so W^T has the same kernel
 /// there: an input repeats if it does no work on waves that nothing damps, k . sum i f_i = 0, and x
-/// = sum i x_i + kernel, x_i at right angles to it. docs/theory.md, sections 19 and 20.
+/// = sum i x_i + kernel, x_i at right angles to it by the clocks of the nodes (network_blocks.hpp);
+/// at t = 0 it is not. docs/theory.md, sections 19 and 20.
 
 #include <Eigen/Core>
 #include <optional>

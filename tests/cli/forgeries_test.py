@@ -176,6 +176,14 @@ def forge_strains(forger):
                       [row, right, (right + cells + 1) % steps, value]):
             forger.changed(certificate.check, answer, f"strains: {entry}",
                            lambda a: a["certificate"]["strains"].__setitem__(0, entry))
+    driven = forger.proof("6", "28", "--scene", "clamp 4 dash=0.2 4:1.3 driven stop=1e-3", "--force", "tip",
+                          "--strain-limit", "1e-3")
+    forger.say(certificate.check, driven, "no forced motion", "with strains >= -0.001")
+    for value in (1.0, 0.0, None, "1"):
+        forger.changed(certificate.check, driven, f"a limit of {value}", lambda a: a.update(strain_limit=value))
+    forger.changed(certificate.check, driven, "no limit", lambda a: a.pop("strain_limit"))
+    forger.changed(certificate.check, driven, "a limit of the certificate",
+                   lambda a: a["certificate"].update(strain_limit=1e-3))
     words = ["3", "25", *STEPPED]
     motion = forger.proof(*words, "--strain-limit", "1")
     forger.say(certificate.check, motion, "with strains >= -1000")

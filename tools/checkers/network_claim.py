@@ -35,8 +35,8 @@ class Claim:
         if not self.closed:
             raise NoProof("schedule: allowed some steps")
 
-    def take(self, lists, certificate):
-        """The multipliers of a certificate."""
+    def take(self, lists, limits):
+        """The multipliers of a certificate, and the limit on strain of what says it."""
         self.y = [whole(value, "periodicity") for value in listed(lists["periodicity"], "periodicity")]
         waves = 2 * self.bars.cells + len(self.bars.stubs)
         if len(self.y) != waves + len(self.bars.drifting):
@@ -45,7 +45,7 @@ class Claim:
         self.y = self.y[:waves]
         self.places = self.read(lists, "places")
         self.pushes = self.read(lists, "pushes")
-        self.limit = strain_of(certificate)
+        self.limit = strain_of(limits)
         self.strains = Strains(lists, self.limit, [row.cells for row in self.bars.rows], len(self.closed))
 
     def read(self, certificate, name):

@@ -24,14 +24,15 @@ SAID = ("schema", "version", "status", "scene", "reference", "cells", "schedule"
 class Cut:
     """One list of multipliers, and the line that it leaves."""
 
-    def __init__(self, claim, lists, certificate, force, cycles):
+    def __init__(self, claim, lists, answer):
         require_keys(lists, "cuts", ("periodicity", "places", "pushes"), ("strains",))
-        self.bars, self.steps, self.force, self.cycles = claim.bars, len(claim.closed), force, cycles
+        self.bars, self.steps = claim.bars, len(claim.closed)
+        self.force, self.cycles = answer["force"], answer["cycles"]
         self.line, self.error = NOTHING, Fraction(0)
         impedances = [row.impedance for row in self.bars.rows] + [z for _, _, z in self.bars.stubs]
         # Waves spoilt by a unit each, times what a force or the base adds to them in a step.
         self.reach = (len(self.bars.driven) + 1 + 2 * sum(impedances)) / min(impedances) + 1
-        claim.take(lists, certificate)
+        claim.take(lists, answer)
         self.delta, self.norm = claim.march(self)
         bound = Decimal(math.ceil(2 * self.error))
         slack = Interval(bound.copy_negate(), bound)
@@ -78,9 +79,7 @@ def check_scene_forced(answer):
     """What an answer of `find --scene ... --force` proves, in a sentence. NoProof if it proves nothing."""
     require_keys(answer, "answer", SAID, ("strain_limit",))
     claim, certificate = Claim(answer), answer["certificate"]
-    if isinstance(certificate, dict) and answer.get("strain_limit") != certificate.get("strain_limit"):
-        raise NoProof("strain_limit: allowed that of the certificate")
-    require_keys(certificate, "certificate", ("kind", "verified", "rows", "cuts"), ("strain_limit",))
+    require_keys(certificate, "certificate", ("kind", "verified", "rows", "cuts"))
     cycles, force, lists = integer(answer["cycles"], "cycles"), answer["force"], certificate["cuts"]
     if answer["status"] != "none" or force not in ("tip", "base") or not 1 <= 2 * cycles < len(claim.closed) or \
             certificate["rows"] != "network" or not isinstance(lists, list) or not 1 <= len(lists) <= MOST_CUTS:
@@ -92,7 +91,7 @@ def check_scene_forced(answer):
         raise NoProof(f"frequency: {shown(answer['frequency'])} does not follow from the schedule")
     if answer["motions"] != []:
         raise NoProof("motions: none are proved here")
-    cuts = [Cut(claim, one, certificate, force, cycles) for one in lists]
+    cuts = [Cut(claim, one, answer) for one in lists]
     words = f"{len(cuts)} sums of {len(claim.y)} waves and conditions, stepped backwards in time, below {HUGE} E_1"
     if certificate["kind"] == "amplitude-range":
         amplitude = Fraction(number(answer["amplitude"], "amplitude"))

@@ -28,6 +28,16 @@ ForcedSet setOf(const Schedule& schedule, const Damping& damping, Excited place,
     return set;
 }
 
+/// One contact, or where there are two stops mostly one on each.
+Schedule scheduleOf(std::int64_t cells, std::int64_t contact, std::int64_t free, const Stops& stops)
+{
+    Schedule schedule{cells, {{contact, free}}, stops};
+    if (stops.left && free % 3 != 0) {
+        schedule.phases.push_back({contact, free, Stop::left});
+    }
+    return schedule;
+}
+
 }  // namespace
 
 TEST_CASE("stepped forced: equal segments have the sets, motions and proofs of one bar", "[glpk]")
@@ -42,10 +52,7 @@ TEST_CASE("stepped forced: equal segments have the sets, motions and proofs of o
     int undecided = 0;
     for (std::int64_t contact = 1; contact < 12; contact += 2) {
         for (std::int64_t free = 5; free < 24; ++free) {
-            Schedule schedule{6, {{contact, free}}, stops};
-            if (stops.left && free % 3 != 0) {
-                schedule.phases.push_back({contact, free, Stop::left});
-            }
+            const Schedule schedule = scheduleOf(6, contact, free, stops);
             const ForcedSet one = forcedMotions(schedule, {ratio}, {place, 1});
             const ForcedSet parts = setOf(schedule, {ratio}, place, equal);
             INFO(describe(schedule) << ", " << name(place) << ", " << ratio << ", " << stops.right
@@ -99,10 +106,7 @@ TEST_CASE("stepped forced: equal segments keep limits on strain as one bar does"
     int none = 0;
     for (std::int64_t contact = 1; contact < 9; contact += 2) {
         for (std::int64_t free = 4; free < 20; ++free) {
-            Schedule schedule{5, {{contact, free}}, stops};
-            if (stops.left && free % 3 != 0) {
-                schedule.phases.push_back({contact, free, Stop::left});
-            }
+            const Schedule schedule = scheduleOf(5, contact, free, stops);
             const ForcedSet whole = forcedMotions(schedule, {ratio}, {});
             if (whole.status != Status::found) {
                 continue;

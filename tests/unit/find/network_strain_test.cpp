@@ -2,6 +2,7 @@
 
 #include <glpk.h>
 
+#include <array>
 #include <cmath>
 #include <deque>
 #include <optional>
@@ -187,6 +188,42 @@ private:
     glp_prob* program_ = nullptr;
 };
 
+/// Two bars between clamps, drawn at random.
+struct DrawnBars {
+    std::int64_t left;
+    std::int64_t right;
+    double impedance;
+    double speed;
+
+    DrawnBars(std::mt19937_64& generator, bool hasSpeeds)
+        : left(drawn(generator, 1, 5)),
+          right(drawn(generator, 1, 5)),
+          impedance(std::array{0.5, 1.0, 2.0}[static_cast<std::size_t>(drawn(generator, 0, 2))]),
+          speed(hasSpeeds
+                    ? std::array{0.5, 1.0, 1.5}[static_cast<std::size_t>(drawn(generator, 0, 2))]
+                    : 1.0)
+    {
+    }
+
+    static std::int64_t drawn(std::mt19937_64& generator, std::int64_t low, std::int64_t high)
+    {
+        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+    }
+    [[nodiscard]] std::string words() const
+    {
+        return "clamp " + std::to_string(left) + " gap=1e-3 " + std::to_string(right) + ":" +
+               std::to_string(impedance) + ":" + std::to_string(speed) + " clamp";
+    }
+    /// By the program written here.
+    [[nodiscard]] std::optional<double> leastLimit(std::int64_t contact, std::int64_t free) const
+    {
+        const double gap = sceneOf(words()).contacts.front().gap;
+        return TwoBars(static_cast<std::size_t>(left), static_cast<std::size_t>(right), impedance,
+                       speed, gap)
+            .leastLimit(contact, free);
+    }
+};
+
 LeastMotion within(Network network, double limit, std::int64_t contact, std::int64_t free)
 {
     network.strainLimit = limit;
@@ -199,26 +236,16 @@ LeastMotion within(Network network, double limit, std::int64_t contact, std::int
 TEST_CASE("network strain: two bars keep the limits that a program written here says they can keep")
 {
     std::mt19937_64 generator(20261126);
-    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
-        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
-    };
     int limited = 0;
     for (int k = 0; k < 1500; ++k) {
-        const std::int64_t left = draw(1, 5);
-        const std::int64_t right = draw(1, 5);
-        const double impedance = std::vector{0.5, 1.0, 2.0}[static_cast<std::size_t>(draw(0, 2))];
-        const double speed = std::vector{0.5, 1.0, 1.5}[static_cast<std::size_t>(draw(0, 2))];
-        const std::int64_t contact = draw(1, 2 * (left + right));
-        const std::int64_t free = draw(1, 3 * (left + right));
-        const Network network =
-            sceneOf("clamp " + std::to_string(left) + " gap=1e-3 " + std::to_string(right) + ":" +
-                    std::to_string(impedance) + ":" + std::to_string(speed) + " clamp");
+        const DrawnBars bars(generator, true);
+        const std::int64_t cells = bars.left + bars.right;
+        const std::int64_t contact = DrawnBars::drawn(generator, 1, 2 * cells);
+        const std::int64_t free = DrawnBars::drawn(generator, 1, 3 * cells);
+        const Network network = sceneOf(bars.words());
         const LeastMotion free0 = within(network, infinity, contact, free);
-        const auto least = TwoBars(static_cast<std::size_t>(left), static_cast<std::size_t>(right),
-                                   impedance, speed, network.contacts.front().gap)
-                               .leastLimit(contact, free);
-        INFO(left << " " << right << ":" << impedance << ":" << speed << ", " << contact << " "
-                  << free << ": " << least.value_or(-1.0));
+        const auto least = bars.leastLimit(contact, free);
+        INFO(bars.words() << ", " << contact << " " << free << ": " << least.value_or(-1.0));
         REQUIRE(least.has_value() == (free0.status == Status::found));
         if (!least) {
             continue;
@@ -248,34 +275,22 @@ TEST_CASE("network strain: the least compression of two bars is what a program w
           "[glpk]")
 {
     std::mt19937_64 generator(20261127);
-    const auto draw = [&generator](std::int64_t low, std::int64_t high) {
-        return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
-    };
     int less = 0;
     for (int k = 0; k < 600; ++k) {
-        const std::int64_t left = draw(1, 5);
-        const std::int64_t right = draw(1, 5);
-        const double impedance = std::vector{0.5, 1.0, 2.0}[static_cast<std::size_t>(draw(0, 2))];
-        const std::int64_t contact = draw(1, 2 * (left + right));
-        const std::int64_t free = 2 * (left + right) * draw(1, 3) - contact;
-        if (free < 1) {
-            continue;
-        }
-        const Network network =
-            sceneOf("clamp " + std::to_string(left) + " gap=1e-3 " + std::to_string(right) + ":" +
-                    std::to_string(impedance) + " clamp");
-        const auto known = TwoBars(static_cast<std::size_t>(left), static_cast<std::size_t>(right),
-                                   impedance, 1.0, network.contacts.front().gap)
-                               .leastLimit(contact, free);
+        const DrawnBars bars(generator, false);
+        const std::int64_t cells = bars.left + bars.right;
+        const std::int64_t contact = DrawnBars::drawn(generator, 1, 2 * cells);
+        const std::int64_t free = 2 * cells * DrawnBars::drawn(generator, 1, 3) - contact;
+        const auto known = free < 1 ? std::nullopt : bars.leastLimit(contact, free);
         if (!known) {
             continue;
         }
+        const Network network = sceneOf(bars.words());
         const std::vector<ContactSpan> schedule{{1, contact}, {0, free}};
         const double largest = 1e9 * static_cast<double>(network.cells());
         const LeastMotion answer =
             wishedMotion(network, schedule, largest, {.objective = Objective::minPeakStrain}, {});
-        INFO(left << " " << right << ":" << impedance << ", " << contact << " " << free << ": "
-                  << answer.detail);
+        INFO(bars.words() << ", " << contact << " " << free << ": " << answer.detail);
         REQUIRE(answer.status == Status::found);
         const double seen = -answer.residuals.extremes.leastStrain;
         CHECK(seen == Approx(*known).epsilon(1e-7));
