@@ -54,7 +54,7 @@ QUESTIONS = {
     "The motion of a mode": ("mode", "4 -1 --period 3.14", "mode"),
     "An atlas": ("atlas", "--database {folder}/new.sqlite --max-contact 4 --max-free 8", "Atlas"),
     "A query of an atlas": ("atlas", "--database {folder}/known.sqlite --period 4", "Atlas"),
-    "Response to a staircase of forces": ("response", "{force} --from 1.02 --to 1.04", "response"),
+    "Response to a staircase of forces": ("response", "{force} --from 1 --to 1.3", "response"),
     "Response to the harmonic itself": ("response", "--exact {force} --from 1.05 --to 1.1", "exact_response"),
     "Simulation": ("simulate", "--rest --periods 2 --frequency 1 {force}", "simulate"),
     "Sweep": ("sweep", "--periods 5 --points 2 --from 1 --to 1.1 {force}", "sweep"),

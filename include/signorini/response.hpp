@@ -203,7 +203,8 @@ struct ResponseRange {
     double band = 0.05;  ///< [-], 0 < band < 1
     Stops stops = {};    ///< where the tip is held
     /// Of the bar, clamp first, N cells in all; empty: a uniform bar. Segments that differ: one
-    /// wall beyond a gap, one contact. The frequency is in omega_1 of the first material.
+    /// contact, motions whose contact does not open apart. The frequency is in omega_1 of the first
+    /// material.
     std::vector<Segment> segments = {};
 };
 

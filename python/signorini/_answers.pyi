@@ -646,6 +646,8 @@ class SceneHarmonicMotion(_Record):
     peak_force: float
     speed: float
     residual: float
+    strains: Optional[SceneStrains]
+    stability: Optional[SceneStabilityReport]
 
 class SceneHarmonicResult(_Record):
     status: Literal["found", "none", "undecided"]
@@ -876,13 +878,15 @@ class SceneFrequency(_Record):
     frequency_ratio: Optional[float]
     amplitude: float
     touches: bool
-    distance: list[float]
+    distance: Optional[list[float]]
     motions: list[SceneHarmonicMotion]
+    undecided: Optional[int]
     reason: Optional[str]
 
 class SceneResponse(_Record):
     status: Literal["found", "none", "undecided"]
     force: Literal["tip", "base"]
+    exact: bool
     cycles: int
     amplitude: float
     amplitude_of: str

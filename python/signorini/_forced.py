@@ -62,7 +62,7 @@ class Response(Table[ForcedFrequency]):
         return frame_of(self._rows_of_frame())
 
 
-@asks("response")
+@overload
 def response(*, damping: Quantity, force: Force, amplitude: Quantity | None = None,
              amplitude_velocity: Quantity | None = None,
              amplitude_acceleration: Quantity | None = None,
@@ -71,27 +71,69 @@ def response(*, damping: Quantity, force: Force, amplitude: Quantity | None = No
              threads: int = 1, bar: Bar | None = None,
              scene: Scene | None = None, second_stop: Quantity | None = None,
              segments: Segments | None = None, progress: Progress = None,
-             **bar_options: Quantity | None) -> Response:
+             **bar_options: Unpack[_Parameters]) -> Response: ...
+
+
+@overload
+def response(*, force: Force, amplitude: Quantity | None = None,
+             amplitude_velocity: Quantity | None = None,
+             amplitude_acceleration: Quantity | None = None,
+             scene: str, gravity: Quantity = 0.0, start: Quantity = 0.5, to: Quantity = 2.0,
+             cycles: int = 1, stability: bool = False, threads: int = 1,
+             progress: Progress = None,
+             **scales: Unpack[_Parameters]) -> SceneResponse: ...
+
+
+@asks("response")
+def response(*, damping: Quantity | None = None, force: Force, amplitude: Quantity | None = None,
+             amplitude_velocity: Quantity | None = None,
+             amplitude_acceleration: Quantity | None = None,
+             start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
+             cells: int | None = None, stability: bool = False,
+             threads: int = 1, bar: Bar | None = None,
+             scene: Scene | str | None = None, gravity: Quantity = 0.0,
+             second_stop: Quantity | None = None,
+             segments: Segments | None = None, progress: Progress = None,
+             **bar_options: Quantity | None) -> Response | SceneResponse:
     """List every forced motion with one contact, for all periods of a range.
 
-    The force goes in steps; `exact_response` takes the harmonic itself, and several bars.
+    The force goes in steps; `exact_response` takes the harmonic itself.
 
     Parameters
     ----------
+    scene : Scene or str, optional
+        In place of `bar`, `second_stop` and `segments`; or the words of several
+        bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 clamp", whose scales
+        are `length`, `wave_speed` and `axial_stiffness`.
     stability : bool
         Perturb each motion to test its stability.
 
     Returns
     -------
-    Response
-        A Table of ForcedFrequency.
+    Response, or of several bars SceneResponse
+        The first is a Table of ForcedFrequency.
     """
-    data = _core.response(excited(gathered(locals())))
+    asked = _of_bars(excited(gathered(locals())))
+    if "words" in asked:
+        return _core.response_bars({**asked, "exact": False})
+    if damping is None:
+        raise ValueError("damping is missing: allowed numbers > 0 [-]")
+    data = _core.response(asked)
     head = {name: value for name, value, _ in keys_of(data)
             if name != "frequencies"}
     table = Response("frequencies", data.frequencies, **head)
     table._answer = data
     return table
+
+
+def _of_bars(asked: dict[str, Any]) -> dict[str, Any]:
+    """The same, without what clashes. ValueError."""
+    if "words" in asked and (asked["damping"] is not None or asked["cells"] is not None):
+        raise ValueError("damping, cells: allowed only without a scene of words "
+                         "(dash=D among them)")
+    if "words" not in asked and asked["gravity"] != 0.0:
+        raise ValueError("gravity: allowed only with a scene of words")
+    return asked
 
 
 @overload
@@ -149,16 +191,9 @@ def exact_response(*, damping: Quantity | None = None, force: Force,
     ExactResponse, or of several bars or segments SceneResponse
         Without curves, and one contact in a period.
     """
-    asked = excited(gathered(locals()))
-    if "words" in asked:
-        if damping is not None or cells is not None:
-            raise ValueError("damping, cells: allowed only without a scene of words "
-                             "(dash=D among them)")
-        return _core.exact_response_bars(asked)
-    if gravity != 0.0:
-        raise ValueError("gravity: allowed only with a scene of words")
-    if len(asked["scene"].segments) > 1:
-        return _core.exact_response_bars(asked)
+    asked = _of_bars(excited(gathered(locals())))
+    if "words" in asked or len(asked["scene"].segments) > 1:
+        return _core.response_bars({**asked, "exact": True, "stability": False})
     if asked["derivative"] > 0:
         raise ValueError("amplitude_velocity, amplitude_acceleration: allowed only of several "
                          "bars or segments")

@@ -207,8 +207,8 @@ ExactAnswer exactResponse(const Asked& asked)
         asked.progress());
 }
 
-/// The same of several bars in words, or of a bar of several segments.
-answers::SceneResponse exactResponseOfBars(const Asked& asked)
+/// Of several bars in words, or under the harmonic itself of a bar of several segments.
+answers::SceneResponse responseOfBars(const Asked& asked)
 {
     const Assembly assembly =
         asked.has("words")
@@ -230,7 +230,9 @@ answers::SceneResponse exactResponseOfBars(const Asked& asked)
                                     asked.get<int>("derivative"),
                                     asked.get<std::int64_t>("cycles"),
                                     hertz("start"),
-                                    hertz("to")};
+                                    hertz("to"),
+                                    asked.get<bool>("exact"),
+                                    asked.get<bool>("stability")};
     const auto threads = asked.get<std::int64_t>("threads");
     return patiently(
         [=](const Wires& wires) {
@@ -310,7 +312,7 @@ void addForced(py::module_& module)
         .def("_scene", [](const answers::SceneResponse& answer) {
             return asJson(sceneFigure(answer.bars.assembly));
         });
-    addCall(module, "exact_response_bars", &exactResponseOfBars);
+    addCall(module, "response_bars", &responseOfBars);
 }
 
 }  // namespace signorini::python

@@ -271,6 +271,29 @@ def test_responses_to_an_exact_harmonic_agree(program: Program) -> None:
     assert pickle.loads(pickle.dumps(ours)) == ours
 
 
+def test_responses_of_bars_to_a_harmonic_in_steps_agree(program: Program) -> None:
+    """Stability, too; of bars that nothing holds."""
+    bars = "clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp"
+    said = program("response", "--scene", bars, "--from", "0.5Hz", "--to", "0.7Hz",
+                   "--force", "tip", "--amplitude", 2e-3, "--stability")
+    ours = sg.response(scene=bars, force="tip", amplitude=2e-3, start="0.5 Hz", to="0.7 Hz",
+                       threads=2, stability=True)
+    alike(said, ours.to_dict())
+    motions = [motion for at in ours.frequencies for motion in at.motions]
+    assert motions and all(motion.release == "step" for motion in motions)
+    assert pickle.loads(pickle.dumps(ours)) == ours
+    flying = "stop=1e-3 4 dash=0.1 driven stop=1e-3"
+    said = program("response", "--scene", flying, "--from", "0.5Hz", "--to", "0.7Hz",
+                   "--force", "tip", "--amplitude", 2e-3)
+    alike(said, sg.response(scene=flying, force="tip", amplitude=2e-3, start="0.5Hz",
+                            to="0.7Hz").to_dict())
+    with pytest.raises(ValueError, match="dash"):
+        sg.response(scene=bars, damping=0.1, force="tip",  # type: ignore[call-overload]
+                    amplitude=2e-3)
+    with pytest.raises(ValueError, match="damping"):
+        sg.response(cells=4, force="tip", amplitude=2e-3)  # type: ignore[call-overload]
+
+
 def test_responses_of_bars_to_an_exact_harmonic_agree(program: Program) -> None:
     """Of several bars, and of a bar of several segments."""
     bars = "clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp"

@@ -172,8 +172,11 @@ def test_response_of_a_stepped_bar(program: Program) -> None:
     _, motion = ours.motions[0]
     assert len(motion.state.segments) == 2
     assert motion.state.displacement_ratio[-1] == pytest.approx(1, abs=1e-9)
-    with pytest.raises(ValueError, match="a second stop"):
-        sg.response(segments=parts, second_stop=1e-3, **options)
+    said = program("response", *words, "--segments", "4:1,4:1.3", "--gap", 2e-3,
+                   "--second-stop", 1e-3, "--from", 0.9, "--to", 1.2)
+    two = sg.response(segments=parts, gap=2e-3, second_stop=1e-3, start=0.9, to=1.2, **options)
+    alike(said, two.to_dict())
+    assert any("left" in str(motion.schedule) for _, motion in two.motions)
 
 
 def test_state_of_a_stepped_bar_knows_its_segments(program: Program, tmp_path: Path) -> None:

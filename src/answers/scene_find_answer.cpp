@@ -5,16 +5,12 @@
 
 namespace signorini::answers {
 
-namespace {
-
 SceneStability stabilityIn(const Network& network, const NetworkClaim& motion, const Cancel& cancel)
 {
     StabilityOptions options;
     options.cancel = cancel;
     return {options.periods, stabilityOf(network, motion, options)};
 }
-
-}  // namespace
 
 SceneSchedule scheduleOf(const Assembly& assembly, const Network& network,
                          const std::vector<ContactSpan>& spans)
@@ -71,10 +67,10 @@ std::optional<double> strainLimitOf(const Network& network, const Assembly& asse
     return known(network.strainLimit * strainUnit(assembly, network.scales));
 }
 
-SceneStrains strainsOf(const SceneSchedule& schedule, const NetworkResiduals& residuals)
+SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales,
+                       const NetworkResiduals& residuals)
 {
-    const Assembly& assembly = schedule.bars.assembly;
-    const double unit = strainUnit(assembly, schedule.scales);
+    const double unit = strainUnit(assembly, scales);
     SceneStrains strains{-residuals.extremes.leastStrain * unit,
                          residuals.extremes.mostStrain * unit};
     if (const auto modulus = modulusOf(assembly)) {
@@ -164,7 +160,7 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
         NetworkClaim claim = claimOf(set, motion);
         NetworkResiduals residuals = walk(network, claim);
         auto contacts = contactsOf(answer.schedule, &residuals);
-        const SceneStrains strains = strainsOf(answer.schedule, residuals);
+        const SceneStrains strains = strainsOf(assembly, network.scales, residuals);
         answer.motions.push_back({motion.amplitude * unit, motion.phase, std::move(claim),
                                   std::move(residuals), std::move(contacts), strains});
     }

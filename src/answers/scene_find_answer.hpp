@@ -57,7 +57,7 @@ struct SceneStrains {
 void limitStrain(Network& network, const Assembly& assembly, const std::optional<double>& limit);
 /// The same, read back.
 [[nodiscard]] std::optional<double> strainLimitOf(const Network& network, const Assembly& assembly);
-[[nodiscard]] SceneStrains strainsOf(const SceneSchedule& schedule,
+[[nodiscard]] SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales,
                                      const NetworkResiduals& residuals);
 
 /// What multipliers prove: no motion has less energy.
@@ -75,6 +75,10 @@ struct SceneStability {
     std::int64_t periods = 0;  ///< waited
     StabilityResult result;
 };
+
+/// Starts beside a motion.
+[[nodiscard]] SceneStability stabilityIn(const Network& network, const NetworkClaim& motion,
+                                         const Cancel& cancel);
 
 /// Of a schedule that nothing drives.
 struct SceneFindAnswer {
@@ -96,7 +100,9 @@ struct SceneFindAnswer {
     /// Of the motion, if there is one.
     [[nodiscard]] std::optional<SceneStrains> strains() const
     {
-        return isFound() ? std::optional(strainsOf(schedule, motions.residuals)) : std::nullopt;
+        return isFound() ? std::optional(strainsOf(schedule.bars.assembly, schedule.scales,
+                                                   motions.residuals))
+                         : std::nullopt;
     }
     /// Every motion of the schedule has more.
     [[nodiscard]] std::optional<double> provedCompression() const;

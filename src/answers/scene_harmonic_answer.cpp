@@ -66,7 +66,7 @@ std::vector<ContactInstant> SceneHarmonicAnswer::pathOf(std::size_t motion) cons
     NetworkHarmonicMotion one = motions.at(motion).value;
     std::vector<ContactInstant> path;
     HarmonicNetwork still = given();
-    still.network = underConstantForces(std::move(still.network));
+    still.network = underConstantForces(still.network).network;
     measure(still, one, &path);
     return path;
 }

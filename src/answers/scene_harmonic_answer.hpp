@@ -4,7 +4,7 @@
 
 #include "harmonic_answer.hpp"
 #include "harmonic_network_walk.hpp"
-#include "scene_answer.hpp"
+#include "scene_find_answer.hpp"
 
 namespace signorini::answers {
 
@@ -24,6 +24,18 @@ struct AskedSteps {
 struct SceneHarmonicMotion {
     NetworkHarmonicMotion value;
     NetworkScales scales;
+    /// Under a staircase of forces, whose motions have no harmonic waves.
+    struct InSteps {
+        bool opens = true;
+        SceneStrains strains = {};
+        std::optional<SceneStability> stability = {};  ///< where it was asked for
+    };
+    std::optional<InSteps> inSteps = {};
+
+    [[nodiscard]] const char* release() const
+    {
+        return !inSteps ? releaseOf(value) : inSteps->opens ? "step" : "never";
+    }
 };
 
 /// The motions with one contact in a period of n steps.
@@ -61,15 +73,19 @@ void describe(D& d, Type<SceneHarmonicMotion>)
 {
     using T = SceneHarmonicMotion;
     d.record("SceneHarmonicMotion",
-             "One motion of bars under an exact harmonic; contact is at any times.");
+             "One motion of bars under a harmonic; contact is at any times, under a staircase of "
+             "forces at whole steps.");
     d.key("contact", "- >= 1", "The one that closes.",
           [](const T& m) { return m.value.contact + 1; });
     d.key("contact_time", "s > 0", "In a period.",
           [](const T& m) { return m.value.release * m.scales.time; });
     d.key("contact_steps", "- > 0", "The same in steps.",
           [](const T& m) { return m.value.release; });
-    d.key("release", "-", R"("smooth": the push fades to 0; "pinned": a wave front ends it.)",
-          [](const T& m) { return releaseOf(m.value); });
+    d.key(
+        "release", "-",
+        R"("smooth": the push fades to 0; "pinned": a wave front ends it; under a staircase "step", )"
+        R"(or "never": the contact does not open.)",
+        &T::release);
     d.key("phase", "rad", "Of the excitation at the start of contact.",
           [](const T& m) { return m.value.phase; });
     d.key("impulse", "N s > 0", "Of the contact in a period.",
@@ -80,6 +96,16 @@ void describe(D& d, Type<SceneHarmonicMotion>)
           [](const T& m) { return m.value.speed * m.scales.velocity(); });
     d.key("residual", "- >= 0", "The worst that was seen moving its waves by the law; relative.",
           [](const T& m) { return m.value.residual; });
+    const auto inSteps = [](auto member) {
+        return [member](const T& m) {
+            return m.inSteps ? std::optional(std::invoke(member, *m.inSteps)) : std::nullopt;
+        };
+    };
+    d.key("strains", "-", "In a period, under a staircase.", inSteps(&T::InSteps::strains),
+          When::any);
+    d.key(
+        "stability", "-", "Of the motion when it is perturbed.",
+        [](const T& m) { return m.inSteps ? m.inSteps->stability : std::nullopt; }, When::any);
 }
 
 template <typename D>

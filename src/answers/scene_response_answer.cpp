@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact_response.hpp"
 #include "excited_amplitude.hpp"
 #include "faults.hpp"
 #include "harmonic_network_contact.hpp"
@@ -12,7 +13,8 @@ namespace signorini::answers {
 
 bool SceneFrequency::touches() const
 {
-    return std::any_of(distance.begin(), distance.end(), [](double least) { return least < 0.0; });
+    return !distance || std::any_of(distance->begin(), distance->end(),
+                                    [](double least) { return least < 0.0; });
 }
 
 Status SceneResponse::status() const
@@ -31,7 +33,7 @@ std::vector<std::int64_t> stepsOf(const SceneResponse& asked)
     const double least = std::ceil(second / range.mostHertz * (1.0 - near));
     const double most = std::floor(second / range.leastHertz * (1.0 + near));
     const auto shortest = static_cast<double>(std::max<std::int64_t>(2, 2 * range.cycles));
-    constexpr auto longest = static_cast<double>(maxHarmonicSteps);
+    const auto longest = static_cast<double>(range.isExact ? maxHarmonicSteps : maxStaircaseSteps);
     if (!(std::max(least, shortest) <= most && most <= longest)) {
         const bool isLow = most > longest;
         Faults faults;
@@ -55,6 +57,64 @@ SceneResponse responseOf(const Assembly& assembly, const SceneRange& range)
     return {range, network.scales, severalOf(assembly, network)};
 }
 
+namespace {
+
+/// A motion of a staircase, walked once more for all that is said of it.
+SceneHarmonicMotion motionOf(const ForcedMotion& motion, const ContactStart& from,
+                             const HarmonicNetwork& given, const SceneResponse& asked,
+                             const Cancel& cancel)
+{
+    const NetworkClaim claim = claimOf(spansOf(from, given.steps), motion);
+    const NetworkResiduals seen = walk(given.network, claim);
+    SceneHarmonicMotion made{{}, asked.scales};
+    made.value.contact = from.contact;
+    made.value.phase = motion.phase;
+    made.value.release = static_cast<double>(from.closed);
+    made.value.impulse = seen.impulses[from.contact];
+    made.value.peakForce = seen.peakForces[from.contact];
+    made.value.speed = seen.extremes.contacts[from.contact].approach;
+    made.value.residual = motion.residual;
+    made.inSteps = {from.closed < given.steps, strainsOf(asked.bars.assembly, asked.scales, seen)};
+    if (asked.range.triesStability) {
+        made.inSteps->stability = stabilityIn(given.network, claim, cancel);
+    }
+    return made;
+}
+
+/// What the harmonic in steps has. \return was it done, not cancelled?
+bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneResponse& asked,
+                const Cancel& cancel)
+{
+    const auto contacts = contactResponses(given, cancel);
+    if (!contacts) {
+        return false;
+    }
+    at.distance.emplace();
+    for (std::size_t contact = 0; contact < contacts->size(); ++contact) {
+        const auto& [found, permanent, leastPush, distance] = (*contacts)[contact];
+        for (const ForcedMotion& motion : found.motions) {
+            const std::int64_t closed = motion.schedule.phases.front().contact;
+            at.motions.push_back(motionOf(motion, {contact, closed, {}, {}}, given, asked, cancel));
+        }
+        if (permanent) {
+            at.motions.push_back(
+                motionOf(*permanent, {contact, given.steps, {}, {}}, given, asked, cancel));
+        }
+        if (distance && at.distance) {
+            at.distance->push_back(*distance * asked.scales.displacement);
+        } else {
+            at.distance.reset();
+        }
+        if (found.undecided > 0 && at.undecided == 0) {
+            at.reason = found.detail;
+        }
+        at.undecided += found.undecided;
+    }
+    return !isRequested(cancel);
+}
+
+}  // namespace
+
 std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked, std::int64_t steps,
                                           const Cancel& cancel)
 {
@@ -73,9 +133,12 @@ std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked, std::int64
     const double unit = range.place == Excited::tip ? scales.force() : scales.displacement;
     const HarmonicNetwork given{networkOf(asked.bars.assembly), range.place, at.amplitude / unit,
                                 steps, range.cycles};
+    if (!range.isExact) {
+        return addInSteps(at, given, asked, cancel) ? std::optional(at) : std::nullopt;
+    }
     try {
         at.distance = openDistances(given);
-        for (double& distance : at.distance) {
+        for (double& distance : *at.distance) {
             distance *= scales.displacement;
         }
         for (NetworkHarmonicMotion& motion : harmonicContacts(given)) {

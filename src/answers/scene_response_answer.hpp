@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// What is said of bars in a row under an exact harmonic over a range of frequencies.
+/// What is said of bars in a row under a harmonic over a range of frequencies.
 
 #include "excited_amplitude.hpp"
 #include "scene_harmonic_answer.hpp"
@@ -16,19 +16,24 @@ struct SceneRange {
     std::int64_t cycles = 1;  ///< of the excitation in a period
     double leastHertz = 0.0;  ///< [Hz], of the excitation
     double mostHertz = 0.0;
+    bool isExact = true;          ///< else the harmonic goes in steps
+    bool triesStability = false;  ///< of motions in steps
 };
 
-/// The motions with one contact at one frequency; that none is left out is computed, not proved.
+/// The motions with one contact at one frequency; that none is left out is computed, not proved,
+/// where the harmonic is exact.
 struct SceneFrequency {
     std::int64_t steps = 0;  ///< n, of the period
     double hertz = 0.0;      ///< [Hz], of the excitation
     std::optional<double> ratio;
-    double amplitude = 0.0;        ///< [N] or [m]
-    std::vector<double> distance;  ///< [m], least of each contact while none closes
+    double amplitude = 0.0;  ///< [N] or [m]
+    /// [m], least of each contact while none closes; none where waves are not damped.
+    std::optional<std::vector<double>> distance;
     std::vector<SceneHarmonicMotion> motions;
+    std::int64_t undecided = 0;         ///< schedules, of a staircase
     std::optional<std::string> reason;  ///< why it is not known
 
-    /// Would a contact close?
+    /// Would a contact close, as far as is known?
     [[nodiscard]] bool touches() const;
 };
 
@@ -45,14 +50,15 @@ struct SceneResponse {
 };
 
 /// The periods of a range in steps, ascending. \throws std::invalid_argument if there is none, or
-/// they are too long for `harmonicContacts`.
+/// they are too long for `harmonicContacts` or `contactResponses`.
 [[nodiscard]] std::vector<std::int64_t> stepsOf(const SceneResponse& asked);
 
 /// What is asked, without frequencies.
 [[nodiscard]] SceneResponse responseOf(const Assembly& assembly, const SceneRange& range);
 
 /// One frequency of what is asked; waves that resonate are its reason. O(n^2) for each contact;
-/// none if it was cancelled. \throws as harmonicContacts (harmonic_network_contact.hpp).
+/// none if it was cancelled. \throws as harmonicContacts (harmonic_network_contact.hpp), or as
+/// contactResponses (contact_response.hpp).
 [[nodiscard]] std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked,
                                                         std::int64_t steps, const Cancel& cancel);
 
@@ -70,7 +76,12 @@ void describe(D& d, Type<SceneFrequency>)
     d.key("touches", "-", "Would bars that pass through each other meet?", &T::touches);
     d.key("distance", "m", "Least, of each contact, of bars that pass through each other.",
           &T::distance);
-    d.key("motions", "-", "By ascending impulse.", &T::motions);
+    d.key("motions", "-", "By ascending impulse; under a staircase by contact and its steps.",
+          &T::motions);
+    d.key(
+        "undecided", "- >= 1", "Schedules of a staircase that were not decided.",
+        [](const T& f) { return f.undecided > 0 ? std::optional(f.undecided) : std::nullopt; },
+        When::any);
     d.key("reason", "-", "Why they are not known.", &T::reason);
 }
 
@@ -80,11 +91,13 @@ void describe(D& d, Type<SceneResponse>)
     using T = SceneResponse;
     d.record(
         "SceneResponse",
-        "Motions of bars in a row with one contact in a period, under an exact harmonic over a "
-        "range of frequencies.");
+        "Motions of bars in a row with one contact in a period, under a harmonic over a range of "
+        "frequencies.");
     d.key("status", "-", R"("found", or "undecided": the list may lack motions.)", &T::status);
     d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).",
           [](const T& a) { return a.range.place; });
+    d.key("exact", "-", "Is the excitation the harmonic itself, not a staircase?",
+          [](const T& a) { return a.range.isExact; });
     d.key("cycles", "- >= 1", "Of the excitation in a period.",
           [](const T& a) { return a.range.cycles; });
     d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation.",
@@ -94,11 +107,11 @@ void describe(D& d, Type<SceneResponse>)
           [](const T& a) { return amplitudeOf(a.range.place, a.range.derivative); });
     d.key("frequency_range", "Hz > 0", "(least, most), of the excitation.",
           [](const T& a) { return std::tuple(a.range.leastHertz, a.range.mostHertz); });
-    d.key(
-        "complete", "-",
-        "Not interrupted, and no frequency at which waves resonate; that no motion is left out is "
-        "computed, not proved.",
-        [](const T& a) { return a.status() == Status::found; });
+    d.key("complete", "-",
+          "Not interrupted, and no frequency at which waves resonate or schedules are undecided; "
+          "that "
+          "no motion is left out is computed, not proved.",
+          [](const T& a) { return a.status() == Status::found; });
     d.key("frequencies", "-", "By descending frequency.", &T::frequencies);
     d.key("scene", "-", "Asked about.", [](const T& a) { return a.bars.assembly; });
     d.key("reference", "-", "What the bars are measured with.",

@@ -72,7 +72,9 @@ NetworkClaim claimOf(const Network& network, const State& state, const Schedule&
         next += row.cells;
     }
     for (const ContactSpan& span : spansOf(schedule)) {
-        claim.schedule.push_back({span.closed, span.steps});
+        if (span.steps > 0) {  // contact without end has no flight
+            claim.schedule.push_back({span.closed, span.steps});
+        }
     }
     return claim;
 }
@@ -81,7 +83,10 @@ BarVerification verifyBar(const State& state, const Schedule& schedule,
                           std::span<const Segment> segments, double tolerance,
                           const Damping& damping, const Excitation& excitation)
 {
-    validate(schedule);
+    const bool opens = schedule.phases.size() != 1 || schedule.phases.front().free != 0;
+    if (opens) {
+        validate(schedule);
+    }
     requireCells(state, schedule.cells);
     const Network network = networkOf(sceneOf(schedule.stops, segments), schedule.cells, damping);
     const auto cells = static_cast<double>(schedule.cells);

@@ -25,9 +25,9 @@ struct BarVerification {
 
 /// Walks a state along the schedule, and steps it in time without telling the schedule. Damping and
 /// excitation, one period of it, drive the tip or the base; without a gap a driven bar's lengths
-/// are relative to its amplitude. O(N + n segments). `tolerance` as for `march`. \throws
-/// std::invalid_argument on an invalid schedule, or unless state, segments (none: a uniform bar),
-/// schedule and excitation fit.
+/// are relative to its amplitude. A single phase may be without flight. O(N + n segments).
+/// `tolerance` as for `march`. \throws std::invalid_argument on an invalid schedule, or unless
+/// state, segments (none: a uniform bar), schedule and excitation fit.
 [[nodiscard]] BarVerification verifyBar(const State& state, const Schedule& schedule,
                                         std::span<const Segment> segments, double tolerance = 1e-9,
                                         const Damping& damping = {},

@@ -226,9 +226,6 @@ std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common,
             !barOf(assembly) ||
             (!force.ratio && std::any_of(assembly.parts.begin(), assembly.parts.end(), isDash));
         if (areBars) {
-            refuseIf(!given.has("--exact"),
-                     "--scene of more than one bar, clamped on the left, with stops at its tip: "
-                     "allowed with --exact, the harmonic itself in place of a staircase of forces");
             refuseIf(force.ratio.has_value(),
                      "--damping clashes with --scene: allowed dash=D among its words");
             return assembly;

@@ -51,20 +51,22 @@ std::string asText(const SceneResponse& answer)
         return std::count_if(answer.frequencies.begin(), answer.frequencies.end(), holds);
     };
     std::string text = fmt::format(
-        "{:<12}{} of amplitude {:.6g} {}, an exact harmonic, {:.6g} … {:.6g} Hz\n",
-        name(answer.status()),
+        "{:<12}{} of amplitude {:.6g} {}, {}, {:.6g} … {:.6g} Hz\n", name(answer.status()),
         range.place == Excited::tip ? "force on what is driven" : "moving base", range.amplitude,
-        amplitudeUnitName(range.place, range.derivative), range.leastHertz, range.mostHertz);
+        amplitudeUnitName(range.place, range.derivative),
+        range.isExact ? "an exact harmonic" : "a harmonic in steps", range.leastHertz,
+        range.mostHertz);
     text += fmt::format("one contact at {} of {} frequencies\n",
                         count([](const SceneFrequency& at) { return !at.motions.empty(); }),
                         answer.frequencies.size());
     text += fmt::format(
         "apart       at {} bars do not meet; at {} they would touch, and no motion with "
-        "one contact is known: computed, not proved\n",
+        "one contact is known{}\n",
         count([](const SceneFrequency& at) { return !at.reason && !at.touches(); }),
         count([](const SceneFrequency& at) {
             return at.motions.empty() && (at.reason || at.touches());
-        }));
+        }),
+        range.isExact ? ": computed, not proved" : "");
     const SceneHarmonicMotion* worst = nullptr;
     double hertz = 0.0;
     for (const SceneFrequency& at : answer.frequencies) {
@@ -92,21 +94,24 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
 {
     constexpr std::string_view header =
         "steps,frequency_ratio,frequency,amplitude,touches,motion,contact,contact_time,release,"
-        "phase,impulse,peak_force,speed,residual";
+        "phase,impulse,peak_force,speed,residual,stability";
     writeCsv(path, header, [&](CsvRows& row) {
         for (const SceneFrequency& at : answer.frequencies) {
             const auto put = [&](const auto&... values) {
                 row(at.steps, at.ratio, at.hertz, at.amplitude, at.touches(), values...);
             };
             if (at.motions.empty()) {
-                put(",,,,,,,,");
+                put(",,,,,,,,,");
             }
             for (std::size_t k = 0; k < at.motions.size(); ++k) {
-                const auto& [value, scales] = at.motions[k];
-                put(k, value.contact + 1, value.release * scales.time, answers::releaseOf(value),
+                const SceneHarmonicMotion& motion = at.motions[k];
+                const auto& [value, scales, inSteps] = motion;
+                const bool isTried = inSteps && inSteps->stability;
+                put(k, value.contact + 1, value.release * scales.time, motion.release(),
                     value.phase, value.impulse * scales.force() * scales.time,
                     value.peakForce * scales.force(), value.speed * scales.velocity(),
-                    value.residual);
+                    value.residual,
+                    isTried ? name(inSteps->stability->result.stability) : std::string_view());
             }
         }
     });
@@ -117,12 +122,15 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
 ExitStatus respondInBars(const Given& given, const CommonOptions& common, const ForceOptions& force,
                          const Assembly& assembly)
 {
-    constexpr std::array others{"--band",    "--force-steps",  "--stability",   "--map",
+    constexpr std::array others{"--band",    "--force-steps",  "--map",
                                 "--map-csv", "--backbone-csv", "--yield-stress"};
     for (const char* option : others) {
         refuseIf(given.has(option), option, given.text(option),
-                 "none with --exact of several bars or segments");
+                 "none of several bars, or with --exact of segments");
     }
+    const bool isExact = given.has("--exact");
+    refuseIf(isExact && given.has("--stability"), "--stability", "true",
+             "none with --exact of several bars or segments");
     refuseIf(given.whole("--contacts").value_or(1) != 1, "--contacts", given.text("--contacts"),
              "1 of several bars or segments");
     refuseIf(common.choosesCells, "--cells", given.text("--cells"),
@@ -131,6 +139,8 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     force.requireAmplitude();
     answers::SceneRange range{*force.place, *force.amplitude, force.derivative,
                               given.whole("--cycles").value_or(1)};
+    range.isExact = isExact;
+    range.triesStability = given.has("--stability");
     const Network network = networkOf(assembly);
     takeHertz(given, network, range);
     Outputs outputs(given, {"--csv", "--figure"});

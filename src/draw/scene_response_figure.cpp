@@ -81,11 +81,11 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
         }
     }
     FigureData figure;
-    figure.title =
-        fmt::format("{} of amplitude {},  exact harmonic",
-                    response.range.place == Excited::tip ? "force" : "moving base",
-                    withUnit(response.range.amplitude,
-                             amplitudeUnitName(response.range.place, response.range.derivative)));
+    figure.title = fmt::format(
+        "{} of amplitude {},  {}", response.range.place == Excited::tip ? "force" : "moving base",
+        withUnit(response.range.amplitude,
+                 amplitudeUnitName(response.range.place, response.range.derivative)),
+        response.range.isExact ? "exact harmonic" : "harmonic in steps");
     figure.height = 14.0;
     const double margin = high > low ? 0.02 * (high - low) : 0.02 * high;
     const Axis x{

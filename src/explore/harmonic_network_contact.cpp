@@ -21,6 +21,24 @@ using Eigen::Index;
 
 constexpr double sameContact = 1e-7;  // motions nearer than this are one
 
+/// Distances counted from the shape under constant forces. \throws std::invalid_argument.
+HarmonicNetwork stillOf(const HarmonicNetwork& given)
+{
+    requireAsked(given, maxHarmonicSteps);
+    const auto& nodes = given.network.nodes;
+    if (std::none_of(nodes.begin(), nodes.end(),
+                     [](const NetworkNode& node) { return node.dashpot > 0.0; })) {
+        throw std::invalid_argument("nothing is damped: there must be a dashpot");
+    }
+    if (drifts(given.network)) {
+        throw std::invalid_argument(
+            "a bar that nothing holds: its place does not follow from waves");
+    }
+    HarmonicNetwork still = given;
+    still.network = underConstantForces(given.network).network;
+    return still;
+}
+
 /// Pushes of a number of steps of contact, for A = 1.
 struct HeldSteps {
     Vector pushes;      ///< Q_i
@@ -43,12 +61,12 @@ public:
         rates[0] = 0.0;
         for (Index k = 1; 2 * k <= n; ++k) {
             answers_.col(k) = open.arriving(k, sent);
-            rates[k] = open.rate(contact, answers_.col(k), 1.0, 0.0);
+            rates[k] = open.rateByPush(contact, answers_.col(k), contact);
             answers_.col(n - k) = answers_.col(k).conjugate();
             rates[n - k] = std::conj(rates[k]);
         }
         driven_ = open.arriving(given.cycles, open.sentByDrive());
-        drivenRate_ = open.rate(contact, driven_, 0.0, 1.0);
+        drivenRate_ = open.rateByDrive(contact, driven_);
         for (Index m = 0; m < n; ++m) {
             double sum = 0.0;
             for (Index k = 0; k < n; ++k) {
@@ -62,7 +80,7 @@ public:
             mean += ways_.back() / static_cast<double>(n);
         }
         for (double& way : ways_) {
-            way += open.compliance(contact) / static_cast<double>(n) - mean;
+            way += open.compliance(contact, contact) / static_cast<double>(n) - mean;
         }
     }
 
@@ -251,35 +269,23 @@ private:
     std::vector<HeldSteps> held_;
 };
 
-void requireDecidable(const HarmonicNetwork& given)
+}  // namespace
+
+void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps)
 {
     Faults faults;
-    faults.requireWhole("steps", given.steps, maxHarmonicSteps);
+    faults.requireWhole("steps", given.steps, mostSteps);
     faults.requireWhole("cycles", given.cycles, std::max<std::int64_t>(1, given.steps / 2));
     faults.requirePositive("amplitude", given.amplitude, "-");
     requireExcitable(faults, given.network, given.place);
     faults.throwIfAny();
-    const auto& nodes = given.network.nodes;
-    if (std::none_of(nodes.begin(), nodes.end(),
-                     [](const NetworkNode& node) { return node.dashpot > 0.0; })) {
-        throw std::invalid_argument("nothing is damped: there must be a dashpot");
-    }
-    if (std::any_of(given.network.bars.begin(), given.network.bars.end(),
-                    [](const NetworkBar& bar) { return bar.drifts(); })) {
-        throw std::invalid_argument(
-            "a bar that nothing holds: its place does not follow from waves");
-    }
 }
 
-/// Distances counted from the shape under constant forces. \throws std::invalid_argument.
-HarmonicNetwork stillOf(HarmonicNetwork given)
+bool drifts(const Network& network)
 {
-    requireDecidable(given);
-    given.network = underConstantForces(std::move(given.network));
-    return given;
+    return std::any_of(network.bars.begin(), network.bars.end(),
+                       [](const NetworkBar& bar) { return bar.drifts(); });
 }
-
-}  // namespace
 
 std::vector<double> openDistances(const HarmonicNetwork& given)
 {
@@ -289,7 +295,7 @@ std::vector<double> openDistances(const HarmonicNetwork& given)
     std::vector<double> distances;
     for (std::size_t contact = 0; contact < still.network.contacts.size(); ++contact) {
         const double swing =
-            given.amplitude / given.omega() * lengthOf(open.rate(contact, driven, 0.0, 1.0));
+            given.amplitude / given.omega() * lengthOf(open.rateByDrive(contact, driven));
         distances.push_back(still.network.contacts[contact].gap - swing);
     }
     return distances;

@@ -18,8 +18,7 @@ namespace signorini {
 
 namespace {
 
-constexpr double noEnd = 1e9;       // times what meets the first row
-constexpr double parallel = 1e-12;  // rows with a smaller part along the line do not cut it
+constexpr double noEnd = 1e9;  // times what meets the first row
 
 SteppedBar checkedBar(const ForcedSet& set)
 {
@@ -38,16 +37,9 @@ SteppedBar checkedBar(const ForcedSet& set)
     return bar;
 }
 
-/// With |g| = 1, or L = 1 without a gap.
 Network networkOf(const ForcedSet& set)
 {
-    Scene scene;
-    scene.bar.gap = set.schedule.stops.right;
-    if (set.schedule.stops.left) {
-        scene.secondStop = set.schedule.stops.left->value();
-    }
-    scene.segments = set.segments;
-    Network network = networkOf(scene, set.schedule.cells, set.damping);
+    Network network = networkOf(set.schedule.stops, set.segments, set.schedule.cells, set.damping);
     network.strainLimit = set.limits.strain;
     return network;
 }
@@ -88,6 +80,28 @@ std::vector<StepDrive> drivesOf(std::span<const Excitation> shapes)
 
 }  // namespace
 
+NetworkClaim claimOf(std::span<const ContactSpan> schedule, const ForcedMotion& motion)
+{
+    NetworkClaim claim;
+    claim.waves.assign(motion.state.a.begin(), motion.state.a.end());
+    claim.displacements.assign(motion.state.b.begin(), motion.state.b.end());
+    for (const ContactSpan& span : schedule) {
+        claim.schedule.push_back({span.closed, span.steps});
+    }
+    StepDrive drive = driveOf(motion.excitation);
+    claim.forces = std::move(drive.forces);
+    claim.velocities = std::move(drive.velocities);
+    return claim;
+}
+
+void enterWalk(ForcedMotion& motion, const Network& network, const NetworkClaim& claim)
+{
+    const NetworkResiduals residuals = walk(network, claim);
+    motion.residual = std::max(residuals.worst(), strainExcess(network, claim, residuals.extremes));
+    motion.extremes.impulse =
+        std::accumulate(residuals.impulses.begin(), residuals.impulses.end(), 0.0);
+}
+
 NetworkForced::NetworkForced(const ForcedSet& set)
     : schedule_(set.schedule),
       damping_(set.damping),
@@ -108,6 +122,11 @@ NetworkForced::NetworkForced(Network network, std::vector<ContactSpan> spans,
       mostEnergy_(hugeEnergyRatio * usualEnergy)
 {
     limitStrain();
+}
+
+NetworkClaim NetworkForced::claimOf(const ForcedMotion& motion) const
+{
+    return signorini::claimOf(waves_.schedule(), motion);
 }
 
 void NetworkForced::limitStrain()
@@ -155,12 +174,7 @@ MotionAt NetworkForced::motionAt() const
                 all.data(), static_cast<Eigen::Index>(all.size()));
             motion.state.b = Eigen::Map<const Eigen::VectorXd>(
                 places.data(), static_cast<Eigen::Index>(places.size()));
-            const NetworkClaim claim = claimOf(motion);
-            const NetworkResiduals residuals = walk(waves_.network(), claim);
-            motion.residual = std::max(residuals.worst(),
-                                       strainExcess(waves_.network(), claim, residuals.extremes));
-            motion.extremes.impulse =
-                std::accumulate(residuals.impulses.begin(), residuals.impulses.end(), 0.0);
+            enterWalk(motion, waves_.network(), claimOf(motion));
             return motion;
         }
         ForcedMotion motion = drivenMotion(schedule_, damping_, shapes_, place);
@@ -169,20 +183,6 @@ MotionAt NetworkForced::motionAt() const
         motion.residual = std::max(motion.residual, excess);
         return motion;
     };
-}
-
-NetworkClaim NetworkForced::claimOf(const ForcedMotion& motion) const
-{
-    NetworkClaim claim;
-    claim.waves.assign(motion.state.a.begin(), motion.state.a.end());
-    claim.displacements.assign(motion.state.b.begin(), motion.state.b.end());
-    for (const ContactSpan& span : waves_.schedule()) {
-        claim.schedule.push_back({span.closed, span.steps});
-    }
-    StepDrive drive = driveOf(motion.excitation);
-    claim.forces = std::move(drive.forces);
-    claim.velocities = std::move(drive.velocities);
-    return claim;
 }
 
 ForcedCondition NetworkForced::named(std::size_t row) const
@@ -221,15 +221,11 @@ ForcedLine NetworkForced::line() const
     const Plane direction = cut.result().direction;
     for (const ForcedRow& row : rows) {
         // Flights that close by themselves leave a row along the line.
-        Plane plane = row.plane;
-        const double slope = plane.dot(direction);
-        const double missing = std::abs(plane.dot(cut.result().foot) - row.limit);
-        if (std::abs(slope) <= parallel * size(plane)) {
-            if (missing <= forcedTolerance * std::max(size(plane), std::abs(row.limit))) {
-                continue;
-            }
-            plane = plane - slope * direction;
+        if (cut.holdsAll(row.plane, row.limit)) {
+            continue;
         }
+        const double along = cut.isParallel(row.plane) ? row.plane.dot(direction) : 0.0;
+        const Plane plane = row.plane - along * direction;
         row.isEquality ? cut.to(plane, row.condition, row.limit)
                        : cut.by(plane, row.condition, row.limit);
     }

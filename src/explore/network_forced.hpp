@@ -75,6 +75,13 @@ private:
                                     const std::vector<ContactSpan>& schedule,
                                     const Forcing& forcing, double usualEnergy);
 
+/// A motion whose state has all waves of a network in `a` and displacements of its nodes in `b`, as
+/// what is walked.
+[[nodiscard]] NetworkClaim claimOf(std::span<const ContactSpan> schedule,
+                                   const ForcedMotion& motion);
+/// Enters its residual, and the impulse of all contacts.
+void enterWalk(ForcedMotion& motion, const Network& network, const NetworkClaim& claim);
+
 /// A motion of such a set as what is walked.
 [[nodiscard]] NetworkClaim claimOf(const ForcedSet& set, const ForcedMotion& motion);
 

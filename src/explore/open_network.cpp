@@ -69,7 +69,8 @@ OpenNetwork::Vector OpenNetwork::sentByDrive() const
     return Eigen::Map<const Vector>(sent.data(), channels());
 }
 
-OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent) const
+OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent,
+                                          Undamped undamped) const
 {
     Vector delay(channels());
     for (Eigen::Index c = 0; c < channels(); ++c) {
@@ -81,6 +82,9 @@ OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent) co
     const Eigen::PartialPivLU<Eigen::MatrixXcd> parts(matrix);
     if (parts.rcond() > resonance) {
         return parts.solve(right);
+    }
+    if (undamped == Undamped::refused) {
+        throw Resonance("nothing damps some waves of this period");
     }
     // Real and imaginary parts: that has the same waves of least norm.
     Eigen::MatrixXd both(2 * channels(), 2 * channels());
@@ -97,7 +101,7 @@ OpenNetwork::Vector OpenNetwork::arriving(std::int64_t k, const Vector& sent) co
     return waves;
 }
 
-OpenNetwork::Vector OpenNetwork::arrivingStill(std::size_t contact) const
+std::vector<double> OpenNetwork::shapeUnderPush(std::size_t contact) const
 {
     Network shape = network_;
     std::vector<double> forces(shape.nodes.size(), 0.0);
@@ -109,41 +113,54 @@ OpenNetwork::Vector OpenNetwork::arrivingStill(std::size_t contact) const
     for (std::size_t bar = 0; bar < shape.bars.size(); ++bar) {
         addShapeUnder(shape, bar, forces, std::nullopt);
     }
-    Vector arriving = Vector::Zero(channels());
-    Eigen::Index next = 0;
-    for (const CellRow& row : shape.rows) {
-        const double stretch = (shape.nodes[row.right].rest - shape.nodes[row.left].rest) /
-                               static_cast<double>(row.cells);
-        arriving[next++] = -0.5 * stretch;
-        arriving[next++] = 0.5 * stretch;
+    std::vector<double> displacements;
+    for (const NetworkNode& node : shape.nodes) {
+        displacements.push_back(node.rest);
     }
-    for (const Stub& stub : shape.stubs) {
-        arriving[next++] = stub.kind == StubKind::spring ? -shape.nodes[stub.node].rest : 0.0;
-    }
-    return arriving;
+    return displacements;
 }
 
-OpenNetwork::Complex OpenNetwork::rate(std::size_t contact, const Vector& arriving, double push,
-                                       double drive) const
+OpenNetwork::Vector OpenNetwork::arrivingStill(std::size_t contact) const
 {
-    Complex sum = 0.0;
-    forEachPushed(network_.contacts[contact], [&](std::size_t node, double sign) {
-        const LinearForm<double>& form = law_.velocity(node);
-        for (const auto& term : form.terms) {
-            sum += sign * term.coefficient * arriving[static_cast<Eigen::Index>(term.channel)];
+    const std::vector<double> waves = stretchedWaves(network_, shapeUnderPush(contact));
+    return Eigen::Map<const Eigen::VectorXd>(waves.data(), channels()).cast<Complex>();
+}
+
+double OpenNetwork::compliance(std::size_t contact, std::size_t pushing) const
+{
+    const std::vector<double> shape = shapeUnderPush(pushing);
+    return openingOf(network_.contacts[contact], [&](std::size_t node) { return shape[node]; });
+}
+
+OpenNetwork::Complex OpenNetwork::rate(std::size_t contact, const Vector& arriving) const
+{
+    return openingOf(network_.contacts[contact], [&](std::size_t node) {
+        Complex sum = 0.0;
+        for (const auto& term : law_.velocity(node).terms) {
+            sum += term.coefficient * arriving[static_cast<Eigen::Index>(term.channel)];
         }
-        sum += push / impedance(node);
-        sum += drive * sign * (form.perForce * force() + form.perBase * base());
+        return sum;
+    });
+}
+
+OpenNetwork::Complex OpenNetwork::rateByPush(std::size_t contact, const Vector& arriving,
+                                             std::size_t pushing) const
+{
+    Complex sum = rate(contact, arriving);
+    forEachPushed(network_.contacts[contact], [&](std::size_t node, double sign) {
+        forEachPushed(network_.contacts[pushing], [&](std::size_t pushed, double way) {
+            sum += node == pushed ? sign * way / impedance(node) : 0.0;
+        });
     });
     return sum;
 }
 
-double OpenNetwork::compliance(std::size_t contact) const
+OpenNetwork::Complex OpenNetwork::rateByDrive(std::size_t contact, const Vector& arriving) const
 {
-    double sum = 0.0;
-    forEachPushed(network_.contacts[contact],
-                  [&](std::size_t node, double) { sum += complianceAt(network_, node); });
-    return sum;
+    return rate(contact, arriving) + openingOf(network_.contacts[contact], [&](std::size_t node) {
+               const LinearForm<double>& form = law_.velocity(node);
+               return form.perForce * force() + form.perBase * base();
+           });
 }
 
 /// Sum of Z_k + D.

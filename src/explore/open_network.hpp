@@ -28,6 +28,8 @@ public:
     }
     /// Steps until a wave arrives, by channel.
     [[nodiscard]] const std::vector<std::int64_t>& delays() const { return delays_; }
+    /// e^{2 pi i m/n}. \pre 0 <= m < n.
+    [[nodiscard]] Complex turn(std::int64_t m) const { return turns_[static_cast<std::size_t>(m)]; }
     /// e^{2 pi i k m/n}. \pre k, m >= 0.
     [[nodiscard]] Complex power(std::int64_t k, std::int64_t m) const
     {
@@ -38,17 +40,25 @@ public:
     /// What a push of 1 at a contact sends into the channels, and what A = 1 sends.
     [[nodiscard]] Vector sentBy(std::size_t contact) const;
     [[nodiscard]] Vector sentByDrive() const;
-    /// w, for the k-th frequency. Waves without damping that nothing excites are left out.
-    /// O(channels^3). \throws Resonance if such waves resonate.
-    [[nodiscard]] Vector arriving(std::int64_t k, const Vector& sent) const;
+    /// What is done about waves without damping.
+    enum class Undamped {
+        leftOut,  ///< unless something excites them
+        refused,
+    };
+    /// w, for the k-th frequency. O(channels^3). \throws Resonance if undamped waves resonate, or
+    /// are refused.
+    [[nodiscard]] Vector arriving(std::int64_t k, const Vector& sent,
+                                  Undamped undamped = Undamped::leftOut) const;
     /// The same where a constant push of 1 holds the network still: of a bar that is held twice
     /// waves of frequency 0 do not tell how far it is stretched.
     [[nodiscard]] Vector arrivingStill(std::size_t contact) const;
-    /// The rate of a contact's distance, when this arrives, a push acts, and A = 1 or 0.
-    [[nodiscard]] Complex rate(std::size_t contact, const Vector& arriving, double push,
-                               double drive) const;
-    /// Distance by a constant push of 1.
-    [[nodiscard]] double compliance(std::size_t contact) const;
+    /// The rate of a contact's distance, when this arrives while a contact pushes with 1.
+    [[nodiscard]] Complex rateByPush(std::size_t contact, const Vector& arriving,
+                                     std::size_t pushing) const;
+    /// The same while A = 1 excites it.
+    [[nodiscard]] Complex rateByDrive(std::size_t contact, const Vector& arriving) const;
+    /// By how much a constant push of 1 at a contact widens the distance at another, or its own.
+    [[nodiscard]] double compliance(std::size_t contact, std::size_t pushing) const;
 
 private:
     [[nodiscard]] Complex force() const { return given_.place == Excited::tip ? 1.0 : 0.0; }
@@ -57,6 +67,9 @@ private:
         return given_.place == Excited::tip ? 0.0 : Complex(0.0, given_.omega());
     }
     [[nodiscard]] double impedance(std::size_t node) const;
+    [[nodiscard]] Complex rate(std::size_t contact, const Vector& arriving) const;
+    /// Its nodes displaced by a constant push of 1 at a contact.
+    [[nodiscard]] std::vector<double> shapeUnderPush(std::size_t contact) const;
 
     const HarmonicNetwork& given_;
     const Network& network_;

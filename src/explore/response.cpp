@@ -46,8 +46,9 @@ void validate(const ResponseRange& range)
     if (!range.segments.empty()) {
         requireCells(steppedBar(range.segments), range.cells);
     }
-    if (!isUniform(range.segments)) {
-        requireStepped(range);
+    if (!isUniform(range.segments) && range.contacts > 1) {
+        faults.add("contacts", range.contacts, "1 for a bar of several segments");
+        faults.throwIfAny();
     }
 }
 
@@ -62,7 +63,7 @@ std::vector<std::int64_t> stepsOf(const ResponseRange& range)
     const double first = std::max({std::ceil(unit / range.mostFrequencyRatio * (1.0 - rounding)),
                                    2.0, 2.0 * static_cast<double>(range.cycles)});
     const double last = std::floor(unit / range.leastFrequencyRatio * (1.0 + rounding));
-    const std::int64_t most = isUniform(range.segments) ? maxForcedSteps : maxSteppedResponse;
+    const std::int64_t most = isUniform(range.segments) ? maxForcedSteps : maxStaircaseSteps;
     if (!(first <= last && last <= static_cast<double>(most))) {
         Faults faults;
         faults.add("frequency ratios",

@@ -20,11 +20,26 @@ std::complex<double> HarmonicNetwork::turn(std::int64_t m) const
     return turned(2.0 * std::numbers::pi * static_cast<double>(part) / static_cast<double>(steps));
 }
 
-Network underConstantForces(Network network)
+std::vector<double> stretchedWaves(const Network& network, std::span<const double> displacements)
 {
+    std::vector<double> waves;
+    for (const CellRow& row : network.rows) {
+        const double stretch =
+            (displacements[row.right] - displacements[row.left]) / static_cast<double>(row.cells);
+        waves.insert(waves.end(), {-0.5 * stretch, 0.5 * stretch});
+    }
+    for (const Stub& stub : network.stubs) {
+        waves.push_back(stub.kind == StubKind::spring ? -displacements[stub.node] : 0.0);
+    }
+    return waves;
+}
+
+StillNetwork underConstantForces(const Network& network)
+{
+    StillNetwork still{network, {}};
     Network shape = network;
     std::vector<double> forces;
-    for (NetworkNode& node : network.nodes) {
+    for (NetworkNode& node : still.network.nodes) {
         forces.push_back(node.force);
         node.force = 0.0;
     }
@@ -40,13 +55,14 @@ Network underConstantForces(Network network)
         }
         addShapeUnder(shape, bar, forces, std::nullopt);
     }
-    const auto moved = [&](std::size_t node) {
-        return shape.nodes[node].rest - network.nodes[node].rest;
-    };
-    for (NetworkContact& contact : network.contacts) {
-        contact.gap += openingOf(contact, moved);
+    for (std::size_t node = 0; node < network.nodes.size(); ++node) {
+        still.displacements.push_back(shape.nodes[node].rest - network.nodes[node].rest);
     }
-    return network;
+    for (NetworkContact& contact : still.network.contacts) {
+        contact.gap +=
+            openingOf(contact, [&](std::size_t node) { return still.displacements[node]; });
+    }
+    return still;
 }
 
 }  // namespace signorini

@@ -10,6 +10,7 @@
 
 #include <complex>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -62,8 +63,17 @@ struct NetworkHarmonicMotion {
     double residual = 0.0;
 };
 
-/// Gaps under the constant forces of a network, which are taken away: what moves is counted from
-/// the shape under them. \throws std::invalid_argument if they pull at a bar that nothing holds.
-[[nodiscard]] Network underConstantForces(Network network);
+/// The waves of a network at rest whose nodes are displaced, one for each channel: rows and springs
+/// are stretched evenly.
+[[nodiscard]] std::vector<double> stretchedWaves(const Network& network,
+                                                 std::span<const double> displacements);
+
+/// A network that constant forces have displaced, and what moves on from there.
+struct StillNetwork {
+    Network network;                    ///< without the forces, gaps under them
+    std::vector<double> displacements;  ///< of the nodes, by the forces
+};
+/// \throws std::invalid_argument if they pull at a bar that nothing holds.
+[[nodiscard]] StillNetwork underConstantForces(const Network& network);
 
 }  // namespace signorini

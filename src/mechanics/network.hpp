@@ -375,6 +375,9 @@ struct SceneReference {
 /// \throws std::invalid_argument on an invalid scene, or cells that are not those of the segments.
 [[nodiscard]] Network networkOf(const Scene& scene, std::int64_t cells,
                                 const Damping& damping = {});
+/// The same of a bar whose stops are all that is known of them: |g| = 1, or L = 1 without a gap.
+[[nodiscard]] Network networkOf(const Stops& stops, const std::vector<Segment>& segments,
+                                std::int64_t cells, const Damping& damping);
 
 }  // namespace signorini
 

@@ -44,4 +44,16 @@ Network networkOf(const Scene& scene, std::int64_t cells, const Damping& damping
     return network;
 }
 
+Network networkOf(const Stops& stops, const std::vector<Segment>& segments, std::int64_t cells,
+                  const Damping& damping)
+{
+    Scene scene;
+    scene.bar.gap = stops.right;
+    if (stops.left) {
+        scene.secondStop = stops.left->value();
+    }
+    scene.segments = segments;
+    return networkOf(scene, cells, damping);
+}
+
 }  // namespace signorini

@@ -2,6 +2,7 @@
 /// \file
 /// A line in the plane of excitations while rows cut it.
 
+#include <algorithm>
 #include <cmath>
 
 #include "forced_line.hpp"
@@ -63,6 +64,21 @@ public:
             line_.highRow = condition;
         }
         return !isEmpty();
+    }
+
+    /// Is a row along the line, but for rounding?
+    [[nodiscard]] bool isParallel(Plane row) const
+    {
+        constexpr double parallel = 1e-12;
+        return std::abs(row.dot(line_.direction)) <= parallel * size(row);
+    }
+    /// Is row . (C, S) the limit on all of the line? So it is where a flight ends at another stop
+    /// whatever the excitation.
+    [[nodiscard]] bool holdsAll(Plane row, double limit) const
+    {
+        constexpr double near = 1e-9;
+        return isParallel(row) &&
+               std::abs(row.dot(line_.foot) - limit) <= near * std::max(size(row), std::abs(limit));
     }
 
     /// row . (C, S) = value. What holds already, but for rounding, holds.

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "forced_cut.hpp"
-#include "harmonic_tip.hpp"
+#include "harmonic_motion.hpp"
 
 namespace signorini {
 
@@ -14,151 +15,156 @@ namespace {
 constexpr double singular = 1e-12;       // 1 - alpha beta that is 0 but for rounding
 constexpr double nearlySingular = 1e-9;  // below it pushes are anyone's guess
 constexpr double stillMoving = 1e-10;    // v in contact, relative: rounding has spoilt the rows
+constexpr double moving = 1e-6;          // more than rounding leaves of what nothing moves
 
-std::int64_t residuesOf(const SteppedBar& bar, std::int64_t steps)
+Plane parts(std::complex<double> value)
 {
-    std::int64_t common = steps;
-    for (const Segment& segment : bar.segments) {
-        common = std::gcd(common, 2 * segment.cells);
+    return {value.real(), value.imag()};
+}
+
+std::vector<double> mixed(const std::vector<double>& x, double factor, const std::vector<double>& y,
+                          double divisor)
+{
+    std::vector<double> sum(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        sum[i] = (x[i] - factor * y[i]) / divisor;
     }
-    return common;
+    return sum;
 }
 
 }  // namespace
 
-GrowingContact::GrowingContact(const SteppedBar& bar, double eta, Excited place,
-                               std::int64_t cycles, std::int64_t steps)
-    : bar_(bar),
-      eta_(eta),
-      steps_(steps),
-      residues_(residuesOf(bar, steps)),
-      members_(steps / residues_),
+GrowingContact::GrowingContact(ContactPeriod period)
+    : period_(std::move(period)),
+      members_(period_.steps / period_.residues),
       fixed_(members_),
-      push_(static_cast<std::size_t>(steps)),
-      speed_(static_cast<std::size_t>(steps))
+      push_(static_cast<std::size_t>(period_.steps))
 {
-    for (const Segment& segment : bar.segments) {
-        compliance_ += static_cast<double>(segment.cells) /
-                       (segment.impedance * static_cast<double>(bar.cells));
-    }
-    setLinear(place, cycles);
-    setKernels();
-}
-
-/// v^0 and u(L, 0): the sine is the cosine, a quarter later.
-void GrowingContact::setLinear(Excited place, std::int64_t cycles)
-{
-    using Complex = HarmonicTip::Complex;
-    const HarmonicTip tip(bar_, eta_, 2 * steps_);
-    const auto cells = static_cast<double>(bar_.cells);
-    const Complex move = cells * (tip.turn(2 * cycles) - 1.0);  // of displacements, in a step
-    const Complex speed = place == Excited::tip ? tip.turn(cycles) * tip.speedOfForce(2 * cycles)
-                                                : move * tip.speedOfBase(2 * cycles);
-    const auto parts = [](const Complex& value) { return Plane{value.real(), value.imag()}; };
-    usual_ = place == Excited::tip ? 1.0 / (bar_.segments.back().impedance + eta_) : std::abs(move);
-    tip_ = parts(speed / move);
-    linearPeak_ = std::abs(speed / move);
-    for (std::int64_t m = 0; m < steps_; ++m) {
-        speed_[static_cast<std::size_t>(m)] = parts(speed * tip.turn(2 * (cycles * m % steps_)));
-    }
-}
-
-void GrowingContact::setKernels()
-{
-    const HarmonicTip tip(bar_, eta_, steps_);
-    // Harmonics k and k + n/G are the same for one residue.
-    std::vector<HarmonicTip::Complex> mobility;
-    for (std::int64_t k = 0; k < members_; ++k) {
-        mobility.push_back(tip.speedOfForce(k));
-    }
-    for (std::int64_t i = 0; i < members_; ++i) {
-        double sum = 0.0;
-        for (std::int64_t k = 0; k < members_; ++k) {
-            sum += (mobility[static_cast<std::size_t>(k)] * tip.turn(k * i % members_ * residues_))
-                       .real();
+    const std::int64_t n = period_.steps;
+    const auto turn = [&](std::int64_t m) {
+        const std::int64_t part = period_.cycles % n * m % n;
+        return turned(2.0 * std::numbers::pi * static_cast<double>(part) / static_cast<double>(n));
+    };
+    for (const ClosingContact& contact : period_.contacts) {
+        const std::complex<double> start = contact.driven / (turn(1) - 1.0);
+        start_.push_back(parts(start));
+        std::vector<Plane>& speeds = speeds_.emplace_back();
+        for (std::int64_t m = 0; m < n; ++m) {
+            speeds.push_back(parts(contact.driven * turn(m)));
         }
-        speedOfPush_.push_back(sum / static_cast<double>(members_));
+        ways_.push_back(waysOf(contact));
     }
-    double place = 0.0;
-    for (std::int64_t m = 0; m < steps_; ++m) {
-        tipOfPush_.push_back(place);
-        if (m % residues_ == 0) {
-            place += speedOfPush_[static_cast<std::size_t>(m / residues_)] /
-                     static_cast<double>(bar_.cells);
+    linearPeak_ = lengthOf(period_.contacts.front().driven / (turn(1) - 1.0));
+    measure();
+}
+
+std::vector<double> GrowingContact::waysOf(const ClosingContact& contact) const
+{
+    std::vector<double> ways;
+    double way = 0.0;
+    for (std::int64_t m = 0; m < period_.steps; ++m) {
+        ways.push_back(way);
+        if (m >= contact.offset && (m - contact.offset) % period_.residues == 0) {
+            const std::int64_t member = (m - contact.offset) / period_.residues;
+            way += contact.byPush[static_cast<std::size_t>(member)];
         }
     }
-    const double mean = std::accumulate(tipOfPush_.begin(), tipOfPush_.end(), 0.0);
-    for (double& value : tipOfPush_) {
-        value += (compliance_ - mean) / static_cast<double>(steps_);
+    const double mean = std::accumulate(ways.begin(), ways.end(), 0.0);
+    for (double& value : ways) {
+        value += (contact.compliance - mean) / static_cast<double>(period_.steps);
     }
+    return ways;
 }
 
-/// From a contact of one step less. O(n/G).
+/// O(contacts (n/G)^2).
+GrowingContact::Train GrowingContact::trainOf(std::vector<double> push) const
+{
+    Train train{std::move(push), {}};
+    const auto members = static_cast<std::size_t>(members_);
+    for (const ClosingContact& contact : period_.contacts) {
+        std::vector<double>& speeds = train.speeds.emplace_back(members, 0.0);
+        for (std::size_t k = 0; k < members; ++k) {
+            for (std::size_t i = 0; i < members && train.push[k] != 0.0; ++i) {
+                speeds[(i + k) % members] += train.push[k] * contact.byPush[i];
+            }
+        }
+    }
+    return train;
+}
+
+/// From a contact of one step less. O(contacts n/G).
 void GrowingContact::lengthen(std::int64_t contact)
 {
     const auto members = static_cast<std::size_t>(members_);
     if (contact == members_) {
-        setFree(contact, std::vector<double>(members, 1.0));
+        setFree(contact, trainOf(std::vector<double>(members, 1.0)));
         return;
     }
     if (contact == 1) {
-        const double alone = 1.0 / (bar_.segments.back().impedance + eta_);  // before waves return
-        first_.push.assign(members, 0.0);
-        first_.push[0] = 1.0;
-        if (!(std::abs(speedOfPush_[0]) > singular * alone)) {
-            setFree(contact, first_.push);
-            return;
-        }
-        first_.push[0] = 1.0 / speedOfPush_[0];
-        for (const double speed : speedOfPush_) {
-            first_.speed.push_back(speed / speedOfPush_[0]);
-        }
+        std::vector<double> push(members, 0.0);
+        const double speed = period_.contacts.front().byPush[0];
+        const bool moves = std::abs(speed) > singular * period_.alone;
+        push[0] = moves ? 1.0 / speed : 1.0;
+        first_ = trainOf(std::move(push));
         last_ = first_;
+        if (!moves) {
+            endRecursion(contact, first_, period_.alone);
+        }
         return;
     }
     Train shifted = last_;
     std::rotate(shifted.push.rbegin(), shifted.push.rbegin() + 1, shifted.push.rend());
-    std::rotate(shifted.speed.rbegin(), shifted.speed.rbegin() + 1, shifted.speed.rend());
-    const double alpha = first_.speed[static_cast<std::size_t>(contact - 1)];
-    const double beta = shifted.speed[0];
+    for (std::vector<double>& speeds : shifted.speeds) {
+        std::rotate(speeds.rbegin(), speeds.rbegin() + 1, speeds.rend());
+    }
+    const double alpha = first_.speeds[0][static_cast<std::size_t>(contact - 1)];
+    const double beta = shifted.speeds[0][0];
     const double determinant = 1.0 - alpha * beta;
-    const auto mix = [](const std::vector<double>& x, double factor, const std::vector<double>& y,
-                        double divisor) {
-        std::vector<double> sum(x.size());
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            sum[i] = (x[i] - factor * y[i]) / divisor;
+    const auto mix = [](const Train& x, double factor, const Train& y, double divisor) {
+        Train sum{mixed(x.push, factor, y.push, divisor), {}};
+        for (std::size_t c = 0; c < x.speeds.size(); ++c) {
+            sum.speeds.push_back(mixed(x.speeds[c], factor, y.speeds[c], divisor));
         }
         return sum;
     };
     if (std::abs(determinant) <= singular) {
-        const std::vector<double> left = mix(shifted.speed, beta, first_.speed, 1.0);
-        isRegular_ = std::all_of(left.begin(), left.end(),
-                                 [](double speed) { return std::abs(speed) <= stillMoving; });
-        setFree(contact, mix(shifted.push, beta, first_.push, 1.0));
+        endRecursion(contact, mix(shifted, beta, first_, 1.0), 1.0);
         return;
     }
     isRegular_ = std::abs(determinant) > nearlySingular;
-    last_ = {mix(shifted.push, beta, first_.push, determinant),
-             mix(shifted.speed, beta, first_.speed, determinant)};
-    first_ = {mix(first_.push, alpha, shifted.push, determinant),
-              mix(first_.speed, alpha, shifted.speed, determinant)};
+    last_ = mix(shifted, beta, first_, determinant);
+    first_ = mix(first_, alpha, shifted, determinant);
 }
 
-void GrowingContact::setFree(std::int64_t contact, std::vector<double> push)
+/// With pushes that leave v = 0 in contact: where dashpots damp all waves they move nothing else,
+/// for v takes up no work.
+void GrowingContact::endRecursion(std::int64_t contact, Train train, double usual)
+{
+    double largest = 0.0;
+    for (const double speed : train.speeds[0]) {
+        largest = std::max(largest, std::abs(speed));
+    }
+    isRegular_ = largest <= stillMoving * usual;
+    isDamped_ = largest <= moving * usual;
+    setFree(contact, std::move(train));
+}
+
+void GrowingContact::setFree(std::int64_t contact, Train train)
 {
     fixed_ = contact - 1;
-    const double largest = std::abs(*std::max_element(
-        push.begin(), push.end(), [](double x, double y) { return std::abs(x) < std::abs(y); }));
-    for (double& value : push) {
+    const double largest =
+        std::abs(*std::max_element(train.push.begin(), train.push.end(),
+                                   [](double x, double y) { return std::abs(x) < std::abs(y); }));
+    for (double& value : train.push) {
         value /= largest;
     }
-    freePush_ = std::move(push);
+    freePush_ = std::move(train.push);
 }
 
 void GrowingContact::grow()
 {
-    const std::int64_t residue = contact_ % residues_;
-    const std::int64_t before = contact_ / residues_;
+    const std::int64_t residue = contact_ % period_.residues;
+    const std::int64_t before = contact_ / period_.residues;
     ++contact_;
     if (residue == 0 && isRegular_ && before < fixed_) {
         lengthen(before + 1);
@@ -166,20 +172,31 @@ void GrowingContact::grow()
     if (before >= fixed_ || !isRegular_) {
         return;
     }
-    const Plane missing = speed(residue + before * residues_);
-    for (std::int64_t i = 0, m = residue; i < members_; ++i, m += residues_) {
-        const auto from = static_cast<std::size_t>(i);
-        const auto at = static_cast<std::size_t>(m);
-        push_[at] = push_[at] + last_.push[from] * missing;
-        speed_[at] = speed_[at] - last_.speed[from] * missing;
+    const Plane missing = speed(residue + before * period_.residues);
+    for (std::size_t c = 0; c < speeds_.size(); ++c) {
+        std::vector<Plane>& speeds = speeds_[c];
+        std::int64_t m = residue + period_.contacts[c].offset;
+        for (const double taken : last_.speeds[c]) {
+            m -= m < period_.steps ? 0 : period_.steps;
+            Plane& at = speeds[static_cast<std::size_t>(m)];
+            at = at - taken * missing;
+            m += period_.residues;
+        }
     }
+    std::int64_t m = residue;
+    for (const double push : last_.push) {
+        Plane& at = push_[static_cast<std::size_t>(m)];
+        at = at + push * missing;
+        m += period_.residues;
+    }
+    measure();
 }
 
 /// Steps of contact of a residue are n_c/G, rounded up in the first n_c mod G residues.
 std::int64_t GrowingContact::freeBefore(std::int64_t residue) const
 {
-    const std::int64_t held = contact_ / residues_;
-    const std::int64_t longer = std::min(residue, contact_ % residues_);
+    const std::int64_t held = contact_ / period_.residues;
+    const std::int64_t longer = std::min(residue, contact_ % period_.residues);
     return longer * std::max<std::int64_t>(held + 1 - fixed_, 0) +
            (residue - longer) * std::max<std::int64_t>(held - fixed_, 0);
 }
@@ -191,17 +208,18 @@ std::int64_t GrowingContact::freeOf(std::int64_t residue) const
 
 std::int64_t GrowingContact::freePushes() const
 {
-    return freeBefore(residues_);
+    return freeBefore(period_.residues);
 }
 
 template <typename Action>
 void GrowingContact::forEachFree(std::int64_t m, Action action) const
 {
-    const std::int64_t residue = m % residues_;
+    const std::int64_t residue = m % period_.residues;
+    const std::int64_t member = m / period_.residues;
     const auto first = static_cast<std::size_t>(freeBefore(residue));
-    for (std::int64_t q = 0; q < std::min(freeOf(residue), m / residues_ + 1); ++q) {
+    for (std::int64_t q = 0; q < std::min(freeOf(residue), member + 1); ++q) {
         action(first + static_cast<std::size_t>(q),
-               freePush_[static_cast<std::size_t>(m / residues_ - q)]);
+               freePush_[static_cast<std::size_t>(member - q)]);
     }
 }
 
@@ -212,57 +230,82 @@ double GrowingContact::freePush(std::int64_t m, std::span<const double> free) co
     return sum;
 }
 
-Plane GrowingContact::tip() const
+Plane GrowingContact::placeOf(std::size_t contact) const
 {
-    Plane place = tip_;
-    for (std::int64_t m = 0; m < contact_; ++m) {
-        const std::int64_t later = m == 0 ? 0 : steps_ - m;
-        place = place -
-                tipOfPush_[static_cast<std::size_t>(later)] * push_[static_cast<std::size_t>(m)];
+    const std::vector<double>& ways = ways_[contact];
+    Plane place = start_[contact] - ways[0] * push(0);
+    for (std::int64_t m = 1; m < contact_; ++m) {
+        place = place - ways[static_cast<std::size_t>(period_.steps - m)] * push(m);
     }
     return place;
 }
 
-/// u(L, 0) where residues with pushes of their own do not push on average.
-Plane GrowingContact::highestTip() const
+/// Where residues with pushes of their own do not push on average.
+Plane GrowingContact::farthestPlace() const
 {
-    Plane place = tip();
+    Plane place = this->place();
+    const double mean = period_.contacts.front().compliance / static_cast<double>(period_.steps);
     for (std::int64_t m = 0; m < contact_; ++m) {
-        if (freeOf(m % residues_) > 0) {
-            place = place + (compliance_ / static_cast<double>(steps_)) * push(m);
+        if (freeOf(m % period_.residues) > 0) {
+            place = place + mean * push(m);
         }
     }
     return place;
 }
 
-double GrowingContact::scale() const
+void GrowingContact::measure()
 {
-    double largest = usual_;
+    scale_ = period_.usual;
     for (std::size_t m = 0; m < push_.size(); ++m) {
-        largest = std::max({largest, size(push_[m]), size(speed_[m])});
+        scale_ = std::max({scale_, size(push_[m]), size(speeds_[0][m])});
     }
-    return largest;
 }
 
-std::optional<ForcedLine> GrowingContact::line()
+bool GrowingContact::isClear() const
 {
-    const double most = scale();
     for (std::int64_t m = 0; m < contact_; ++m) {
         // Pushes beyond the fixed ones stop what moves there only if the base does not resist.
-        if (!isRegular_ || (m / residues_ < fixed_ && !(size(speed(m)) <= stillMoving * most))) {
-            return std::nullopt;
+        if (!isRegular_ ||
+            (m / period_.residues < fixed_ && !(size(speed(m)) <= stillMoving * scale_))) {
+            return false;
         }
     }
+    return true;
+}
+
+bool GrowingContact::opens() const
+{
+    for (std::int64_t m = contact_; m < period_.steps; ++m) {
+        if (size(speed(m)) > stillMoving * scale_) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool GrowingContact::lineBounds() const
+{
+    const auto& contacts = period_.contacts;
+    return freePushes() == 0 ||
+           (contacts.front().gap > 0.0 &&
+            std::all_of(contacts.begin(), contacts.end(),
+                        [](const ClosingContact& contact) { return contact.gap >= 0.0; }));
+}
+
+ForcedLine GrowingContact::line()
+{
+    const double most = scale_;
     const double nothing = roundOff * most;
-    const bool hasFree = contact_ > fixed_ * residues_;
-    ForcedCut cut(hasFree ? highestTip() : tip(), 1.0, most, true, false);
+    const bool hasFree = freePushes() > 0;
+    const double gap = period_.contacts.front().gap;
+    ForcedCut cut(hasFree ? farthestPlace() : place(), gap, most, true, gap == 0.0);
     const auto finish = [&] {
         lastRows_ = {cut.result().lowRow, cut.result().highRow};
         return cut.result();
     };
     const auto byPush = [&](const ForcedCondition& condition) {
         const Plane row = push(condition.step);
-        return size(row) <= nothing || (hasFree && freeOf(condition.step % residues_) > 0) ||
+        return size(row) <= nothing || (hasFree && freeOf(condition.step % period_.residues) > 0) ||
                cut.by(row, condition);
     };
     if (cut.isEmpty()) {
@@ -280,10 +323,24 @@ std::optional<ForcedLine> GrowingContact::line()
         }
     }
     Plane way;
-    for (std::int64_t m = contact_; m + 1 < steps_; ++m) {
+    const std::int64_t end =
+        opens() ? period_.steps : contact_;  // else ways are 0 but for rounding
+    for (std::int64_t m = contact_; m + 1 < end; ++m) {
         way = way - speed(m);
         if (size(way) > nothing && !cut.by(way, {ForcedRule::penetration, m})) {
             return finish();
+        }
+    }
+    for (std::size_t c = 1; c < speeds_.size() && !hasFree; ++c) {
+        const double other = period_.contacts[c].gap;
+        Plane place = placeOf(c);
+        for (std::int64_t m = 0; m < period_.steps; ++m) {
+            const bool isRow = size(place) > nothing || other < 0.0;
+            if (isRow && !cut.holdsAll(-1.0 * place, -other) &&
+                !cut.by(-1.0 * place, {ForcedRule::penetration, m}, -other)) {
+                return finish();
+            }
+            place = place + speeds_[c][index(m)];
         }
     }
     return finish();
@@ -292,20 +349,21 @@ std::optional<ForcedLine> GrowingContact::line()
 std::vector<ForcedRow> GrowingContact::rows() const
 {
     std::vector<ForcedRow> rows;
+    const ClosingContact& own = period_.contacts.front();
     const auto free = static_cast<std::size_t>(freePushes());
-    ForcedRow gap{{ForcedRule::gap, 0}, true, tip(), {}, 1.0};
-    // A push that moves nothing presses the tip back by its mean.
-    const double pressed = -compliance_ / static_cast<double>(steps_) *
+    ForcedRow gap{{ForcedRule::gap, 0}, true, place(), {}, own.gap};
+    // A push that moves nothing presses the contact open by its mean.
+    const double pressed = -own.compliance / static_cast<double>(period_.steps) *
                            std::accumulate(freePush_.begin(), freePush_.end(), 0.0);
     for (std::size_t k = 0; k < free; ++k) {
         gap.free.emplace_back(k, pressed);
     }
     rows.push_back(std::move(gap));
-    const double most = scale();
+    const double most = scale_;
     const double nothing = roundOff * most;
     const auto put = [&](ForcedRow row) {
         row.plane = size(row.plane) > nothing ? row.plane : Plane{};
-        if (size(row.plane) > 0.0 || !row.free.empty()) {
+        if (size(row.plane) > 0.0 || !row.free.empty() || row.limit > 0.0) {
             rows.push_back(std::move(row));
         }
     };
@@ -317,16 +375,50 @@ std::vector<ForcedRow> GrowingContact::rows() const
             }
         });
         put(std::move(row));
-        if (m / residues_ >= fixed_ && size(speed(m)) > stillMoving * most) {
+        if (m / period_.residues >= fixed_ && size(speed(m)) > stillMoving * most) {
             rows.push_back({{ForcedRule::work, m}, true, speed(m), {}, 0.0});
         }
     }
     Plane way;
-    for (std::int64_t m = contact_; m + 1 < steps_; ++m) {
+    for (std::int64_t m = contact_; m + 1 < period_.steps; ++m) {
         way = way - speed(m);
         put({{ForcedRule::penetration, m}, false, way, {}, 0.0});
     }
+    for (std::size_t c = 1; c < speeds_.size(); ++c) {
+        const std::vector<double> freeWays = waysOfFree(c);
+        Plane place = placeOf(c);
+        for (std::int64_t m = 0; m < period_.steps; ++m) {
+            ForcedRow row{
+                {ForcedRule::penetration, m}, false, -1.0 * place, {}, -period_.contacts[c].gap};
+            for (std::int64_t residue = 0; residue < period_.residues; ++residue) {
+                for (std::int64_t q = 0; q < freeOf(residue); ++q) {
+                    const std::int64_t begin = residue + q * period_.residues;
+                    const double opened = freeWays[index(m + period_.steps - begin)];
+                    if (std::abs(opened) > roundOff * own.compliance) {
+                        row.free.emplace_back(static_cast<std::size_t>(freeBefore(residue) + q),
+                                              opened);
+                    }
+                }
+            }
+            put(std::move(row));
+            place = place + speeds_[c][index(m)];
+        }
+    }
     return rows;
+}
+
+/// How much farther another contact is open at the beginning of a step by the free push that begins
+/// in step 0. O(n n/G).
+std::vector<double> GrowingContact::waysOfFree(std::size_t contact) const
+{
+    std::vector<double> sums(static_cast<std::size_t>(period_.steps), 0.0);
+    for (std::size_t i = 0; i < freePush_.size(); ++i) {
+        const std::int64_t begin = static_cast<std::int64_t>(i) * period_.residues;
+        for (std::int64_t m = 0; m < period_.steps && freePush_[i] != 0.0; ++m) {
+            sums[index(m + begin)] += freePush_[i] * ways_[contact][index(m)];
+        }
+    }
+    return sums;
 }
 
 }  // namespace signorini

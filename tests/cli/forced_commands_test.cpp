@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <sstream>
 
 #include "command_line.hpp"
@@ -610,7 +611,9 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
     CHECK(settled >= 5);
     CHECK(lines(contentOf(program.file("r.csv"))) >= 1 + std::ssize(answer["frequencies"]));
     for (const std::string& wrong :
-         {"response" + bars + force, "response --exact --damping 0.1" + bars + force,
+         {"response --contacts 2" + bars + force, "response --map m.svg" + bars + force,
+          "response --exact --damping 0.1" + bars + force,
+          "response --exact --stability" + bars + force,
           "response --exact --contacts 2" + bars + force,
           "response --exact --map m.svg" + bars + force,
           "response --exact --from 1e-4" + bars + force,
@@ -619,6 +622,54 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
         INFO(wrong << "\n" << outcome.err);
         CHECK(outcome.status == 2);
         CHECK(lines(outcome.err) == 1);
+    }
+}
+
+TEST_CASE("cli response of several bars in steps: what find says of each schedule")
+{
+    const CommandLine program;
+    const std::string bars = " --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'";
+    const std::string force = " --force tip --amplitude 2e-3";
+    const json answer = parsed(program,
+                               "response --from-hertz 0.5 --to-hertz 0.8 --stability "
+                               "--csv r.csv" +
+                                   bars + force);
+    int tried = 0;
+    std::size_t motions = 0;
+    for (const json& at : answer["frequencies"]) {
+        const int steps = at["steps"].get<int>();
+        motions += at["motions"].size();
+        for (const json& motion : at["motions"]) {
+            const int closed = motion["contact_steps"].get<int>();
+            const json found =
+                parsed(program, fmt::format("find {} {}", closed, steps - closed) + bars + force);
+            const auto& list = found["motions"];
+            INFO(closed << " of " << steps);
+            CHECK(std::any_of(list.begin(), list.end(), [&](const json& other) {
+                return std::abs(std::remainder(
+                           motion["phase"].get<double>() - other["phase"].get<double>(),
+                           2.0 * std::numbers::pi)) < 1e-6 &&
+                       motion["impulse"].get<double>() ==
+                           Approx(other["contacts"][0]["impulse"].get<double>()).epsilon(1e-6) &&
+                       motion["strains"]["peak_compression"].get<double>() ==
+                           Approx(other["strains"]["peak_compression"].get<double>());
+            }));
+            tried += motion["stability"]["verdict"] == "attracts" ? 1 : 0;
+        }
+    }
+    CHECK(answer["exact"] == false);
+    CHECK(tried > 0);
+    CHECK(motions >= 8);
+    CHECK_THAT(contentOf(program.file("r.csv")), containsText(",step,"));
+    // Bars that nothing holds, and waves that nothing damps: each schedule by its own programs.
+    for (const char* scene :
+         {"stop=1e-3 4 dash=0.1 driven stop=1e-3", "clamp 4 driven gap=1e-3 4 clamp"}) {
+        const json other = parsed(program, fmt::format("response --from-hertz 0.4 --to-hertz 0.8 "
+                                                       "--scene '{}'",
+                                                       scene) +
+                                               force);
+        CHECK(std::any_of(other["frequencies"].begin(), other["frequencies"].end(),
+                          [](const json& at) { return !at["motions"].empty(); }));
     }
 }
 

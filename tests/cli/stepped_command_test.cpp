@@ -76,8 +76,6 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
             "cells of all segments = 8");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only", "families only");
     const std::string response = "response --damping 0.1 --force tip --amplitude 1e-4 --segments ";
-    refuses(response + "4:1,4:1.3 --gap -1e-3", "gap <= 0");
-    refuses(response + "4:1,4:1.3 --second-stop 1e-3", "a second stop");
     refuses(response + "4:1,4:1.3 --contacts 2", "contacts = 2");
     refuses(response + "4:1,4:1.3 --cells 9", "cells of all segments = 8");
     refuses(response + "4:1,4:1.3 --backbone-csv b.csv", "--backbone-csv");
@@ -128,6 +126,30 @@ TEST_CASE("cli stepped: forced from rest it comes to what one schedule has, and 
     const json pressed = program.find(
         "6 26 --segments 4:1,4:1.3 --damping 0.1 --force tip --gap -1e-3 --second-stop 3e-3", 1);
     CHECK(pressed["reason"] == "penetration");
+}
+
+TEST_CASE("cli stepped: a pressed bar and a second stop have responses, too", "[glpk]")
+{
+    const CommandLine program;
+    const auto parsed = [&program](const std::string& words) {
+        return json::parse(program.run(words + " --format json").out);
+    };
+    const std::string words =
+        "response --damping 0.1 --force tip --segments 4:1,4:1.3 --from 0.8 --to 1.2 ";
+    const json pressed = parsed(words + "--amplitude 4e-4 --gap -1e-3");
+    int permanent = 0;
+    for (const json& at : pressed["frequencies"]) {
+        permanent += at["permanent_contact"].is_null() ? 0 : 1;
+    }
+    CHECK(permanent > 0);
+    const json two = parsed(words + "--amplitude 4e-4 --gap 2e-3 --second-stop 1e-3");
+    int onLeft = 0;
+    for (const json& at : two["frequencies"]) {
+        for (const json& motion : at["motions"]) {
+            onLeft += motion["schedule"].front().size() == 3 ? 1 : 0;
+        }
+    }
+    CHECK(onLeft > 0);
 }
 
 TEST_CASE("cli stepped: the response says what find says of each schedule, in all its files",

@@ -7,7 +7,7 @@
 
 #include "catch.hpp"
 #include "forced_truth.hpp"
-#include "growing_contact.hpp"
+#include "growing_bar.hpp"
 #include "signorini/response.hpp"
 #include "stepped_bar.hpp"
 #include "support.hpp"
@@ -30,7 +30,8 @@ struct GrowingCount {
 void checkGrowing(const SteppedBar& bar, double eta, Excited place, std::int64_t cycles,
                   std::int64_t n, GrowingCount& count)
 {
-    GrowingContact waves(bar, eta, place, cycles, n);
+    test::GrowingBar grown(bar.segments, eta, place, cycles, n);
+    GrowingContact& waves = grown.waves();
     std::int64_t residues = n;
     for (const Segment& segment : bar.segments) {
         residues = std::gcd(residues, 2 * segment.cells);
@@ -60,16 +61,16 @@ void checkGrowing(const SteppedBar& bar, double eta, Excited place, std::int64_t
                 isFree[r] = isFree[r] || push != 0.0;
             }
         }
-        const auto line = waves.line();
         bool isStill = true;
         for (std::int64_t m = 0; m < contact; ++m) {
             isStill = isStill && (isFree[static_cast<std::size_t>(m % residues)] ||
                                   size(waves.speed(m)) <= 1e-9 * most);
         }
-        if (!line) {
+        if (!waves.isClear()) {
             ++count.spoilt;
             continue;
         }
+        const ForcedLine line = waves.line();
         REQUIRE(isStill);
         const std::vector<ForcedRow> rows = waves.rows();
         REQUIRE(rows.front().condition.rule == ForcedRule::gap);
@@ -85,7 +86,7 @@ void checkGrowing(const SteppedBar& bar, double eta, Excited place, std::int64_t
             INFO(name(row.condition.rule) << " in step " << m);
             REQUIRE((size(row.plane) > 0.0 || !row.free.empty() ||
                      row.condition.rule == ForcedRule::gap));
-            Plane known = waves.tip();
+            Plane known = waves.place();
             if (row.condition.rule == ForcedRule::pressure) {
                 REQUIRE(m < contact);
                 known = waves.push(m);
@@ -104,7 +105,7 @@ void checkGrowing(const SteppedBar& bar, double eta, Excited place, std::int64_t
             REQUIRE(row.plane.s == Approx(known.s).margin(1e-9 * most));
         }
         // Free pushes so that those of a residue are 0 on average: one of each does.
-        Plane tip = waves.tip();
+        Plane tip = waves.place();
         for (std::int64_t r = 0; r < residues; ++r) {
             if (!isFree[static_cast<std::size_t>(r)]) {
                 continue;
@@ -130,7 +131,7 @@ void checkGrowing(const SteppedBar& bar, double eta, Excited place, std::int64_t
             continue;
         }
         count.free += free > 0 ? 1 : 0;
-        const Plane foot = (1.0 / squares) * tip;
+        const Plane foot = (grown.cells() / squares) * tip;
         const Plane along = (1.0 / std::sqrt(squares)) * Plane{-tip.s, tip.c};
         test::TrueCut cut;
         const auto by = [&](Plane row) {
@@ -144,25 +145,25 @@ void checkGrowing(const SteppedBar& bar, double eta, Excited place, std::int64_t
         for (std::int64_t m = contact; m + 1 < n; ++m) {
             by(ways[static_cast<std::size_t>(m)]);
         }
-        const bool isNone = line->isEmpty();
+        const bool isNone = line.isEmpty();
         REQUIRE_FALSE((isNone && cut.emptiness() < 0));
         REQUIRE_FALSE((!isNone && cut.emptiness() > 0));
         if (!isNone) {
-            REQUIRE(line->foot.c == Approx(foot.c).epsilon(1e-7).margin(1e-9));
-            REQUIRE(line->foot.s == Approx(foot.s).epsilon(1e-7).margin(1e-9));
-            REQUIRE(test::isSameEnd(line->low, cut.low()));
-            REQUIRE(test::isSameEnd(line->high, cut.high()));
+            REQUIRE(line.foot.c == Approx(foot.c).epsilon(1e-7).margin(1e-9));
+            REQUIRE(line.foot.s == Approx(foot.s).epsilon(1e-7).margin(1e-9));
+            REQUIRE(test::isSameEnd(line.low, cut.low()));
+            REQUIRE(test::isSameEnd(line.high, cut.high()));
         }
         isNone ? ++count.empty : ++count.lines;
         for (const bool isLow : {true, false}) {
-            const auto& named = isLow ? line->lowRow : line->highRow;
+            const auto& named = isLow ? line.lowRow : line.highRow;
             if (named) {
-                const double t = isLow ? line->low : line->high;
+                const double t = isLow ? line.low : line.high;
                 const Plane row = named->rule == ForcedRule::pressure
                                       ? waves.push(named->step)
                                       : ways[static_cast<std::size_t>(named->step)];
                 REQUIRE((named->rule == ForcedRule::pressure) == (named->step < contact));
-                REQUIRE(std::abs(row.dot(line->at(t))) <=
+                REQUIRE(std::abs(row.dot(line.at(t))) <=
                         1e-7 * (size(row) + 1e-3 * most) * (1.0 + std::abs(t) + size(foot)));
                 ++count.ends;
             }

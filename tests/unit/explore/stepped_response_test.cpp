@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "catch.hpp"
-#include "growing_contact.hpp"
+#include "growing_bar.hpp"
 #include "stepped_forced_oracle.hpp"
 
 using namespace signorini;
@@ -38,6 +38,17 @@ void leaveOutPoints(FrequencyResponse& response)
     });
 }
 
+/// Those that a pressed bar has of so many contact steps and more: each class flies once at most,
+/// and its tip rests at the wall, which segments have as permanent contact.
+void leaveOutRest(FrequencyResponse& response, std::int64_t contact)
+{
+    std::erase_if(response.branches,
+                  [contact](const AmplitudeBranch& branch) { return branch.contact >= contact; });
+    std::erase_if(response.motions, [contact](const ForcedMotion& motion) {
+        return motion.schedule.phases.front().contact >= contact;
+    });
+}
+
 /// Largest deviation of the tip from the wall at the ends of ten periods that the bar decides by
 /// itself, and of its impulse from ten times that of the motion.
 double driftOf(const ForcedMotion& motion, const std::vector<Segment>& segments)
@@ -59,24 +70,43 @@ TEST_CASE("stepped response: 4 + 4 equal cells have exactly the motions of one b
     const double ratio = GENERATE(0.02, 0.15);
     const Excited place = GENERATE(Excited::tip, Excited::base);
     const std::int64_t cycles = GENERATE(1, 3);
+    const Stops stops = GENERATE(Stops{}, Stops{1, Fraction{2, 1}}, Stops{-1, {}}, Stops{0, {}});
     ResponseRange equal = rangeOf({{.cells = 4}, {.cells = 4}}, ratio, place, cycles);
+    equal.stops = stops;
     equal.leastFrequencyRatio = 0.4;
     equal.mostFrequencyRatio = 2.4;
-    equal.amplitude *= static_cast<double>(cycles);
+    equal.amplitude *= (stops.right < 0 ? 0.31 : 1.01) * static_cast<double>(cycles);
     ResponseRange one = equal;
     one.segments.clear();
     std::size_t motions = 0;
+    int held = 0;
     for (const std::int64_t n : stepsOf(one)) {
         FrequencyResponse known = responseAt(one, n).value();
         FrequencyResponse seen = steppedResponseAt(equal, n, {}).value();
         for (FrequencyResponse* response : {&known, &seen}) {
             leaveOutPoints(*response);
+            if (stops.right <= 0) {
+                leaveOutRest(*response, n - std::gcd(n, std::int64_t{16}));
+            }
         }
-        INFO("n = " << n << ", " << name(place) << ", zeta = " << ratio << ", K = " << cycles);
+        INFO("n = " << n << ", " << name(place) << ", zeta = " << ratio << ", K = " << cycles
+                    << ", stops " << stops.right << (stops.left ? " two" : ""));
         CHECK(seen.linearPeak == Approx(known.linearPeak).epsilon(1e-10).margin(1e-14));
-        CHECK(seen.undecided == known.undecided);
-        CHECK(seen.touches == known.touches);
+        CHECK(seen.undecided <= known.undecided);
+        if (std::abs(known.linearPeak - 1.0) > 1e-12) {  // else rounding decides
+            CHECK(seen.touches == known.touches);
+        }
         CHECK(seen.frequencyRatio == known.frequencyRatio);
+        REQUIRE(seen.permanent.has_value() == known.permanent.has_value());
+        // Where waves between base and wall have the frequency of the force pushes may differ by
+        // them.
+        if (known.permanent && 16 * cycles % n != 0) {
+            ++held;
+            CHECK(seen.permanent->leastForce == Approx(known.permanent->leastForce).margin(1e-9));
+            CHECK(seen.permanent->residual < forcedTolerance);
+            CHECK(seen.permanent->extremes.impulse ==
+                  Approx(known.permanent->extremes.impulse).epsilon(1e-9));
+        }
         REQUIRE(seen.branches.size() == known.branches.size());
         for (std::size_t k = 0; k < seen.branches.size(); ++k) {
             CHECK(seen.branches[k].contact == known.branches[k].contact);
@@ -92,6 +122,7 @@ TEST_CASE("stepped response: 4 + 4 equal cells have exactly the motions of one b
             const ForcedMotion& y = known.motions[k];
             CHECK(x.schedule == y.schedule);
             CHECK(x.residual < forcedTolerance);
+            INFO("n_c = " << x.schedule.phases.front().contact);
             if (n - x.schedule.phases.front().contact < std::gcd(n, std::int64_t{16})) {
                 continue;  // one of many
             }
@@ -103,7 +134,8 @@ TEST_CASE("stepped response: 4 + 4 equal cells have exactly the motions of one b
             CHECK(x.extremes.lowestTip == Approx(y.extremes.lowestTip).epsilon(1e-7));
         }
     }
-    CHECK((motions > 20 || cycles > 1));
+    CHECK((motions > 20 || cycles > 1 || stops.right < 0));
+    CHECK((held > 0 || stops.right >= 0));
 }
 
 TEST_CASE("stepped response: every motion goes on by itself for ten periods")
@@ -144,14 +176,14 @@ TEST_CASE("stepped response: no schedule of a range is missed, says a linear pro
     ResponseRange range = rangeOf(segments, 0.08, place);
     range.leastFrequencyRatio = 0.7;
     range.mostFrequencyRatio = 3.0;
-    const SteppedBar bar = steppedBar(segments);
     int exist = 0;
     int none = 0;
     int held = 0;
     for (const std::int64_t n : stepsOf(range)) {
         const FrequencyResponse response = responseAt(range, n).value();
         CHECK(response.undecided == 0);
-        GrowingContact waves(bar, range.damping.eta(), place, 1, n);
+        test::GrowingBar grown(segments, range.damping.eta(), place, 1, n);
+        GrowingContact& waves = grown.waves();
         for (std::int64_t contact = 1; contact < n; ++contact) {
             INFO("n = " << n << ", n_c = " << contact << ", " << name(place));
             const SteppedForcedOracle oracle({range.cells, {{contact, n - contact}}}, segments,
@@ -172,10 +204,11 @@ TEST_CASE("stepped response: no schedule of a range is missed, says a linear pro
             if (!isFound || waves.freePushes() > 0) {
                 continue;
             }
-            const ForcedLine line = waves.line().value();
+            const ForcedLine line = waves.line();
             for (const Plane way : {Plane{1, 0}, Plane{0, 1}, Plane{-1, 0}, Plane{0, -1}}) {
                 const double most = std::max(way.dot(line.at(std::max(line.low, -1e9))),
-                                             way.dot(line.at(std::min(line.high, 1e9))));
+                                             way.dot(line.at(std::min(line.high, 1e9)))) /
+                                    grown.unit();
                 const double known = oracle.farthest(way.c, way.s);
                 CHECK(
                     (most > 1e4 ? known > 1e2 : most == Approx(known).epsilon(1e-5).margin(1e-6)));
@@ -194,11 +227,6 @@ TEST_CASE("stepped response: what only a uniform bar can be asked is refused by 
     range.contacts = 2;
     CHECK_THROWS_WITH(stepsOf(range), containsText("contacts = 2"));
     range.contacts = 1;
-    range.stops.right = -1;
-    CHECK_THROWS_WITH(stepsOf(range), containsText("gap <= 0"));
-    range.stops = {1, Fraction{1, 1}};
-    CHECK_THROWS_WITH(stepsOf(range), containsText("a second stop"));
-    range.stops = {};
     range.cells = 9;
     CHECK_THROWS_WITH(stepsOf(range), containsText("cells of all segments = 8"));
     range.cells = 8;

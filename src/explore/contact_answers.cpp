@@ -1,0 +1,218 @@
+#include "contact_answers.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "harmonic_motion.hpp"
+
+namespace signorini {
+
+namespace {
+
+using Eigen::Index;
+
+/// G.
+std::int64_t residuesOf(const Network& network, std::int64_t steps)
+{
+    std::int64_t common = network.stubs.empty() ? steps : 1;
+    for (const CellRow& row : network.rows) {
+        common = std::gcd(common, 2 * row.cells);
+    }
+    return common;
+}
+
+/// Forces are those at the middle of a step, a base goes straight from step to step.
+std::complex<double> staircaseOf(const HarmonicNetwork& given)
+{
+    const double omega = given.omega();
+    return given.place == Excited::tip ? turned(0.5 * omega)
+                                       : (turned(omega) - 1.0) / std::complex<double>(0.0, omega);
+}
+
+/// Cells of the row from a node to the next one; 0 across a gap.
+std::int64_t cellsAfter(const Network& network, std::size_t node)
+{
+    const auto row = std::find_if(network.rows.begin(), network.rows.end(),
+                                  [node](const CellRow& one) { return one.left == node; });
+    return row == network.rows.end() ? 0 : row->cells;
+}
+
+}  // namespace
+
+ContactAnswers::ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& open,
+                               std::size_t contact)
+    : given_(given),
+      open_(open),
+      contact_(contact),
+      inSteps_(staircaseOf(given)),
+      driven_(inSteps_ * open.arriving(given.cycles, open.sentByDrive()))
+{
+    period_.steps = given.steps;
+    period_.cycles = given.cycles;
+    period_.residues = residuesOf(given.network, given.steps);
+    const Index harmonics = given.steps / period_.residues / 2 + 1;
+    const OpenNetwork::Vector sent = open.sentBy(contact);
+    answers_.resize(open.channels(), harmonics);
+    answers_.col(0) = open.arrivingStill(contact);
+    for (Index k = 1; k < harmonics; ++k) {
+        answers_.col(k) = open.arriving(k, sent, OpenNetwork::Undamped::refused);
+    }
+    offsets_ = offsets();
+    const OpenNetwork::Vector nothing = OpenNetwork::Vector::Zero(open.channels());
+    period_.alone = lengthOf(open.rateByPush(contact, nothing, contact));
+    period_.usual = (inSteps_ * open.sentByDrive()).cwiseAbs().maxCoeff();
+    period_.contacts.push_back(askOf(contact));
+    for (std::size_t other = 0; other < given.network.contacts.size(); ++other) {
+        if (other != contact) {
+            period_.contacts.push_back(askOf(other));
+        }
+    }
+}
+
+std::vector<std::int64_t> ContactAnswers::offsets() const
+{
+    const Network& network = given_.network;
+    std::vector<std::int64_t> after(network.nodes.size(), 0);
+    const NetworkContact& at = network.contacts[contact_];
+    for (std::size_t node = at.node; node > 0; --node) {
+        after[node - 1] = (after[node] + cellsAfter(network, node - 1)) % period_.residues;
+    }
+    const std::size_t last = at.node + (at.kind == ContactKind::gap ? 1 : 0);
+    for (std::size_t node = last; node + 1 < network.nodes.size(); ++node) {
+        after[node + 1] = (after[node] + cellsAfter(network, node)) % period_.residues;
+    }
+    return after;
+}
+
+/// Values at offset + i G of what has this spectrum, k <= n/(2 G): harmonics k and k + n/G are the
+/// same for the steps of one residue, k and n/G - k conjugate. O((n/G)^2).
+std::vector<double> ContactAnswers::inTime(const std::vector<Complex>& spectrum,
+                                           std::int64_t offset) const
+{
+    const std::int64_t n = given_.steps;
+    const std::int64_t members = n / period_.residues;
+    std::vector<double> values;
+    for (std::int64_t i = 0; i < members; ++i) {
+        const std::int64_t time = (offset + i * period_.residues) % n;
+        double sum = 0.5 * spectrum.front().real();
+        std::int64_t at = 0;
+        for (std::int64_t k = 1; 2 * k <= members; ++k) {
+            at += time;
+            at -= at < n ? 0 : n;
+            const Complex turn = open_.turn(at);
+            const Complex part =
+                (2 * k == members ? 0.5 : 1.0) * spectrum[static_cast<std::size_t>(k)];
+            sum += part.real() * turn.real() - part.imag() * turn.imag();
+        }
+        values.push_back(2.0 * sum / static_cast<double>(members));
+    }
+    return values;
+}
+
+ContactAnswers::Complex ContactAnswers::driven(std::size_t contact) const
+{
+    return inSteps_ * open_.rateByDrive(contact, driven_ / inSteps_);
+}
+
+ClosingContact ContactAnswers::askOf(std::size_t contact) const
+{
+    const NetworkContact& at = given_.network.contacts[contact];
+    // Of a gap the side that pushes reach has it.
+    const bool isBefore = at.node < given_.network.contacts[contact_].node;
+    const std::size_t node = at.node + (at.kind == ContactKind::gap && isBefore ? 1 : 0);
+    std::vector<Complex> spectrum{0.0};
+    for (Index k = 1; k < answers_.cols(); ++k) {
+        spectrum.push_back(open_.rateByPush(contact, answers_.col(k), contact_));
+    }
+    ClosingContact asked;
+    asked.gap = at.gap;
+    asked.driven = -driven(contact);
+    asked.offset = contact == contact_ ? 0 : offsets_[node];
+    asked.byPush = inTime(spectrum, asked.offset);
+    asked.compliance = open_.compliance(contact, contact_);
+    return asked;
+}
+
+std::optional<ContactAnswers::Permanent> ContactAnswers::permanent() const
+{
+    constexpr double immobile = 1e-9;  // of a push before waves return
+    const double gap = given_.network.contacts[contact_].gap;
+    if (gap >= 0.0) {
+        return std::nullopt;
+    }
+    const OpenNetwork::Vector answer = open_.arriving(given_.cycles, open_.sentBy(contact_));
+    const Complex mobility = open_.rateByPush(contact_, answer, contact_);
+    const Complex moved = driven(contact_);
+    const bool isImmobile = lengthOf(mobility) <= immobile * period_.alone;
+    if (isImmobile && lengthOf(moved) > immobile * period_.usual) {
+        return std::nullopt;
+    }
+    const Permanent pushes{-gap / open_.compliance(contact_, contact_),
+                           isImmobile ? 0.0 : -moved / mobility};
+    for (std::size_t other = 0; other < given_.network.contacts.size(); ++other) {
+        const Complex rate =
+            driven(other) + pushes.swing * open_.rateByPush(other, answer, contact_);
+        const double swing = given_.amplitude * lengthOf(rate / (given_.turn(1) - 1.0));
+        const double still =
+            given_.network.contacts[other].gap + pushes.still * open_.compliance(other, contact_);
+        if (other != contact_ && still < swing) {
+            return std::nullopt;
+        }
+    }
+    return pushes;
+}
+
+NetworkStart ContactAnswers::startOf(Plane place, const std::vector<double>& pushes) const
+{
+    std::vector<double> waves;
+    const Network& network = given_.network;
+    const auto rows = static_cast<Index>(network.rows.size());
+    for (Index row = 0; row < rows; ++row) {
+        const std::int64_t cells = network.rows[static_cast<std::size_t>(row)].cells;
+        for (std::int64_t cell = cells; cell-- > 0;) {
+            waves.push_back(arriving(2 * row, cell, place, pushes));
+        }
+        for (std::int64_t cell = 0; cell < cells; ++cell) {
+            waves.push_back(arriving(2 * row + 1, cell, place, pushes));
+        }
+    }
+    for (Index channel = 2 * rows; channel < open_.channels(); ++channel) {
+        waves.push_back(arriving(channel, 0, place, pushes));
+    }
+    std::vector<double> displacements = displacementsOf(network, waves, {});
+    if (given_.place == Excited::base) {
+        for (std::size_t node = 0; node < displacements.size(); ++node) {
+            const auto clamp = displacementOf(network, node).clamp;
+            displacements[node] += clamp && network.nodes[*clamp].isShaken ? place.c : 0.0;
+        }
+    }
+    return {std::move(waves), std::move(displacements)};
+}
+
+/// In a step m. O(n_c/G).
+double ContactAnswers::arriving(Index channel, std::int64_t m, Plane place,
+                                const std::vector<double>& pushes) const
+{
+    if (byPush_.empty()) {
+        for (Index c = 0; c < open_.channels(); ++c) {
+            std::vector<Complex> spectrum;
+            for (Index k = 0; k < answers_.cols(); ++k) {
+                spectrum.push_back(answers_(c, k));
+            }
+            byPush_.push_back(inTime(spectrum, offsetOf(c)));
+        }
+    }
+    const std::vector<double>& kernel = byPush_[static_cast<std::size_t>(channel)];
+    const Complex harmonic = driven_[channel] * given_.turn(m);
+    double sum = place.dot({harmonic.real(), harmonic.imag()});
+    const std::int64_t after = m + given_.steps - offsetOf(channel);
+    for (std::int64_t k = after % period_.residues; k < static_cast<std::int64_t>(pushes.size());
+         k += period_.residues) {
+        const std::int64_t later = (after + given_.steps - k) % given_.steps;
+        sum += kernel[static_cast<std::size_t>(later / period_.residues)] *
+               pushes[static_cast<std::size_t>(k)];
+    }
+    return sum;
+}
+
+}  // namespace signorini

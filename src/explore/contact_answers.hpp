@@ -1,0 +1,68 @@
+#pragma once
+/// \file
+/// What a network whose contacts are open answers to pushes at one of them, once in a period of n
+/// steps, and to a harmonic staircase that excites it.
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "growing_contact.hpp"
+#include "network_simulation.hpp"
+#include "open_network.hpp"
+
+namespace signorini {
+
+class ContactAnswers {
+public:
+    using Complex = OpenNetwork::Complex;
+
+    /// Keeps references. O((n/G)^2) for each contact and, for each frequency, channels^3.
+    /// \throws Resonance if nothing damps some waves of the period. \pre as OpenNetwork; no bar
+    /// drifts.
+    ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& open, std::size_t contact);
+
+    /// What grows.
+    [[nodiscard]] const ContactPeriod& period() const { return period_; }
+
+    /// Pushes in all steps that keep the contact closed: the still one and, for A = 1, a harmonic.
+    struct Permanent {
+        double still = 0.0;
+        Complex swing = 0.0;
+    };
+    /// None where its sides do not press on each other at rest, where a harmonic cannot move it, or
+    /// where another contact would close.
+    [[nodiscard]] std::optional<Permanent> permanent() const;
+
+    /// The waves at t = 0 under the excitation (C, S) and pushes in the first steps. O(cells
+    /// n_c/G).
+    [[nodiscard]] NetworkStart startOf(Plane place, const std::vector<double>& pushes) const;
+
+private:
+    [[nodiscard]] ClosingContact askOf(std::size_t contact) const;
+    [[nodiscard]] std::vector<std::int64_t> offsets() const;
+    [[nodiscard]] std::vector<double> inTime(const std::vector<Complex>& spectrum,
+                                             std::int64_t offset) const;
+    [[nodiscard]] double arriving(Eigen::Index channel, std::int64_t m, Plane place,
+                                  const std::vector<double>& pushes) const;
+    [[nodiscard]] std::int64_t offsetOf(Eigen::Index channel) const
+    {
+        return offsets_[given_.network.nodeOf(static_cast<std::size_t>(channel))];
+    }
+    /// The rate of a distance under A = 1.
+    [[nodiscard]] Complex driven(std::size_t contact) const;
+
+    const HarmonicNetwork& given_;
+    const OpenNetwork& open_;
+    std::size_t contact_;
+    Complex inSteps_;  ///< of a harmonic of the network as the staircase has it in step 0
+    ContactPeriod period_;
+    Eigen::MatrixXcd answers_;    ///< what arrives, by channel and frequency up to n/(2 G), for a
+                                  ///< push of 1
+    OpenNetwork::Vector driven_;  ///< what arrives in step 0 for A = 1
+    std::vector<std::int64_t> offsets_;                ///< steps mod G from the contact, by node
+    mutable std::vector<std::vector<double>> byPush_;  ///< by channel, at its offset + i G; made
+                                                       ///< for the first motion
+};
+
+}  // namespace signorini

@@ -1,0 +1,271 @@
+#include "contact_response.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "contact_answers.hpp"
+#include "forced_case.hpp"
+#include "forced_polytope.hpp"
+#include "forced_set.hpp"
+#include "harmonic_motion.hpp"
+#include "harmonic_network_contact.hpp"
+#include "network_find.hpp"
+#include "network_forced.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// One schedule by programs of its own.
+void addAlone(FrequencyResponse& response, const HarmonicNetwork& given, ContactStart start,
+              const MotionFrom& motionFrom)
+{
+    const std::vector<ContactSpan> spans = spansOf(start, given.steps);
+    const ForcedSet set = forcedScene(given.network, spans, {given.place, given.cycles, {}},
+                                      usualEnergy(given.network, spans));
+    if (set.status == Status::undecided) {
+        addUndecided(response, set.detail);
+    }
+    if (set.status != Status::found) {
+        return;
+    }
+    response.branches.push_back({start.closed, set.leastAmplitude, set.mostAmplitude});
+    std::vector<ForcedMotion> motions;
+    for (const ForcedMotion& motion : motionsOfAmplitude(set, given.amplitude)) {
+        start.place = {motion.amplitude * std::cos(motion.phase),
+                       motion.amplitude * std::sin(motion.phase)};
+        start.start = {{motion.state.a.begin(), motion.state.a.end()},
+                       {motion.state.b.begin(), motion.state.b.end()}};
+        motions.push_back(motionFrom(start));
+    }
+    addBelievable(response, std::move(motions));
+}
+
+/// One contact of a network, all lengths of it.
+class ContactSearch {
+public:
+    ContactSearch(const HarmonicNetwork& given, const OpenNetwork& open, std::size_t contact,
+                  const MotionFrom& motionFrom)
+        : given_(given),
+          contact_(contact),
+          motionFrom_(motionFrom),
+          answers_(given, open, contact),
+          waves_(answers_.period())
+    {
+        response_.found.steps = given.steps;
+        response_.found.linearPeak = given.amplitude * waves_.linearPeak();
+        response_.found.touches = response_.found.linearPeak >= gap();
+        response_.distance = gap() - response_.found.linearPeak;
+    }
+
+    std::optional<ContactResponse> run(const Cancel& cancel)
+    {
+        while (waves_.contact() + 1 < given_.steps) {
+            if (waves_.contact() % 16 == 0 && isRequested(cancel)) {
+                return std::nullopt;
+            }
+            waves_.grow();
+            addMotions();
+        }
+        addPermanent();
+        return std::move(response_);
+    }
+
+private:
+    [[nodiscard]] double gap() const { return given_.network.contacts[contact_].gap; }
+
+    void addMotions()
+    {
+        FrequencyResponse& found = response_.found;
+        if (!waves_.isDamped()) {
+            addAlone(found, given_, {contact_, waves_.contact(), {}, {}}, motionFrom_);
+            return;
+        }
+        if (!waves_.isClear()) {
+            addUndecided(found, "rounding spoils the pushes of so long a contact");
+            return;
+        }
+        if (!waves_.opens()) {
+            return;  // permanent contact, with waves of its own or without
+        }
+        const bool hasFree = waves_.freePushes() > 0;
+        const ForcedLine line = waves_.lineBounds() ? waves_.line() : ForcedLine{};
+        if (line.isEmpty()) {
+            return;
+        }
+        if (hasFree) {
+            addPolytope();
+            return;
+        }
+        addBranches(found, waves_.contact(), line);
+        addBelievable(found, motionsOnLine(line, given_.amplitude,
+                                           [&](double t) { return motionAt(line.at(t), {}); }));
+    }
+
+    void addPolytope()
+    {
+        FrequencyResponse& found = response_.found;
+        const ForcedPolytope set = forcedPolytope(waves_.rows(), {true, waves_.freePushes()});
+        if (set.corners.empty()) {
+            if (!set.conflict) {
+                addUndecided(found, set.detail);
+            }
+            return;
+        }
+        const auto [least, most] = amplitudesOf(set);
+        if (gap() == 0.0 && most <= leastOfCone) {
+            return;  // the network at rest
+        }
+        found.branches.push_back({waves_.contact(), least, most});
+        if (least <= given_.amplitude && given_.amplitude <= most) {
+            const ForcedCorner corner =
+                meanAt(set.corners, placeOfAmplitude(set.corners, given_.amplitude));
+            addBelievable(found, {motionAt({corner.place[0], corner.place[1]}, corner.free)});
+        }
+    }
+
+    [[nodiscard]] ForcedMotion motionAt(Plane place, std::span<const double> free)
+    {
+        std::vector<double> pushes;
+        for (std::int64_t m = 0; m < waves_.contact(); ++m) {
+            pushes.push_back(waves_.push(m).dot(place) + waves_.freePush(m, free));
+        }
+        return motionFrom_({contact_, waves_.contact(), place, answers_.startOf(place, pushes)});
+    }
+
+    /// Pushes in all steps: a static one and a harmonic, which keeps the contact closed.
+    void addPermanent()
+    {
+        const auto found = answers_.permanent();
+        response_.leastPush =
+            found ? found->still - given_.amplitude * lengthOf(found->swing) : -1.0;
+        if (response_.leastPush < 0.0) {
+            return;
+        }
+        std::vector<double> pushes;
+        for (std::int64_t m = 0; m < given_.steps; ++m) {
+            pushes.push_back(found->still +
+                             given_.amplitude * (found->swing * given_.turn(m)).real());
+        }
+        const Plane place{given_.amplitude, 0.0};
+        response_.permanent =
+            motionFrom_({contact_, given_.steps, place, answers_.startOf(place, pushes)});
+    }
+
+    const HarmonicNetwork& given_;
+    std::size_t contact_;
+    const MotionFrom& motionFrom_;
+    ContactAnswers answers_;
+    GrowingContact waves_;
+    ContactResponse response_;
+};
+
+/// Adds the shape under constant forces to what moves about it.
+MotionFrom aboutShape(const Network& network, const StillNetwork& still,
+                      const MotionFrom& motionFrom)
+{
+    return [&network, &still, &motionFrom,
+            steady = stretchedWaves(network, still.displacements)](ContactStart from) {
+        auto wave = from.start.waves.begin();
+        for (std::size_t channel = 0; channel < steady.size(); ++channel) {
+            const std::int64_t length = lengthOf(network, channel);
+            for (std::int64_t cell = 0; cell < length; ++cell) {
+                *wave++ += steady[channel];
+            }
+        }
+        for (std::size_t node = 0; node < still.displacements.size(); ++node) {
+            from.start.displacements[node] += still.displacements[node];
+        }
+        return motionFrom(from);
+    };
+}
+
+/// Where nothing damps some waves, or bars drift.
+std::optional<ContactResponse> scheduleByScheduleOf(const HarmonicNetwork& given,
+                                                    std::size_t contact,
+                                                    const MotionFrom& motionFrom,
+                                                    const Cancel& cancel)
+{
+    ContactResponse response;
+    response.found.steps = given.steps;
+    response.found.touches = true;
+    for (std::int64_t closed = 1; closed < given.steps; ++closed) {
+        if (isRequested(cancel)) {
+            return std::nullopt;
+        }
+        addAlone(response.found, given, {contact, closed, {}, {}}, motionFrom);
+    }
+    return response;
+}
+
+}  // namespace
+
+std::vector<ContactSpan> spansOf(const ContactStart& start, std::int64_t steps)
+{
+    std::vector<ContactSpan> spans{{ContactSet{1} << start.contact, start.closed}};
+    if (start.closed < steps) {
+        spans.push_back({0, steps - start.closed});
+    }
+    return spans;
+}
+
+std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwork& given,
+                                                             const MotionFrom& motionFrom,
+                                                             const Cancel& cancel)
+{
+    requireAsked(given, maxStaircaseSteps);
+    std::vector<ContactResponse> all;
+    const auto add = [&all](std::optional<ContactResponse> response) {
+        if (response) {
+            all.push_back(std::move(*response));
+        }
+        return response.has_value();
+    };
+    const std::size_t contacts = given.network.contacts.size();
+    bool isDamped = !drifts(given.network);
+    if (isDamped) {
+        const StillNetwork shape = underConstantForces(given.network);
+        HarmonicNetwork still = given;
+        still.network = shape.network;
+        const OpenNetwork open(still);
+        const MotionFrom moved = aboutShape(given.network, shape, motionFrom);
+        try {
+            for (std::size_t contact = 0; contact < contacts; ++contact) {
+                if (!add(ContactSearch(still, open, contact, moved).run(cancel))) {
+                    return std::nullopt;
+                }
+            }
+        } catch (const Resonance&) {
+            isDamped = false;
+            all.clear();
+        }
+    }
+    for (std::size_t contact = 0; contact < contacts && !isDamped; ++contact) {
+        if (!add(scheduleByScheduleOf(given, contact, motionFrom, cancel))) {
+            return std::nullopt;
+        }
+    }
+    return all;
+}
+
+std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwork& given,
+                                                             const Cancel& cancel)
+{
+    const std::vector<Excitation> shapes =
+        shapesOf({given.place, given.cycles, {}}, 1, given.steps);
+    const MotionFrom walked = [&](const ContactStart& from) {
+        const std::int64_t flight = given.steps - from.closed;
+        ForcedMotion motion = drivenMotion({given.network.cells(), {{from.closed, flight}}, {}}, {},
+                                           shapes, from.place);
+        const auto& [waves, displacements, pieces] = from.start;
+        motion.state.a = Eigen::Map<const Eigen::VectorXd>(waves.data(),
+                                                           static_cast<Eigen::Index>(waves.size()));
+        motion.state.b = Eigen::Map<const Eigen::VectorXd>(
+            displacements.data(), static_cast<Eigen::Index>(displacements.size()));
+        enterWalk(motion, given.network, claimOf(spansOf(from, given.steps), motion));
+        return motion;
+    };
+    return contactResponses(given, walked, cancel);
+}
+
+}  // namespace signorini
