@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forced_case.hpp"
+
 namespace signorini::answers {
 
 SceneStability stabilityIn(const Network& network, const NetworkClaim& motion, const Cancel& cancel)
@@ -74,7 +76,7 @@ SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales,
     SceneStrains strains{-residuals.extremes.leastStrain * unit,
                          residuals.extremes.mostStrain * unit};
     if (const auto modulus = modulusOf(assembly)) {
-        strains.stress = *modulus * std::max(strains.compression, strains.tension);
+        strains.stress = *modulus * strains.largest();
     }
     return strains;
 }
@@ -157,6 +159,11 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
         amplitude ? motionsOfAmplitude(set, *amplitude / unit)
                   : std::vector<ForcedMotion>{leastAmplitudeMotion(set)};
     for (const ForcedMotion& motion : motions) {
+        if (!(motion.residual <= forcedTolerance)) {  // large programs can leave as much
+            answer.decided = Status::undecided;
+            answer.detail = doubtOf(motion.residual);
+            continue;
+        }
         NetworkClaim claim = claimOf(set, motion);
         NetworkResiduals residuals = walk(network, claim);
         auto contacts = contactsOf(answer.schedule, &residuals);

@@ -2,6 +2,8 @@
 /// \file
 /// What is known of a schedule of bars in a row: its motions, free or forced, or why there is none.
 
+#include <algorithm>
+
 #include "disturbed.hpp"
 #include "network_find.hpp"
 #include "network_forced.hpp"
@@ -48,6 +50,8 @@ struct SceneStrains {
     double compression = 0.0;           ///< -min s >= 0
     double tension = 0.0;               ///< max s >= 0
     std::optional<double> stress = {};  ///< [Pa], where all bars have one modulus that is known
+
+    [[nodiscard]] double largest() const { return std::max(compression, tension); }
 };
 /// Young's modulus [Pa], if it is known and bars have one wave speed.
 [[nodiscard]] std::optional<double> modulusOf(const Assembly& assembly);

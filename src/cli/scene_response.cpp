@@ -9,6 +9,7 @@
 #include "hints.hpp"
 #include "printing.hpp"
 #include "progress.hpp"
+#include "reports.hpp"
 #include "response_command.hpp"
 #include "scene_figures.hpp"
 #include "scene_report.hpp"
@@ -44,7 +45,32 @@ void takeHertz(const Given& given, const Network& network, answers::SceneRange& 
     range.mostHertz = unit * most;
 }
 
-std::string asText(const SceneResponse& answer)
+/// The largest strain of all motions, and its stress where that is known.
+std::string strainText(const SceneResponse& answer, std::optional<double> yieldStress)
+{
+    answers::SceneStrains worst;
+    double hertz = 0.0;
+    for (const SceneFrequency& at : answer.frequencies) {
+        for (const SceneHarmonicMotion& motion : at.motions) {
+            if (motion.inSteps && motion.inSteps->strains.largest() > worst.largest()) {
+                worst = motion.inSteps->strains;
+                hertz = at.hertz;
+            }
+        }
+    }
+    if (!(hertz > 0.0)) {
+        return {};
+    }
+    std::string text =
+        fmt::format("strain      at most {:.6g} [-] at {:.6g} Hz\n", worst.largest(), hertz);
+    if (worst.stress) {
+        text += fmt::format("stress      at most {:.6g} Pa at {:.6g} Hz{}\n", *worst.stress, hertz,
+                            yieldText(*worst.stress, yieldStress, "frequencies"));
+    }
+    return text;
+}
+
+std::string asText(const SceneResponse& answer, std::optional<double> yieldStress)
 {
     const answers::SceneRange& range = answer.range;
     const auto count = [&answer](auto holds) {
@@ -82,6 +108,7 @@ std::string asText(const SceneResponse& answer)
                             worst->value.peakForce * answer.scales.force(),
                             worst->value.contact + 1, hertz);
     }
+    text += strainText(answer, yieldStress);
     const auto open = std::find_if(answer.frequencies.begin(), answer.frequencies.end(),
                                    [](const SceneFrequency& at) { return at.reason; });
     if (open != answer.frequencies.end()) {
@@ -122,15 +149,20 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
 ExitStatus respondInBars(const Given& given, const CommonOptions& common, const ForceOptions& force,
                          const Assembly& assembly)
 {
-    constexpr std::array others{"--band",    "--force-steps",  "--map",
-                                "--map-csv", "--backbone-csv", "--yield-stress"};
+    constexpr std::array others{"--band", "--force-steps", "--map", "--map-csv", "--backbone-csv"};
     for (const char* option : others) {
         refuseIf(given.has(option), option, given.text(option),
                  "none of several bars, or with --exact of segments");
     }
     const bool isExact = given.has("--exact");
-    refuseIf(isExact && given.has("--stability"), "--stability", "true",
-             "none with --exact of several bars or segments");
+    for (const char* option : {"--stability", "--yield-stress"}) {
+        refuseIf(isExact && given.has(option), option, given.text(option),
+                 "none with --exact of several bars or segments");
+    }
+    const Bar bar{.length = assembly.length,
+                  .waveSpeed = assembly.waveSpeed,
+                  .young = answers::modulusOf(assembly)};
+    const auto yieldStress = yieldStressOf(given, bar);
     refuseIf(given.whole("--contacts").value_or(1) != 1, "--contacts", given.text("--contacts"),
              "1 of several bars or segments");
     refuseIf(common.choosesCells, "--cells", given.text("--cells"),
@@ -147,8 +179,7 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     SceneResponse answer = answers::responseOf(assembly, range);
     const FrequencyOption to(given, "--to", "--to-hertz");
     const std::vector<std::int64_t> steps =
-        hinting("--to", to.ratio, referenceOf(network).frequency / (2.0 * std::numbers::pi),
-                {.length = assembly.length, .waveSpeed = assembly.waveSpeed},
+        hinting("--to", to.ratio, referenceOf(network).frequency / (2.0 * std::numbers::pi), bar,
                 [&] { return stepsOf(answer); });
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
         answer.frequencies = shareOut(
@@ -164,7 +195,7 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
         common.say("interrupted; the list is not complete");
     }
     writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : headline(assembly, network) + asText(answer));
+                              : headline(assembly, network) + asText(answer, yieldStress));
     return exitStatusOf(answer.status());
 }
 

@@ -57,14 +57,32 @@ ContactAnswers::ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& 
     for (Index k = 1; k < harmonics; ++k) {
         answers_.col(k) = open.arriving(k, sent, OpenNetwork::Undamped::refused);
     }
+    if (period_.residues > 1) {  // waves that k = 0 takes for a static shape
+        (void)open.arriving(given.steps / period_.residues, sent, OpenNetwork::Undamped::refused);
+    }
     offsets_ = offsets();
     const OpenNetwork::Vector nothing = OpenNetwork::Vector::Zero(open.channels());
     period_.alone = lengthOf(open.rateByPush(contact, nothing, contact));
+    requireWork();
     period_.usual = (inSteps_ * open.sentByDrive()).cwiseAbs().maxCoeff();
     period_.contacts.push_back(askOf(contact));
     for (std::size_t other = 0; other < given.network.contacts.size(); ++other) {
         if (other != contact) {
             period_.contacts.push_back(askOf(other));
+        }
+    }
+}
+
+/// A harmonic push that moves the contact works on dashpots, Re g > 0: what moves nothing for some
+/// pushes then moves nothing at all. \throws Resonance.
+void ContactAnswers::requireWork() const
+{
+    constexpr double moving = 1e-6;   // of a push before waves return
+    constexpr double working = 1e-9;  // |g|^2 of a dashpot at the contact is its work
+    for (Index k = 1; k < answers_.cols(); ++k) {
+        const Complex rate = open_.rateByPush(contact_, answers_.col(k), contact_) / period_.alone;
+        if (lengthOf(rate) > moving && !(rate.real() >= working * std::norm(rate))) {
+            throw Resonance("nothing damps what a push moves");
         }
     }
 }

@@ -18,8 +18,8 @@ public:
     using Complex = OpenNetwork::Complex;
 
     /// Keeps references. O((n/G)^2) for each contact and, for each frequency, channels^3.
-    /// \throws Resonance if nothing damps some waves of the period. \pre as OpenNetwork; no bar
-    /// drifts.
+    /// \throws Resonance if nothing damps some waves of the period, or what a push moves. \pre as
+    /// OpenNetwork; no bar drifts.
     ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& open, std::size_t contact);
 
     /// What grows.
@@ -40,6 +40,7 @@ public:
 
 private:
     [[nodiscard]] ClosingContact askOf(std::size_t contact) const;
+    void requireWork() const;
     [[nodiscard]] std::vector<std::int64_t> offsets() const;
     [[nodiscard]] std::vector<double> inTime(const std::vector<Complex>& spectrum,
                                              std::int64_t offset) const;

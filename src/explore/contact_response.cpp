@@ -77,10 +77,6 @@ private:
     void addMotions()
     {
         FrequencyResponse& found = response_.found;
-        if (!waves_.isDamped()) {
-            addAlone(found, given_, {contact_, waves_.contact(), {}, {}}, motionFrom_);
-            return;
-        }
         if (!waves_.isClear()) {
             addUndecided(found, "rounding spoils the pushes of so long a contact");
             return;
@@ -214,36 +210,30 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
                                                              const Cancel& cancel)
 {
     requireAsked(given, maxStaircaseSteps);
-    std::vector<ContactResponse> all;
-    const auto add = [&all](std::optional<ContactResponse> response) {
-        if (response) {
-            all.push_back(std::move(*response));
-        }
-        return response.has_value();
-    };
-    const std::size_t contacts = given.network.contacts.size();
-    bool isDamped = !drifts(given.network);
-    if (isDamped) {
-        const StillNetwork shape = underConstantForces(given.network);
-        HarmonicNetwork still = given;
-        still.network = shape.network;
-        const OpenNetwork open(still);
-        const MotionFrom moved = aboutShape(given.network, shape, motionFrom);
-        try {
-            for (std::size_t contact = 0; contact < contacts; ++contact) {
-                if (!add(ContactSearch(still, open, contact, moved).run(cancel))) {
-                    return std::nullopt;
-                }
-            }
-        } catch (const Resonance&) {
-            isDamped = false;
-            all.clear();
-        }
+    StillNetwork shape;
+    std::optional<HarmonicNetwork> still;  // none: a bar drifts
+    std::optional<OpenNetwork> open;
+    MotionFrom moved;
+    if (!drifts(given.network)) {
+        shape = underConstantForces(given.network);
+        still = given;
+        still->network = shape.network;
+        open.emplace(*still);
+        moved = aboutShape(given.network, shape, motionFrom);
     }
-    for (std::size_t contact = 0; contact < contacts && !isDamped; ++contact) {
-        if (!add(scheduleByScheduleOf(given, contact, motionFrom, cancel))) {
+    std::vector<ContactResponse> all;
+    for (std::size_t contact = 0; contact < given.network.contacts.size(); ++contact) {
+        std::optional<ContactResponse> response;
+        try {
+            response = open ? ContactSearch(*still, *open, contact, moved).run(cancel)
+                            : scheduleByScheduleOf(given, contact, motionFrom, cancel);
+        } catch (const Resonance&) {
+            response = scheduleByScheduleOf(given, contact, motionFrom, cancel);
+        }
+        if (!response) {
             return std::nullopt;
         }
+        all.push_back(std::move(*response));
     }
     return all;
 }

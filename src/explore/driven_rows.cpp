@@ -74,6 +74,9 @@ std::int64_t DrivenRows::stepOf(std::size_t row) const
     if (kind == BlockCondition::Kind::strain) {
         return static_cast<std::int64_t>(type);
     }
+    if (kind != BlockCondition::Kind::place && kind != BlockCondition::Kind::push) {
+        return 0;  // of the whole period, and no contact's
+    }
     return blocks_.stepOf(network().contacts[contact].node, type, turn);
 }
 

@@ -1,6 +1,7 @@
 #include "harmonic_network.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -58,9 +59,13 @@ StillNetwork underConstantForces(const Network& network)
     for (std::size_t node = 0; node < network.nodes.size(); ++node) {
         still.displacements.push_back(shape.nodes[node].rest - network.nodes[node].rest);
     }
+    constexpr double rounding = 1e-14;
     for (NetworkContact& contact : still.network.contacts) {
-        contact.gap +=
+        const double opened =
             openingOf(contact, [&](std::size_t node) { return still.displacements[node]; });
+        const double size = std::abs(contact.gap) + std::abs(opened);
+        contact.gap += opened;
+        contact.gap = std::abs(contact.gap) <= rounding * size ? 0.0 : contact.gap;
     }
     return still;
 }

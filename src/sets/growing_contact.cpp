@@ -15,7 +15,6 @@ namespace {
 constexpr double singular = 1e-12;       // 1 - alpha beta that is 0 but for rounding
 constexpr double nearlySingular = 1e-9;  // below it pushes are anyone's guess
 constexpr double stillMoving = 1e-10;    // v in contact, relative: rounding has spoilt the rows
-constexpr double moving = 1e-6;          // more than rounding leaves of what nothing moves
 
 Plane parts(std::complex<double> value)
 {
@@ -145,7 +144,6 @@ void GrowingContact::endRecursion(std::int64_t contact, Train train, double usua
         largest = std::max(largest, std::abs(speed));
     }
     isRegular_ = largest <= stillMoving * usual;
-    isDamped_ = largest <= moving * usual;
     setFree(contact, std::move(train));
 }
 

@@ -81,8 +81,6 @@ public:
 
     /// Is v 0 in contact? If not, rounding spoils all that follows. O(n).
     [[nodiscard]] bool isClear() const;
-    /// Else nothing damps some waves that these pushes move, and what follows holds no more.
-    [[nodiscard]] bool isDamped() const { return isDamped_; }
     /// Does `line` say that there is no motion where it is empty? Always without free pushes; with
     /// some of them if rows scale with the excitation.
     [[nodiscard]] bool lineBounds() const;
@@ -127,7 +125,6 @@ private:
     std::int64_t contact_ = 0;
     std::int64_t fixed_;  ///< most contact steps of a residue whose pushes are fixed
     bool isRegular_ = true;
-    bool isDamped_ = true;
     double linearPeak_ = 0.0;
     double scale_ = 0.0;                      ///< of numbers that are 0 but for rounding
     std::vector<Plane> push_;                 ///< R

@@ -191,10 +191,15 @@ TEST_CASE("response of segments: the line of every contact is what its pushes an
         const SteppedBar bar = steppedBar(segments);
         const std::int64_t n = draw(2 * bar.cells + 2, 6 * bar.cells + 3);
         // A dashpot that swallows what arrives, one that is hardly any, one between them.
-        const double etas[] = {segments.back().impedance, 1e-10, 0.05, 0.3};
-        checkGrowing(bar, etas[trial % 4], trial % 3 == 0 ? Excited::base : Excited::tip,
-                     draw(1, 2), n, count);
+        const double etas[] = {segments.back().impedance, 1e-8, 0.05, 0.3};
+        const Excited place = trial % 3 == 0 ? Excited::base : Excited::tip;
+        const std::int64_t cycles = draw(1, 2);
+        checkGrowing(bar, etas[trial % 4], place, cycles, n, count);
     }
+    // So little that a push does not know of it.
+    CHECK_THROWS_AS(test::GrowingBar({{.cells = 3}, {.cells = 2, .impedance = 2.0}}, 1e-10,
+                                     Excited::tip, 1, 17),
+                    Resonance);
     INFO(count.lines << " lines, " << count.empty << " empty, " << count.free << " free, "
                      << count.spoilt << " spoilt, " << count.ends << " ends, " << count.work
                      << " rows of work");
