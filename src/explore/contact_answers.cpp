@@ -40,11 +40,11 @@ std::int64_t cellsAfter(const Network& network, std::size_t node)
 }  // namespace
 
 ContactAnswers::ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& open,
-                               std::size_t contact)
+                               std::size_t contact, Drive drive)
     : given_(given),
       open_(open),
       contact_(contact),
-      inSteps_(staircaseOf(given)),
+      inSteps_(drive == Drive::inSteps ? staircaseOf(given) : 1.0),
       driven_(inSteps_ * open.arriving(given.cycles, open.sentByDrive()))
 {
     period_.steps = given.steps;
@@ -52,18 +52,22 @@ ContactAnswers::ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& 
     period_.residues = residuesOf(given.network, given.steps);
     const Index harmonics = given.steps / period_.residues / 2 + 1;
     const OpenNetwork::Vector sent = open.sentBy(contact);
+    const auto undamped =
+        drive == Drive::inSteps ? OpenNetwork::Undamped::refused : OpenNetwork::Undamped::leftOut;
     answers_.resize(open.channels(), harmonics);
     answers_.col(0) = open.arrivingStill(contact);
     for (Index k = 1; k < harmonics; ++k) {
-        answers_.col(k) = open.arriving(k, sent, OpenNetwork::Undamped::refused);
+        answers_.col(k) = open.arriving(k, sent, undamped);
     }
     if (period_.residues > 1) {  // waves that k = 0 takes for a static shape
-        (void)open.arriving(given.steps / period_.residues, sent, OpenNetwork::Undamped::refused);
+        (void)open.arriving(given.steps / period_.residues, sent, undamped);
     }
     offsets_ = offsets();
     const OpenNetwork::Vector nothing = OpenNetwork::Vector::Zero(open.channels());
     period_.alone = lengthOf(open.rateByPush(contact, nothing, contact));
-    requireWork();
+    if (drive == Drive::inSteps) {
+        requireWork();
+    }
     period_.usual = (inSteps_ * open.sentByDrive()).cwiseAbs().maxCoeff();
     period_.contacts.push_back(askOf(contact));
     for (std::size_t other = 0; other < given.network.contacts.size(); ++other) {
@@ -180,23 +184,33 @@ std::optional<ContactAnswers::Permanent> ContactAnswers::permanent() const
     return pushes;
 }
 
-NetworkStart ContactAnswers::startOf(Plane place, const std::vector<double>& pushes) const
+template <typename Visit>
+void ContactAnswers::forEachWave(Visit visit) const
 {
-    std::vector<double> waves;
-    const Network& network = given_.network;
-    const auto rows = static_cast<Index>(network.rows.size());
+    const auto rows = static_cast<Index>(given_.network.rows.size());
     for (Index row = 0; row < rows; ++row) {
-        const std::int64_t cells = network.rows[static_cast<std::size_t>(row)].cells;
+        const std::int64_t cells = given_.network.rows[static_cast<std::size_t>(row)].cells;
         for (std::int64_t cell = cells; cell-- > 0;) {
-            waves.push_back(arriving(2 * row, cell, place, pushes));
+            visit(2 * row, cell);
         }
         for (std::int64_t cell = 0; cell < cells; ++cell) {
-            waves.push_back(arriving(2 * row + 1, cell, place, pushes));
+            visit(2 * row + 1, cell);
         }
     }
     for (Index channel = 2 * rows; channel < open_.channels(); ++channel) {
-        waves.push_back(arriving(channel, 0, place, pushes));
+        visit(channel, std::int64_t{0});
     }
+}
+
+NetworkStart ContactAnswers::startOf(Plane place, const std::vector<double>& pushes) const
+{
+    std::vector<double> waves;
+    forEachWave([&](Index channel, std::int64_t m) {
+        const Complex harmonic = driven_[channel] * given_.turn(m);
+        waves.push_back(place.dot({harmonic.real(), harmonic.imag()}) +
+                        arriving(channel, m, pushes));
+    });
+    const Network& network = given_.network;
     std::vector<double> displacements = displacementsOf(network, waves, {});
     if (given_.place == Excited::base) {
         for (std::size_t node = 0; node < displacements.size(); ++node) {
@@ -207,9 +221,20 @@ NetworkStart ContactAnswers::startOf(Plane place, const std::vector<double>& pus
     return {std::move(waves), std::move(displacements)};
 }
 
-/// In a step m. O(n_c/G).
-double ContactAnswers::arriving(Index channel, std::int64_t m, Plane place,
-                                const std::vector<double>& pushes) const
+std::vector<ContactAnswers::Complex> ContactAnswers::wavesOf(
+    const std::vector<Complex>& pushes) const
+{
+    std::vector<Complex> waves;
+    forEachWave([&](Index channel, std::int64_t m) {
+        waves.push_back(driven_[channel] * given_.turn(m) + arriving(channel, m, pushes));
+    });
+    return waves;
+}
+
+/// In a step m by pushes. O(n_c/G).
+template <typename Value>
+Value ContactAnswers::arriving(Index channel, std::int64_t m,
+                               const std::vector<Value>& pushes) const
 {
     if (byPush_.empty()) {
         for (Index c = 0; c < open_.channels(); ++c) {
@@ -221,8 +246,7 @@ double ContactAnswers::arriving(Index channel, std::int64_t m, Plane place,
         }
     }
     const std::vector<double>& kernel = byPush_[static_cast<std::size_t>(channel)];
-    const Complex harmonic = driven_[channel] * given_.turn(m);
-    double sum = place.dot({harmonic.real(), harmonic.imag()});
+    Value sum = 0.0;
     const std::int64_t after = m + given_.steps - offsetOf(channel);
     for (std::int64_t k = after % period_.residues; k < static_cast<std::int64_t>(pushes.size());
          k += period_.residues) {

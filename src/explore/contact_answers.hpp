@@ -1,7 +1,7 @@
 #pragma once
 /// \file
 /// What a network whose contacts are open answers to pushes at one of them, once in a period of n
-/// steps, and to a harmonic staircase that excites it.
+/// steps, and to what excites it: a harmonic staircase, or the harmonic itself.
 
 #include <complex>
 #include <optional>
@@ -13,14 +13,21 @@
 
 namespace signorini {
 
+/// How a harmonic excites.
+enum class Drive {
+    inSteps,  ///< constant in each step
+    exactly   ///< then pushes and waves are harmonics, too, of the time since the step began
+};
+
 class ContactAnswers {
 public:
     using Complex = OpenNetwork::Complex;
 
     /// Keeps references. O((n/G)^2) for each contact and, for each frequency, channels^3.
-    /// \throws Resonance if nothing damps some waves of the period, or what a push moves. \pre as
-    /// OpenNetwork; no bar drifts.
-    ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& open, std::size_t contact);
+    /// \throws Resonance if waves resonate; in steps also if nothing damps some waves of the
+    /// period, or what a push moves. \pre as OpenNetwork; no bar drifts.
+    ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& open, std::size_t contact,
+                   Drive drive);
 
     /// What grows.
     [[nodiscard]] const ContactPeriod& period() const { return period_; }
@@ -37,6 +44,8 @@ public:
     /// The waves at t = 0 under the excitation (C, S) and pushes in the first steps. O(cells
     /// n_c/G).
     [[nodiscard]] NetworkStart startOf(Plane place, const std::vector<double>& pushes) const;
+    /// The same for A = 1 and pushes that are harmonics, in the order of Network::waves.
+    [[nodiscard]] std::vector<Complex> wavesOf(const std::vector<Complex>& pushes) const;
 
 private:
     [[nodiscard]] ClosingContact askOf(std::size_t contact) const;
@@ -44,8 +53,12 @@ private:
     [[nodiscard]] std::vector<std::int64_t> offsets() const;
     [[nodiscard]] std::vector<double> inTime(const std::vector<Complex>& spectrum,
                                              std::int64_t offset) const;
-    [[nodiscard]] double arriving(Eigen::Index channel, std::int64_t m, Plane place,
-                                  const std::vector<double>& pushes) const;
+    /// visit(channel, m): wave by wave, in which channel it arrives and when.
+    template <typename Visit>
+    void forEachWave(Visit visit) const;
+    template <typename Value>
+    [[nodiscard]] Value arriving(Eigen::Index channel, std::int64_t m,
+                                 const std::vector<Value>& pushes) const;
     [[nodiscard]] std::int64_t offsetOf(Eigen::Index channel) const
     {
         return offsets_[given_.network.nodeOf(static_cast<std::size_t>(channel))];
@@ -56,7 +69,7 @@ private:
     const HarmonicNetwork& given_;
     const OpenNetwork& open_;
     std::size_t contact_;
-    Complex inSteps_;  ///< of a harmonic of the network as the staircase has it in step 0
+    Complex inSteps_;  ///< of a harmonic of the network as the drive has it in step 0
     ContactPeriod period_;
     Eigen::MatrixXcd answers_;    ///< what arrives, by channel and frequency up to n/(2 G), for a
                                   ///< push of 1

@@ -49,7 +49,7 @@ public:
         : given_(given),
           contact_(contact),
           motionFrom_(motionFrom),
-          answers_(given, open, contact),
+          answers_(given, open, contact, Drive::inSteps),
           waves_(answers_.period())
     {
         response_.found.steps = given.steps;

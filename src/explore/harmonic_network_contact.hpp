@@ -8,9 +8,10 @@
 ///
 ///     Y e^{i omega m} + sum over i < j of g_{m - i} Q_i = 0,   m = 0 ... j - 1,
 ///
-/// a Toeplitz system, solved for all j by Levinson's recursion. The distance at the start sums the
-/// displacements H that pushes leave, so the release is found as for a bar (harmonic_release.hpp):
-/// four candidates with a smooth one for each j, two with a pinned one. docs/theory.md, section 21.
+/// a Toeplitz system, solved for all j by Levinson's recursion (growing_contact.hpp). The distance
+/// at the start sums the displacements H that pushes leave, so the release is found as for a bar
+/// (harmonic_release.hpp): four candidates with a smooth one for each j, two with a pinned one.
+/// docs/theory.md, section 21.
 
 #include <vector>
 

@@ -71,6 +71,8 @@ public:
     }
     /// By how much the distance has shrunk at the start of contact. O(n_c).
     [[nodiscard]] Plane place() const { return placeOf(0); }
+    /// By how much pushes have widened it there. O(n_c).
+    [[nodiscard]] Plane opened() const { return start_.front() - place(); }
 
     /// Pushes of any size that move the distance nowhere.
     [[nodiscard]] std::int64_t freePushes() const;

@@ -14,7 +14,7 @@ public:
         : cells_(0),
           given_{networkOf({}, segments, cellsOf(segments), {}), place, 1.0, steps, cycles},
           open_(withDashpot(given_, eta)),
-          waves_(ContactAnswers(given_, open_, 0).period())
+          waves_(ContactAnswers(given_, open_, 0, Drive::inSteps).period())
     {
         cells_ = static_cast<double>(given_.network.cells());
         unit_ = place == Excited::tip ? 1.0 : cells_;
