@@ -32,16 +32,23 @@ struct ContactDots {
     Series force;
     Series impulse;
 
-    explicit ContactDots(std::size_t contact)
+    ContactDots(std::size_t contact, double size)
     {
         // One look for one contact; with many they repeat.
         constexpr std::array roles{Role::contact, Role::strain, Role::velocity, Role::ink};
         constexpr std::array markers{Marker::disc, Marker::square, Marker::triangle,
                                      Marker::diamond};
-        force = dots(roles.at(contact % roles.size()), 0.6, markers.at(contact % markers.size()));
+        force = dots(roles.at(contact % roles.size()), size, markers.at(contact % markers.size()));
         impulse = force;
     }
 };
+
+/// Was a motion perturbed, and did it grow?
+bool repels(const SceneHarmonicMotion& motion)
+{
+    return motion.inSteps && motion.inSteps->stability &&
+           motion.inSteps->stability->result.stability == Stability::repels;
+}
 
 }  // namespace
 
@@ -63,9 +70,11 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
     const double first = response.bars.reference.frequency / (2.0 * std::numbers::pi);
     const double low = response.frequencies.back().hertz;
     const double high = response.frequencies.front().hertz;
-    std::vector<ContactDots> contacts;
+    constexpr double large = 0.8;
+    constexpr double small = 0.25;  // of what repels
+    std::vector<std::array<ContactDots, 2>> contacts;
     for (std::size_t contact = 0; contact < response.bars.contacts.size(); ++contact) {
-        contacts.emplace_back(contact);
+        contacts.push_back({ContactDots(contact, large), ContactDots(contact, small)});
     }
     Series open = line(Role::faint, 2.4);
     Series unknown = dots(Role::ink, 0.8, Marker::cross);
@@ -75,7 +84,7 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
             unknown.add(at.hertz, 0.0);
         }
         for (const SceneHarmonicMotion& motion : at.motions) {
-            ContactDots& dots = contacts[motion.value.contact];
+            ContactDots& dots = contacts[motion.value.contact][repels(motion) ? 1 : 0];
             dots.force.add(at.hertz, forceOf(motion) * forceUnit.factor);
             dots.impulse.add(at.hertz, impulseOf(motion) * impulseUnit.factor);
         }
@@ -102,6 +111,9 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
                .high = std::max(1.15 * force * forceUnit.factor, 1e-9)};
     Panel lower{.name = "impulse", .place = {0.12, 0.95, 0.25, 0.52}, .legend = Legend::below};
     lower.legendRows = 2 + static_cast<int>(contacts.size());
+    for (const auto& dots : contacts) {
+        lower.legendRows += dots[1].force.x.empty() ? 0 : 1;
+    }
     lower.x = x;
     lower.y = {.label = labelled("impulse per period", impulseUnit),
                .low = 0.0,
@@ -114,8 +126,10 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
     };
     put(open, open, "bars that do not meet");
     for (std::size_t contact = 0; contact < contacts.size(); ++contact) {
-        put(std::move(contacts[contact].force), contacts[contact].impulse,
-            fmt::format("contact {}", contact + 1));
+        auto& [usual, repelling] = contacts[contact];
+        put(std::move(usual.force), usual.impulse, fmt::format("contact {}", contact + 1));
+        put(std::move(repelling.force), repelling.impulse,
+            fmt::format("contact {}, repels", contact + 1));
     }
     put(unknown, unknown, "they would, and no motion with one contact is known");
     figure.panels = {std::move(upper), std::move(lower)};

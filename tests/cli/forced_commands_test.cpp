@@ -694,6 +694,21 @@ TEST_CASE("cli response, simulate: figures with their labels")
     CHECK_THAT(contentOf(program.file("rest.svg")), containsText("no contact"));
 }
 
+TEST_CASE("cli response of several bars in steps: what repels is small in its figure")
+{
+    const CommandLine program;
+    const auto outcome = program.run(
+        "response --scene 'clamp 12 dash=0.1 driven gap=1e-3 16 dash=0.2 4 clamp' --force tip "
+        "--amplitude 3e-3 --from-hertz 0.5 --to-hertz 1.2 --stability --figure b.svg");
+    if (outcome.status == 4) {
+        return;  // no gnuplot here
+    }
+    CHECK(outcome.status == 0);
+    for (const char* label : {"harmonic in steps", "contact 1, repels", "do not meet"}) {
+        CHECK_THAT(contentOf(program.file("b.svg")), containsText(label));
+    }
+}
+
 TEST_CASE("cli sweep: figures, also where no exact motion can stand behind them")
 {
     const CommandLine program;
