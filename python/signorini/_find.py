@@ -61,7 +61,7 @@ def find(first: Steps, /, *schedule: Steps, stability: bool = False,
 
 @overload
 def find(*, period: Number | None = None, frequency: Number | None = None,
-         hertz: Quantity | None = None,
+         hertz: Quantity | None = None, stability: bool = False,
          **demands: Unpack[_Demands]) -> Question: ...
 
 
@@ -100,7 +100,8 @@ def find(*, scene: str, gravity: Quantity = 0.0,
          hertz: Quantity | None = None, solver: str = "auto", objective: Objective = "auto",
          target: str | None = None, energy: Quantity | None = None,
          energy_ratio: float | None = None, tolerance: Quantity = 1e-7,
-         time_limit: Quantity | None = None, **scales: Unpack[_Parameters]) -> SceneQuestion: ...
+         time_limit: Quantity | None = None, stability: bool = False,
+         **scales: Unpack[_Parameters]) -> SceneQuestion: ...
 
 
 @overload
@@ -190,8 +191,8 @@ def find(
     where = asked["scene"]
     is_timed = period is not None or frequency is not None or hertz is not None
     times = {"period": period, "frequency": frequency, "hertz": hertz} if is_timed else {}
-    if is_timed and stability is not False:
-        raise ValueError("stability: allowed only of a schedule")
+    if is_timed and stability is not False and (damping is not None or force is not None):
+        raise ValueError("stability: allowed of a schedule, or without force")
     if "words" in asked:
         return find_bars(asked, times, find.__kwdefaults__)
     if damping is not None or force is not None:

@@ -94,10 +94,15 @@ SceneQuestionAnswer findPeriodInBars(const Asked& asked)
     answers::limitStrain(network, assembly, asked.maybe<double>("strain_limit"));
     const std::int64_t steps = asked.steps(assembly, 1);
     AskedWish asks(asked, network);
+    const bool triesStability = asked.triesStability(steps);
     return patiently([=](const Wires& wires) mutable {
         asks.options.cancel = wires.cancel;
-        return answers::questionOf(assembly, network, steps, asks.wish, asks.options,
-                                   wires.progress);
+        SceneQuestionAnswer answer =
+            answers::questionOf(assembly, network, steps, asks.wish, asks.options, wires.progress);
+        if (triesStability) {
+            tryStability(answer, network, wires.cancel);
+        }
+        return answer;
     });
 }
 

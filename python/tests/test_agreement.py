@@ -65,6 +65,8 @@ def test_questions_in_physics_agree(program: Program) -> None:
         (["--frequency", "8/7", "--energy-ratio", 20],
          {"frequency": "8/7", "energy_ratio": 20}),
         (["--period", "7/2", "--cells", 8], {"period": "7/2", "cells": 8}),
+        (["--period", "7/2", "--cells", 8, "--stability"],
+         {"period": "7/2", "cells": 8, "stability": True}),
         (["--period", "4"], {"period": 4}),
         (["--period", "5"], {"period": 5}),
         (["--hertz", 494, "--energy", 7e-3, *words_of(steel)],

@@ -319,6 +319,7 @@ def test_all_motions_of_a_period_of_bars_agree(program: Program) -> None:
     asked: list[tuple[dict[str, Any], dict[str, Any]]] = [
         ({"period": 1.75}, bars), ({"hertz": 0.3, "energy_ratio": 20.0}, bars),
         ({"frequency": 0.75, "objective": "max-impulse"}, bars),
+        ({"frequency": 0.75, "stability": True}, bars),
         ({"frequency": 0.75, "strain_limit": 2.7e-3}, bars),
         ({"frequency": 0.75, "objective": "min-peak-strain"}, bars),
         ({"period": 3.5, "strain_limit": 4e-3}, {"segments": [(3, 1.0), (3, 2.0)]}),

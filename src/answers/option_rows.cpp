@@ -319,7 +319,7 @@ std::vector<Option> ofOutputs()
                  schedule | period | forced | forcedPeriod | network | response | sweep, "PA", "Pa",
                  "warn where the stress exceeds it (needs --young)"),
         flag(
-            "--stability", schedule | forced,
+            "--stability", schedule | period | forced,
             "perturb the motion to test its stability, undamped and with a damping ratio of 0.001"),
         flag("--stability", network, "perturb each motion to test its stability"),
         flag("--stability", response, "perturb each motion to test its stability"),

@@ -48,4 +48,11 @@ SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network,
     return answer;
 }
 
+void tryStability(SceneQuestionAnswer& answer, const Network& network, const Cancel& cancel)
+{
+    for (SceneFindAnswer& motion : answer.motions) {
+        tryStability(motion, network, cancel);
+    }
+}
+
 }  // namespace signorini::answers

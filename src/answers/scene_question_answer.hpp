@@ -37,6 +37,9 @@ struct SceneQuestionAnswer {
                                              const FindOptions& options,
                                              const std::function<void(double, double)>& show);
 
+/// Starts beside each motion.
+void tryStability(SceneQuestionAnswer& answer, const Network& network, const Cancel& cancel);
+
 template <typename D>
 void describe(D& d, Type<SceneSet>)
 {

@@ -234,6 +234,7 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
                                        const FindRequest& request) const
 {
     const std::int64_t cells = common.usualCells();
+    const bool triesStability = this->triesStability(asked.steps);
     FindOutputs files(*this);
     answers::QuestionAnswer answer = answers::questionOf(asked, cells, request.options);
     std::optional<PeriodicResult> first;
@@ -248,6 +249,10 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
         measured.push_back(result.motion->physical);
         if (!first) {
             first = result;
+        }
+        if (triesStability) {
+            const Interrupt interrupt;
+            tryStability(found, interrupt.cancel());
         }
         found.keptSpeeds = found.approachSpeeds();
         result.motion->state = {};  // there may be many, each as long as the grid is fine

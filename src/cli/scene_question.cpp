@@ -28,7 +28,7 @@ std::string asText(const SceneQuestionAnswer& answer)
         text += fmt::format("motion      {}, {}{}\n", textOf(motion.schedule.spans),
                             inWords(motion, motion.motions.energy),
                             motion.presses() ? "" : ", grazing: nothing presses") +
-                cli::asText(*motion.strains());
+                cli::asText(*motion.strains()) + cli::asText(motion.stability);
     }
     const auto open = std::find_if(answer.sets.begin(), answer.sets.end(),
                                    [](const answers::SceneSet& set) { return set.detail; });
@@ -43,7 +43,7 @@ std::string asText(const SceneQuestionAnswer& answer)
 
 ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
 {
-    for (const char* option : {"--stability", "--certificate", "--formulation", "--tip-floor"}) {
+    for (const char* option : {"--certificate", "--formulation", "--tip-floor"}) {
         refuseIf(
             call.given.has(option),
             fmt::format("{}: allowed of a period only with one bar of equal segments", option));
@@ -57,10 +57,16 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), 1);
     const NetworkWish wish = wishOf(call, network);
     FindOptions options = call.options;
+    const bool triesStability = call.triesStability(steps);
     const SceneQuestionAnswer answer =
         watched(call.common, "deciding schedules", [&](const Cancel& cancel, const auto& show) {
             options.cancel = cancel;
-            return answers::questionOf(assembly, network, steps, wish, options, show);
+            SceneQuestionAnswer decided =
+                answers::questionOf(assembly, network, steps, wish, options, show);
+            if (triesStability) {
+                tryStability(decided, network, cancel);
+            }
+            return decided;
         });
     if (answer.motions.empty()) {
         files.lackMotion();
