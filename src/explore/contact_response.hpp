@@ -38,8 +38,8 @@ struct ContactResponse {
     /// The contact that never opens, where its sides press on each other at rest; phase 0.
     std::optional<ForcedMotion> permanent;
     double leastPush = 0.0;  ///< of it
-    std::optional<double> distance =
-        {};  ///< least while all contacts are open, where waves are damped
+    /// Least while all contacts are open, where waves are damped.
+    std::optional<double> distance = {};
 };
 
 /// By contact, of the amplitude that is given. O(n^2/G) for each contact, and O(n (cells + n_c/G))

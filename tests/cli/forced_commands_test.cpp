@@ -625,7 +625,7 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
     }
 }
 
-TEST_CASE("cli response of several bars in steps: what find says of each schedule")
+TEST_CASE("cli response of several bars in steps: what find says of each schedule", "[glpk]")
 {
     const CommandLine program;
     const std::string bars = " --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'";
