@@ -60,21 +60,21 @@ SceneResponse responseOf(const Assembly& assembly, const SceneRange& range)
 namespace {
 
 /// A motion of a staircase, walked once more for all that is said of it.
-SceneHarmonicMotion motionOf(const ForcedMotion& motion, const ContactStart& from,
+SceneHarmonicMotion motionOf(const ForcedMotion& motion, std::size_t contact, std::int64_t closed,
                              const HarmonicNetwork& given, const SceneResponse& asked,
                              const Cancel& cancel)
 {
-    const NetworkClaim claim = claimOf(spansOf(from, given.steps), motion);
+    const NetworkClaim claim = claimOf(spansOf(contact, closed, given.steps), motion);
     const NetworkResiduals seen = walk(given.network, claim);
     SceneHarmonicMotion made{{}, asked.scales};
-    made.value.contact = from.contact;
+    made.value.contact = contact;
     made.value.phase = motion.phase;
-    made.value.release = static_cast<double>(from.closed);
-    made.value.impulse = seen.impulses[from.contact];
-    made.value.peakForce = seen.peakForces[from.contact];
-    made.value.speed = seen.extremes.contacts[from.contact].approach;
+    made.value.release = static_cast<double>(closed);
+    made.value.impulse = seen.impulses[contact];
+    made.value.peakForce = seen.peakForces[contact];
+    made.value.speed = seen.extremes.contacts[contact].approach;
     made.value.residual = motion.residual;
-    made.inSteps = {from.closed < given.steps, strainsOf(asked.bars.assembly, asked.scales, seen)};
+    made.inSteps = {closed < given.steps, strainsOf(asked.bars.assembly, asked.scales, seen)};
     if (asked.range.triesStability) {
         made.inSteps->stability = stabilityIn(given.network, claim, cancel);
     }
@@ -94,11 +94,10 @@ bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneRes
         const auto& [found, permanent, leastPush, distance] = (*contacts)[contact];
         for (const ForcedMotion& motion : found.motions) {
             const std::int64_t closed = motion.schedule.phases.front().contact;
-            at.motions.push_back(motionOf(motion, {contact, closed, {}, {}}, given, asked, cancel));
+            at.motions.push_back(motionOf(motion, contact, closed, given, asked, cancel));
         }
         if (permanent) {
-            at.motions.push_back(
-                motionOf(*permanent, {contact, given.steps, {}, {}}, given, asked, cancel));
+            at.motions.push_back(motionOf(*permanent, contact, given.steps, given, asked, cancel));
         }
         if (distance && at.distance) {
             at.distance->push_back(*distance * asked.scales.displacement);

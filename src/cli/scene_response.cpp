@@ -156,7 +156,8 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     }
     const bool isExact = given.has("--exact");
     for (const char* option : {"--stability", "--yield-stress"}) {
-        refuseIf(isExact && given.has(option), option, given.text(option),
+        refuseIf(isExact && given.has(option), option,
+                 given.text(option).empty() ? "true" : given.text(option),
                  "none with --exact of several bars or segments");
     }
     const Bar bar{.length = assembly.length,

@@ -65,26 +65,38 @@ ContactAnswers::ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& 
     offsets_ = offsets();
     const OpenNetwork::Vector nothing = OpenNetwork::Vector::Zero(open.channels());
     period_.alone = lengthOf(open.rateByPush(contact, nothing, contact));
-    if (drive == Drive::inSteps) {
-        requireWork();
-    }
     period_.usual = (inSteps_ * open.sentByDrive()).cwiseAbs().maxCoeff();
-    period_.contacts.push_back(askOf(contact));
-    for (std::size_t other = 0; other < given.network.contacts.size(); ++other) {
+    const std::vector<Complex> own = rates(contact);
+    if (drive == Drive::inSteps) {
+        requireWork(own);
+    }
+    period_.contacts.push_back(askOf(contact, own));
+    // Under the harmonic itself others are looked at where motions are measured.
+    for (std::size_t other = 0; drive == Drive::inSteps && other < given.network.contacts.size();
+         ++other) {
         if (other != contact) {
-            period_.contacts.push_back(askOf(other));
+            period_.contacts.push_back(askOf(other, rates(other)));
         }
     }
 }
 
+std::vector<ContactAnswers::Complex> ContactAnswers::rates(std::size_t contact) const
+{
+    std::vector<Complex> spectrum{0.0};
+    for (Index k = 1; k < answers_.cols(); ++k) {
+        spectrum.push_back(open_.rateByPush(contact, answers_.col(k), contact_));
+    }
+    return spectrum;
+}
+
 /// A harmonic push that moves the contact works on dashpots, Re g > 0: what moves nothing for some
 /// pushes then moves nothing at all. \throws Resonance.
-void ContactAnswers::requireWork() const
+void ContactAnswers::requireWork(std::span<const Complex> rates) const
 {
     constexpr double moving = 1e-6;   // of a push before waves return
     constexpr double working = 1e-9;  // |g|^2 of a dashpot at the contact is its work
-    for (Index k = 1; k < answers_.cols(); ++k) {
-        const Complex rate = open_.rateByPush(contact_, answers_.col(k), contact_) / period_.alone;
+    for (const Complex each : rates) {
+        const Complex rate = each / period_.alone;
         if (lengthOf(rate) > moving && !(rate.real() >= working * std::norm(rate))) {
             throw Resonance("nothing damps what a push moves");
         }
@@ -136,16 +148,13 @@ ContactAnswers::Complex ContactAnswers::driven(std::size_t contact) const
     return inSteps_ * open_.rateByDrive(contact, driven_ / inSteps_);
 }
 
-ClosingContact ContactAnswers::askOf(std::size_t contact) const
+ClosingContact ContactAnswers::askOf(std::size_t contact,
+                                     const std::vector<Complex>& spectrum) const
 {
     const NetworkContact& at = given_.network.contacts[contact];
     // Of a gap the side that pushes reach has it.
     const bool isBefore = at.node < given_.network.contacts[contact_].node;
     const std::size_t node = at.node + (at.kind == ContactKind::gap && isBefore ? 1 : 0);
-    std::vector<Complex> spectrum{0.0};
-    for (Index k = 1; k < answers_.cols(); ++k) {
-        spectrum.push_back(open_.rateByPush(contact, answers_.col(k), contact_));
-    }
     ClosingContact asked;
     asked.gap = at.gap;
     asked.driven = -driven(contact);

@@ -5,6 +5,7 @@
 
 #include <complex>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "growing_contact.hpp"
@@ -29,7 +30,7 @@ public:
     ContactAnswers(const HarmonicNetwork& given, const OpenNetwork& open, std::size_t contact,
                    Drive drive);
 
-    /// What grows.
+    /// What grows; under the harmonic itself without other contacts.
     [[nodiscard]] const ContactPeriod& period() const { return period_; }
 
     /// Pushes in all steps that keep the contact closed: the still one and, for A = 1, a harmonic.
@@ -48,8 +49,11 @@ public:
     [[nodiscard]] std::vector<Complex> wavesOf(const std::vector<Complex>& pushes) const;
 
 private:
-    [[nodiscard]] ClosingContact askOf(std::size_t contact) const;
-    void requireWork() const;
+    /// At which a push of 1 widens the distance of a contact, by frequency; 0 for k = 0.
+    [[nodiscard]] std::vector<Complex> rates(std::size_t contact) const;
+    [[nodiscard]] ClosingContact askOf(std::size_t contact,
+                                       const std::vector<Complex>& spectrum) const;
+    void requireWork(std::span<const Complex> rates) const;
     [[nodiscard]] std::vector<std::int64_t> offsets() const;
     [[nodiscard]] std::vector<double> inTime(const std::vector<Complex>& spectrum,
                                              std::int64_t offset) const;

@@ -8,7 +8,6 @@
 #include "forced_polytope.hpp"
 #include "forced_set.hpp"
 #include "harmonic_motion.hpp"
-#include "harmonic_network_contact.hpp"
 #include "network_find.hpp"
 #include "network_forced.hpp"
 
@@ -17,10 +16,10 @@ namespace signorini {
 namespace {
 
 /// One schedule by programs of its own.
-void addAlone(FrequencyResponse& response, const HarmonicNetwork& given, ContactStart start,
-              const MotionFrom& motionFrom)
+void addAlone(FrequencyResponse& response, const HarmonicNetwork& given, std::size_t contact,
+              std::int64_t closed, const MotionFrom& motionFrom)
 {
-    const std::vector<ContactSpan> spans = spansOf(start, given.steps);
+    const std::vector<ContactSpan> spans = spansOf(contact, closed, given.steps);
     const ForcedSet set = forcedScene(given.network, spans, {given.place, given.cycles, {}},
                                       usualEnergy(given.network, spans));
     if (set.status == Status::undecided) {
@@ -29,14 +28,16 @@ void addAlone(FrequencyResponse& response, const HarmonicNetwork& given, Contact
     if (set.status != Status::found) {
         return;
     }
-    response.branches.push_back({start.closed, set.leastAmplitude, set.mostAmplitude});
+    response.branches.push_back({closed, set.leastAmplitude, set.mostAmplitude});
     std::vector<ForcedMotion> motions;
     for (const ForcedMotion& motion : motionsOfAmplitude(set, given.amplitude)) {
-        start.place = {motion.amplitude * std::cos(motion.phase),
-                       motion.amplitude * std::sin(motion.phase)};
-        start.start = {{motion.state.a.begin(), motion.state.a.end()},
-                       {motion.state.b.begin(), motion.state.b.end()}};
-        motions.push_back(motionFrom(start));
+        const Plane place{motion.amplitude * std::cos(motion.phase),
+                          motion.amplitude * std::sin(motion.phase)};
+        motions.push_back(motionFrom({contact,
+                                      closed,
+                                      place,
+                                      {{motion.state.a.begin(), motion.state.a.end()},
+                                       {motion.state.b.begin(), motion.state.b.end()}}}));
     }
     addBelievable(response, std::move(motions));
 }
@@ -189,18 +190,18 @@ std::optional<ContactResponse> scheduleByScheduleOf(const HarmonicNetwork& given
         if (isRequested(cancel)) {
             return std::nullopt;
         }
-        addAlone(response.found, given, {contact, closed, {}, {}}, motionFrom);
+        addAlone(response.found, given, contact, closed, motionFrom);
     }
     return response;
 }
 
 }  // namespace
 
-std::vector<ContactSpan> spansOf(const ContactStart& start, std::int64_t steps)
+std::vector<ContactSpan> spansOf(std::size_t contact, std::int64_t closed, std::int64_t steps)
 {
-    std::vector<ContactSpan> spans{{ContactSet{1} << start.contact, start.closed}};
-    if (start.closed < steps) {
-        spans.push_back({0, steps - start.closed});
+    std::vector<ContactSpan> spans{{ContactSet{1} << contact, closed}};
+    if (closed < steps) {
+        spans.push_back({0, steps - closed});
     }
     return spans;
 }
@@ -214,7 +215,7 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
     std::optional<HarmonicNetwork> still;  // none: a bar drifts
     std::optional<OpenNetwork> open;
     MotionFrom moved;
-    if (!drifts(given.network)) {
+    if (driftingBars(given.network).empty()) {
         shape = underConstantForces(given.network);
         still = given;
         still->network = shape.network;
@@ -252,7 +253,8 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
                                                            static_cast<Eigen::Index>(waves.size()));
         motion.state.b = Eigen::Map<const Eigen::VectorXd>(
             displacements.data(), static_cast<Eigen::Index>(displacements.size()));
-        enterWalk(motion, given.network, claimOf(spansOf(from, given.steps), motion));
+        enterWalk(motion, given.network,
+                  claimOf(spansOf(from.contact, from.closed, given.steps), motion));
         return motion;
     };
     return contactResponses(given, walked, cancel);

@@ -27,10 +27,12 @@ struct ContactStart {
     Plane place;         ///< (C, S)
     NetworkStart start;  ///< waves and displacements, by the harmonic and the pushes
 };
-/// The schedule of it.
-[[nodiscard]] std::vector<ContactSpan> spansOf(const ContactStart& start, std::int64_t steps);
 /// The motion of it, verified.
 using MotionFrom = std::function<ForcedMotion(const ContactStart&)>;
+
+/// The schedule in which a contact is closed in so many of n steps, from the first.
+[[nodiscard]] std::vector<ContactSpan> spansOf(std::size_t contact, std::int64_t closed,
+                                               std::int64_t steps);
 
 /// What one contact has; n_c in place of a schedule.
 struct ContactResponse {
@@ -46,7 +48,7 @@ struct ContactResponse {
 /// for each motion; schedule by schedule n times as much as forcedScene. None if it was cancelled.
 /// Undecided: schedules whose waves the steps in flight fix no better than rounding, residuals that
 /// say so, and what forcedScene does not decide.
-/// \throws std::invalid_argument as requireAsked (harmonic_network_contact.hpp), of at most
+/// \throws std::invalid_argument as requireAsked (harmonic_network.hpp), of at most
 /// maxStaircaseSteps; as underConstantForces; as forcedScene.
 [[nodiscard]] std::optional<std::vector<ContactResponse>> contactResponses(
     const HarmonicNetwork& given, const MotionFrom& motionFrom, const Cancel& cancel);

@@ -6,10 +6,9 @@
 #include <stdexcept>
 
 #include "contact_answers.hpp"
-#include "faults.hpp"
+#include "contact_spans.hpp"
 #include "harmonic_network_walk.hpp"
 #include "harmonic_release.hpp"
-#include "network_sweep.hpp"
 
 namespace signorini {
 
@@ -28,7 +27,7 @@ HarmonicNetwork stillOf(const HarmonicNetwork& given)
                      [](const NetworkNode& node) { return node.dashpot > 0.0; })) {
         throw std::invalid_argument("nothing is damped: there must be a dashpot");
     }
-    if (drifts(given.network)) {
+    if (!driftingBars(given.network).empty()) {
         throw std::invalid_argument(
             "a bar that nothing holds: its place does not follow from waves");
     }
@@ -68,9 +67,7 @@ public:
 
     void run()
     {
-        ContactPeriod alone = answers_.period();
-        alone.contacts.resize(1);  // others are looked at where motions are measured
-        GrowingContact growing(std::move(alone));
+        GrowingContact growing(answers_.period());
         HeldSteps before{{}, 0.0, drivenRate_};
         while (growing.contact() + 1 < given_.steps) {
             growing.grow();
@@ -180,22 +177,6 @@ private:
 };
 
 }  // namespace
-
-void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps)
-{
-    Faults faults;
-    faults.requireWhole("steps", given.steps, mostSteps);
-    faults.requireWhole("cycles", given.cycles, std::max<std::int64_t>(1, given.steps / 2));
-    faults.requirePositive("amplitude", given.amplitude, "-");
-    requireExcitable(faults, given.network, given.place);
-    faults.throwIfAny();
-}
-
-bool drifts(const Network& network)
-{
-    return std::any_of(network.bars.begin(), network.bars.end(),
-                       [](const NetworkBar& bar) { return bar.drifts(); });
-}
 
 std::vector<double> openDistances(const HarmonicNetwork& given)
 {

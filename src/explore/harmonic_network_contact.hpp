@@ -28,11 +28,6 @@ inline constexpr std::int64_t maxHarmonicSteps = 2'000;
 /// in 1..n/2, something is driven and damped, and all bars are held; Resonance.
 [[nodiscard]] std::vector<NetworkHarmonicMotion> harmonicContacts(const HarmonicNetwork& given);
 
-/// \throws std::invalid_argument unless n is in 2..mostSteps, K in 1..n/2 and something is driven.
-void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps);
-/// Does a bar drift?
-[[nodiscard]] bool drifts(const Network& network);
-
 /// What is left at least of the distance of each contact while none closes; below 0 one would.
 /// O(channels^3). \throws as `harmonicContacts`.
 [[nodiscard]] std::vector<double> openDistances(const HarmonicNetwork& given);

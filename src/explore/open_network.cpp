@@ -1,7 +1,6 @@
 #include "open_network.hpp"
 
 #include <Eigen/LU>
-#include <numbers>
 
 #include "harmonic_motion.hpp"
 #include "least_norm.hpp"
@@ -42,8 +41,7 @@ OpenNetwork::OpenNetwork(const HarmonicNetwork& given)
         arriving[static_cast<std::size_t>(c)] = 0.0;
     }
     for (std::int64_t m = 0; m < given.steps; ++m) {
-        turns_.push_back(turned(2.0 * std::numbers::pi * static_cast<double>(m) /
-                                static_cast<double>(given.steps)));
+        turns_.push_back(turnOf(m, given.steps));
     }
 }
 

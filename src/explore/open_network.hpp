@@ -26,8 +26,6 @@ public:
     {
         return static_cast<Eigen::Index>(delays_.size());
     }
-    /// Steps until a wave arrives, by channel.
-    [[nodiscard]] const std::vector<std::int64_t>& delays() const { return delays_; }
     /// e^{2 pi i m/n}. \pre 0 <= m < n.
     [[nodiscard]] Complex turn(std::int64_t m) const { return turns_[static_cast<std::size_t>(m)]; }
     /// e^{2 pi i k m/n}. \pre k, m >= 0.
@@ -74,7 +72,7 @@ private:
     const HarmonicNetwork& given_;
     const Network& network_;
     NetworkLaw<double> law_;
-    std::vector<std::int64_t> delays_;
+    std::vector<std::int64_t> delays_;  ///< steps until a wave arrives, by channel
     Eigen::MatrixXd scatter_;
     std::vector<Complex> turns_;  ///< e^{2 pi i m/n}
 };

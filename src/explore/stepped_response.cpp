@@ -30,15 +30,11 @@ std::optional<FrequencyResponse> steppedResponseAt(const ResponseRange& range, s
     if (!contacts) {
         return std::nullopt;
     }
-    FrequencyResponse all = contacts->front().found;
-    all.motions.clear();
-    all.branches.clear();
-    all.undecided = 0;
-    all.detail.clear();
-    all.touches = false;
+    FrequencyResponse all;
+    all.steps = steps;
     all.frequencyRatio =
         4.0 * cells * static_cast<double>(range.cycles) / static_cast<double>(steps);
-    all.linearPeak /= cells;
+    all.linearPeak = contacts->front().found.linearPeak / cells;
     for (const auto& [found, permanent, leastPush, distance] : *contacts) {
         all.touches = all.touches || found.touches;
         all.detail = all.undecided == 0 ? found.detail : all.detail;

@@ -27,16 +27,11 @@ double angleOf(Complex z)
     return portable::atan2(z.imag(), z.real());
 }
 
-namespace {
-
-/// e^{2 pi i part/whole}.
 Complex turnOf(std::int64_t part, std::int64_t whole)
 {
     return turned(2.0 * std::numbers::pi * static_cast<double>(part % whole) /
                   static_cast<double>(whole));
 }
-
-}  // namespace
 
 Complex HarmonicCase::place() const
 {

@@ -103,6 +103,8 @@ struct HarmonicCase {
 
 /// e^{i angle}.
 [[nodiscard]] std::complex<double> turned(double angle);
+/// e^{2 pi i part/whole}.
+[[nodiscard]] std::complex<double> turnOf(std::int64_t part, std::int64_t whole);
 /// |z|.
 [[nodiscard]] double lengthOf(std::complex<double> z);
 /// The angle of z, in ]-pi, pi].

@@ -5,7 +5,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "faults.hpp"
 #include "harmonic_motion.hpp"
+#include "network_sweep.hpp"
 #include "statics.hpp"
 
 namespace signorini {
@@ -17,8 +19,17 @@ double HarmonicNetwork::omega() const
 
 std::complex<double> HarmonicNetwork::turn(std::int64_t m) const
 {
-    const std::int64_t part = (cycles % steps) * (m % steps) % steps;
-    return turned(2.0 * std::numbers::pi * static_cast<double>(part) / static_cast<double>(steps));
+    return turnOf((cycles % steps) * (m % steps), steps);
+}
+
+void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps)
+{
+    Faults faults;
+    faults.requireWhole("steps", given.steps, mostSteps);
+    faults.requireWhole("cycles", given.cycles, std::max<std::int64_t>(1, given.steps / 2));
+    faults.requirePositive("amplitude", given.amplitude, "-");
+    requireExcitable(faults, given.network, given.place);
+    faults.throwIfAny();
 }
 
 std::vector<double> stretchedWaves(const Network& network, std::span<const double> displacements)

@@ -37,6 +37,9 @@ struct HarmonicNetwork {
     [[nodiscard]] std::complex<double> turn(std::int64_t m) const;
 };
 
+/// \throws std::invalid_argument unless n is in 2..mostSteps, K in 1..n/2 and something is driven.
+void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps);
+
 /// What the distance of a contact grows by while nodes move by way(node): -u, u, or u_next - u.
 template <typename Way>
 [[nodiscard]] auto openingOf(const NetworkContact& contact, const Way& way)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 #include "forced_cut.hpp"
@@ -40,10 +39,7 @@ GrowingContact::GrowingContact(ContactPeriod period)
       push_(static_cast<std::size_t>(period_.steps))
 {
     const std::int64_t n = period_.steps;
-    const auto turn = [&](std::int64_t m) {
-        const std::int64_t part = period_.cycles % n * m % n;
-        return turned(2.0 * std::numbers::pi * static_cast<double>(part) / static_cast<double>(n));
-    };
+    const auto turn = [&](std::int64_t m) { return turnOf(period_.cycles % n * m, n); };
     for (const ClosingContact& contact : period_.contacts) {
         const std::complex<double> start = contact.driven / (turn(1) - 1.0);
         start_.push_back(parts(start));
