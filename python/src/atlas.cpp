@@ -33,16 +33,16 @@ struct Atlas {
     }
 };
 
-using Shared = std::shared_ptr<Atlas>;
+using SharedAtlas = std::shared_ptr<Atlas>;
 using Cells = std::optional<std::int64_t>;
 
 /// A question to the database, asked in a thread of its own.
 template <typename Result, typename... Given>
-void addQuestion(py::class_<Atlas, Shared>& shown, const char* name,
+void addQuestion(py::class_<Atlas, SharedAtlas>& shown, const char* name,
                  const std::array<const char*, sizeof...(Given)>& names,
                  Result (*question)(const Atlas&, const Wires&, Given...))
 {
-    const auto asking = [question](const Shared& atlas, Given... given) {
+    const auto asking = [question](const SharedAtlas& atlas, Given... given) {
         return patiently([=](const Wires& wires) {
             const std::lock_guard lock(atlas->mutex);
             return question(*atlas, wires, given...);
@@ -72,7 +72,7 @@ std::vector<Row> allRows(const Wires& wires, const Bar& bar, Visit visit)
 
 void addAtlasFile(py::module_& module)
 {
-    py::class_<Atlas, Shared> shown(module, "AtlasFile", "A database opened for asking.");
+    py::class_<Atlas, SharedAtlas> shown(module, "AtlasFile", "A database opened for asking.");
     shown.def(py::init<const std::string&, const Bar&>(), py::arg("database"), py::arg("bar"));
     addQuestion(
         shown, "runs", {}, +[](const Atlas& a, const Wires&) { return a.database.runs(); });

@@ -9,11 +9,6 @@
 
 namespace signorini::python {
 
-/// A value of an answer as Python has it: enumerators are text, small structs tuples, records
-/// objects of their class.
-template <typename T>
-[[nodiscard]] py::object asPython(const T& value);
-
 /// The keys of a described record in a dictionary.
 template <typename T>
 struct KeysInDictionary {
@@ -41,10 +36,13 @@ template <typename T>
     return keys.dict;
 }
 
+/// Enumerators are text, small structs tuples, records objects of their class.
 template <typename T>
 py::object asPython(const T& value)
 {
-    if constexpr (std::is_enum_v<T>) {
+    if constexpr (std::is_base_of_v<py::handle, T>) {
+        return value;
+    } else if constexpr (std::is_enum_v<T>) {
         return nameOf(value);
     } else if constexpr (answers::isA<T, std::reference_wrapper>) {
         return asPython(value.get());
@@ -91,22 +89,7 @@ struct ClassOfKeys {
         unit = unit.substr(0, unit.find_first_of(">"));
         unit = unit.substr(0, unit.find_last_not_of(' ') + 1);
         const std::string text = unit == "-" ? sentence : fmt::format("[{}] {}", unit, sentence);
-        const auto asObject = [get](const T& value) { return asPython(std::invoke(get, value)); };
-        py::object lacksIt = py::none();
-        if (mayBeLeftOut(when)) {
-            lacksIt = py::cpp_function(
-                [get](const T& value) { return !isThere(std::invoke(get, value)); });
-        }
-        made->keyUnless(name, asObject, lacksIt, text.c_str());
-    }
-    template <typename Value>
-    static bool isThere(const Value& value)
-    {
-        if constexpr (answers::isA<Value, std::optional>) {
-            return value.has_value();
-        } else {
-            return true;
-        }
+        made->key(name, get, text, mayBeLeftOut(when));
     }
 };
 

@@ -25,13 +25,13 @@ struct Members<answers::FindAnswer> {
 namespace {
 
 using Answer = answers::FindAnswer;
-using Shared = std::shared_ptr<Answer>;
+using SharedFind = std::shared_ptr<Answer>;
 
 void addResult(py::module_& module)
 {
     classOf<Answer>(module)
         ->has("state", "At t = 0, the start of the first contact: a State, or None.",
-              [](const Shared& a) -> std::optional<StateOf> {
+              [](const SharedFind& a) -> std::optional<StateOf> {
                   const auto& motion = a->result.motion;
                   return motion ? std::optional(StateOf{{a, &motion->state},
                                                         firstMaterial(a->result.scene),
@@ -39,7 +39,7 @@ void addResult(py::module_& module)
                                 : std::nullopt;
               })
         .has("motion", "The field over one period: a Motion, or None.",
-             [](const Shared& a) -> std::optional<GridMotion> {
+             [](const SharedFind& a) -> std::optional<GridMotion> {
                  const auto& motion = a->result.motion;
                  return motion ? std::optional(GridMotion{
                                      {a, &motion->state}, a->result.schedule, a->result.scene})

@@ -55,21 +55,27 @@ constexpr std::size_t countMembers()
 
 }  // namespace detail
 
-/// References to the members of a value, in the order of their declaration.
-template <typename T>
-constexpr auto membersOf(T& value)
+/// A value as one of the struct it derives from, as constant as it is.
+template <typename Base, typename T>
+constexpr auto& baseOf(T& value)
+{
+    return static_cast<std::conditional_t<std::is_const_v<T>, const Base, Base>&>(value);
+}
+
+/// Calls a function with all members of a value, in the order of their declaration.
+template <typename T, typename Do>
+constexpr void withMembers(T& value, Do doWith)
 {
     using Plain = std::remove_const_t<T>;
     if constexpr (HasList<Plain>) {
-        return std::apply([&value](auto... member) { return std::tie(value.*member...); },
-                          Members<Plain>::list);
+        std::apply([&](auto... member) { doWith(value.*member...); }, Members<Plain>::list);
     } else {
         constexpr std::size_t count = detail::countMembers<Plain>();
         static_assert(count > 0 && count <= 21, "as many as there are lines here");
 #define SIGNORINI_IF_MEMBERS(number, ...) \
     if constexpr (count == (number)) {    \
         auto& [__VA_ARGS__] = value;      \
-        return std::tie(__VA_ARGS__);     \
+        doWith(__VA_ARGS__);              \
     }
         SIGNORINI_IF_MEMBERS(1, a)
         SIGNORINI_IF_MEMBERS(2, a, b)

@@ -1,5 +1,6 @@
 // The module signorini._core: the library's calls and answers, for the package around it.
 
+#include <fmt/format.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 

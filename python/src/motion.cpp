@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
+#include "described.hpp"
 #include "faults.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"

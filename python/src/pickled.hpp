@@ -26,14 +26,6 @@ namespace signorini::python {
 
 namespace py = pybind11;
 
-/// The state of a pickle of this class: what it holds, and a sum over it, the class and the
-/// version.
-[[nodiscard]] py::tuple sealed(const py::handle& type, const std::string& content);
-
-/// What it holds. \throws ValueError if it was changed on its way, or is not of this version and
-/// class.
-[[nodiscard]] std::string opened(const py::handle& type, const py::object& state);
-
 /// \throws ValueError that says so.
 [[noreturn]] void refusePickle();
 
@@ -118,9 +110,9 @@ void put(Writer& to, const T& value)
     } else if constexpr (requires { value.seconds; }) {
         T timeless = value;
         timeless.seconds = to.isCompared ? 0.0 : value.seconds;
-        std::apply([&to](const auto&... member) { (put(to, member), ...); }, membersOf(timeless));
+        withMembers(timeless, [&to](const auto&... member) { (put(to, member), ...); });
     } else {
-        std::apply([&to](const auto&... member) { (put(to, member), ...); }, membersOf(value));
+        withMembers(value, [&to](const auto&... member) { (put(to, member), ...); });
     }
 }
 
@@ -196,11 +188,9 @@ template <typename T>
                 item = take<std::remove_cvref_t<decltype(item)>>(from);
             }
         } else {
-            std::apply(
-                [&from](auto&... member) {
-                    ((member = take<std::remove_cvref_t<decltype(member)>>(from)), ...);
-                },
-                membersOf(value));
+            withMembers(value, [&from](auto&... member) {
+                ((member = take<std::remove_cvref_t<decltype(member)>>(from)), ...);
+            });
         }
         check(value);
         return value;
@@ -226,27 +216,9 @@ template <typename T>
     return to.bytes;
 }
 
-/// Pickles of a class.
-template <typename T>
-[[nodiscard]] auto pickling()
-{
-    return py::pickle(
-        [](const T& value) { return py::object(sealed(py::type::of<T>(), bytesOf(value, false))); },
-        [](const py::object& state) {
-            try {
-                const std::string bytes = opened(py::type::of<T>(), state);
-                Reader from{bytes};
-                auto value = std::make_shared<T>(take<T>(from));
-                if (from.bytes.empty()) {
-                    return value;
-                }
-            } catch (const std::bad_alloc&) {
-                throw;
-            } catch (const std::exception&) {
-                refusePickle();
-            }
-            refusePickle();
-        });
-}
+/// The bytes of an object of a class, and a new value of all of them, nullptr
+/// if some are left.
+using BytesOf = std::string (*)(py::handle value, bool isCompared);
+using MadeOf = void* (*)(Reader& from);
 
 }  // namespace signorini::python

@@ -8,6 +8,9 @@
 
 #include <pybind11/pybind11.h>
 
+#include <array>
+#include <cstring>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -18,77 +21,95 @@
 
 namespace signorini::python {
 
+/// How a property is got: a function pointer, whose code is all that each key adds. What is not
+/// there is no object.
+class Getter {
+public:
+    template <typename Get>
+    explicit Getter(const Get& get, py::object (*call)(const void* get, py::handle of))
+        : call_(call)
+    {
+        static_assert(sizeof(Get) <= sizeof held_ && std::is_trivially_copyable_v<Get>);
+        std::memcpy(held_.data(), &get, sizeof get);
+    }
+    py::object operator()(py::handle of) const { return call_(held_.data(), of); }
+
+private:
+    alignas(std::max_align_t) std::array<std::byte, 48> held_ = {};
+    py::object (*call_)(const void* get, py::handle of);
+};
+
+/// A value of an answer as Python has it (described.hpp).
+template <typename T>
+[[nodiscard]] py::object asPython(const T& value);
+
+/// What a class has whatever its struct: compiled once.
+class ClassOfRecord {
+public:
+    explicit ClassOfRecord(py::object type) : type_(std::move(type)) {}
+    ClassOfRecord(const ClassOfRecord&) = delete;
+    ClassOfRecord& operator=(const ClassOfRecord&) = delete;
+    ~ClassOfRecord();
+
+    /// `leftOut`: where it is not there.
+    void addKey(std::string_view name, const std::string& doc, const Getter& get, bool leftOut);
+    void addProperty(const char* name, const std::string& doc,
+                     const std::function<py::object(py::handle)>& get);
+    /// Numbers without a unit as "name_ratio", and times a unit of the bar as "name".
+    void addBoth(const std::string& name, const char* unit, const char* doc, const char* ratioDoc,
+                 const Getter& get);
+    /// Pickles, and comparing: equal are values of the same bytes.
+    void addBytes(BytesOf bytes, MadeOf made);
+
+private:
+    py::object type_;
+    py::list keys_;
+};
+
 /// A class with keys.
 template <typename T>
 class Record {
 public:
     using Class = py::class_<T, std::shared_ptr<T>>;
 
-    Record(py::handle scope, const char* name, const char* doc) : class_(scope, name, doc)
+    Record(py::handle scope, const char* name, const char* doc)
+        : class_(scope, name, doc), of_(class_)
     {
         if constexpr (isKept<T>) {
-            class_.def(pickling<T>());
-        }
-    }
-    Record(const Record&) = delete;
-    Record& operator=(const Record&) = delete;
-
-    /// What the class does not have of its own by now.
-    ~Record()
-    {
-        class_.attr("_keys") = py::tuple(keys_);
-        if constexpr (isKept<T>) {
-            if (!class_.attr("__dict__").contains("__eq__")) {
-                class_.def("__eq__", [](const T& one, const py::object& other) -> py::object {
-                    if (!py::isinstance<T>(other)) {
-                        return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-                    }
-                    return py::bool_(bytesOf(one, true) ==
-                                     bytesOf(py::cast<const T&>(other), true));
+            of_.addBytes(
+                [](py::handle value, bool isCompared) {
+                    return bytesOf(py::cast<const T&>(value), isCompared);
+                },
+                [](Reader& from) -> void* {
+                    auto value = std::make_unique<T>(take<T>(from));
+                    return from.bytes.empty() ? value.release() : nullptr;
                 });
-            }
-            class_.def("__hash__",
-                       [](const T& value) { return py::hash(py::bytes(bytesOf(value, true))); });
         }
     }
 
-    /// A key that is always there, None where there is no value.
+    /// A key that is always there, None where there is no value, or left out.
     template <typename Get>
-    Record& key(const char* name, Get get, const char* doc)
+    Record& key(const char* name, const Get& get, const std::string& doc, bool leftOut = false)
     {
-        return keyUnless(name, get, py::none(), doc);
-    }
-
-    /// A key that some values do not have: a function tells which.
-    template <typename Get>
-    Record& keyUnless(const char* name, Get get, const py::object& lacksIt, const char* doc)
-    {
-        // Words of Python's own get an underscore.
-        const bool isTaken = std::string_view(name) == "lambda";
-        const std::string attribute = std::string(name) + (isTaken ? "_" : "");
-        class_.def_property_readonly(attribute.c_str(), get, doc);
-        keys_.append(py::make_tuple(name, attribute, lacksIt));
+        of_.addKey(name, doc, erased(get), leftOut);
         return *this;
     }
 
     /// A property that is no key.
     template <typename Get>
-    Record& has(const char* name, const char* doc, Get get)
+    Record& has(const char* name, const char* doc, const Get& get)
     {
-        class_.def_property_readonly(name, get, doc);
+        of_.addProperty(name, doc, erased(get));
         return *this;
     }
 
     /// Numbers without a unit as "name_ratio", and times a unit of the bar as "name".
     template <typename Get>
     Record& both(const std::string& name, const char* unit, const char* doc, const char* ratioDoc,
-                 Get get)
+                 const Get& get)
     {
-        const std::string ratio = name + "_ratio";
-        has(ratio.c_str(), ratioDoc, get);
-        return has(name.c_str(), doc, [ratio, unit](const py::object& self) {
-            return self.attr(ratio.c_str()) * self.attr("bar").attr(unit);
-        });
+        of_.addBoth(name, unit, doc, ratioDoc, erased(get));
+        return *this;
     }
 
     /// A method, and the names of its arguments.
@@ -107,8 +128,23 @@ public:
     Class& more() { return class_; }
 
 private:
+    template <typename Get>
+    static Getter erased(const Get& get)
+    {
+        return Getter(get, [](const void* held, py::handle of) -> py::object {
+            using Value = std::conditional_t<std::is_invocable_v<Get, const T&>, const T&,
+                                             std::shared_ptr<T>>;
+            const auto& got = std::invoke(*static_cast<const Get*>(held), py::cast<Value>(of));
+            if constexpr (answers::isA<std::remove_cvref_t<decltype(got)>, std::optional>) {
+                return got ? asPython(*got) : py::object();
+            } else {
+                return asPython(got);
+            }
+        });
+    }
+
     Class class_;
-    py::list keys_;
+    ClassOfRecord of_;
 };
 
 using answers::Of;

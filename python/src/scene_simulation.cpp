@@ -28,13 +28,12 @@ void describe(D& d, answers::Type<SimulatedBars>)
     describe(d, answers::Type<SceneSimulationAnswer>());
 }
 
-template <typename T>
-requires(std::is_same_v<std::remove_const_t<T>, SimulatedBars>) constexpr auto membersOf(T& value)
+template <typename T, typename F>
+requires(std::is_same_v<std::remove_const_t<T>, SimulatedBars>) constexpr void withMembers(T& value,
+                                                                                           F f)
 {
-    using Base =
-        std::conditional_t<std::is_const_v<T>, const SceneSimulationAnswer, SceneSimulationAnswer>;
-    return std::tuple_cat(python::membersOf(static_cast<Base&>(value)),
-                          std::tie(value.pushes, value.figure));
+    python::withMembers(baseOf<SceneSimulationAnswer>(value), f);
+    f(value.pushes, value.figure);
 }
 
 NetworkStart startOf(const Asked& asked, const Network& network)

@@ -33,16 +33,15 @@ void describe(D& d, answers::Type<Simulated>)
     describe(d, answers::Type<answers::SimulationAnswer>());
 }
 
-template <typename T>
-requires(std::is_same_v<std::remove_const_t<T>, Simulated>) constexpr auto membersOf(T& value)
+template <typename T, typename F>
+requires(std::is_same_v<std::remove_const_t<T>, Simulated>) constexpr void withMembers(T& value,
+                                                                                       F f)
 {
-    using Base = std::conditional_t<std::is_const_v<T>, const answers::SimulationAnswer,
-                                    answers::SimulationAnswer>;
-    return std::tuple_cat(python::membersOf(static_cast<Base&>(value)),
-                          std::tie(value.waves, value.contacts, value.path));
+    python::withMembers(baseOf<answers::SimulationAnswer>(value), f);
+    f(value.waves, value.contacts, value.path);
 }
 
-using Shared = std::shared_ptr<Simulated>;
+using SharedSimulation = std::shared_ptr<Simulated>;
 
 double second(const Bar& bar)
 {
@@ -66,7 +65,9 @@ void addColumns(Record<Simulated>& record, std::vector<T> Simulated::*list,
 {
     for (const Column<T>& column : columns) {
         record.both(column.name, column.unit, column.doc, column.ratioDoc,
-                    [list, column](const Shared& s) { return view((*s).*list, column.member, s); });
+                    [list, column](const SharedSimulation& s) {
+                        return view((*s).*list, column.member, s);
+                    });
     }
 }
 

@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
+#include "described.hpp"
 #include "faults.hpp"
 #include "scene.hpp"
 #include "signorini/output.hpp"

@@ -21,7 +21,7 @@ using answers::SweepPointOf;
 namespace {
 
 /// A sweep without points, its numbers being in SI units. \throws std::invalid_argument.
-SweepAnswer withUnits(SweepRange range, const Scene& scene, const Asked& asked, double amplitude)
+SweepAnswer inUnits(SweepRange range, const Scene& scene, const Asked& asked, double amplitude)
 {
     validate(scene);
     const Bar bar = answers::unitsOf(scene);
@@ -108,10 +108,10 @@ SweepAnswer sweep(const Asked& asked)
         bars = std::make_shared<const Network>(networkOf(assembly));
         requireBars(*bars, range);
         range.cells = static_cast<double>(bars->cells());
-        answer = withUnits(range, answers::unitsOf(assembly, *bars), asked, amplitude);
+        answer = inUnits(range, answers::unitsOf(assembly, *bars), asked, amplitude);
         answer.several = answers::severalOf(assembly, *bars);
     } else {
-        answer = withUnits(range, asked.scene(), asked, amplitude);
+        answer = inUnits(range, asked.scene(), asked, amplitude);
     }
     const auto threads = asked.get<std::int64_t>("threads");
     const auto file = asked.maybe<std::string>("file").value_or("");
@@ -145,7 +145,7 @@ std::vector<StudyPoint> study(const Asked& asked)
          py::cast<std::vector<std::tuple<Scene, double, double>>>(asked.object("cases"))) {
         SweepRange range = rangeOf(asked);
         range.damping = {damping};
-        all.push_back({withUnits(range, scene, asked, amplitude), amplitude});
+        all.push_back({inUnits(range, scene, asked, amplitude), amplitude});
     }
     const auto threads = asked.get<std::int64_t>("threads");
     const auto file = asked.maybe<std::string>("file").value_or("");
