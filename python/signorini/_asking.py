@@ -7,8 +7,10 @@ import textwrap
 from typing import Any, Callable, TypeVar
 
 from . import _core
+from ._core import Scene
 from ._progress import listener
-from ._words import amplitude_of, arguments, cells_of, path, scene_of, schedule_of, state_of
+from ._words import (amplitude_of, arguments, cells_of, number, path, scene_of, schedule_of,
+                     spans_of, state_of)
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -117,8 +119,8 @@ def scheduled(asked: dict[str, Any]) -> dict[str, Any]:
 def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
     """What the compiled part is asked, of the arguments of a call.
 
-    Of a scene's parts one scene, of the names of files states, of several
-    amplitudes that which is given.
+    Of a scene's parts one scene, of a bar under gravity the words of a scene, of the
+    names of files states, of several amplitudes that which is given.
     """
     get = asked.get
     where, segments = get("scene"), get("segments")
@@ -132,6 +134,14 @@ def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
         where, get("bar"), get("second_stop"), segments, asked["bar_options"])
     if not several and get("cells") is None:
         asked["cells"] = cells_of(None, scene, get("schedule", ()))
+    if not several and get("gravity") and number("gravity", asked["gravity"]) != 0.0:
+        asked["words"] = _core.words_of(scene, asked["cells"],
+                                        number("damping", get("damping") or 0.0))
+        asked["scene"] = Scene(scene.bar)  # its scales
+        asked["damping"] = asked["cells"] = None
+        if get("schedule"):
+            asked["schedule"] = spans_of(asked["schedule"])
+        several = True
     for name in states:
         if asked[name] is not None:
             asked[name] = (path(name, asked[name]) if several

@@ -122,6 +122,16 @@ def find(*, scene: str, force: Force, gravity: Quantity = 0.0,
          **scales: Unpack[_Parameters]) -> SceneHarmonicResult: ...
 
 
+@overload
+def find(*schedule: Steps | str, gravity: Quantity, damping: Quantity | None = None,
+         force: Force | None = None, period: Number | None = None,
+         frequency: Number | None = None, hertz: Quantity | None = None,
+         amplitude: Quantity | None = None, amplitude_velocity: Quantity | None = None,
+         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
+         stability: bool = False, **demands: Unpack[_Demands]
+         ) -> SceneResult | SceneForcedResult | SceneHarmonicResult | SceneQuestion: ...
+
+
 @asks("find")
 def find(
          *schedule: Steps | str, cells: int | None = None, bar: Bar | None = None,
@@ -159,6 +169,9 @@ def find(
         several bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 clamp",
         whose scales are `length`, `wave_speed` and `axial_stiffness`, and
         whose damping is among the words.
+    gravity : float, optional
+        To the right along all bars [m/s^2]; one bar under it is answered as
+        several bars are.
     target : State or file name, optional
         For the objective "nearest"; of several bars the name of a file.
     frequency : float, str or Fraction, optional
@@ -189,15 +202,15 @@ def find(
     if energy is not None and energy_ratio is not None:
         raise ValueError("energy clashes with energy_ratio: allowed one of them")
     where = asked["scene"]
+    if not isinstance(scene, str) and (damping is None) != (force is None):
+        raise ValueError("damping, force: allowed only together")
     is_timed = period is not None or frequency is not None or hertz is not None
     times = {"period": period, "frequency": frequency, "hertz": hertz} if is_timed else {}
-    if is_timed and stability is not False and (damping is not None or force is not None):
+    if is_timed and stability is not False and force is not None:
         raise ValueError("stability: allowed of a schedule, or without force")
     if "words" in asked:
         return find_bars(asked, times, find.__kwdefaults__)
-    if damping is not None or force is not None:
-        if damping is None or force is None:
-            raise ValueError("damping, force: allowed only together")
+    if force is not None:
         if not is_timed:
             return _core.find_forced(scheduled(asked))
         if schedule or where.segments or strain_limit is not None:

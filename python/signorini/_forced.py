@@ -84,6 +84,18 @@ def response(*, force: Force, amplitude: Quantity | None = None,
              **scales: Unpack[_Parameters]) -> SceneResponse: ...
 
 
+@overload
+def response(*, gravity: Quantity, damping: Quantity, force: Force,
+             amplitude: Quantity | None = None, amplitude_velocity: Quantity | None = None,
+             amplitude_acceleration: Quantity | None = None,
+             start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
+             cells: int | None = None, stability: bool = False, threads: int = 1,
+             bar: Bar | None = None, scene: Scene | None = None,
+             second_stop: Quantity | None = None, segments: Segments | None = None,
+             progress: Progress = None,
+             **bar_options: Unpack[_Parameters]) -> SceneResponse: ...
+
+
 @asks("response")
 def response(*, damping: Quantity | None = None, force: Force, amplitude: Quantity | None = None,
              amplitude_velocity: Quantity | None = None,
@@ -131,8 +143,6 @@ def _of_bars(asked: dict[str, Any]) -> dict[str, Any]:
     if "words" in asked and (asked["damping"] is not None or asked["cells"] is not None):
         raise ValueError("damping, cells: allowed only without a scene of words "
                          "(dash=D among them)")
-    if "words" not in asked and asked["gravity"] != 0.0:
-        raise ValueError("gravity: allowed only with a scene of words")
     return asked
 
 
@@ -162,6 +172,18 @@ def exact_response(*, damping: Quantity, force: Force, amplitude: Quantity | Non
                    segments: Segments, start: Quantity = 0.5, to: Quantity = 2.0,
                    cycles: int = 1, cells: int | None = None, threads: int = 1,
                    bar: Bar | None = None, second_stop: Quantity | None = None,
+                   progress: Progress = None,
+                   **bar_options: Unpack[_Parameters]) -> SceneResponse: ...
+
+
+@overload
+def exact_response(*, gravity: Quantity, damping: Quantity, force: Force,
+                   amplitude: Quantity | None = None, amplitude_velocity: Quantity | None = None,
+                   amplitude_acceleration: Quantity | None = None,
+                   start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
+                   cells: int | None = None, threads: int = 1,
+                   bar: Bar | None = None, scene: Scene | None = None,
+                   second_stop: Quantity | None = None, segments: Segments | None = None,
                    progress: Progress = None,
                    **bar_options: Unpack[_Parameters]) -> SceneResponse: ...
 
@@ -227,6 +249,21 @@ def simulate(start: str | None = None, *, scene: str, gravity: Quantity = 0.0,
              **scales: Unpack[_Parameters]) -> SceneSimulation: ...
 
 
+@overload
+def simulate(start: str | None = None, *, gravity: Quantity,
+             velocity: Sequence[Quantity] | None = None,
+             damping: Quantity = 0.0, force: Force | None = None,
+             amplitude: Quantity | None = None,
+             amplitude_velocity: Quantity | None = None,
+             amplitude_acceleration: Quantity | None = None,
+             frequency: Quantity | None = None, phase: Quantity = 0.0,
+             time: Quantity | None = None, periods: int | None = None,
+             cells: int | None = None, bar: Bar | None = None,
+             scene: Scene | None = None, second_stop: Quantity | None = None,
+             progress: Progress = None,
+             **bar_options: Unpack[_Parameters]) -> SceneSimulation: ...
+
+
 @asks("simulation")
 def simulate(start: State | Waves | str | None = None, *,
              damping: Quantity = 0.0, force: Force | None = None,
@@ -268,13 +305,13 @@ def simulate(start: State | Waves | str | None = None, *,
         bar = start.bar
     asked = gathered(locals(), "start")
     several = "words" in asked
-    if several and (damping != 0.0 or cells is not None or resolve is not None):
+    if several and (asked["damping"] or asked["cells"] is not None or resolve is not None):
         raise ValueError("damping, cells, resolve: allowed only without a scene of words "
                          "(dash=D among them)")
     if several and start is not None and velocity is not None:
         raise ValueError("start, velocity: allowed one of them")
-    if not several and (velocity is not None or gravity != 0.0):
-        raise ValueError("gravity, velocity: allowed only with a scene of words")
+    if not several and velocity is not None:
+        raise ValueError("velocity: allowed only with a scene of words, or gravity")
     if asked["scene"].segments:
         raise ValueError("segments: allowed only where stepped bars are known: find")
     is_driven = force is not None

@@ -139,7 +139,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
     if asked["damping"] is not None:
         raise ValueError("damping clashes with a scene of words: allowed dash=D among them")
     _refuse(asked, usual, ("cells", "tip_floor", "formulation", "contacts"),
-            "without a scene of words")
+            "without a scene of words, or gravity")
     schedule = asked["schedule"]
     if not times:
         forced = asked["force"] is not None

@@ -172,6 +172,15 @@ def schedule_of(words: Sequence[Any], cells: int | None
     return phases_of(words)
 
 
+def spans_of(words: Sequence[Any]) -> list[str]:
+    """The same as "SET:STEPS" of a scene, unless it is that."""
+    if any(isinstance(word, str) for word in words):
+        return list(words)
+    whole_one = len(words) == 1 and isinstance(words[0], Schedule)
+    return [word for contact, free, left in phases_of(words[0].phases if whole_one else words)
+            for word in (f"{2 if left else 1}:{contact}", f"-:{free}")]
+
+
 def segment_of(part: Sequence[float]) -> Segment:
     """A segment of (cells, impedance, speed, dashpot)."""
     try:

@@ -162,6 +162,9 @@ void addScene(py::module_& module)
 {
     addBar(module);
     addWholeScene(module);
+    module.def("words_of", [](const Scene& of, std::optional<std::int64_t> cells, double damping) {
+        return textOf(answers::assemblyOf(of, cells.value_or(usualCells), {damping}).parts);
+    });
     addSchedule(module);
     addState(module);
 }

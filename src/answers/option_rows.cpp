@@ -338,8 +338,7 @@ std::vector<Option> ofAll()
         text("--scene", all, "TEXT|FILE.json",
              "bars in a row, from left to right: clamp, free, N[:Z[:C]], gap=G, stop=G, dash=D, "
              "spring=K, mass=M, force=F, driven, shaken"),
-        real("--gravity", all, "M/S2", "m/s^2", "gravity, to the right along all bars of a scene",
-             "0"),
+        real("--gravity", all, "M/S2", "m/s^2", "gravity, to the right along all bars", "0"),
         whole("--cells", all & ~response, "N", 1, maxCells, "N, equal cells of the bar", "300"),
         whole("--cells", response, "N|auto", 1, maxCells,
               "N, equal cells of the bar; auto: few, and more where something happens, until the "

@@ -204,6 +204,7 @@ CommonOptions::CommonOptions(const Given& given)
       progressFile(given.text("--progress")),
       sceneText(given.text("--scene")),
       gravity(given.number("--gravity").value_or(0.0)),
+      dampingRatio(given.knows("--damping") ? given.number("--damping") : std::nullopt),
       piecesFile_(given.text("--segments-file")),
       secondStop_(given.number("--second-stop")),
       waveSpeed_(given.number("--wave-speed")),
@@ -234,7 +235,7 @@ std::int64_t CommonOptions::usualCells() const
         return pieces().cells;
     }
     std::int64_t sum = 0;
-    if (hasScene()) {
+    if (!sceneText.empty()) {
         for (const AssemblyPart& part : assembly().parts) {
             sum += part.cells;
         }

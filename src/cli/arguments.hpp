@@ -95,7 +95,8 @@ struct CommonOptions {
     std::int64_t threads;
     std::string progressFile;
     std::string sceneText;  ///< of --scene: words, or the name of a file; empty: not given
-    double gravity;         ///< [m/s^2], to the right along all bars of a scene
+    double gravity;         ///< [m/s^2], to the right along all bars
+    std::optional<double> dampingRatio;  ///< of a bar that is no --scene
 
     /// Those given, or those of all segments, or 300.
     [[nodiscard]] std::int64_t usualCells() const;
@@ -113,10 +114,13 @@ struct CommonOptions {
     /// --gap, --second-stop, --segments and --segments-file, whatever --scene says.
     /// \throws std::invalid_argument as `scene`.
     [[nodiscard]] Scene shortForms() const;
-    [[nodiscard]] bool hasScene() const { return !sceneText.empty(); }
-    /// What --scene says. \throws std::invalid_argument on words that are no scene, or options that
-    /// clash with them; FileError. \pre hasScene().
+    /// Are bars in a row meant: --scene, or the short forms under gravity?
+    [[nodiscard]] bool hasScene() const { return !sceneText.empty() || gravity != 0.0; }
+    /// What --scene says, or the short forms as a scene. \throws std::invalid_argument on words
+    /// that are no scene, or options that clash with them; FileError.
     [[nodiscard]] const Assembly& assembly() const;
+    /// \throws std::invalid_argument where --damping stands beside --scene.
+    void requireOwnDamping() const;
     /// The line with which an answer in words begins: the bar that was meant, so that a wrong or
     /// forgotten option is seen. With cells and damping where they are part of the question.
     [[nodiscard]] std::string restated(std::optional<std::int64_t> grid = {},

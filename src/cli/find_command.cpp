@@ -169,7 +169,8 @@ ExitStatus FindCommand::run() const
             return findInBars();
         }
         if (!barOf(common.assembly())) {
-            given.requireOnly(isForced() ? asks::network : asks::network | asks::freeNetwork);
+            const unsigned shortForms = common.sceneText.empty() ? asks::forced : 0U;
+            given.requireOnly(asks::network | (isForced() ? shortForms : asks::freeNetwork));
             return findInBars();
         }
     }

@@ -157,6 +157,11 @@ const Option& Given::row(std::string_view option) const
     return *found;
 }
 
+bool Given::knows(std::string_view option) const
+{
+    return answers::optionOf(usage_.questions, option) != nullptr;
+}
+
 bool Given::has(std::string_view option) const
 {
     return values_.contains(row(option).name);

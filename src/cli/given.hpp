@@ -34,6 +34,8 @@ public:
     [[nodiscard]] const std::vector<std::string>& words() const { return words_; }
 
     [[nodiscard]] bool has(std::string_view option) const;
+    /// Is it an option of this command?
+    [[nodiscard]] bool knows(std::string_view option) const;
     /// As it was typed; empty: not given.
     [[nodiscard]] std::string text(std::string_view option) const;
     /// In the unit of the table.

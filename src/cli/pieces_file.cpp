@@ -51,8 +51,9 @@ std::vector<BarPiece> readPieces(const std::string& path)
 const PiecedBar& CommonOptions::pieces() const
 {
     if (!pieces_) {
-        const bool isClash = !segments_.empty() || hasScene() || bar_.length != Bar{}.length ||
-                             waveSpeed_ || axialStiffness_ || young_ || density_ || area_;
+        const bool isClash = !segments_.empty() || !sceneText.empty() ||
+                             bar_.length != Bar{}.length || waveSpeed_ || axialStiffness_ ||
+                             young_ || density_ || area_;
         refuseIf(isClash,
                  "--segments-file clashes with --scene, --segments, --length, --wave-speed, "
                  "--axial-stiffness, --young, --density, --area: the file gives them");

@@ -226,8 +226,7 @@ std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common,
             !barOf(assembly) ||
             (!force.ratio && std::any_of(assembly.parts.begin(), assembly.parts.end(), isDash));
         if (areBars) {
-            refuseIf(force.ratio.has_value(),
-                     "--damping clashes with --scene: allowed dash=D among its words");
+            common.requireOwnDamping();
             return assembly;
         }
     }

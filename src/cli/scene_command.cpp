@@ -43,7 +43,7 @@ ExitStatus runScene(const Given& given)
 {
     CommonOptions common(given);
     for (const std::string& word : given.words()) {
-        common.sceneText += (common.hasScene() ? " " : "") + word;
+        common.sceneText += (common.sceneText.empty() ? "" : " ") + word;
     }
     const Assembly& assembly = common.assembly();
     const Network network = networkOf(assembly);

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "interrupt.hpp"
 #include "scene_options.hpp"
 #include "scene_report.hpp"
+#include "stops.hpp"
 
 namespace signorini::cli {
 
@@ -132,11 +135,31 @@ std::string asText(const std::optional<answers::SceneStability>& tried)
                  : "";
 }
 
+namespace {
+
+/// SET:STEPS; of a bar by its options NC NF [L:NC NF ...], too.
+std::vector<ContactSpan> spansOf(const FindCommand& call, std::size_t contacts)
+{
+    const std::vector<std::string>& words = call.given.words();
+    const auto isSet = [](std::string_view word) {
+        return word.find(':') != std::string_view::npos && !word.starts_with("L:");
+    };
+    if (!call.common.sceneText.empty() || std::any_of(words.begin(), words.end(), isSet)) {
+        return signorini::spansOf(words, contacts);
+    }
+    const Schedule schedule{call.common.usualCells(), parsePhases(words),
+                            stopsOf(call.common.shortForms())};
+    validate(schedule);
+    return signorini::spansOf(schedule);
+}
+
+}  // namespace
+
 SceneFind::SceneFind(const FindCommand& of)
     : call(of),
       assembly(of.common.assembly()),
       network(networkOf(assembly)),
-      schedule(spansOf(of.given.words(), network.contacts.size())),
+      schedule(spansOf(of, network.contacts.size())),
       files(of)
 {
     refuseIf(of.given.text("--motion").ends_with(".pvd"), "--motion", of.given.text("--motion"),

@@ -46,8 +46,7 @@ std::string asText(const answers::SceneForcedAnswer& answer, const SceneFind& of
 ExitStatus findForcedInScene(const FindCommand& command)
 {
     const ForceOptions& force = command.force;
-    refuseIf(force.ratio.has_value(),
-             "--damping clashes with --scene: allowed dash=D among its words");
+    command.common.requireOwnDamping();
     force.requirePlace();
     SceneFind scene(command);
     const Forcing forcing{*force.place, command.cycles, {}};

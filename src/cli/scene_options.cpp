@@ -180,9 +180,9 @@ Assembly assemblyOfJson(std::string_view text, const std::string& name)
 Scene CommonOptions::scene() const
 {
     if (!hasScene()) {
-        refuseIf(gravity != 0.0, "--gravity: allowed with --scene, and with simulate");
         return shortForms();
     }
+    refuseIf(sceneText.empty(), "--gravity: allowed with find, response, simulate and sweep");
     const std::optional<Scene> bar = barOf(assembly());
     if (!bar) {
         throw std::invalid_argument(fmt::format(
@@ -195,9 +195,19 @@ Scene CommonOptions::scene() const
     return *bar;
 }
 
+void CommonOptions::requireOwnDamping() const
+{
+    refuseIf(!sceneText.empty() && dampingRatio,
+             "--damping clashes with --scene: allowed dash=D among its words");
+}
+
 const Assembly& CommonOptions::assembly() const
 {
-    if (!assembly_) {
+    if (!assembly_ && sceneText.empty()) {
+        assembly_ = assemblyOf(shortForms(), usualCells(), {dampingRatio.value_or(0.0)});
+        assembly_->gravity = gravity;
+        validate(*assembly_);
+    } else if (!assembly_) {
         const Bar bar = givenBar();
         refuseIf(cells || secondStop_ || !segments_.empty() || !piecesFile_.empty() ||
                      bar.gap != Bar{}.gap,

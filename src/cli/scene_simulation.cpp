@@ -75,15 +75,8 @@ void setDrive(const SimulateCommand& command, Question& question)
 Question questionOf(const SimulateCommand& command)
 {
     Question question;
-    if (command.common.hasScene()) {
-        refuseIf(command.force.ratio.has_value(),
-                 "--damping clashes with --scene: allowed dash=D among its words");
-        question.assembly = command.common.assembly();
-    } else {
-        const Scene scene = command.common.shortForms();
-        question.assembly = assemblyOf(scene, command.common.usualCells(), command.force.damping());
-        question.assembly.gravity = command.common.gravity;
-    }
+    command.common.requireOwnDamping();
+    question.assembly = command.common.assembly();
     question.network = networkOf(question.assembly);
     setDrive(command, question);
     question.duration =

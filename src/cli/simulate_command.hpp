@@ -41,7 +41,7 @@ private:
     /// Is it a question for the simulation of a network?
     [[nodiscard]] bool isOfNetwork() const
     {
-        return common.hasScene() || forceRange || common.gravity != 0.0 || !speeds.empty();
+        return common.hasScene() || forceRange || !speeds.empty();
     }
     /// The start, `base` [g] the place of the base then.
     [[nodiscard]] Waves start(const Scene& scene, double base) const;

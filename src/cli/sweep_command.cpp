@@ -123,8 +123,7 @@ SweepAnswer SweepCommand::question() const
 
 SweepAnswer SweepCommand::question(const Network& network) const
 {
-    refuseIf(force.ratio.has_value(),
-             "--damping clashes with --scene: allowed dash=D among its words");
+    common.requireOwnDamping();
     refuseIf(over == Swept::gap || over == Swept::damping, "--over", name(over),
              "frequency|amplitude of a scene of several bars");
     refuseIf(given.has("--yield-stress"), "--yield-stress", given.text("--yield-stress"),

@@ -278,7 +278,6 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
     refuses(bars + "1:3 -:9 --force tip", "tip for a scene with the word driven");
     refuses("--scene 'clamp 4 dash=0.1 driven gap=1e-3 4 clamp' 3 9 --force tip --energy 1",
             "without --force");
-    refuses("--gravity 10 3 9", "--gravity: allowed with --scene");
 }
 
 TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper's bar")

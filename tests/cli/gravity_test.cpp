@@ -1,0 +1,123 @@
+// One bar under gravity: it sags by g L^2/(2 c^2) at rest and is then a bar with a smaller gap,
+// since its motions about rest know nothing of gravity. That bar is answered by another engine.
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "command_line.hpp"
+#include "has_solver.hpp"
+
+using namespace signorini;
+using namespace signorini::test;
+
+namespace {
+
+/// The words of a bar of 2 m with c = 10 m/s before a stop, under gravity, and of one that has
+/// sagged.
+std::pair<std::string, std::string> bars(double gap, double gravity)
+{
+    const std::string bar = " --length 2 --wave-speed 10 --axial-stiffness 30 ";
+    return {bar + fmt::format("--gap {} --gravity {}", gap, gravity),
+            bar + fmt::format("--gap {:.17g}", gap - gravity * 4.0 / 200.0)};
+}
+
+/// Numbers of two answers, but for rounding; null: without end.
+void requireClose(const json& one, const json& other, double unit)
+{
+    REQUIRE(one.is_null() == other.is_null());
+    if (one.is_null()) {
+        return;
+    }
+    REQUIRE(one.get<double>() == Approx(other.get<double>()).epsilon(1e-9).margin(1e-9 * unit));
+}
+
+}  // namespace
+
+TEST_CASE("cli gravity: a free bar that sags is one with a smaller gap")
+{
+    const CommandLine program;
+    int found = 0;
+    for (const double gravity : {0.02, -0.03, 0.15}) {  // the last one presses at rest
+        const auto [sagging, sagged] = bars(1e-3, gravity);
+        for (const int contact : {1, 6}) {
+            for (int free = 5; free < 30; ++free) {
+                const std::string schedule = fmt::format(
+                    "find {} {} --cells 6 --objective min-energy --format json", contact, free);
+                const auto truth = program.run(schedule + sagged);
+                const auto asked = program.run(schedule + sagging);
+                INFO(schedule << sagging);
+                REQUIRE(asked.status == truth.status);
+                if (truth.status == 0) {
+                    const json a = json::parse(asked.out);
+                    const json b = json::parse(truth.out);
+                    requireClose(a["energy"], b["energy"], 1e-6);
+                    ++found;
+                }
+            }
+        }
+    }
+    CHECK(found > 20);
+}
+
+TEST_CASE("cli gravity: under a force, too, of a schedule and of a range of frequencies", "[glpk]")
+{
+    const CommandLine program;
+    const auto [sagging, sagged] = bars(1e-3, 0.02);
+    const std::string force = " --cells 10 --damping 0.1 --force tip --format json";
+    int found = 0;
+    for (int contact = 3; contact < 9; ++contact) {
+        for (int free = 27; free < 33; ++free) {
+            const std::string schedule = fmt::format("find {} {}", contact, free) + force;
+            const auto truth = program.run(schedule + sagged);
+            const auto asked = program.run(schedule + sagging);
+            REQUIRE(asked.status == truth.status);
+            if (truth.status == 0) {
+                const json a = json::parse(asked.out);
+                const json b = json::parse(truth.out);
+                requireClose(a["amplitude_range"][0], b["amplitude_range"][0], 1.0);
+                requireClose(a["amplitude_range"][1], b["amplitude_range"][1], 1.0);
+                requireClose(a["motions"][0]["contacts"][0]["impulse"], b["motions"][0]["impulse"],
+                             1.0);
+                ++found;
+            }
+        }
+    }
+    CHECK(found > 5);
+    const std::string range = "response --amplitude 0.1 --from 1 --to 1.2" + force;
+    const json a = json::parse(program.run(range + sagging).out)["frequencies"];
+    const json b = json::parse(program.run(range + sagged).out)["frequencies"];
+    REQUIRE(a.size() == b.size());
+    int motions = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+        REQUIRE(a[k]["motions"].size() == b[k]["motions"].size());
+        for (std::size_t m = 0; m < a[k]["motions"].size(); ++m) {
+            requireClose(a[k]["motions"][m]["impulse"], b[k]["motions"][m]["impulse"], 1.0);
+            ++motions;
+        }
+    }
+    CHECK(motions > 1);
+}
+
+TEST_CASE("cli gravity: commands that know no weight say so, and damping has its one place")
+{
+    const CommandLine program;
+    const auto refuses = [&program](const std::string& words, const std::string& why) {
+        const auto refused = program.run(words);
+        INFO(words << ": " << refused.err);
+        CHECK(refused.status == 2);
+        CHECK_THAT(refused.err, containsText(why));
+        CHECK(lines(refused.err) == 1);
+    };
+    for (const char* question : {"modes --max-order 2", "continuum 6 36 --energy-ratio 9",
+                                 "families --max-order 3", "mode 4 -1 --period 3.14"}) {
+        refuses(fmt::format("{} --gravity 1", question),
+                "--gravity: allowed with find, response, simulate and sweep");
+    }
+    refuses("find 5 41 --gravity 1 --damping 0.1", "--force is missing");
+    refuses(
+        "find 3 9 --scene 'clamp 4 dash=0.1 driven stop=1e-3' --gravity 1 --damping 0.1 "
+        "--force tip",
+        "--damping clashes with --scene");
+    refuses("find 6 36 --gravity 1e-4 --tip-floor 2e-3", "--tip-floor clashes");
+}
