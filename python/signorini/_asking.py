@@ -116,6 +116,16 @@ def scheduled(asked: dict[str, Any]) -> dict[str, Any]:
     return asked
 
 
+def as_bars(asked: dict[str, Any]) -> dict[str, Any]:
+    """The same about the words of its bar: what is asked of several bars is asked of one."""
+    asked["words"] = _core.words_of(asked)
+    asked["scene"] = Scene(asked["scene"].bar)  # its scales
+    asked["damping"] = asked["cells"] = None
+    if asked.get("schedule"):
+        asked["schedule"] = spans_of(asked["schedule"])
+    return asked
+
+
 def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
     """What the compiled part is asked, of the arguments of a call.
 
@@ -135,12 +145,7 @@ def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
     if not several and get("cells") is None:
         asked["cells"] = cells_of(None, scene, get("schedule", ()))
     if not several and get("gravity") and number("gravity", asked["gravity"]) != 0.0:
-        asked["words"] = _core.words_of(scene, asked["cells"],
-                                        number("damping", get("damping") or 0.0))
-        asked["scene"] = Scene(scene.bar)  # its scales
-        asked["damping"] = asked["cells"] = None
-        if get("schedule"):
-            asked["schedule"] = spans_of(asked["schedule"])
+        as_bars(asked)
         several = True
     for name in states:
         if asked[name] is not None:

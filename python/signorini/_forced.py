@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, overload
 
 from . import _core
-from ._asking import asks, excited, gathered
+from ._asking import as_bars, asks, excited, gathered
 from ._core import (Bar, Damping, ExactResponse, ForcedFrequency, ForcedMotion, ForceRange, Scene,
                     SceneResponse, SceneSimulation, Simulation, State, Sweep, Waves)
 from ._progress import Progress
@@ -214,7 +214,9 @@ def exact_response(*, damping: Quantity | None = None, force: Force,
         Without curves, and one contact in a period.
     """
     asked = _of_bars(excited(gathered(locals())))
-    if "words" in asked or len(asked["scene"].segments) > 1:
+    if "words" not in asked and len(asked["scene"].segments) > 1:
+        as_bars(asked)
+    if "words" in asked:
         return _core.response_bars({**asked, "exact": True, "stability": False})
     if asked["derivative"] > 0:
         raise ValueError("amplitude_velocity, amplitude_acceleration: allowed only of several "

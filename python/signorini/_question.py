@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from . import _core
+from ._asking import as_bars
 from ._core import Bar, Result, SceneForcedResult, SceneHarmonicResult, SceneQuestion, SceneResult
 from ._tables import Table, plain
 from ._words import Number, fraction_of, number, whole
@@ -171,7 +172,7 @@ def ask_bars(times: dict[str, Any], asked: dict[str, Any]) -> SceneQuestion:
     if asked["schedule"]:
         raise ValueError("a schedule clashes with period, frequency and hertz: allowed one of "
                          "them")
-    return _core.find_period_bars(_timed(times, {"words": None, **asked}))
+    return _core.find_period_bars(_timed(times, asked if "words" in asked else as_bars(asked)))
 
 
 def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:

@@ -210,10 +210,7 @@ ExactAnswer exactResponse(const Asked& asked)
 /// Of several bars in words, or under the harmonic itself of a bar of several segments.
 answers::SceneResponse responseOfBars(const Asked& asked)
 {
-    const Assembly assembly =
-        asked.has("words")
-            ? asked.assembly()
-            : answers::assemblyOf(asked.scene(), asked.get<std::int64_t>("cells"), asked.damping());
+    const Assembly assembly = asked.assembly();
     const Network network = networkOf(assembly);
     const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
     const auto hertz = [&](const char* name) {

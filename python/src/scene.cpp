@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "asked.hpp"
 #include "described.hpp"
 #include "faults.hpp"
 #include "numbers.hpp"
@@ -162,8 +163,10 @@ void addScene(py::module_& module)
 {
     addBar(module);
     addWholeScene(module);
-    module.def("words_of", [](const Scene& of, std::optional<std::int64_t> cells, double damping) {
-        return textOf(answers::assemblyOf(of, cells.value_or(usualCells), {damping}).parts);
+    addCall(module, "words_of", [](const Asked& asked) {
+        const Damping damping = asked.has("damping") ? asked.damping() : Damping{};
+        const std::int64_t cells = asked.maybe<std::int64_t>("cells").value_or(usualCells);
+        return textOf(answers::assemblyOf(asked.scene(), cells, damping).parts);
     });
     addSchedule(module);
     addState(module);

@@ -79,17 +79,7 @@ SceneFindAnswer findInBars(const Asked& asked)
 /// Of several bars in words, or of a bar of several segments.
 SceneQuestionAnswer findPeriodInBars(const Asked& asked)
 {
-    const auto assembly = [&asked] {
-        if (asked.has("words")) {
-            return asked.assembly();
-        }
-        const Scene scene = asked.scene();
-        std::int64_t cells = 0;
-        for (const Segment& segment : scene.segments) {
-            cells += segment.cells;
-        }
-        return answers::assemblyOf(scene, cells, {});
-    }();
+    const Assembly assembly = asked.assembly();
     Network network = networkOf(assembly);
     answers::limitStrain(network, assembly, asked.maybe<double>("strain_limit"));
     const std::int64_t steps = asked.steps(assembly, 1);
