@@ -6,6 +6,17 @@ namespace signorini::python {
 
 namespace {
 
+/// \throws TypeError unless it is an object of the class that was made, and not by __new__ alone.
+py::handle valued(py::handle object, const py::handle& type)
+{
+    if (!py::isinstance(object, type) || !reinterpret_cast<py::detail::instance*>(object.ptr())
+                                              ->get_value_and_holder()
+                                              .holder_constructed()) {
+        throw py::type_error("allowed an object of its class that was made");
+    }
+    return object;
+}
+
 /// Changes with what is held, the class, and the version of the library.
 py::object sumOf(const py::handle& type, const py::object& content)
 {
@@ -58,7 +69,9 @@ void ClassOfRecord::addKey(std::string_view name, const std::string& doc, const 
     // Words of Python's own get an underscore.
     const std::string attribute = std::string(name) + (name == "lambda" ? "_" : "");
     addProperty(attribute.c_str(), doc, get);
-    const auto lacks = [get](py::handle value) { return !get(value); };
+    const auto lacks = [get, type = py::handle(type_)](py::handle value) {
+        return !get(valued(value, type));
+    };
     keys_.append(py::make_tuple(name, attribute,
                                 leftOut ? py::object(py::cpp_function(lacks)) : py::none()));
 }
@@ -66,8 +79,8 @@ void ClassOfRecord::addKey(std::string_view name, const std::string& doc, const 
 void ClassOfRecord::addProperty(const char* name, const std::string& doc,
                                 const std::function<py::object(py::handle)>& get)
 {
-    const auto valueOf = [get](py::handle value) {
-        const py::object held = get(value);
+    const auto valueOf = [get, type = py::handle(type_)](py::handle value) {
+        const py::object held = get(valued(value, type));
         return held ? held : py::none();
     };
     const py::handle property(reinterpret_cast<PyObject*>(&PyProperty_Type));
@@ -86,27 +99,28 @@ void ClassOfRecord::addBoth(const std::string& name, const char* unit, const cha
 void ClassOfRecord::addBytes(BytesOf bytes, MadeOf made)
 {
     const py::is_method method(type_);
+    const py::handle type = type_;
     type_.attr("__getstate__") = py::cpp_function(
-        [bytes](py::handle value) {
-            return sealed(py::type::handle_of(value), bytes(value, false));
-        },
+        [bytes, type](py::handle value) { return sealed(type, bytes(valued(value, type), false)); },
         method);
     type_.attr("__setstate__") = py::cpp_function(
-        [made, type = py::handle(type_)](py::detail::value_and_holder& place,
-                                         const py::object& state) {
+        [made, type](py::detail::value_and_holder& place, const py::object& state) {
             place.value_ptr() = opened(type, state, made);
         },
         py::name("__setstate__"), method, py::detail::is_new_style_constructor());
     type_.attr("__eq__") = py::cpp_function(
-        [bytes, type = py::handle(type_)](py::handle one, py::handle other) -> py::object {
+        [bytes, type](py::handle one, py::handle other) -> py::object {
             if (!py::isinstance(other, type)) {
                 return py::reinterpret_borrow<py::object>(Py_NotImplemented);
             }
-            return py::bool_(bytes(one, true) == bytes(other, true));
+            return py::bool_(bytes(valued(one, type), true) == bytes(valued(other, type), true));
         },
         method);
     type_.attr("__hash__") = py::cpp_function(
-        [bytes](py::handle value) { return py::hash(py::bytes(bytes(value, true))); }, method);
+        [bytes, type](py::handle value) {
+            return py::hash(py::bytes(bytes(valued(value, type), true)));
+        },
+        method);
 }
 
 void refusePickle()

@@ -69,3 +69,13 @@ def test_drawn_damages() -> None:
                           capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr[-2000:]
     assert "forged pickles accepted" in done.stdout
+
+
+@pytest.mark.parametrize("kind", [sg.Bar, sg.Result, sg.State, sg.Schedule])
+def test_what_was_not_made_has_no_value(kind: Any) -> None:
+    """An object of __new__ alone, and one of another class."""
+    name = kind._keys[0][1] if kind._keys else "energy"
+    for other in (kind.__new__(kind), 3):
+        for ask in (getattr(kind, name).fget, kind.__hash__, kind.__getstate__):
+            with pytest.raises(TypeError):
+                ask(other)
