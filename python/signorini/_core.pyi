@@ -87,6 +87,7 @@ class Schedule:
     period_ratio: float
     frequency_ratio: float
     _text: str
+    _spans: str
 
 class State:
     def __init__(self, a: ArrayLike, b: ArrayLike,

@@ -176,9 +176,9 @@ def spans_of(words: Sequence[Any]) -> list[str]:
     """The same as "SET:STEPS" of a scene, unless it is that."""
     if any(isinstance(word, str) for word in words):
         return list(words)
-    whole_one = len(words) == 1 and isinstance(words[0], Schedule)
-    return [word for contact, free, left in phases_of(words[0].phases if whole_one else words)
-            for word in (f"{2 if left else 1}:{contact}", f"-:{free}")]
+    is_whole = len(words) == 1 and isinstance(words[0], Schedule)
+    schedule: Schedule = words[0] if is_whole else Schedule(*words)
+    return schedule._spans.split()
 
 
 def segment_of(part: Sequence[float]) -> Segment:

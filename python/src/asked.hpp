@@ -95,6 +95,8 @@ public:
                "damping above 1: percent are \"5%\" or 0.05");
         return damping;
     }
+    /// The same, or none.
+    [[nodiscard]] Damping dampingIfGiven() const { return has("damping") ? damping() : Damping{}; }
     /// Of "words", with the scales of "scene" and "gravity". \throws std::invalid_argument.
     [[nodiscard]] Assembly assembly() const;
     /// Of "period", "frequency" or "hertz" of bars, in steps.

@@ -207,7 +207,6 @@ ExactAnswer exactResponse(const Asked& asked)
         asked.progress());
 }
 
-/// Of several bars in words, or under the harmonic itself of a bar of several segments.
 answers::SceneResponse responseOfBars(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();

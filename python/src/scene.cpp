@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "asked.hpp"
+#include "contact_spans.hpp"
 #include "described.hpp"
 #include "faults.hpp"
 #include "numbers.hpp"
@@ -133,7 +134,8 @@ void addSchedule(py::module_& module)
         .has("period_ratio", "c T/L = n/N.", [](const Schedule& s) { return period(s); })
         .has("frequency_ratio", "omega/omega_1 = 4N/n.",
              [](const Schedule& s) { return frequencyRatio(s); })
-        .has("_text", "For people.", [](const Schedule& s) { return describe(s); });
+        .has("_text", "For people.", [](const Schedule& s) { return describe(s); })
+        .has("_spans", "As of a scene.", [](const Schedule& s) { return textOf(spansOf(s)); });
     record.more().def(py::init([](const py::args& words, std::optional<std::int64_t> cells) {
                           const py::object read =
                               py::module_::import("signorini._words").attr("phases_of");
@@ -164,9 +166,8 @@ void addScene(py::module_& module)
     addBar(module);
     addWholeScene(module);
     addCall(module, "words_of", [](const Asked& asked) {
-        const Damping damping = asked.has("damping") ? asked.damping() : Damping{};
         const std::int64_t cells = asked.maybe<std::int64_t>("cells").value_or(usualCells);
-        return textOf(answers::assemblyOf(asked.scene(), cells, damping).parts);
+        return textOf(answers::assemblyOf(asked.scene(), cells, asked.dampingIfGiven()).parts);
     });
     addSchedule(module);
     addState(module);

@@ -76,7 +76,6 @@ SceneFindAnswer findInBars(const Asked& asked)
     });
 }
 
-/// Of several bars in words, or of a bar of several segments.
 SceneQuestionAnswer findPeriodInBars(const Asked& asked)
 {
     const Assembly assembly = asked.assembly();

@@ -98,7 +98,7 @@ SweepAnswer sweep(const Asked& asked)
     range.over = asked.named("over", sweptNames);
     range.isCarried = !asked.get<bool>("rest");
     range.derivative = asked.get<int>("derivative");
-    range.damping = asked.has("damping") ? asked.damping() : Damping{};
+    range.damping = asked.dampingIfGiven();
     range.resolution = resolution;
     const auto amplitude = asked.maybe<double>("amplitude").value_or(0.0);
     std::shared_ptr<const Network> bars;

@@ -169,8 +169,8 @@ ExitStatus FindCommand::run() const
             return findInBars();
         }
         if (!barOf(common.assembly())) {
-            const unsigned shortForms = common.sceneText.empty() ? asks::forced : 0U;
-            given.requireOnly(asks::network | (isForced() ? shortForms : asks::freeNetwork));
+            const unsigned damped = common.sceneText.empty() ? asks::forced : 0U;
+            given.requireOnly(asks::network | (isForced() ? damped : asks::freeNetwork));
             return findInBars();
         }
     }
