@@ -60,7 +60,8 @@ QUESTIONS = {
     "Sweep": ("sweep", "--periods 5 --points 2 --from 1 --to 1.1 {force}", "sweep"),
 }
 #: Where a scene needs other words.
-OTHERWISE = {("The motion of a mode", "pressed"): "4 -1 --period 2.5"}
+OTHERWISE = {("The motion of a mode", "pressed"): "4 -1 --period 2.5",
+             ("Motions of one schedule and energy", "flying"): "6 36 --energy 1e-5"}
 #: Demands: an example of each. The text of the program says what they do.
 DEMANDS = {
     "--solver": "auto", "--formulation": "kernel", "--objective": "max-energy", "--target": "{folder}/state.csv",
@@ -93,7 +94,7 @@ WITH = {("find", "--target"): "--objective nearest", ("continuum", "--member"): 
         ("response", "--force-steps"): "--figure {folder}/figure.svg"}
 YIELDING = " --young 200e9 --density 7800 --area 1e-4"
 #: What it takes the place of in the question.
-INSTEAD = {"--energy": "--energy-ratio 9"}
+INSTEAD = {"--energy": r"--energy(-ratio)? \S+"}
 
 
 class Asker:
@@ -137,10 +138,10 @@ def words_of(question, scene, demand=None):
     if "{force}" in words:
         words = words.replace("{force}", OWN_FORCE if scene in DRIVEN else FORCE)
         given = DRIVEN.get(scene, given)
-    if command == "find" and "--scene" in given:
+    if command in ("find", "continuum") and "--scene" in given:
         words = re.sub(r"^6 (36|42)", r"1:6 -:\1", words)
     if demand:
-        words = words.replace(INSTEAD.get(demand, "\0"), "")
+        words = re.sub(INSTEAD.get(demand, "\0"), "", words)
         value = DEMANDS[demand]
         if demand == "--target" and scene in STATES:
             value = f"'{{folder}}/{scene}.csv'"

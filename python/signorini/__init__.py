@@ -25,11 +25,11 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable, Ba
                     ForcedFrequency, ForcedMotion, ForcedResult, ForceRange, HarmonicContact,
                     HarmonicMotion, HarmonicResult, Mode, ModeChain, ModeMotion, ModePolytope,
                     Motion, PermanentContact, Physical, PolytopeMotion, ProgramProof, Residuals,
-                    Result, Scene, SceneForcedMotion, SceneForcedResult, SceneFrequency,
-                    SceneHarmonicMotion, SceneHarmonicResult, SceneQuestion, SceneResiduals,
-                    SceneResponse, SceneResult, SceneSimulation, Schedule, Segment, Settled,
-                    Simulation, SolutionSet, SolverReport, State, SteppedProof, StudyPoint, Sweep,
-                    SweepPoint, Waves, __version__, backends)
+                    Result, Scene, SceneContinuum, SceneContinuumPoint, SceneForcedMotion,
+                    SceneForcedResult, SceneFrequency, SceneHarmonicMotion, SceneHarmonicResult,
+                    SceneQuestion, SceneResiduals, SceneResult, SceneSimulation, Schedule, Segment,
+                    Settled, Simulation, SolutionSet, SolverReport, State, SteppedProof,
+                    StudyPoint, Sweep, SweepPoint, Waves, __version__, backends)
 from ._find import continuum, find
 from ._forced import Response, exact_response, force_range, response, simulate, sweep
 from ._lists import families, mode, modes, polytope
@@ -50,13 +50,13 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Atlas", "AtlasFamily", "AtlasRun", "AtlasSchedule", "BackendUnavailable", "Bar", "Branch",
-    "BranchMark", "BranchPoint", "Continuum", "ContinuumPoint", "Damping", "Drive",
-    "EnergyBalance", "EnergyExclusion", "EnergyFloorProof", "EnergySection", "ExactFrequency",
-    "ExactResponse", "Family", "FamilyPlace", "FarkasCertificate", "ForcedFrequency",
-    "ForcedMotion", "ForcedResult", "ForceRange", "HarmonicContact", "HarmonicMotion",
-    "HarmonicResult", "Mode", "ModeChain", "ModeMotion", "ModePolytope", "Motion",
-    "PermanentContact", "Physical", "PolytopeMotion", "ProgramProof", "Question", "Residuals",
-    "Response", "Result", "Scene", "SceneForcedMotion", "SceneForcedResult", "SceneFrequency",
+    "BranchMark", "BranchPoint", "Continuum", "ContinuumPoint", "Damping", "Drive", "EnergyBalance",
+    "EnergyExclusion", "EnergyFloorProof", "EnergySection", "ExactFrequency", "ExactResponse",
+    "Family", "FamilyPlace", "FarkasCertificate", "ForcedFrequency", "ForcedMotion", "ForcedResult",
+    "ForceRange", "HarmonicContact", "HarmonicMotion", "HarmonicResult", "Mode", "ModeChain",
+    "ModeMotion", "ModePolytope", "Motion", "PermanentContact", "Physical", "PolytopeMotion",
+    "ProgramProof", "Question", "Residuals", "Response", "Result", "Scene", "SceneContinuum",
+    "SceneContinuumPoint", "SceneForcedMotion", "SceneForcedResult", "SceneFrequency",
     "SceneHarmonicMotion", "SceneHarmonicResult", "SceneQuestion", "SceneResiduals",
     "SceneResponse", "SceneResult", "SceneSimulation", "Schedule", "Segment", "Settled",
     "Simulation", "SolutionSet", "SolverReport", "State", "SteppedProof", "StudyPoint", "Sweep",

@@ -728,6 +728,51 @@ class SceneForcedMotion(_Record):
     residual: float
     stability: Optional[SceneStabilityReport]
 
+class SceneContinuumPoint(_Record):
+    lambda_: float
+    energy: float
+    energy_ratio: Known[float]
+    residual: float
+    peak_strain: float
+    strains: SceneStrains
+    contacts: list[SceneContactForces]
+    def _figure(self, which: int, /) -> str: ...
+    def _frames(self, most: int, which: int, /) -> list[str]: ...
+    def _scene(self) -> str: ...
+    def write(self, path: str, index: int = 0) -> None: ...
+
+class SceneContinuum(_Record):
+    status: Literal["found", "none", "undecided"]
+    scene: SceneWords
+    reference: SceneReference
+    cells: int
+    schedule: list[ContactSpan]
+    period: float
+    energy: float
+    energy_ratio: Known[float]
+    energy_ratio_proved: Optional[float]
+    connected: Optional[bool]
+    dimension: Optional[int]
+    resolution: Optional[float]
+    engine: str
+    family: str
+    parameter: Literal["arc length", "pause", "number"]
+    strain_limit: Optional[float]
+    points: list[SceneContinuumPoint]
+    certificate: Optional[SceneEnergyFloor]
+    detail: str
+    found: bool
+    def _figure(self) -> str: ...
+    def _scene(self) -> str: ...
+    def __bool__(self) -> bool: ...
+    def member(self, lambda_: float) -> SceneContinuumPoint: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, at: int) -> SceneContinuumPoint: ...
+    @overload
+    def __getitem__(self, at: slice) -> Table[SceneContinuumPoint]: ...
+    def __iter__(self) -> Iterator[SceneContinuumPoint]: ...
+
 class SceneForcedResult(_Record):
     status: Literal["found", "none", "undecided"]
     scene: SceneWords

@@ -7,7 +7,7 @@ import textwrap
 from typing import Any, Callable, TypeVar
 
 from . import _core
-from ._core import Scene
+from ._core import Scene, SceneContinuumPoint
 from ._progress import listener
 from ._words import (amplitude_of, arguments, cells_of, number, path, scene_of, schedule_of,
                      spans_of, state_of)
@@ -126,11 +126,13 @@ def as_bars(asked: dict[str, Any]) -> dict[str, Any]:
     return asked
 
 
-def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
+def gathered(asked: dict[str, Any], *states: str, segments_are_bars: bool = False
+             ) -> dict[str, Any]:
     """What the compiled part is asked, of the arguments of a call.
 
-    Of a scene's parts one scene, of a bar under gravity the words of a scene, of the
-    names of files states, of several amplitudes that which is given.
+    Of a scene's parts one scene, of a bar under gravity the words of a scene, and of one of
+    segments where these are asked about as bars are; of the names of files states, of
+    several amplitudes that which is given.
     """
     get = asked.get
     where, segments = get("scene"), get("segments")
@@ -144,12 +146,14 @@ def gathered(asked: dict[str, Any], *states: str) -> dict[str, Any]:
         where, get("bar"), get("second_stop"), segments, asked["bar_options"])
     if not several and get("cells") is None:
         asked["cells"] = cells_of(None, scene, get("schedule", ()))
-    if not several and get("gravity") and number("gravity", asked["gravity"]) != 0.0:
+    if not several and ((segments_are_bars and scene.segments) or (
+            get("gravity") and number("gravity", asked["gravity"]) != 0.0)):
         as_bars(asked)
         several = True
     for name in states:
         if asked[name] is not None:
-            asked[name] = (path(name, asked[name]) if several
+            asked[name] = (asked[name] if isinstance(asked[name], SceneContinuumPoint)
+                           else path(name, asked[name]) if several
                            else state_of(asked[name], scene.bar, asked["cells"]))
     if get("progress") is not None:
         asked["progress"] = listener(asked["progress"])

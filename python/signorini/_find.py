@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, overload
 from . import _core
 from ._asking import asks, excited, gathered, scheduled
 from ._core import (Bar, Continuum, ForcedResult, HarmonicResult, Result,
-                    Scene, SceneForcedResult, SceneHarmonicResult, SceneQuestion,
-                    SceneResult, State)
+                    Scene, SceneContinuum, SceneContinuumPoint, SceneForcedResult,
+                    SceneHarmonicResult, SceneQuestion, SceneResult, State)
 from ._progress import Progress
-from ._question import Question, ask, ask_bars, find_bars, period_of
+from ._question import Question, ask, ask_bars, continuum_of_bars, find_bars, period_of
 from ._words import (Force, Number, Objective, Quantity, Segments, Steps,
                      whole)
 
@@ -52,6 +52,20 @@ if TYPE_CHECKING:
         tip_floor: Quantity | None
         tolerance: Quantity
         time_limit: Quantity | None
+
+    class _Curve(_Parameters, total=False):
+        """What can be asked of a curve."""
+
+        energy_ratio: float | None
+        energy: Quantity | None
+        points: int
+        seed: int | None
+        sample: bool
+        engine: str
+        strain_limit: Quantity | None
+        resolution: Quantity
+        tolerance: Quantity
+        progress: Progress
 
 
 @overload
@@ -236,17 +250,55 @@ def find(
     return ask_bars(times, asked)
 
 
-@asks("continuum")
-def continuum(*schedule: Steps, energy_ratio: float | None = None,
-              energy: Quantity | None = None, cells: int | None = None,
-              bar: Bar | None = None, scene: Scene | None = None,
-              second_stop: Quantity | None = None, points: int = 201,
+@overload
+def continuum(*schedule: Steps, cells: int | None = None, bar: Bar | None = None,
+              scene: Scene | None = None, second_stop: Quantity | None = None,
               start: State | str | None = None, to: State | str | None = None,
-              direction: State | str | None = None, seed: int | None = None,
+              direction: State | str | None = None,
+              **asked: Unpack[_Curve]) -> Continuum: ...
+
+
+@overload
+def continuum(*schedule: int | str, scene: str, gravity: Quantity = 0.0,
+              start: SceneContinuumPoint | str | None = None,
+              to: SceneContinuumPoint | str | None = None,
+              direction: SceneContinuumPoint | str | None = None,
+              **asked: Unpack[_Curve]) -> SceneContinuum: ...
+
+
+@overload
+def continuum(*schedule: Steps, segments: Segments, cells: int | None = None,
+              bar: Bar | None = None, second_stop: Quantity | None = None,
+              start: SceneContinuumPoint | str | None = None,
+              to: SceneContinuumPoint | str | None = None,
+              direction: SceneContinuumPoint | str | None = None,
+              gravity: Quantity = 0.0, **asked: Unpack[_Curve]) -> SceneContinuum: ...
+
+
+@overload
+def continuum(*schedule: Steps, gravity: Quantity, cells: int | None = None,
+              bar: Bar | None = None, scene: Scene | None = None,
+              second_stop: Quantity | None = None,
+              start: SceneContinuumPoint | str | None = None,
+              to: SceneContinuumPoint | str | None = None,
+              direction: SceneContinuumPoint | str | None = None,
+              **asked: Unpack[_Curve]) -> Continuum | SceneContinuum: ...
+
+
+@asks("continuum")
+def continuum(*schedule: Steps | str, energy_ratio: float | None = None,
+              energy: Quantity | None = None, cells: int | None = None,
+              bar: Bar | None = None, scene: Scene | str | None = None,
+              gravity: Quantity = 0.0, second_stop: Quantity | None = None,
+              segments: Segments | None = None, points: int = 201,
+              start: State | SceneContinuumPoint | str | None = None,
+              to: State | SceneContinuumPoint | str | None = None,
+              direction: State | SceneContinuumPoint | str | None = None,
+              seed: int | None = None,
               sample: bool = False, engine: str = "auto",
               strain_limit: Quantity | None = None, resolution: Quantity = 0.05,
               tolerance: Quantity = 1e-7, progress: Progress = None,
-              **bar_options: Quantity | None) -> Continuum:
+              **bar_options: Quantity | None) -> Continuum | SceneContinuum:
     """Trace a curve k(lambda) of motions of one schedule and one energy.
 
     Parameters
@@ -254,18 +306,20 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
     energy, energy_ratio : float, optional
         Of every motion, one of them: in J, or in E_1. Without a gap there is
         no E_1: in J.
-    scene : Scene, optional
-        In place of `bar` and `second_stop`; without segments.
+    scene : Scene or str, optional
+        In place of `bar`, `second_stop` and `segments`; or the words of several bars.
     start, to, direction : State or file name, optional
-        Both ends of a path, or one and the way to go from there. Without,
-        the curve is the split pulse.
+        Both ends of a path, or one and the way to go from there: of several
+        bars, or segments, points of another curve. Without, the curve is the
+        split pulse, of several bars a path between two members.
     sample : bool
         Motions spread over the whole set in place of a curve.
 
     Returns
     -------
     Continuum
-        A sequence of ContinuumPoint.
+        A sequence of ContinuumPoint; of several bars, and of one of segments or
+        under gravity, a SceneContinuum, one of SceneContinuumPoint.
 
     Raises
     ------
@@ -274,7 +328,7 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
     BackendUnavailable
         If no solver of this build can do what is asked.
     """
-    asked = scheduled(gathered(locals(), "start", "to", "direction"))
+    asked = gathered(locals(), "start", "to", "direction", segments_are_bars=True)
     if (energy is None) == (energy_ratio is None):
         raise ValueError("energy, energy_ratio: allowed exactly one of them")
     if (start is not None) != ((to is not None) != (direction is not None)) or (
@@ -282,4 +336,6 @@ def continuum(*schedule: Steps, energy_ratio: float | None = None,
         raise ValueError("start: allowed only together with one of to and direction")
     if start is not None and (seed is not None or sample):
         raise ValueError("seed and sample clash with start: allowed one of them")
-    return _core.continuum(asked)
+    if "words" in asked:
+        return continuum_of_bars(asked)
+    return _core.continuum(scheduled(asked))

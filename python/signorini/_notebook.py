@@ -232,6 +232,8 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Motion: ("motion", (9, 7)),
     _core.ContinuumPoint: ("motion", (9, 7)),
     _core.Continuum: ("continuum", (9, 7)),
+    _core.SceneContinuumPoint: ("motion", (8, 5)),
+    _core.SceneContinuum: ("continuum", (9, 7)),
     _core.Simulation: ("simulation", (8, 5)),
     _core.Sweep: ("sweep", (8, 6)),
     Response: ("response", (8, 6)),
@@ -275,7 +277,8 @@ def _has_a_figure(record: Any) -> bool:
         return len(record.frequencies) > 0
     if isinstance(record, _core.Sweep):
         return len(record.points) > 0
-    return not isinstance(record, (_core.Continuum, Table)) or len(record) > 0
+    return not isinstance(
+        record, (_core.Continuum, _core.SceneContinuum, Table)) or len(record) > 0
 
 
 def _walked(record: Any) -> _core.Simulation:
@@ -370,11 +373,12 @@ def be_at_home() -> None:
         _set(kind, "_repr_html_", html)
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)
-    for kind in (*_FOUND, _core.Continuum, _core.AtlasSchedule, _core.ExactResponse,
-                 _core.SceneResponse, Question, Response):
+    for kind in (*_FOUND, _core.Continuum, _core.SceneContinuum, _core.AtlasSchedule,
+                 _core.ExactResponse, _core.SceneResponse, Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)
-    for kind, rows in ((_core.Continuum, "points"), (_core.Sweep, "points"),
+    for kind, rows in ((_core.Continuum, "points"), (_core.SceneContinuum, "points"),
+                       (_core.Sweep, "points"),
                        (_core.ExactResponse, "frequencies"),
                        (_core.SceneResponse, "frequencies"),
                        (_core.ForcedResult, "motions"),

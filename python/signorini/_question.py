@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Sequence
 
 from . import _core
 from ._asking import as_bars
-from ._core import Bar, Result, SceneForcedResult, SceneHarmonicResult, SceneQuestion, SceneResult
+from ._core import (Bar, Result, SceneContinuum, SceneForcedResult, SceneHarmonicResult,
+                    SceneQuestion, SceneResult)
 from ._tables import Table, plain
 from ._words import Number, fraction_of, number, whole
 
@@ -134,6 +135,18 @@ def _refuse(asked: dict[str, Any], usual: dict[str, Any], names: tuple[str, ...]
         raise ValueError(f"{', '.join(clash)}: allowed only {where}")
 
 
+def _spans_in(schedule: Sequence[Any]) -> list[str]:
+    return [word if isinstance(word, str) else str(whole("schedule", word)) for word in schedule]
+
+
+def continuum_of_bars(asked: dict[str, Any]) -> SceneContinuum:
+    """Trace motions of several bars, or of a bar of several segments."""
+    if asked["cells"] is not None:
+        raise ValueError("cells: allowed only without a scene of words")
+    asked["steps"] = _spans_in(asked["schedule"])
+    return _core.continuum_bars(asked)
+
+
 def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any]
               ) -> SceneResult | SceneForcedResult | SceneHarmonicResult | SceneQuestion:
     """Answer what is asked about several bars: of a schedule, or under an exact harmonic."""
@@ -146,8 +159,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
         forced = asked["force"] is not None
         _refuse(asked, usual, _OF_FREE if forced else _OF_FORCED,
                 "without force" if forced else "together with force")
-        asked["steps"] = [word if isinstance(word, str) else str(whole("schedule", word))
-                          for word in schedule]
+        asked["steps"] = _spans_in(schedule)
         return _core.find_forced_bars(asked) if forced else _core.find_bars(asked)
     if asked["force"] is None:
         _refuse(asked, usual, _OF_FORCED, "together with force")

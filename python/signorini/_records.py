@@ -86,6 +86,10 @@ _TEXTS: dict[type, Callable[[Any], str]] = {
     f"period_ratio={m.period_ratio:.10g}, energy_ratio={m.energy_ratio:.10g}",
     _core.ContinuumPoint: lambda p: f"lambda={p.lambda_:.6g}, E = {_energy(p)}, "
     f"peak_strain={p.peak_strain:.6g}",
+    _core.SceneContinuumPoint: lambda p: f"lambda={p.lambda_:.6g}, E = {_energy(p)}, "
+    f"peak_strain={p.peak_strain:.6g}",
+    _core.SceneContinuum: lambda c: f"{c.status}, E = {_energy(c)}, {len(c.points)} points"
+    f"{_detail(c)}",
     _core.State: lambda s: f"cells={s.cells}, energy_ratio={s.energy_ratio:.10g}",
     Schedule: lambda s: f"{_steps(s)}, cells={s.cells}",
     _core.Result: _result,
@@ -194,4 +198,5 @@ def be_records() -> None:
     state.to_dict = _waves_of
     schedule.to_dict, schedule.__eq__ = _phases_of, _is_schedule
     _be_a_list_of(Schedule, "phases")
-    _be_a_list_of(_core.Continuum, "points", lambda rows: Table("points", rows))
+    for curve in (_core.Continuum, _core.SceneContinuum):
+        _be_a_list_of(curve, "points", lambda rows: Table("points", rows))

@@ -9,6 +9,7 @@
 #include "demand_names.hpp"
 #include "described.hpp"
 #include "patience.hpp"
+#include "scene_continuum_answer.hpp"
 #include "scene_figures.hpp"
 #include "scene_find_answer.hpp"
 #include "scene_question_answer.hpp"
@@ -20,6 +21,8 @@ namespace signorini::python {
 
 namespace {
 
+using answers::SceneContinuumAnswer;
+using answers::SceneCurvePoint;
 using answers::SceneFindAnswer;
 using answers::SceneForcedAnswer;
 using answers::SceneQuestionAnswer;
@@ -45,7 +48,7 @@ struct AskedWish {
     FindOptions options = {};
     NetworkWish wish = {};
 
-    AskedWish(const Asked& asked, const Network& network)
+    AskedWish(const Asked& asked, const Assembly& assembly, const Network& network)
     {
         options.solver = asked.get<std::string>("solver");
         options.objective = asked.named("objective", objectiveNames);
@@ -55,7 +58,7 @@ struct AskedWish {
         wish.energy =
             heldEnergy(network, asked.maybe<double>("energy"), asked.maybe<double>("energy_ratio"));
         if (const auto file = asked.maybe<std::string>("target")) {
-            wish.target = meansOf(network, readStateTable(*file, network));
+            wish.target = readNearestWaves(*file, network, answers::barOf(assembly));
         }
     }
 };
@@ -63,7 +66,7 @@ struct AskedWish {
 SceneFindAnswer findInBars(const Asked& asked)
 {
     const AskedBars of(asked);
-    AskedWish asks(asked, of.network);
+    AskedWish asks(asked, of.assembly, of.network);
     const bool triesStability = asked.triesStability(stepsOf(of.schedule));
     return patiently([=](const Wires& wires) mutable {
         asks.options.cancel = wires.cancel;
@@ -82,7 +85,7 @@ SceneQuestionAnswer findPeriodInBars(const Asked& asked)
     Network network = networkOf(assembly);
     answers::limitStrain(network, assembly, asked.maybe<double>("strain_limit"));
     const std::int64_t steps = asked.steps(assembly, 1);
-    AskedWish asks(asked, network);
+    AskedWish asks(asked, assembly, network);
     const bool triesStability = asked.triesStability(steps);
     return patiently([=](const Wires& wires) mutable {
         asks.options.cancel = wires.cancel;
@@ -115,6 +118,43 @@ SceneForcedAnswer findForcedInBars(const Asked& asked)
     });
 }
 
+/// Waves of a point of another curve, or in a file.
+std::optional<std::vector<double>> wavesOf(const Asked& asked, const char* name,
+                                           const AskedBars& of)
+{
+    if (!asked.has(name)) {
+        return std::nullopt;
+    }
+    if (py::isinstance<SceneCurvePoint>(asked.object(name))) {
+        return asked.get<SceneCurvePoint>(name).point().motion.waves;
+    }
+    return readNearestWaves(asked.get<std::string>(name), of.network, answers::barOf(of.assembly));
+}
+
+SceneContinuumAnswer continuumInBars(const Asked& asked)
+{
+    const AskedBars of(asked);
+    const double energy =
+        *heldEnergy(of.network, asked.maybe<double>("energy"), asked.maybe<double>("energy_ratio"));
+    NetworkCurveOptions options;
+    options.points = asked.get<std::int64_t>("points");
+    options.from = wavesOf(asked, "start", of);
+    options.to = wavesOf(asked, "to", of);
+    options.direction = wavesOf(asked, "direction", of);
+    options.isSample = asked.get<bool>("sample");
+    options.seed = asked.maybe<std::uint64_t>("seed").value_or(options.seed);
+    options.solver = solverOfEngine(asked.get<std::string>("engine"));
+    options.resolution = asked.get<double>("resolution");
+    options.tolerance = asked.get<double>("tolerance");
+    return patiently(
+        [=](const Wires& wires) mutable {
+            options.cancel = wires.cancel;
+            options.progress = wires.progress;
+            return answers::continuumOf(of.assembly, of.network, of.schedule, energy, options);
+        },
+        asked.progress());
+}
+
 const NetworkClaim& claimIn(const SceneFindAnswer& answer, std::size_t)
 {
     if (!answer.motions.motion) {
@@ -126,6 +166,20 @@ const NetworkClaim& claimIn(const SceneForcedAnswer& answer, std::size_t which)
 {
     return answer.motions.at(which).claim;
 }
+const NetworkClaim& claimIn(const SceneCurvePoint& point, std::size_t)
+{
+    return point.point().motion;
+}
+
+template <typename Answer>
+const answers::SceneSchedule& scheduleIn(const Answer& answer)
+{
+    return answer.schedule;
+}
+const answers::SceneSchedule& scheduleIn(const SceneCurvePoint& point)
+{
+    return point.of->schedule;
+}
 
 /// Pictures and files of the motions of an answer.
 template <typename Answer>
@@ -135,27 +189,27 @@ void addMotions(py::module_& module)
         ->more()
         .def("_figure",
              [](const Answer& a, std::size_t which) {
-                 return asJson(periodFigure(a.schedule.network(), claimIn(a, which),
-                                            a.schedule.bars.assembly.length));
+                 return asJson(periodFigure(scheduleIn(a).network(), claimIn(a, which),
+                                            scheduleIn(a).bars.assembly.length));
              })
         .def("_frames",
              [](const Answer& a, std::int64_t most, std::size_t which) {
-                 const auto frames =
-                     barsFrames(a.schedule.bars.assembly, a.schedule.network(), claimIn(a, which),
-                                static_cast<std::size_t>(std::max<std::int64_t>(most, 1)));
+                 const auto frames = barsFrames(
+                     scheduleIn(a).bars.assembly, scheduleIn(a).network(), claimIn(a, which),
+                     static_cast<std::size_t>(std::max<std::int64_t>(most, 1)));
                  std::vector<std::string> all;
                  std::transform(frames.begin(), frames.end(), std::back_inserter(all),
                                 [](const FigureData& frame) { return asJson(frame); });
                  return all;
              })
         .def("_scene",
-             [](const Answer& a) { return asJson(sceneFigure(a.schedule.bars.assembly)); })
+             [](const Answer& a) { return asJson(sceneFigure(scheduleIn(a).bars.assembly)); })
         .def(
             "write",
             [](const Answer& a, const std::string& path, std::size_t which) {
                 const NetworkClaim& motion = claimIn(a, which);
                 OutputFiles files;
-                writeStateTable(files.stage(path), a.schedule.network(),
+                writeStateTable(files.stage(path), scheduleIn(a).network(),
                                 {motion.waves, motion.displacements});
                 files.commit();
             },
@@ -174,7 +228,21 @@ void addSceneFind(py::module_& module)
     classOf<SceneQuestionAnswer>(module)->more().def("_scene", [](const SceneQuestionAnswer& a) {
         return asJson(sceneFigure(a.period.bars.assembly));
     });
+    addMotions<SceneCurvePoint>(module);
+    classOf<SceneContinuumAnswer>(module)
+        ->can("member", {"lambda_"},
+              "The point of the curve nearest to a lambda. ValueError out of range.",
+              [](const SceneContinuumAnswer& c, double lambda) {
+                  return SceneCurvePoint{c.of, pointAt(c.curve(), lambda)};
+              })
+        .more()
+        .def("_figure",
+             [](const SceneContinuumAnswer& c) { return asJson(sceneContinuumFigure(c)); })
+        .def("_scene", [](const SceneContinuumAnswer& c) {
+            return asJson(sceneFigure(c.of->schedule.bars.assembly));
+        });
     addCall(module, "find_bars", &findInBars);
+    addCall(module, "continuum_bars", &continuumInBars);
     addCall(module, "find_period_bars", &findPeriodInBars);
     addCall(module, "find_forced_bars", &findForcedInBars);
 }

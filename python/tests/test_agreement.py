@@ -121,6 +121,17 @@ def test_continua_agree(program: Program) -> None:
                      0.25, "--state", "/dev/null")["member"]
     curve = sg.continuum(150, 900, energy_ratio=20)
     alike(member, curve.member(0.25).to_dict())
+    bars = "clamp 12 gap=1e-3 16 clamp"
+    more: list[dict[str, Any]] = [{"points": 5}, {"sample": True, "points": 4, "seed": 9},
+                                  {"sample": True, "points": 3, "strain_limit": 7e-3}]
+    for given in more:
+        options: dict[str, Any] = {"energy_ratio": 20.0, **given}
+        words = [word for name, value in options.items() for word in (
+            "--" + name.replace("_", "-"), *([] if value is True else [value]))]
+        alike(program("continuum", "1:6", "-:40", "--scene", bars, *words),
+              sg.continuum("1:6", "-:40", scene=bars, **options).to_dict())
+        alike(program("continuum", 6, 36, "--segments", "6:1,6:1", *words),
+              sg.continuum(6, 36, segments=[(6, 1), (6, 1)], **options).to_dict())
 
 
 @pytest.mark.parametrize("name, value", [

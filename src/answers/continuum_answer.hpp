@@ -101,7 +101,8 @@ A sequence of ContinuumPoint; each was verified before it was kept.
     d.key("energy_ratio", "E_1 > 0", "E/E_1 asked for, where there is a gap.",
           [](const T& a) { return whereUnit(*a.curve, std::optional(a.curve->energyRatio)); });
     describeSection(d);
-    d.key("engine", "-", "Which engine traced it.", [](const T& a) { return engineOf(*a.curve); });
+    d.key("engine", "-", "Which engine traced it.",
+          [](const T& a) { return engineOf(a.curve->solver); });
     d.key("family", "-", R"(E.g. "split pulse".)", [](const T& a) { return a.curve->family; });
     d.key("parameter", "-", "What lambda is.", [](const T& a) { return a.curve->parameter; });
     d.key("reason", "-", "Why there is no motion of this energy.",

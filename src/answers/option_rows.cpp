@@ -277,7 +277,9 @@ std::vector<Option> ofOutputs()
         file("--statistics", simulation,
              "write how impacts are spread: rate, impulse, speed, energy turned over"),
         file("--tip", simulation, "write the path of the tip"),
-        file("--csv", continuum, "write lambda, a_1..a_N, b_1..b_N, a row per motion"),
+        file("--csv", continuum,
+             "write lambda, a_1..a_N, b_1..b_N, a row per motion; of several bars waves [m/s] and "
+             "displacements of nodes [m]"),
         file("--csv", families, "write them as a table, one row per family"),
         file("--csv", modes, "write their curves: T, ω/ω₁, t_c and E/E₁ of motions along each"),
         file("--csv", atlas | atlasQuery, "write the families, the bars of the plot, as a table"),

@@ -189,16 +189,16 @@ void describe(D& d, Type<ContactSpan>)
 }
 
 /// With which an answer begins.
-template <typename D>
-void describeSchedule(D& d)
+template <typename D, typename Get>
+void describeSchedule(D& d, Get of)
 {
-    d.key("scene", "-", "Asked about.", [](const auto& a) { return a.schedule.bars.assembly; });
+    d.key("scene", "-", "Asked about.", [of](const auto& a) { return of(a).bars.assembly; });
     d.key("reference", "-", "What the bars are measured with.",
-          [](const auto& a) { return a.schedule.bars.reference; });
-    d.key("cells", "- >= 1", "Of all bars.", [](const auto& a) { return a.schedule.cells; });
+          [of](const auto& a) { return of(a).bars.reference; });
+    d.key("cells", "- >= 1", "Of all bars.", [of](const auto& a) { return of(a).cells; });
     d.key("schedule", "-", R"([{"closed", "steps"}, ...] of one period.)",
-          [](const auto& a) { return a.schedule.spans; });
-    d.key("period", "s > 0", "T.", [](const auto& a) { return a.schedule.period(); });
+          [of](const auto& a) { return of(a).spans; });
+    d.key("period", "s > 0", "T.", [of](const auto& a) { return of(a).period(); });
 }
 
 template <typename D>
@@ -301,7 +301,7 @@ void describe(D& d, Type<SceneFindAnswer>)
     };
     d.record("SceneResult", "What is known of a schedule of bars in a row.");
     d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
-    describeSchedule(d);
+    describeSchedule(d, [](const T& a) -> const SceneSchedule& { return a.schedule; });
     d.key("kernel_dimension", "- >= 0", "None: rounding hides it.",
           [](const T& a) { return a.motions.kernelDimension; });
     d.key("contacts", "-", "[dict, ...]: each contact, of a motion with its forces.",
@@ -355,7 +355,7 @@ void describe(D& d, Type<SceneForcedAnswer>)
     using T = SceneForcedAnswer;
     d.record("SceneForcedResult", "What is known of a forced schedule of bars in a row.");
     d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
-    describeSchedule(d);
+    describeSchedule(d, [](const T& a) -> const SceneSchedule& { return a.schedule; });
     d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).",
           [](const T& a) { return a.forcing.place; });
     d.key("cycles", "- >= 1", "Of the excitation in a period.",

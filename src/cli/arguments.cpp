@@ -272,7 +272,7 @@ Scene CommonOptions::sceneOfOneBar() const
 {
     Scene one = scene();
     refuseIf(!one.segments.empty(),
-             "--segments: allowed with find, simulate, response and atlas only");
+             "--segments: allowed with find, continuum, simulate, response and atlas only");
     return one;
 }
 

@@ -12,9 +12,14 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
+#include "scene_figures.hpp"
+#include "scene_find.hpp"
+#include "scene_options.hpp"
+#include "scene_report.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
+#include "state_table.hpp"
 
 namespace signorini::cli {
 
@@ -22,33 +27,43 @@ namespace {
 
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
 
+void requireEnergy(const std::optional<double>& energy, const std::optional<double>& energyRatio)
+{
+    refuseIf(energy && energyRatio, "--energy clashes with --energy-ratio: allowed one of them");
+    refuseIf(!energy && !energyRatio,
+             "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
+}
+
 /// [E_1], whichever way it was given.
 double energyOf(const Given& given, const Bar& bar)
 {
     const auto energy = given.number("--energy");
     const auto energyRatio = given.number("--energy-ratio");
-    refuseIf(energy && energyRatio, "--energy clashes with --energy-ratio: allowed one of them");
-    refuseIf(!energy && !energyRatio,
-             "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
+    requireEnergy(energy, energyRatio);
     return energy ? *energy / scales(bar).energy : *energyRatio;
 }
 
-Trace traceOf(const Given& given, const Bar& bar, std::int64_t cells)
+/// Which ends go together, and with what.
+void requireEnds(const Given& given)
 {
     const int ends = (given.has("--to") ? 1 : 0) + (given.has("--direction") ? 1 : 0);
     refuseIf((given.has("--from") ? 1 : 0) != ends,
              "--from: allowed only together with one of --to and --direction");
+    refuseIf(ends != 0 && (given.has("--seed") || given.has("--sample")),
+             "--seed and --sample clash with --from: allowed one of them");
+}
+
+Trace traceOf(const Given& given, const Bar& bar, std::int64_t cells)
+{
     const std::optional<std::int64_t> seed = given.whole("--seed");
     const auto seedOr = [&seed](std::uint64_t usual) {
         return seed ? static_cast<std::uint64_t>(*seed) : usual;
     };
-    if (ends == 0) {
+    if (!given.has("--from")) {
         return given.has("--sample") ? Trace(trace::Sample{seedOr(trace::Sample{}.seed)})
                : seed                ? Trace(trace::RandomPath{seedOr(0)})
                                      : Trace(trace::SplitPulse{});
     }
-    refuseIf(seed || given.has("--sample"),
-             "--seed and --sample clash with --from: allowed one of them");
     const auto read = [&](const char* option) {
         const std::string path = given.text(option);
         return forFile(option, path, [&] { return readState(path, bar, cells).state; });
@@ -64,7 +79,7 @@ Trace traceOf(const Given& given, const Bar& bar, std::int64_t cells)
 ContinuumOptions optionsOf(const Given& given, const CommonOptions& common)
 {
     ContinuumOptions options;
-    options.scene = common.sceneOfOneBar();
+    options.scene = common.scene();
     options.trace = traceOf(given, options.scene.bar, common.usualCells());
     options.points = given.whole("--points").value_or(options.points);
     if (given.has("--engine")) {
@@ -90,16 +105,109 @@ void warnOfWorst(const CommonOptions& common, const Continuum& curve)
 
 }  // namespace
 
+namespace {
+
+/// Bars in a row, if that is what is meant: a scene that is more than a bar with stops, or
+/// segments.
+std::optional<Assembly> barsOf(const CommonOptions& common)
+{
+    if (common.hasScene()) {
+        return barOf(common.assembly()) ? std::nullopt : std::optional(common.assembly());
+    }
+    const Scene scene = common.shortForms();
+    return scene.segments.empty()
+               ? std::nullopt
+               : std::optional(answers::assemblyOf(scene, common.usualCells(), {}));
+}
+
+NetworkCurveOptions curveOf(const Given& given, const Assembly& assembly, const Network& network)
+{
+    NetworkCurveOptions options;
+    const auto read = [&](const char* option, std::optional<std::vector<double>>& waves) {
+        if (const std::string path = given.text(option); !path.empty()) {
+            waves = forFile(option, path,
+                            [&] { return readNearestWaves(path, network, barOf(assembly)); });
+        }
+    };
+    read("--from", options.from);
+    read("--to", options.to);
+    read("--direction", options.direction);
+    options.isSample = given.has("--sample");
+    if (const auto seed = given.whole("--seed")) {
+        options.seed = static_cast<std::uint64_t>(*seed);
+    }
+    options.points = given.whole("--points").value_or(options.points);
+    if (given.has("--engine")) {
+        options.solver = solverOfEngine(given.text("--engine"), "--engine");
+    }
+    options.resolution = given.number("--resolution").value_or(options.resolution);
+    options.tolerance = given.number("--tolerance").value_or(options.tolerance);
+    return options;
+}
+
+/// The same of several bars, or of segments.
+ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
+                           const Assembly& assembly)
+{
+    Network network = networkOf(assembly);
+    const std::vector<ContactSpan> schedule = spansOf(given, common, network.contacts.size());
+    answers::limitStrain(network, assembly, given.number("--strain-limit"));
+    const auto joules = given.number("--energy");
+    const auto ratio = given.number("--energy-ratio");
+    requireEnergy(joules, ratio);
+    const double energy = *heldEnergy(network, joules, ratio);
+    NetworkCurveOptions options = curveOf(given, assembly, network);
+    Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
+    answers::SceneContinuumAnswer answer =
+        watched(common, "tracing", [&](const Cancel& cancel, const auto& show) {
+            options.cancel = cancel;
+            options.progress = show;
+            return answers::continuumOf(assembly, network, schedule, energy, options);
+        });
+    const NetworkContinuum& curve = answer.curve();
+    if (!curve.points.empty()) {
+        if (const auto member = given.number("--member")) {
+            answer.asked = pointAt(curve, *member);
+        }
+        outputs.put("--state", [&](const std::string& path) {
+            const NetworkClaim& motion = curve.points[*answer.asked].motion;
+            writeStateTable(path, network, {motion.waves, motion.displacements});
+        });
+        outputs.put("--csv",
+                    [&](const std::string& path) { writeContinuumCsv(path, network, curve); });
+        outputs.draw("--figure", [&] { return sceneContinuumFigure(answer); });
+        outputs.draw("--animate", [&] { return sceneContinuumFrames(answer); });
+        outputs.commit();
+    } else if (outputs.areWanted()) {
+        common.say("no motion to write, so no file was written");
+    }
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
+                              : headline(assembly, network) + cli::asText(answer));
+    Physical worst;
+    for (const answers::SceneCurvePoint& point : answer.points()) {
+        worst.peakCompression = std::max(worst.peakCompression, point.strains().compression);
+    }
+    common.warnUnlessAdmissible(worst);
+    common.useOneThread();
+    return exitStatusOf(curve.status);
+}
+
+}  // namespace
+
 ExitStatus runContinuum(const Given& given)
 {
     const CommonOptions common(given);
+    requireEnds(given);
+    refuseIf(given.has("--member") != given.has("--state"),
+             "--member and --state: allowed both or neither");
+    if (const auto assembly = barsOf(common)) {
+        return continuumInBars(given, common, *assembly);
+    }
     Schedule schedule{common.usualCells(), parsePhases(given.words())};
     ContinuumOptions request = optionsOf(given, common);
     const double ratio = energyOf(given, request.scene.bar);
     schedule.stops = stopsOf(request.scene);
     validate(schedule);
-    refuseIf(given.has("--member") != given.has("--state"),
-             "--member and --state: allowed both or neither");
     Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
 
     answers::ContinuumAnswer answer;
@@ -116,7 +224,7 @@ ExitStatus runContinuum(const Given& given)
         outputs.put("--state", [&](const std::string& path) {
             writeStateCsv(path, answer.asked->point.state, request.scene.bar);
         });
-        outputs.put("--csv", writeContinuumCsv, curve);
+        outputs.put("--csv", [&](const std::string& path) { writeContinuumCsv(path, curve); });
         outputs.draw("--figure", [&] { return continuumFigure(curve); });
         outputs.draw("--animate", [&] { return continuumFrames(curve); });
         outputs.commit();

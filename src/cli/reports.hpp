@@ -18,6 +18,7 @@
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
 #include "response_answer.hpp"
+#include "scene_continuum_answer.hpp"
 #include "signorini/atlas_database.hpp"
 #include "simulation_answer.hpp"
 #include "sweep_answer.hpp"
@@ -37,6 +38,7 @@ using answers::SweepAnswer;
 [[nodiscard]] std::string asText(const answers::ForcedAnswer& answer);
 [[nodiscard]] std::string asText(const answers::HarmonicAnswer& answer);
 [[nodiscard]] std::string asText(const answers::ContinuumAnswer& answer);
+[[nodiscard]] std::string asText(const answers::SceneContinuumAnswer& answer);
 [[nodiscard]] std::string asText(const answers::ModeAnswer& answer);
 [[nodiscard]] std::string asText(const answers::ModeList& listing);
 [[nodiscard]] std::string asText(const answers::PolytopeList& listing);

@@ -33,7 +33,7 @@ std::string inWords(const SceneFindAnswer& answer, double energy)
                  : fmt::format("{:.6g} J", answer.joules(energy));
 }
 
-NetworkWish wishOf(const FindCommand& call, const Network& network)
+NetworkWish wishOf(const FindCommand& call, const Assembly& assembly, const Network& network)
 {
     const FindOptions& options = call.options;
     const auto joules = call.given.number("--energy");
@@ -44,7 +44,7 @@ NetworkWish wishOf(const FindCommand& call, const Network& network)
     requireTarget(options, target);
     if (!target.empty()) {
         wish.target = forFile("--target", target,
-                              [&] { return meansOf(network, readStateTable(target, network)); });
+                              [&] { return readNearestWaves(target, network, barOf(assembly)); });
     }
     return wish;
 }
@@ -135,31 +135,26 @@ std::string asText(const std::optional<answers::SceneStability>& tried)
                  : "";
 }
 
-namespace {
-
-/// SET:STEPS; of a bar by its options NC NF [L:NC NF ...], too.
-std::vector<ContactSpan> spansOf(const FindCommand& call, std::size_t contacts)
+std::vector<ContactSpan> spansOf(const Given& given, const CommonOptions& common,
+                                 std::size_t contacts)
 {
-    const std::vector<std::string>& words = call.given.words();
+    const std::vector<std::string>& words = given.words();
     const auto isSet = [](std::string_view word) {
         return word.find(':') != std::string_view::npos && !word.starts_with("L:");
     };
-    if (!call.common.sceneText.empty() || std::any_of(words.begin(), words.end(), isSet)) {
+    if (!common.sceneText.empty() || std::any_of(words.begin(), words.end(), isSet)) {
         return signorini::spansOf(words, contacts);
     }
-    const Schedule schedule{call.common.usualCells(), parsePhases(words),
-                            stopsOf(call.common.shortForms())};
+    const Schedule schedule{common.usualCells(), parsePhases(words), stopsOf(common.shortForms())};
     validate(schedule);
     return signorini::spansOf(schedule);
 }
-
-}  // namespace
 
 SceneFind::SceneFind(const FindCommand& of)
     : call(of),
       assembly(of.common.assembly()),
       network(networkOf(assembly)),
-      schedule(spansOf(of, network.contacts.size())),
+      schedule(spansOf(of.given, of.common, network.contacts.size())),
       files(of)
 {
     refuseIf(of.given.text("--motion").ends_with(".pvd"), "--motion", of.given.text("--motion"),
@@ -198,8 +193,9 @@ ExitStatus findInScene(const FindCommand& command)
     FindOptions options = command.options;
     options.cancel = interrupt.cancel();
     const bool triesStability = command.triesStability(stepsOf(scene.schedule));
-    SceneFindAnswer answer = answers::answerOf(scene.assembly, scene.network, scene.schedule,
-                                               wishOf(command, scene.network), options);
+    SceneFindAnswer answer =
+        answers::answerOf(scene.assembly, scene.network, scene.schedule,
+                          wishOf(command, scene.assembly, scene.network), options);
     if (triesStability) {
         tryStability(answer, scene.network, options.cancel);
     }

@@ -42,7 +42,12 @@ private:
 };
 
 /// What is asked of a motion. \throws std::invalid_argument, FileError.
-[[nodiscard]] NetworkWish wishOf(const FindCommand& call, const Network& network);
+[[nodiscard]] NetworkWish wishOf(const FindCommand& call, const Assembly& assembly,
+                                 const Network& network);
+/// SET:STEPS; of a bar by its options NC NF [L:NC NF ...], too.
+/// \throws std::invalid_argument
+[[nodiscard]] std::vector<ContactSpan> spansOf(const Given& given, const CommonOptions& common,
+                                               std::size_t contacts);
 /// "2 E₁", or in joules.
 [[nodiscard]] std::string inWords(const answers::SceneFindAnswer& answer, double energy);
 /// The line of what was tried, or none.

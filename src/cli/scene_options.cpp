@@ -182,13 +182,14 @@ Scene CommonOptions::scene() const
     if (!hasScene()) {
         return shortForms();
     }
-    refuseIf(sceneText.empty(), "--gravity: allowed with find, response, simulate and sweep");
+    refuseIf(sceneText.empty(),
+             "--gravity: allowed with find, continuum, response, simulate and sweep");
     const std::optional<Scene> bar = barOf(assembly());
     if (!bar) {
         throw std::invalid_argument(fmt::format(
             "--scene '{}': allowed for this question: one bar, clamped on the left, with stops at "
-            "its tip, as in 'clamp 300 stop=1e-3'; of other scenes simulate knows motions and find "
-            "the one of least energy",
+            "its tip, as in 'clamp 300 stop=1e-3'; of other scenes find, continuum, response and "
+            "simulate know motions",
             shortened(sceneText)));
     }
     validate(*bar);

@@ -55,7 +55,7 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
     Network network = networkOf(assembly);
     answers::limitStrain(network, assembly, call.given.number("--strain-limit"));
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), 1);
-    const NetworkWish wish = wishOf(call, network);
+    const NetworkWish wish = wishOf(call, assembly, network);
     FindOptions options = call.options;
     const bool triesStability = call.triesStability(steps);
     const SceneQuestionAnswer answer =

@@ -6,6 +6,7 @@
 
 #include "harmonic_network_walk.hpp"
 #include "network_walk.hpp"
+#include "scene_continuum_answer.hpp"
 #include "scene_response_answer.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/figures.hpp"
@@ -35,6 +36,17 @@ class NetworkSimulation;
 [[nodiscard]] std::vector<FigureData> barsFrames(const Assembly& assembly, const Network& network,
                                                  const NetworkClaim& motion,
                                                  std::size_t most = 120);
+
+/// A curve of motions: forces of the first two contacts over time and u along the bars at t = 0,
+/// each an image with lambda upwards, or the velocity where there is one contact; below u(x, t) of
+/// the first, middle and last motion. \throws std::invalid_argument without motions,
+/// std::runtime_error as throughPeriod.
+[[nodiscard]] FigureData sceneContinuumFigure(const answers::SceneContinuumAnswer& answer);
+
+/// Forces of the contacts over a period, and u along the bars at t = 0, motion after motion.
+/// \throws as sceneContinuumFigure.
+[[nodiscard]] std::vector<FigureData> sceneContinuumFrames(
+    const answers::SceneContinuumAnswer& answer);
 
 /// Largest force and impulse of each motion against the frequency, a look for each contact; where
 /// bars do not meet, and where they would and no motion is known. \throws std::invalid_argument

@@ -38,14 +38,14 @@ std::string solverOfEngine(std::string_view engine, std::string_view argument)
     return std::string(engine);
 }
 
-std::string engineOf(const Continuum& curve)
+std::string engineOf(const std::string& solver)
 {
-    for (const auto& [word, solver] : engines) {
-        if (curve.solver == solver) {
+    for (const auto& [word, of] : engines) {
+        if (of == solver) {
             return std::string(word);
         }
     }
-    return curve.solver;
+    return solver;
 }
 
 }  // namespace signorini

@@ -5,8 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "signorini/continuum.hpp"
-
 namespace signorini {
 
 /// The solver of an engine: auto, geometric, ipopt, nlopt, or a back end by its name.
@@ -15,6 +13,6 @@ namespace signorini {
                                          std::string_view argument = "engine");
 
 /// The engine of a curve's solver.
-[[nodiscard]] std::string engineOf(const Continuum& curve);
+[[nodiscard]] std::string engineOf(const std::string& solver);
 
 }  // namespace signorini

@@ -206,4 +206,12 @@ Eigen::VectorXd LeastSquares::solve(const Eigen::VectorXd& b) const
     return factors_.solve(b);
 }
 
+Eigen::MatrixXd LeastSquares::kernel() const
+{
+    const Eigen::Index unknowns = factors_.cols();
+    Eigen::MatrixXd basis = Eigen::MatrixXd::Zero(unknowns, unknowns - factors_.rank());
+    basis.bottomRows(basis.cols()).setIdentity();
+    return factors_.colsPermutation() * (factors_.matrixZ().transpose() * basis);
+}
+
 }  // namespace signorini

@@ -71,6 +71,8 @@ public:
     /// columns^2).
     explicit LeastSquares(const Eigen::MatrixXd& a, double none = 0.0);
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    /// An orthonormal basis of all x with a x = 0, one in each column. O(columns^3).
+    [[nodiscard]] Eigen::MatrixXd kernel() const;
 
 private:
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors_;

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "contact_spans.hpp"
 #include "printing.hpp"
+#include "stepped_bar.hpp"
 #include "table.hpp"
 
 namespace signorini {
@@ -109,6 +111,18 @@ NetworkStart readStateTable(const std::string& path, const Network& network)
 {
     Table table(path);
     return read(table, network.channels(), network.nodes.size(), unitsOf(network));
+}
+
+std::vector<double> readNearestWaves(const std::string& path, const Network& network,
+                                     const std::optional<Scene>& bar)
+{
+    Table table(path);
+    if (bar && haveOneSpeed(bar->segments) && !table.has("wave")) {
+        return wavesOf(
+            network, readState(table, firstMaterial(*bar), network.cells(), maxMeasurements).state);
+    }
+    return meansOf(network,
+                   read(table, network.channels(), network.nodes.size(), unitsOf(network)));
 }
 
 void writeStateTable(const std::string& path, const Waves& waves, double tip, const Bar& bar)

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "network_continuum.hpp"
 #include "network_simulation.hpp"
 #include "signorini/output.hpp"
 
@@ -21,8 +22,18 @@ void writeStateTable(const std::string& path, const Network& network, const Netw
 /// \throws FileError; std::invalid_argument naming line, value and what is allowed.
 [[nodiscard]] NetworkStart readStateTable(const std::string& path, const Network& network);
 
+/// Waves on the grid nearest to a state: such a table, or of a bar of one speed any that
+/// `readState` knows. \throws as both.
+[[nodiscard]] std::vector<double> readNearestWaves(const std::string& path, const Network& network,
+                                                   const std::optional<Scene>& bar);
+
 /// The state of a bar. \throws FileError.
 void writeStateTable(const std::string& path, const Waves& waves, double tip, const Bar& bar);
+
+/// A row for each motion: lambda, the waves at the start [m/s] in the order of `Network::waves`,
+/// and the displacements of the nodes [m]. \throws FileError.
+void writeContinuumCsv(const std::string& path, const Network& network,
+                       const NetworkContinuum& curve);
 
 class Table;
 

@@ -12,6 +12,7 @@
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
 #include "response_answer.hpp"
+#include "scene_continuum_answer.hpp"
 #include "scene_find_answer.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "scene_question_answer.hpp"
@@ -162,6 +163,7 @@ int main()
                {"find-scene-forced", nameOf<SceneForcedAnswer>()},
                {"find-scene-question", nameOf<SceneQuestionAnswer>()},
                {"continuum", nameOf<ContinuumAnswer>()},
+               {"continuum-scene", nameOf<SceneContinuumAnswer>()},
                {"families", nameOf<FamilyList>()},
                {"modes", nameOf<ModeList>()},
                {"modes-phases", nameOf<PolytopeList>()},

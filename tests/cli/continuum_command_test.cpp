@@ -231,3 +231,106 @@ TEST_CASE("cli: continuum: motions spread over the set, and a walk in a directio
     REQUIRE(walked.status == 0);
     CHECK(json::parse(walked.out)["points"].size() >= 1);
 }
+
+TEST_CASE("cli: continuum of several bars: a sample, paths through files, a table, pictures",
+          "[glpk]")
+{
+    const CommandLine program;
+    const std::string asked =
+        "continuum 1:6 -:40 --scene 'clamp 12 gap=1e-3 16 clamp' --length 2 --energy-ratio 8 ";
+    const auto sampled = program.run(
+        asked + "--sample --points 6 --format json --csv s.csv --figure s.svg --animate s.gif");
+    REQUIRE(sampled.status == 0);
+    const json r = json::parse(sampled.out);
+    CHECK(r["parameter"] == "number");
+    CHECK(r["dimension"] == 4);
+    CHECK(r["connected"].is_null());
+    CHECK(r["schedule"] ==
+          json::parse(R"([{"closed": [1], "steps": 6}, {"closed": [], "steps": 40}])"));
+    REQUIRE(r["points"].size() == 6);
+    for (const json& point : r["points"]) {
+        CHECK(point["energy_ratio"].get<double>() == Approx(8.0));
+        CHECK(point["energy"].get<double>() ==
+              Approx(8.0 * r["reference"]["energy"].get<double>()));
+        CHECK(point["residual"].get<double>() < 1e-7);
+        CHECK(point["peak_strain"] == point["strains"]["peak_compression"]);
+        CHECK(point["contacts"][0]["impulse"].get<double>() > 0.0);
+    }
+    const std::string table = contentOf(program.file("s.csv"));
+    CHECK(table.starts_with("lambda,wave_1,wave_2,"));
+    CHECK(table.find("wave_56,displacement_1,") != std::string::npos);
+    CHECK(lines(table) == 7);
+    CHECK_THAT(contentOf(program.file("s.svg")), containsText("force of contact 1"));
+    for (const int k : {1, 4}) {
+        REQUIRE(program
+                    .run(asked + "--sample --points 6 --member " + std::to_string(k) + " --state " +
+                         std::to_string(k) + ".csv")
+                    .status == 0);
+    }
+    // The file of a member is one of find's, too: the nearest motion to it is itself.
+    const auto same = program.run(
+        "find 1:6 -:40 --scene 'clamp 12 gap=1e-3 16 clamp' --length 2 --objective nearest "
+        "--target 4.csv --format json");
+    REQUIRE(same.status == 0);
+    CHECK(json::parse(same.out)["energy_ratio"].get<double>() == Approx(8.0));
+    const auto wrong = program.run(asked + "--from 1.csv --to 4.csv --strain-limit 1e-3");
+    CHECK(wrong.status != 0);
+    const auto otherEnergy = program.run(
+        "continuum 1:6 -:40 --scene 'clamp 12 gap=1e-3 16 clamp' --length 2 --energy-ratio 9 "
+        "--from 1.csv --to 4.csv");
+    CHECK(otherEnergy.status == 2);
+    CHECK_THAT(otherEnergy.err, containsText("from = a state of 0.888888889 times the energy"));
+    const auto low = program.run(
+        "continuum 1:6 -:40 --scene 'clamp 12 gap=1e-3 16 clamp' --energy-ratio 5 --csv no.csv");
+    CHECK(low.status == 1);
+    CHECK_THAT(low.out, containsText("every motion of the schedule has more energy") &&
+                            containsText("proved: none has less than 5.24"));
+    CHECK_THAT(low.err, containsText("no motion to write"));
+    CHECK(program.run(asked + "--engine geometric").status == 2);
+    if (signorini::preferred({.energyEquality = true, .start = true}) == nullptr) {
+        return;
+    }
+    const auto path = program.run(asked + "--from 1.csv --to 4.csv --points 21");
+    CHECK(path.status == 0);
+    CHECK_THAT(path.out, containsText("connected   yes") && containsText("arc length [√E₁]"));
+    const auto way = program.run(asked + "--from 1.csv --direction 4.csv --points 21");
+    CHECK(way.status == 0);
+    CHECK_THAT(way.out, containsText("walk in a given direction"));
+}
+
+TEST_CASE("cli: continuum of segments and of a bar under gravity", "[glpk]")
+{
+    const CommandLine program;
+    const auto one = json::parse(
+        program.run("continuum 6 36 --cells 12 --energy-ratio 9 --sample --points 3 --format json")
+            .out);
+    const auto two = json::parse(
+        program
+            .run("continuum 6 36 --segments 6:1,6:1 --energy-ratio 9 --sample --points 3 "
+                 "--format json")
+            .out);
+    // A bar of 1 m that sags by 2e-4 m of its gap.
+    const auto sagging = json::parse(
+        program
+            .run("continuum 6 36 --cells 12 --gap 1.2e-3 --gravity 4e-4 --energy 4.5e-6 --sample "
+                 "--points 3 --format json")
+            .out);
+    for (const json& answer : {two, sagging}) {
+        CHECK(answer["status"] == "found");
+        CHECK(answer["dimension"] == one["dimension"]);
+        for (const json& point : answer["points"]) {
+            CHECK(point["energy"].get<double>() == Approx(4.5e-6));
+            CHECK(point["contacts"][0]["impulse"].get<double>() ==
+                  Approx(one["points"][0]["physical"]["impulse"].get<double>()));
+        }
+    }
+    // The state of a bar of segments, as find writes it, is an end.
+    REQUIRE(program.run("find 6 36 --segments 6:1,6:2 --state least.csv").status == 0);
+    const auto curve = program.run(
+        "continuum 6 36 --segments 6:1,6:2 --from least.csv --to least.csv --points 3 --energy 1");
+    CHECK(curve.status == 2);
+    CHECK_THAT(curve.err, containsText("from = a state of") && containsText("times the energy"));
+    const auto words = program.run("continuum 2:6 -:36 --segments 6:1,6:2 --energy-ratio 200");
+    CHECK(words.status == 2);
+    CHECK_THAT(words.err, containsText("allowed"));
+}

@@ -138,6 +138,12 @@ CALLS = [
     ("find-scene", "find --scene '4 stop=0' --gravity 10 8 24"),
     ("find-scene", "find 3 11 --scene 'clamp 4 gap=2e-3 4 clamp' --stability"),
     ("find-scene-forced", "find 6 42 --scene 'clamp 6 dash=0.2 driven gap=1e-3 6 clamp' --force tip --stability"),
+    ("continuum-scene", "continuum 1:6 -:40 --scene 'clamp 12 gap=1e-3 16 clamp' --energy-ratio 20 --points 3"
+                        " --member 0 --state {}/member.csv"),
+    ("continuum-scene", "continuum 1:6 -:40 --scene 'clamp 12 gap=1e-3 16 clamp' --energy-ratio 2"),
+    ("continuum-scene", "continuum 1:2 -:14 --scene 'stop=1e-3 8 stop=1e-3' --energy 1e-5 --sample --points 3"
+                        " --strain-limit 0.02"),
+    ("continuum-scene", "continuum 6 36 --segments 6:1,6:2 --energy-ratio 400 --sample --points 2"),
     ("find-scene-question", "find --period 1.75 --scene 'clamp 4 gap=2e-3 4 clamp'"),
     ("find-scene-question", "find --hertz 0.6 --scene 'stop=1e-3 6 stop=1e-3' --energy 1e-5"),
     ("find-scene-question", "find --period 7/2 --segments 4:1,4:2"),

@@ -7,8 +7,9 @@ from typing import Any, Union
 
 from .._asking import asks
 from .._core import (Continuum, ContinuumPoint, ForcedResult, HarmonicResult,
-                     ForceRange, Motion, Result, Scene, SceneForcedResult,
-                     SceneHarmonicResult, SceneQuestion, SceneResult, SceneSimulation)
+                     ForceRange, Motion, Result, Scene, SceneContinuum, SceneContinuumPoint,
+                     SceneForcedResult, SceneHarmonicResult, SceneQuestion, SceneResult,
+                     SceneSimulation)
 from .._words import whole
 from ._draw import draw
 from ._style import unit_for
@@ -16,13 +17,13 @@ from ._style import unit_for
 #: What has a motion: a Motion itself, a Result, a point of a continuum, or
 #: several forced motions.
 Moving = Union[Motion, Result, ContinuumPoint, ForcedResult, HarmonicResult,
-               SceneResult, SceneForcedResult, SceneHarmonicResult]
+               SceneResult, SceneForcedResult, SceneHarmonicResult, SceneContinuumPoint]
 
 
 def motion_of(moving: Moving, index: int) -> tuple[Any, tuple[int, ...]]:
     """Return what draws the motion, and which it is of several. ValueError if there is none."""
-    if isinstance(moving, SceneResult):
-        if not moving:
+    if isinstance(moving, (SceneResult, SceneContinuumPoint)):
+        if isinstance(moving, SceneResult) and not moving:
             raise ValueError("no motion was found: there is nothing to draw")
         return moving, (0,)
     several = isinstance(moving, (ForcedResult, HarmonicResult, SceneForcedResult,
@@ -76,7 +77,8 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
 
 @asks("figure")
 def scene(where: Scene | SceneResult | SceneForcedResult | SceneHarmonicResult
-          | SceneQuestion | SceneSimulation | ForceRange, *, axes: Any = None,
+          | SceneQuestion | SceneSimulation | SceneContinuum | SceneContinuumPoint | ForceRange, *,
+          axes: Any = None,
           figure: Any = None) -> Any:
     """Draw bars and what stands at them, of one bar with sizes; gaps are not to scale.
 
@@ -98,13 +100,15 @@ def scene(where: Scene | SceneResult | SceneForcedResult | SceneHarmonicResult
 
 
 @asks("figure")
-def continuum(curve: Continuum, *, members: int | None = None,
+def continuum(curve: Continuum | SceneContinuum, *, members: int | None = None,
               figure: Any = None, axes: Any = None) -> dict[str, Any]:
     """Draw a curve of motions, lambda upwards.
 
     The force of the wall against time, which tells orbits apart, and strain
     and velocity along the bar at t = 0: the paper's Fig. 2. Below, u(x, t) of
-    the first, the middle and the last of them.
+    the first, the middle and the last of them. Of several bars the forces of
+    the first two contacts and u(x, 0), of one contact its force, velocity and
+    u(x, 0).
 
     Parameters
     ----------
@@ -114,7 +118,8 @@ def continuum(curve: Continuum, *, members: int | None = None,
     Returns
     -------
     dict of axes
-        "force", "strain", "velocity", "first", "middle", "last".
+        "force", "strain", "velocity", "first", "middle", "last"; of several
+        bars "force", "second force" or "velocity", "displacement", "first", ...
 
     Raises
     ------
@@ -123,5 +128,6 @@ def continuum(curve: Continuum, *, members: int | None = None,
     """
     if len(curve) == 0:
         raise ValueError("the curve has no points: there is nothing to draw")
-    return draw(curve._figure(), ("force", "strain", "velocity", "first",
-                                  "middle", "last"), axes, figure)
+    text = curve._figure()
+    panels = tuple(panel["name"] for panel in json.loads(text)["panels"])
+    return draw(text, panels, axes, figure)

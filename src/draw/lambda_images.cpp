@@ -1,0 +1,136 @@
+#include "lambda_images.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "axes.hpp"
+
+namespace signorini {
+
+namespace {
+
+using namespace plot;
+
+constexpr std::size_t mostRows = 160;
+constexpr std::size_t mostColumns = 400;
+constexpr std::array memberNames{"first", "middle", "last"};
+constexpr std::array lefts{0.1, 0.41, 0.73};
+
+/// The longest profile, without the zeros at its end.
+std::size_t lengthOf(const Profiles& profiles)
+{
+    std::size_t pieces = 0;
+    for (const std::vector<double>& profile : profiles) {
+        const auto last = std::find_if(profile.rbegin(), profile.rend(),
+                                       [](double value) { return value != 0.0; });
+        pieces = std::max(pieces, static_cast<std::size_t>(profile.rend() - last));
+    }
+    return pieces > 0 ? pieces : profiles.front().size();
+}
+
+}  // namespace
+
+LambdaImages::LambdaImages(const std::vector<double>& lambdas, std::string label)
+    : lambdas_(lambdas), label_(std::move(label)), low_(lambdas.front()), high_(lambdas.back())
+{
+    if (!(high_ > low_)) {
+        high_ = low_ + 1.0;
+    }
+    const std::size_t last = lambdas.size() - 1;
+    for (const std::size_t k : {std::size_t{0}, last / 2, last}) {
+        if (full_.empty() || full_.back() != k) {
+            full_.push_back(k);
+        }
+    }
+    for (std::size_t row = 0; row < mostRows; ++row) {
+        rows_.push_back(low_ + (high_ - low_) * (static_cast<double>(row) + 0.5) / mostRows);
+        const auto at =
+            std::min_element(lambdas.begin(), lambdas.end(), [this](double one, double other) {
+                return std::abs(one - rows_.back()) < std::abs(other - rows_.back());
+            });
+        members_.push_back(static_cast<std::size_t>(at - lambdas.begin()));
+    }
+}
+
+void LambdaImages::add(FigureData& figure, int column, const Profiles& profiles, double width,
+                       const ImageWords& words) const
+{
+    const double left = lefts.at(static_cast<std::size_t>(column));
+    const std::size_t pieces = lengthOf(profiles);
+    const std::size_t columns = std::min(pieces, mostColumns);
+    const double length = width * static_cast<double>(pieces);
+    Series image{.kind = Kind::image, .y = rows_};
+    double largest = 0.0;
+    for (std::size_t i = 0; i < columns; ++i) {
+        image.x.push_back(length * (static_cast<double>(i) + 0.5) / static_cast<double>(columns));
+    }
+    for (const std::vector<double>& profile : profiles) {
+        for (std::size_t i = 0; i < columns; ++i) {  // the largest of what is too fine for print
+            double shown = 0.0;
+            for (std::size_t k = i * pieces / columns; k < (i + 1) * pieces / columns; ++k) {
+                shown = std::abs(profile[k]) > std::abs(shown) ? profile[k] : shown;
+            }
+            image.z.push_back(shown);
+            largest = std::max(largest, std::abs(shown));
+        }
+    }
+    const Unit unit = axisUnit(words.scale, largest, words.base);
+    for (double& value : image.z) {
+        value *= unit.factor;
+    }
+    Panel& panel = figure.add({.name = words.name, .place = {left, left + 0.19, 0.54, 0.89}});
+    panel.title = labelled(words.title, unit);
+    panel.hasGrid = false;
+    panel.x = {.label = words.axis, .low = 0.0, .high = length, .step = niceStep(length / 3.0)};
+    panel.y = {.low = low_, .high = high_, .hasNumbers = column == 0};
+    if (column == 0) {
+        panel.y.label = label_;
+    }
+    panel.map = ColourMap::diverging;
+    panel.colour = {.low = -largest * unit.factor, .high = largest * unit.factor};
+    if (!(largest > 0.0)) {
+        panel.colour = {.low = -1.0, .high = 1.0};
+    }
+    panel.colourBar = Place{left + 0.2, left + 0.212, 0.54, 0.89};
+    panel.add(std::move(image));
+    for (const std::size_t k : full_) {
+        panel.add(across(0.0, length, lambdas_[k], 1.0, Dash::dashed));
+    }
+}
+
+Panel& LambdaImages::addFull(FigureData& figure, std::size_t which) const
+{
+    const double left = 0.1 + 0.265 * static_cast<double>(which);
+    Panel& panel =
+        figure.add({.name = memberNames.at(which), .place = {left, left + 0.24, 0.08, 0.42}});
+    panel.title = fmt::format("λ = {:.4g}", lambdas_[full_[which]]);
+    panel.hasGrid = false;
+    return panel;
+}
+
+void LambdaImages::shareColours(FigureData& figure, const std::string& label) const
+{
+    const std::size_t first = figure.panels.size() - full_.size();
+    std::pair<double, double> range{0.0, 0.0};
+    for (std::size_t k = first; k < figure.panels.size(); ++k) {
+        Panel& panel = figure.panels[k];
+        const std::vector<double>& field = panel.series.front().z;
+        const auto [least, most] = std::minmax_element(field.begin(), field.end());
+        range = {std::min(range.first, *least), std::max(range.second, *most)};
+        if (k > first) {
+            panel.y.label.clear();
+            panel.y.hasNumbers = false;
+        }
+    }
+    for (std::size_t k = first; k < figure.panels.size(); ++k) {
+        figure.panels[k].colour = {.label = label, .low = range.first, .high = range.second};
+    }
+    const double right = figure.panels.back().place.right;
+    figure.panels.back().colourBar = Place{right + 0.02, right + 0.035, 0.08, 0.42};
+}
+
+}  // namespace signorini

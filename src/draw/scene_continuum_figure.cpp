@@ -1,0 +1,295 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "axes.hpp"
+#include "lambda_images.hpp"
+#include "network_field.hpp"
+#include "scene_figures.hpp"
+
+namespace signorini {
+
+namespace {
+
+using namespace plot;
+using answers::SceneContinuumAnswer;
+
+constexpr std::int64_t mostInstants = 400;
+constexpr std::size_t mostFrames = 60;
+constexpr std::size_t parts = 200;  ///< along the bars
+
+/// A motion over its period, in units of the network.
+struct SeenMotion {
+    std::vector<double> instants;
+    std::vector<std::vector<double>> pushes;  ///< by contact, means between instants
+    NetworkLook start;                        ///< at t = 0
+    NetworkLook all;                          ///< displacements, instants by places
+};
+
+SeenMotion seenIn(const Network& network, const NetworkClaim& motion,
+                  const std::vector<NetworkPlace>& places, bool isWhole)
+{
+    SeenMotion seen;
+    seen.pushes.resize(network.contacts.size());
+    look(seen.start, network, {motion.waves, motion.displacements}, places);
+    std::vector<double> before(network.contacts.size(), 0.0);
+    const auto period = static_cast<double>(motion.steps());
+    (void)throughPeriod(
+        network, {motion.waves, motion.displacements}, {}, period,
+        std::min(motion.steps(), mostInstants), [&](const NetworkSimulation& now) {
+            const double since = seen.instants.empty() ? 0.0 : seen.instants.back();
+            for (std::size_t j = 0; j < before.size(); ++j) {
+                const double pushed = now.impulseAt(j);
+                if (now.time() > since) {
+                    seen.pushes[j].push_back((pushed - before[j]) / (now.time() - since));
+                }
+                before[j] = pushed;
+            }
+            if (now.time() > since || seen.instants.empty()) {
+                seen.instants.push_back(now.time());
+                if (isWhole) {
+                    look(seen.all, network, now.state(), places);
+                }
+            }
+        });
+    return seen;
+}
+
+/// The parameter of a curve with its unit.
+std::string unitOf(const SceneContinuumAnswer& answer)
+{
+    if (answer.curve().parameter == Parameter::number) {
+        return "number λ of the motion";
+    }
+    return answer.of->unit ? "arc length λ [√E_1]" : "arc length λ [√E]";
+}
+
+std::vector<double> lambdasIn(const NetworkContinuum& curve)
+{
+    if (curve.points.empty()) {
+        throw std::invalid_argument("figure: the curve holds no motion to draw");
+    }
+    std::vector<double> all;
+    for (const NetworkCurvePoint& point : curve.points) {
+        all.push_back(point.lambda);
+    }
+    return all;
+}
+
+/// What is drawn of a curve, and its units.
+class BarsCurve {
+public:
+    explicit BarsCurve(const SceneContinuumAnswer& answer)
+        : answer_(answer),
+          curve_(answer.curve()),
+          network_(answer.of->schedule.network()),
+          length_(answer.of->schedule.bars.assembly.length),
+          places_(placesAlong(network_, parts)),
+          positions_(positionsOf(network_, places_, length_)),
+          second_(axisUnit(network_.scales.time, period(), "s")),
+          metre_(unitFor(length_, "m"))
+    {
+    }
+
+    [[nodiscard]] FigureData figure()
+    {
+        const LambdaImages images(lambdasIn(curve_), unitOf(answer_));
+        FigureData figure{.width = 18.0, .height = 18.0, .title = title()};
+        const std::size_t contacts = std::min<std::size_t>(network_.contacts.size(), 2);
+        std::array<Profiles, 3> profiles;
+        for (const std::size_t k : images.members()) {
+            const SeenMotion& seen = member(k);
+            for (std::size_t j = 0; j < contacts; ++j) {
+                profiles.at(j).push_back(seen.pushes[j]);
+            }
+            if (contacts < 2) {
+                profiles[1].push_back(seen.start.velocities);
+            }
+            profiles[2].push_back(seen.start.displacements);
+        }
+        const std::string time = labelled("time  t", second_);
+        const std::string along = labelled("along the bars", metre_);
+        const double step = second_.factor * period() / static_cast<double>(profiles[0][0].size());
+        const double part = length_ * metre_.factor / static_cast<double>(parts);
+        const NetworkScales& scale = network_.scales;
+        for (std::size_t j = 0; j < contacts; ++j) {
+            images.add(figure, static_cast<int>(j), profiles.at(j), step,
+                       {j == 0 ? "force" : "second force", time,
+                        fmt::format("force of contact {}", j + 1), scale.force(), "N"});
+        }
+        if (contacts < 2) {
+            images.add(figure, 1, profiles[1], part,
+                       {"velocity", along, "velocity  v(x, 0)", scale.velocity(), "m/s"});
+        }
+        images.add(figure, 2, profiles[2], part,
+                   {"displacement", along, "displacement  u(x, 0)", scale.displacement, "m"});
+        addFields(figure, images);
+        return figure;
+    }
+
+    /// Forces over a period and u along the bars at t = 0, a frame for each member.
+    [[nodiscard]] std::vector<FigureData> frames()
+    {
+        const std::size_t count = curve_.points.size();
+        const std::size_t every = 1 + (count - 1) / mostFrames;
+        double force = 0.0;
+        double reach = 0.0;
+        for (std::size_t k = 0; k < count; k += every) {
+            const SeenMotion& seen = member(k);
+            for (const std::vector<double>& pushes : seen.pushes) {
+                force = std::max(force, *std::max_element(pushes.begin(), pushes.end()));
+            }
+            for (const double u : seen.start.displacements) {
+                reach = std::max(reach, std::abs(u));
+            }
+        }
+        std::vector<FigureData> all;
+        for (std::size_t k = 0; k < count; k += every) {
+            all.push_back(frameOf(k, std::max(force, 1e-300), std::max(reach, 1e-300)));
+        }
+        return all;
+    }
+
+private:
+    [[nodiscard]] double period() const
+    {
+        return static_cast<double>(curve_.points.front().motion.steps());
+    }
+
+    [[nodiscard]] std::string title() const
+    {
+        const auto ratio = answer_.of->ratio(curve_.energy);
+        const double joules = answer_.of->joules(curve_.energy);
+        return fmt::format(
+            "{}   {}   {}, {} motions", textOf(answer_.of->schedule.spans),
+            ratio ? fmt::format("E/E_1 = {:.6g}", *ratio) : "E = " + withUnit(joules, "J"),
+            curve_.family, curve_.points.size());
+    }
+
+    const SeenMotion& member(std::size_t k)
+    {
+        const auto known = seen_.find(k);
+        return known != seen_.end()
+                   ? known->second
+                   : seen_.emplace(k, seenIn(network_, curve_.points[k].motion, places_, false))
+                         .first->second;
+    }
+
+    void addFields(FigureData& figure, const LambdaImages& images)
+    {
+        double reach = 0.0;
+        std::vector<SeenMotion> all;
+        for (const std::size_t k : images.full()) {
+            all.push_back(seenIn(network_, curve_.points[k].motion, places_, true));
+            for (const double u : all.back().all.displacements) {
+                reach = std::max(reach, std::abs(u));
+            }
+        }
+        const Unit deflection = axisUnit(network_.scales.displacement, reach, "m");
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            Panel& panel = images.addFull(figure, k);
+            const double length = length_ * metre_.factor;
+            panel.x = {.label = labelled("along the bars", metre_),
+                       .low = 0.0,
+                       .high = length,
+                       .step = niceStep(length / 3.0)};
+            panel.y = axisIn(second_, "time  t", 0.0, period());
+            Series field{.kind = Kind::image};
+            for (const double x : positions_) {
+                field.x.push_back(x * metre_.factor);
+            }
+            for (const double instant : all[k].instants) {
+                field.y.push_back(instant * second_.factor);
+            }
+            for (const double u : all[k].all.displacements) {
+                field.z.push_back(u * deflection.factor);
+            }
+            panel.add(std::move(field));
+            Series contacts = plot::strokes(Role::ink, 0.8);
+            for (const double x : placesOfContacts()) {
+                contacts.add(x, *panel.y.low, x, *panel.y.high);
+            }
+            panel.add(std::move(contacts));
+        }
+        images.shareColours(figure, labelled("displacement  u(x, t)", deflection));
+    }
+
+    [[nodiscard]] std::vector<double> placesOfContacts() const
+    {
+        const std::vector<double> nodes = placesOf(network_, length_);
+        std::vector<double> all;
+        for (const NetworkContact& contact : network_.contacts) {
+            all.push_back(nodes[contact.node] * metre_.factor);
+        }
+        return all;
+    }
+
+    [[nodiscard]] FigureData frameOf(std::size_t k, double force, double reach)
+    {
+        const SeenMotion& seen = member(k);
+        const Unit newton = axisUnit(network_.scales.force(), force, "N");
+        const Unit deflection = axisUnit(network_.scales.displacement, reach, "m");
+        constexpr std::array roles{Role::contact, Role::ink, Role::strain, Role::velocity};
+        Panel forces{.name = "force", .place = {0.13, 0.97, 0.6, 0.9}};
+        forces.x = axisIn(second_, "time  t", 0.0, period());
+        forces.y = axisIn(newton, "forces", -0.05 * force, 1.1 * force);
+        for (std::size_t j = 0; j < std::min(seen.pushes.size(), roles.size()); ++j) {
+            Series line = plot::line(roles.at(j), 2.0).named(fmt::format("contact {}", j + 1));
+            for (std::size_t m = 0; m < seen.pushes[j].size(); ++m) {
+                line.addStep(seen.instants[m] * second_.factor,
+                             seen.instants[m + 1] * second_.factor,
+                             seen.pushes[j][m] * newton.factor);
+            }
+            forces.add(std::move(line));
+        }
+        forces.legend = Legend::above;
+        Panel shape{.name = "displacement", .place = {0.13, 0.97, 0.11, 0.45}};
+        shape.x = axisIn(Unit{metre_.factor, metre_.name}, "along the bars", 0.0, length_);
+        shape.y = axisIn(deflection, "u at t = 0", -1.1 * reach, 1.1 * reach);
+        Series u = plot::line(Role::ink, 2.0);
+        for (std::size_t i = 0; i < positions_.size(); ++i) {
+            const auto barAt = [this](std::size_t of) {
+                return network_.nodes[network_.rows[places_[of].row].left].bar;
+            };
+            if (i > 0 && barAt(i) != barAt(i - 1)) {
+                u.breakOff();
+            }
+            u.add(positions_[i] * metre_.factor, seen.start.displacements[i] * deflection.factor);
+        }
+        shape.add(std::move(u));
+        FigureData frame{.width = 20.0, .height = 13.0};
+        frame.title = fmt::format("{}:   λ = {:.4g} ({})", curve_.family, curve_.points[k].lambda,
+                                  name(curve_.parameter));
+        frame.panels = {std::move(forces), std::move(shape)};
+        return frame;
+    }
+
+    const SceneContinuumAnswer& answer_;
+    const NetworkContinuum& curve_;
+    Network network_;
+    double length_;
+    std::vector<NetworkPlace> places_;
+    std::vector<double> positions_;
+    Unit second_;
+    Unit metre_;
+    std::map<std::size_t, SeenMotion> seen_;
+};
+
+}  // namespace
+
+FigureData sceneContinuumFigure(const SceneContinuumAnswer& answer)
+{
+    return BarsCurve(answer).figure();
+}
+
+std::vector<FigureData> sceneContinuumFrames(const SceneContinuumAnswer& answer)
+{
+    (void)lambdasIn(answer.curve());
+    return BarsCurve(answer).frames();
+}
+
+}  // namespace signorini
