@@ -92,8 +92,8 @@ enum class ForcedKind {
 
 /// What is demanded of a motion besides.
 struct ForcedLimits {
-    /// [g/L], S > 0: s >= -S for all x and t, -min s being 2 max p. For a force on the tip only: a
-    /// moving base adds its velocity to it.
+    /// [g/L], S > 0: s >= -S for all x and t, -min s being 2 max p; beside a moving base, whose
+    /// velocity adds to it, what waves of a network make (`ForcedSet::isOfNetwork`).
     double strain = std::numeric_limits<double>::infinity();
 };
 
@@ -121,7 +121,7 @@ struct ForcedSet {
     /// status none: conditions that with u(L, 0) = g contradict each other, two where nothing is
     /// undamped; certain whatever was rounded (isCertain).
     std::vector<ForcedCondition> conflict;
-    /// Of segments that differ: multipliers of these conditions, for stepping backwards. They leave
+    /// Of a network: multipliers of these conditions, for stepping backwards. They leave
     /// no excitation up to `mostCutAmplitude` whose motion has less than `hugeEnergyRatio` E_1;
     /// without a gap none of any amplitude A with less than A^2 times that.
     std::vector<EnergyFloor> cuts = {};
@@ -135,7 +135,11 @@ struct ForcedSet {
     std::int64_t freeWaves = 0;            ///< [-], classes of steps that nothing damps
     /// kind polytope: of the polygon, counterclockwise; two of a segment, one of a point.
     std::vector<ForcedCorner> corners;
-    std::shared_ptr<const NetworkForced> waves = {};  ///< of segments that differ
+    std::shared_ptr<const NetworkForced> waves = {};  ///< where it is of a network
+
+    /// Are its waves those of a network: do segments differ, or is strain limited beside a moving
+    /// base?
+    [[nodiscard]] bool isOfNetwork() const;
 };
 
 /// Largest amplitude that multipliers are asked to exclude [EA g/L or g].
@@ -146,8 +150,8 @@ inline constexpr double mostCutAmplitude = 1e9;
 /// build has no solver of linear programs.
 /// \throws std::invalid_argument on an invalid schedule or damping, more than maxForcedSteps steps,
 /// cycles unless 1 <= K < n/2, a shape whose length does not divide n, that is not finite, or 0
-/// throughout, or a limit that is not > 0 or goes with a base. Of segments that differ one matrix
-/// of as many rows as there are waves is factored: limits, and more than 1000 cells, are refused.
+/// throughout, or a limit that is not > 0. Of a network (`ForcedSet::isOfNetwork`) one matrix of as
+/// many rows as there are waves is factored: more than `maxNetworkSteps` steps are refused.
 [[nodiscard]] ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping,
                                       const Forcing& forcing, const ForcedLimits& limits = {},
                                       const std::vector<Segment>& segments = {});

@@ -107,10 +107,10 @@ std::optional<ForcedProof> proofOf(const ForcedAnswer& answer)
         return std::nullopt;
     }
     const auto& exclusion = answer.exclusion;
-    const bool isUniformBar = isUniform(answer.set.segments);
     const auto proof = [&](const char* kind, bool isVerified, const auto& of) {
-        return isUniformBar ? ForcedProof{kind, isVerified, of.conflict}
-                            : ForcedProof{kind, isVerified, of.conflict, "network", of.cuts};
+        return answer.set.isOfNetwork()
+                   ? ForcedProof{kind, isVerified, of.conflict, "network", of.cuts}
+                   : ForcedProof{kind, isVerified, of.conflict};
     };
     return exclusion ? proof("amplitude-range", exclusion->isCertain, *exclusion)
                      : proof("forced", isCertain(answer.set), answer.set);

@@ -70,8 +70,8 @@ struct ForcedProof {
     const char* kind;
     bool isVerified;
     std::vector<ForcedCondition> conditions;
-    std::optional<const char*> rows = {};               ///< of segments that differ
-    std::optional<std::vector<EnergyFloor>> cuts = {};  ///< of segments that differ
+    std::optional<const char*> rows = {};               ///< of a network
+    std::optional<std::vector<EnergyFloor>> cuts = {};  ///< of a network
 };
 [[nodiscard]] std::optional<ForcedProof> proofOf(const ForcedAnswer& answer);
 
@@ -94,7 +94,9 @@ void describe(D& d, Type<ForcedProof>)
           &ForcedProof::kind);
     d.key("verified", "-", "Verified independently, rounding included.", &ForcedProof::isVerified);
     d.key("conditions", "-", "With u(L, 0) = g they cannot all hold.", &ForcedProof::conditions);
-    d.key("rows", "-", R"("network": of segments that differ.)", &ForcedProof::rows, When::any);
+    d.key("rows", "-",
+          R"("network": of segments that differ, or a limit on strain beside a moving base.)",
+          &ForcedProof::rows, When::any);
     d.key("cuts", "-", "Of these: multipliers that leave no excitation.", &ForcedProof::cuts,
           When::any);
 }

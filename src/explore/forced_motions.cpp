@@ -12,8 +12,7 @@ namespace signorini {
 
 namespace {
 
-void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimits& limits,
-              bool isOneBar)
+void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimits& limits)
 {
     Faults faults;
     const std::int64_t n = steps(schedule);
@@ -22,8 +21,6 @@ void validate(const Schedule& schedule, const Forcing& forcing, const ForcedLimi
     }
     if (!(limits.strain > 0.0)) {
         faults.add("strain limit", limits.strain, "> 0 [g/L]");
-    } else if (isOneBar && std::isfinite(limits.strain) && forcing.place == Excited::base) {
-        faults.add("strain limit", limits.strain, "none with a base that moves");
     }
     if (forcing.shape.empty()) {
         if (const std::int64_t most = (n - 1) / 2; forcing.cycles < 1 || forcing.cycles > most) {
@@ -212,11 +209,10 @@ void decide(ForcedSet& set, Solved& solved)
     believe(set, solved.motionAt());
 }
 
-/// Of segments that differ; where they are not kept (a set that was read from a file) anew.
+/// Of a network; where they are not kept (a set that was read from a file) anew.
 std::shared_ptr<const NetworkForced> wavesOf(const ForcedSet& set)
 {
-    return set.waves || isUniform(set.segments) ? set.waves
-                                                : std::make_shared<const NetworkForced>(set);
+    return set.waves || !set.isOfNetwork() ? set.waves : std::make_shared<const NetworkForced>(set);
 }
 
 /// Whoever solved the waves.
@@ -235,19 +231,24 @@ void requireMotions(const ForcedSet& set)
 
 }  // namespace
 
+bool ForcedSet::isOfNetwork() const
+{
+    return !isUniform(segments) || (forcing.place == Excited::base && std::isfinite(limits.strain));
+}
+
 ForcedSet forcedMotions(const Schedule& schedule, const Damping& damping, const Forcing& forcing,
                         const ForcedLimits& limits, const std::vector<Segment>& segments)
 {
     signorini::validate(schedule);
     signorini::validate(damping);
-    validate(schedule, forcing, limits, isUniform(segments));
+    validate(schedule, forcing, limits);
     ForcedSet set;
     set.schedule = schedule;
     set.damping = damping;
     set.forcing = forcing;
     set.limits = limits;
     set.segments = segments;
-    if (!isUniform(segments)) {
+    if (set.isOfNetwork()) {
         set.waves = std::make_shared<const NetworkForced>(set);
         set.waves->decide(set);
         return set;

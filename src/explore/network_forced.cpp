@@ -22,10 +22,12 @@ constexpr double noEnd = 1e9;  // times what meets the first row
 
 SteppedBar checkedBar(const ForcedSet& set)
 {
-    SteppedBar bar = steppedBar(set.segments);
+    const std::vector<Segment> one{{.cells = set.schedule.cells}};
+    SteppedBar bar = steppedBar(set.segments.empty() ? one : set.segments);
     requireCells(bar, set.schedule.cells);
     Faults faults;
-    const char* where = " for a bar of several segments";
+    const char* where = set.segments.empty() ? " for a limit on strain beside a moving base"
+                                             : " for a bar of several segments";
     if (!set.forcing.shape.empty()) {
         faults.add("shape", set.forcing.shape.size(), std::string("a harmonic") + where);
     }

@@ -53,7 +53,7 @@ def random_question(draw):
         words += ["--second-stop", draw.choice(["2e-3", "1.001e-3", "1.7e-3", "3e-3"])]
     if gap == "0" or draw.random() < 0.4:
         words += ["--amplitude", repr(draw.choice([1, 3]) * 10 ** draw.uniform(-5, -2))]
-    if place == "tip" and draw.random() < 0.15:
+    if draw.random() < 0.15:
         words += ["--strain-limit", draw.choice(["1e-3", "3e-3"])]
     return words + random_bar(draw)
 
@@ -180,6 +180,10 @@ class Answers:
         answer = self.ask(words)
         if answer is None:
             return
+        if answer["force"] == "base" and answer["strain_limit"] is not None:  # by the waves of a network
+            self.counts["limits beside a moving base"] += 1
+            self.look_at_segments(words)
+            return
         if answer["status"] == "none":
             self.confirm(answer, words)
         elif answer["status"] == "found":
@@ -300,9 +304,9 @@ class Answers:
         self.deny(answer, words)
         if answer["bar"]["gap"] == 0:
             return
-        if answer["force"] == "tip":  # less strain than the least motion has
-            strain = self.draw.uniform(0.6, 0.99) * answer["motions"][0]["physical"]["peak_compression"]
-            self.look(words + ["--strain-limit", repr(strain)])
+        # Less strain than the least motion has.
+        strain = self.draw.uniform(0.6, 0.99) * answer["motions"][0]["physical"]["peak_compression"]
+        self.look(words + ["--strain-limit", repr(strain)])
         least, most = answer["amplitude_range"]
         for amplitude in [0.7 * least] + ([1.3 * most] if most is not None else []):
             if amplitude > 0:

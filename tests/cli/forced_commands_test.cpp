@@ -278,7 +278,6 @@ TEST_CASE("cli find: the forced motions of a schedule, by amplitude or of the le
           "find 12 96 --damping 0.1 --force tip --yield-stress 1e6",
           "find 12 96 --damping 0.1 --force tip --tip-floor -1",
           "find 12 96 --damping 0.1 --force tip --cycles 54",
-          "find 12 96 --damping 0.1 --force base --strain-limit 1e-3",
           "find --period 7/2 --damping 0.1 --force tip"}) {
         const auto outcome = program.run(wrong);
         INFO(wrong << "\n" << outcome.err);

@@ -141,7 +141,7 @@ def check(answer):
     """What an answer proves, in a sentence. NoProof if it proves nothing."""
     question = Question(answer)
     certificate = answer["certificate"]
-    is_one = question.scene.is_uniform() and len({segment.speed for segment in question.scene.segments}) < 2
+    is_one = not question.is_of_network()
     require_keys(certificate, "certificate", ("kind", "conditions") if is_one else ("kind", "rows", "cuts"),
                  ("verified",) if is_one else ("verified", "conditions"))
     if answer["status"] != "none" or certificate.get("verified", True) is not True:

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from .enclosed import NOTHING, ONE, ZERO, decay, enclosed, harmonic
 from .reading import NoProof, integer, number, require_keys, shown
-from .scene import ASKED, BESIDES, DERIVED, Scene, positive
+from .scene import ASKED, BESIDES, DERIVED, Scene, Segment, positive
 
 MOST_STEPS = 10 ** 6
 MOST_DAMPING = 20
@@ -47,7 +47,8 @@ class Question:
         self.read_excitation(answer)
 
     def read_bar(self, answer):
-        """Units, and the limit of p: a strain of -2p is met at the clamp, which no force moves."""
+        """Units, and the limit of p: a strain of -2p is met at the clamp, which no force moves. A base that moves adds
+        to it: then the bar is a network of one segment."""
         length = Fraction(self.scene.length) / self.scene.lengthening()
         self.reach = Fraction(self.scene.unit)
         self.force_unit = Fraction(positive(self.scene.bar, "axial_stiffness", "bar")) * self.reach / length
@@ -57,7 +58,7 @@ class Question:
             if not self.most_wave > 0:
                 raise NoProof("strain_limit: allowed above 0")
             if answer["force"] == "base" and not self.scene.segments:
-                raise NoProof("strain_limit: none with a base that moves")
+                self.scene.segments = [Segment(self.scene.cells, 1.0, 1.0, 0.0)]
 
     def read_excitation(self, answer):
         """Damping, place and amplitude."""
@@ -85,6 +86,12 @@ class Question:
         how = "a force on the tip" if self.excited == "tip" else "a base that moves"
         limit = "" if self.limit is None else f", strains >= -{self.limit!r}"
         return f"{self.scene.text()}, damping ratio {self.ratio!r}, {how}, {self.cycles} cycles in a period{limit}"
+
+    def is_of_network(self):
+        """Are its rows those of waves that go through segments?"""
+        has_one_speed = len({segment.speed for segment in self.scene.segments}) < 2
+        return not self.scene.is_uniform() or not has_one_speed or (
+            self.limit is not None and self.excited == "base")
 
     def can_rest(self):
         """Is the bar at rest, which nothing pushes, a motion? No gap, and only the wall is touched."""

@@ -322,8 +322,6 @@ TEST_CASE("forced motions: wrong use is refused by name")
     const Damping damping{0.03};
     CHECK_THROWS_WITH(forcedMotions(schedule, {-0.1}, {}), containsText("damping ratio"));
     CHECK_THROWS_WITH(forcedMotions(schedule, damping, {}, {0.0}), containsText("strain limit"));
-    CHECK_THROWS_WITH(forcedMotions(schedule, damping, {Excited::base, 1, {}}, {3.0}),
-                      containsText("strain limit"));
     CHECK_THROWS_WITH(forcedMotions(schedule, damping, {Excited::tip, 55, {}}),
                       containsText("cycles"));
     CHECK_THROWS_WITH(forcedMotions(schedule, damping, {Excited::tip, 0, {}}),

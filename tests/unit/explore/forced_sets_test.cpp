@@ -298,6 +298,63 @@ TEST_CASE("forced motions: a limit on compression cuts the line where -min s = 2
     }
 }
 
+TEST_CASE(
+    "forced motions: a limit on compression beside a moving base leaves the part that keeps it")
+{
+    int cutOff = 0;
+    int refused = 0;
+    for (const std::int64_t cells : {4, 6, 12}) {
+        for (std::int64_t contact = 1; contact <= cells; ++contact) {
+            const Schedule schedule = onePhase(cells, contact, 4 * cells - contact);
+            const Damping damping = dampingOfRho(0.9);
+            const Forcing base{Excited::base, 1, {}};
+            const ForcedSet all = forcedMotions(schedule, damping, base);
+            if (all.status != Status::found || all.kind != ForcedKind::segment) {
+                continue;
+            }
+            CAPTURE(cells, contact);
+            // The whole line, motion by motion, by the waves of one bar.
+            constexpr int parts = 400;
+            std::vector<double> strains;
+            for (int k = 0; k <= parts; ++k) {
+                strains.push_back(motionAt(all, all.low + (all.high - all.low) * k / parts)
+                                      .extremes.peakCompression);
+            }
+            const auto [least, most] = std::minmax_element(strains.begin(), strains.end());
+            const double limit = 0.5 * (*least + *most);
+            const ForcedSet cut = forcedMotions(schedule, damping, base, {limit});
+            REQUIRE(cut.status == Status::found);
+            REQUIRE(cut.kind == ForcedKind::segment);
+            for (const double t : {cut.low, 0.5 * (cut.low + cut.high), cut.high}) {
+                CHECK(motionAt(cut, t).extremes.peakCompression <= limit * (1.0 + 1e-9));
+            }
+            double lowest = all.mostAmplitude;
+            double highest = 0.0;
+            for (int k = 0; k <= parts; ++k) {
+                if (strains[static_cast<std::size_t>(k)] <= limit) {
+                    const double t = all.low + (all.high - all.low) * k / parts;
+                    const double amplitude = motionAt(all, t).amplitude;
+                    lowest = std::min(lowest, amplitude);
+                    highest = std::max(highest, amplitude);
+                }
+            }
+            const double part = (all.mostAmplitude - all.leastAmplitude) / parts;
+            CHECK(cut.leastAmplitude <= lowest * (1.0 + 1e-9));
+            CHECK(cut.mostAmplitude >= highest * (1.0 - 1e-9));
+            CHECK(cut.leastAmplitude >= lowest - 2.0 * part);
+            CHECK(cut.mostAmplitude <= highest + 2.0 * part);
+            cutOff += cut.mostAmplitude < all.mostAmplitude - part ? 1 : 0;
+            const ForcedSet none = forcedMotions(schedule, damping, base, {0.9 * *least});
+            REQUIRE(none.status == Status::none);
+            CHECK(none.reason == Reason::constraints);
+            CHECK(isCertain(none));
+            ++refused;
+        }
+    }
+    CHECK(cutOff > 0);
+    CHECK(refused > 3);
+}
+
 TEST_CASE("forced motions: strains are those of the cells, step by step")
 {
     std::mt19937_64 generator(24);
