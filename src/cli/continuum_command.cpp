@@ -20,6 +20,7 @@
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
 #include "state_table.hpp"
+#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
@@ -115,9 +116,11 @@ std::optional<Assembly> barsOf(const CommonOptions& common)
         return barOf(common.assembly()) ? std::nullopt : std::optional(common.assembly());
     }
     const Scene scene = common.shortForms();
-    return scene.segments.empty()
-               ? std::nullopt
-               : std::optional(answers::assemblyOf(scene, common.usualCells(), {}));
+    if (scene.segments.empty()) {
+        return std::nullopt;
+    }
+    requireCells(steppedBar(scene.segments), common.usualCells());
+    return answers::assemblyOf(scene, common.usualCells(), {});
 }
 
 NetworkCurveOptions curveOf(const Given& given, const Assembly& assembly, const Network& network)

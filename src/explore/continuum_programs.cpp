@@ -21,7 +21,7 @@ public:
           solver_(solver)
     {
         formulated_.program.energy = EnergyEquality{weights_, record.energy()};
-        settings_.tolerance = 0.01 * record.options.tolerance;
+        settings_.tolerance = landingTolerance(record.options.tolerance);
         if (solver_.capabilities().cancel) {
             settings_.cancel = record.options.cancel;
         }

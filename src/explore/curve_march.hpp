@@ -5,12 +5,20 @@
 /// Neighbours on a curve are at most a resolution apart, and the motion nearest to the middle
 /// between two neighbours is near the middle: isolated motions never pass for a curve.
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 
 #include "solver.hpp"
 
 namespace signorini {
+
+/// In which a motion is landed on, that its residual may be `tolerance`: a back end takes no finer.
+[[nodiscard]] inline double landingTolerance(double tolerance)
+{
+    constexpr double finest = 1e-12;
+    return std::max(finest, 0.01 * tolerance);
+}
 
 /// What a back end must be able to do here.
 inline constexpr Capabilities continuumNeeds{

@@ -52,7 +52,7 @@ public:
     void solveWith(const Solver& solver)
     {
         solver_ = &solver;
-        settings_.tolerance = 0.01 * options_.tolerance;
+        settings_.tolerance = landingTolerance(options_.tolerance);
         if (solver.capabilities().cancel) {
             settings_.cancel = options_.cancel;
         }
@@ -214,8 +214,10 @@ public:
         requireMotion("to", options_.to, section, curve);
         const Eigen::VectorXd start =
             section.unknownsOf(options_.from ? *options_.from : member_.waves);
-        if (section.unknowns() < 2 || !(section.radius() > 1e-9 * section.norm())) {
+        if (section.unknowns() < 2) {
             listIsolated(section, curve, start);
+        } else if (result_.known.provedEnergy >= result_.energy * (1.0 - options_.tolerance)) {
+            keepLeast(section, curve);
         } else if (options_.isSample) {
             sample(section, curve, start);
         } else {
@@ -275,6 +277,21 @@ private:
         }
     }
 
+    /// In a convex set points x are at most √(|x|² - |x*|²) from that of least norm, x*.
+    void keepLeast(const NetworkSection& section, SectionCurve& curve)
+    {
+        result_.parameter = Parameter::number;
+        result_.family = "the motion of least energy";
+        if (curve.keepAt(1.0, options_.from ? section.motionOf(*options_.from) : member_)) {
+            curve.finish();
+            const double above = std::max(0.0, 1.0 - result_.known.provedEnergy / result_.energy);
+            result_.detail = fmt::format(
+                "the energy is the least there is, to within the tolerance: no two motions of it "
+                "are more than {:.2g} √E apart",
+                2.0 * std::sqrt(above));
+        }
+    }
+
     /// No unknown is left, or one that can be of two values.
     void listIsolated(const NetworkSection& section, SectionCurve& curve,
                       const Eigen::VectorXd& start)
@@ -294,7 +311,7 @@ private:
             return;
         }
         std::size_t others = 0;
-        if (!options_.from && section.unknowns() == 1 && section.radius() > 0.0) {
+        if (!options_.from && section.unknowns() == 1) {
             NetworkCurvePoint other{2.0, section.motionOf(Eigen::VectorXd(-start))};
             if (curve.measure(other) <= options_.tolerance) {
                 result_.points.push_back(std::move(other));

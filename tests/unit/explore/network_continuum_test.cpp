@@ -226,6 +226,13 @@ TEST_CASE("continuum of networks: energies below the least are none, with a proo
     CHECK(low.points.empty());
     CHECK(low.known.provedEnergy > 5.0 * unit);
     CHECK(low.known.provedEnergy < 5.25 * unit);  // (6, 40) of two bars: 5.25 E_1
+    // The least itself, of one motion alone.
+    const NetworkContinuum least = traceContinuum(network, ofTwoBars, 5.25 * unit, {});
+    requireMotions(network, least);
+    CHECK(least.points.size() == 1);
+    CHECK(least.family == "the motion of least energy");
+    CHECK_THAT(least.detail, containsText("√E apart"));
+    CHECK(least.connected == std::nullopt);
     const NetworkContinuum never = traceContinuum(network, {{1, 6}, {0, 36}}, 50.0 * unit, {});
     CHECK(never.status == Status::none);
     CHECK(never.known.isEmpty);
