@@ -108,12 +108,14 @@ void warnOfWorst(const CommonOptions& common, const Continuum& curve)
 
 namespace {
 
-/// Bars in a row, if that is what is meant: a scene that is more than a bar with stops, or
-/// segments.
-std::optional<Assembly> barsOf(const CommonOptions& common)
+/// Bars in a row, if that is what is meant: a scene that is more than a uniform bar with stops, or
+/// is asked about by sets of contacts, or segments.
+std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common)
 {
     if (common.hasScene()) {
-        return barOf(common.assembly()) ? std::nullopt : std::optional(common.assembly());
+        const std::optional<Scene> bar = barOf(common.assembly());
+        return bar && bar->segments.empty() && !hasSets(given) ? std::nullopt
+                                                               : std::optional(common.assembly());
     }
     const Scene scene = common.shortForms();
     if (scene.segments.empty()) {
@@ -203,7 +205,7 @@ ExitStatus runContinuum(const Given& given)
     requireEnds(given);
     refuseIf(given.has("--member") != given.has("--state"),
              "--member and --state: allowed both or neither");
-    if (const auto assembly = barsOf(common)) {
+    if (const auto assembly = barsOf(given, common)) {
         return continuumInBars(given, common, *assembly);
     }
     Schedule schedule{common.usualCells(), parsePhases(given.words())};

@@ -135,17 +135,21 @@ std::string asText(const std::optional<answers::SceneStability>& tried)
                  : "";
 }
 
+bool hasSets(const Given& given)
+{
+    return std::any_of(given.words().begin(), given.words().end(), [](std::string_view word) {
+        return word.find(':') != std::string_view::npos && !word.starts_with("L:");
+    });
+}
+
 std::vector<ContactSpan> spansOf(const Given& given, const CommonOptions& common,
                                  std::size_t contacts)
 {
-    const std::vector<std::string>& words = given.words();
-    const auto isSet = [](std::string_view word) {
-        return word.find(':') != std::string_view::npos && !word.starts_with("L:");
-    };
-    if (!common.sceneText.empty() || std::any_of(words.begin(), words.end(), isSet)) {
-        return signorini::spansOf(words, contacts);
+    if (!common.sceneText.empty() || hasSets(given)) {
+        return signorini::spansOf(given.words(), contacts);
     }
-    const Schedule schedule{common.usualCells(), parsePhases(words), stopsOf(common.shortForms())};
+    const Schedule schedule{common.usualCells(), parsePhases(given.words()),
+                            stopsOf(common.shortForms())};
     validate(schedule);
     return signorini::spansOf(schedule);
 }

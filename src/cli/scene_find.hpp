@@ -44,6 +44,8 @@ private:
 /// What is asked of a motion. \throws std::invalid_argument, FileError.
 [[nodiscard]] NetworkWish wishOf(const FindCommand& call, const Assembly& assembly,
                                  const Network& network);
+/// Is any word SET:STEPS?
+[[nodiscard]] bool hasSets(const Given& given);
 /// SET:STEPS; of a bar by its options NC NF [L:NC NF ...], too.
 /// \throws std::invalid_argument
 [[nodiscard]] std::vector<ContactSpan> spansOf(const Given& given, const CommonOptions& common,

@@ -330,6 +330,15 @@ TEST_CASE("cli: continuum of segments and of a bar under gravity", "[glpk]")
         "continuum 6 36 --segments 6:1,6:2 --from least.csv --to least.csv --points 3 --energy 1");
     CHECK(curve.status == 2);
     CHECK_THAT(curve.err, containsText("from = a state of") && containsText("times the energy"));
+    // A bar in the words of a scene, with its schedule in either way.
+    for (const char* call :
+         {"6 36 --scene 'clamp 12 stop=1e-3'", "1:6 -:36 --scene 'clamp 12 stop=1e-3'",
+          "6 36 --scene 'clamp 6:1 6:1 stop=1e-3'", "1:6 -:36 --scene 'clamp 5:1 7:2 stop=1e-3'"}) {
+        const auto answer =
+            program.run(std::string("continuum ") + call + " --energy-ratio 9 --sample --points 2");
+        INFO(call << answer.err);
+        CHECK(answer.status < 2);
+    }
     const auto words = program.run("continuum 2:6 -:36 --segments 6:1,6:2 --energy-ratio 200");
     CHECK(words.status == 2);
     CHECK_THAT(words.err, containsText("allowed"));
