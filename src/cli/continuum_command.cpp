@@ -12,28 +12,16 @@
 #include "interrupt.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
-#include "scene_figures.hpp"
-#include "scene_find.hpp"
-#include "scene_options.hpp"
-#include "scene_report.hpp"
+#include "scene_continuum.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
-#include "state_table.hpp"
-#include "stepped_bar.hpp"
 
 namespace signorini::cli {
 
 namespace {
 
 constexpr std::int64_t maxSeed = std::int64_t{1} << 62;
-
-void requireEnergy(const std::optional<double>& energy, const std::optional<double>& energyRatio)
-{
-    refuseIf(energy && energyRatio, "--energy clashes with --energy-ratio: allowed one of them");
-    refuseIf(!energy && !energyRatio,
-             "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
-}
 
 /// [E_1], whichever way it was given.
 double energyOf(const Given& given, const Bar& bar)
@@ -106,98 +94,12 @@ void warnOfWorst(const CommonOptions& common, const Continuum& curve)
 
 }  // namespace
 
-namespace {
-
-/// Bars in a row, if that is what is meant: a scene that is more than a uniform bar with stops, or
-/// is asked about by sets of contacts, or segments.
-std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common)
+void requireEnergy(const std::optional<double>& energy, const std::optional<double>& energyRatio)
 {
-    if (common.hasScene()) {
-        const std::optional<Scene> bar = barOf(common.assembly());
-        return bar && bar->segments.empty() && !hasSets(given) ? std::nullopt
-                                                               : std::optional(common.assembly());
-    }
-    const Scene scene = common.shortForms();
-    if (scene.segments.empty()) {
-        return std::nullopt;
-    }
-    requireCells(steppedBar(scene.segments), common.usualCells());
-    return answers::assemblyOf(scene, common.usualCells(), {});
+    refuseIf(energy && energyRatio, "--energy clashes with --energy-ratio: allowed one of them");
+    refuseIf(!energy && !energyRatio,
+             "--energy-ratio is missing: allowed finite numbers > 0 [E_1], or --energy in joules");
 }
-
-NetworkCurveOptions curveOf(const Given& given, const Assembly& assembly, const Network& network)
-{
-    NetworkCurveOptions options;
-    const auto read = [&](const char* option, std::optional<std::vector<double>>& waves) {
-        if (const std::string path = given.text(option); !path.empty()) {
-            waves = forFile(option, path,
-                            [&] { return readNearestWaves(path, network, barOf(assembly)); });
-        }
-    };
-    read("--from", options.from);
-    read("--to", options.to);
-    read("--direction", options.direction);
-    options.isSample = given.has("--sample");
-    if (const auto seed = given.whole("--seed")) {
-        options.seed = static_cast<std::uint64_t>(*seed);
-    }
-    options.points = given.whole("--points").value_or(options.points);
-    if (given.has("--engine")) {
-        options.solver = solverOfEngine(given.text("--engine"), "--engine");
-    }
-    options.resolution = given.number("--resolution").value_or(options.resolution);
-    options.tolerance = given.number("--tolerance").value_or(options.tolerance);
-    return options;
-}
-
-/// The same of several bars, or of segments.
-ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
-                           const Assembly& assembly)
-{
-    Network network = networkOf(assembly);
-    const std::vector<ContactSpan> schedule = spansOf(given, common, network.contacts.size());
-    answers::limitStrain(network, assembly, given.number("--strain-limit"));
-    const auto joules = given.number("--energy");
-    const auto ratio = given.number("--energy-ratio");
-    requireEnergy(joules, ratio);
-    const double energy = *heldEnergy(network, joules, ratio);
-    NetworkCurveOptions options = curveOf(given, assembly, network);
-    Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
-    answers::SceneContinuumAnswer answer =
-        watched(common, "tracing", [&](const Cancel& cancel, const auto& show) {
-            options.cancel = cancel;
-            options.progress = show;
-            return answers::continuumOf(assembly, network, schedule, energy, options);
-        });
-    const NetworkContinuum& curve = answer.curve();
-    if (!curve.points.empty()) {
-        if (const auto member = given.number("--member")) {
-            answer.asked = pointAt(curve, *member);
-        }
-        outputs.put("--state", [&](const std::string& path) {
-            const NetworkClaim& motion = curve.points[*answer.asked].motion;
-            writeStateTable(path, network, {motion.waves, motion.displacements});
-        });
-        outputs.put("--csv",
-                    [&](const std::string& path) { writeContinuumCsv(path, network, curve); });
-        outputs.draw("--figure", [&] { return sceneContinuumFigure(answer); });
-        outputs.draw("--animate", [&] { return sceneContinuumFrames(answer); });
-        outputs.commit();
-    } else if (outputs.areWanted()) {
-        common.say("no motion to write, so no file was written");
-    }
-    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
-                              : headline(assembly, network) + cli::asText(answer));
-    Physical worst;
-    for (const answers::SceneCurvePoint& point : answer.points()) {
-        worst.peakCompression = std::max(worst.peakCompression, point.strains().compression);
-    }
-    common.warnUnlessAdmissible(worst);
-    common.useOneThread();
-    return exitStatusOf(curve.status);
-}
-
-}  // namespace
 
 ExitStatus runContinuum(const Given& given)
 {

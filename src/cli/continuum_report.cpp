@@ -1,5 +1,4 @@
 #include "reports.hpp"
-#include "scene_find.hpp"
 
 #include <fmt/format.h>
 
@@ -39,6 +38,8 @@ const char* unitOf(const Continuum& curve)
     return "";
 }
 
+}  // namespace
+
 std::string resolutionText(const std::optional<double>& resolution)
 {
     return resolution ? fmt::format("resolution  neighbours at most {:.3g} √E apart\n", *resolution)
@@ -51,8 +52,6 @@ std::string detailText(Status status, const std::string& detail)
                ? ""
                : fmt::format("{:<12}{}\n", status == Status::found ? "note" : "why", detail);
 }
-
-}  // namespace
 
 std::string asText(const answers::ContinuumAnswer& answer)
 {
@@ -99,57 +98,6 @@ std::string asText(const answers::ContinuumAnswer& answer)
             "member      λ = {:.10g}, {}; {:.6g} in compression\n", member->point.lambda,
             member->isExact ? "exactly the one asked for" : "the nearest point of the curve",
             member->point.peakStrain);
-    }
-    return text + detailText(curve.status, curve.detail);
-}
-
-std::string asText(const answers::SceneContinuumAnswer& answer)
-{
-    const NetworkContinuum& curve = answer.curve();
-    const auto inWords = [&of = *answer.of](double energy) {
-        const auto ratio = of.ratio(energy);
-        return ratio ? fmt::format("{:.10g} E₁", *ratio)
-                     : fmt::format("{:.10g} J", of.joules(energy));
-    };
-    std::string text =
-        fmt::format("{:<12}{}, E = {}, {} motions by the {} engine\n", name(curve.status),
-                    textOf(answer.of->schedule.spans), inWords(curve.energy), curve.points.size(),
-                    engineOf(curve.solver));
-    if (curve.known.provedEnergy > 0.0 && !curve.known.isEmpty) {
-        text += fmt::format("range       proved: none has less than {}\n",
-                            inWords(curve.known.provedEnergy));
-    }
-    text += limitText(answer.of->strainLimit);
-    if (curve.dimension) {
-        text += fmt::format("set         of dimension {} at this energy\n", *curve.dimension);
-    }
-    text += fmt::format("connected   {}\n", !curve.connected   ? "not known"
-                                            : *curve.connected ? "yes"
-                                                               : "no");
-    if (!curve.points.empty()) {
-        double residual = 0.0;
-        double least = infinity;
-        double most = 0.0;
-        for (const answers::SceneCurvePoint& point : answer.points()) {
-            residual = std::max(residual, point.point().residuals.worst());
-            least = std::min(least, point.strains().compression);
-            most = std::max(most, point.strains().compression);
-        }
-        const char* unit = curve.parameter == Parameter::number ? ""
-                           : answer.of->unit                    ? " [√E₁]"
-                                                                : " [√E]";
-        text += fmt::format("curve       {}, λ = {}{} from {:.6g} to {:.6g}\n", curve.family,
-                            name(curve.parameter), unit, curve.points.front().lambda,
-                            curve.points.back().lambda);
-        text += resolutionText(curve.resolution);
-        text += fmt::format("strain      at most {:.6g} … {:.6g} in compression along it\n", least,
-                            most);
-        text += fmt::format("residuals   at most {:.3g}\n", residual);
-    }
-    if (const auto member = answer.member()) {
-        text += fmt::format(
-            "member      λ = {:.10g}, the nearest point of the curve; {:.6g} in compression\n",
-            member->point().lambda, member->strains().compression);
     }
     return text + detailText(curve.status, curve.detail);
 }

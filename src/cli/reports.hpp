@@ -18,7 +18,6 @@
 #include "modes_answer.hpp"
 #include "question_answer.hpp"
 #include "response_answer.hpp"
-#include "scene_continuum_answer.hpp"
 #include "signorini/atlas_database.hpp"
 #include "simulation_answer.hpp"
 #include "sweep_answer.hpp"
@@ -38,7 +37,6 @@ using answers::SweepAnswer;
 [[nodiscard]] std::string asText(const answers::ForcedAnswer& answer);
 [[nodiscard]] std::string asText(const answers::HarmonicAnswer& answer);
 [[nodiscard]] std::string asText(const answers::ContinuumAnswer& answer);
-[[nodiscard]] std::string asText(const answers::SceneContinuumAnswer& answer);
 [[nodiscard]] std::string asText(const answers::ModeAnswer& answer);
 [[nodiscard]] std::string asText(const answers::ModeList& listing);
 [[nodiscard]] std::string asText(const answers::PolytopeList& listing);
@@ -74,6 +72,9 @@ void report(const CommonOptions& common, const Answer& answer,
 [[nodiscard]] std::string bandsText(
     std::size_t count, const std::function<bool(std::size_t)>& holds,
     const std::function<std::string(std::size_t first, std::size_t last)>& called);
+/// Of a curve the line of its resolution, and that of a note or a reason; or none.
+[[nodiscard]] std::string resolutionText(const std::optional<double>& resolution);
+[[nodiscard]] std::string detailText(Status status, const std::string& detail);
 /// "attracts; 4 disturbances ... became ... times as large in 300 periods"
 [[nodiscard]] std::string stabilityText(const StabilityResult& tried, std::int64_t periods);
 

@@ -59,6 +59,17 @@ SeenMotion seenIn(const Network& network, const NetworkClaim& motion,
     return seen;
 }
 
+/// 0 where nothing presses.
+std::vector<double> withoutRounding(std::vector<double> pushes)
+{
+    constexpr double rounding = 1e-9;
+    const double largest = *std::max_element(pushes.begin(), pushes.end());
+    for (double& push : pushes) {
+        push = push > rounding * largest ? push : 0.0;
+    }
+    return pushes;
+}
+
 /// The parameter of a curve with its unit.
 std::string unitOf(const SceneContinuumAnswer& answer)
 {
@@ -104,7 +115,7 @@ public:
         for (const std::size_t k : images.members()) {
             const SeenMotion& seen = member(k);
             for (std::size_t j = 0; j < contacts; ++j) {
-                profiles.at(j).push_back(seen.pushes[j]);
+                profiles.at(j).push_back(withoutRounding(seen.pushes[j]));
             }
             if (contacts < 2) {
                 profiles[1].push_back(seen.start.velocities);

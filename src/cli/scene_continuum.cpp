@@ -1,0 +1,162 @@
+#include "scene_continuum.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine_names.hpp"
+#include "files.hpp"
+#include "progress.hpp"
+#include "reports.hpp"
+#include "scene_continuum_answer.hpp"
+#include "scene_find.hpp"
+#include "scene_options.hpp"
+#include "scene_report.hpp"
+#include "signorini/output.hpp"
+#include "state_table.hpp"
+#include "stepped_bar.hpp"
+
+namespace signorini::cli {
+
+std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common)
+{
+    if (common.hasScene()) {
+        const std::optional<Scene> bar = barOf(common.assembly());
+        return bar && bar->segments.empty() && !hasSets(given) ? std::nullopt
+                                                               : std::optional(common.assembly());
+    }
+    const Scene scene = common.shortForms();
+    if (scene.segments.empty()) {
+        return std::nullopt;
+    }
+    requireCells(steppedBar(scene.segments), common.usualCells());
+    return answers::assemblyOf(scene, common.usualCells(), {});
+}
+
+namespace {
+
+NetworkCurveOptions curveOf(const Given& given, const Assembly& assembly, const Network& network)
+{
+    NetworkCurveOptions options;
+    const auto read = [&](const char* option, std::optional<std::vector<double>>& waves) {
+        if (const std::string path = given.text(option); !path.empty()) {
+            waves = forFile(option, path,
+                            [&] { return readNearestWaves(path, network, barOf(assembly)); });
+        }
+    };
+    read("--from", options.from);
+    read("--to", options.to);
+    read("--direction", options.direction);
+    options.isSample = given.has("--sample");
+    if (const auto seed = given.whole("--seed")) {
+        options.seed = static_cast<std::uint64_t>(*seed);
+    }
+    options.points = given.whole("--points").value_or(options.points);
+    if (given.has("--engine")) {
+        options.solver = solverOfEngine(given.text("--engine"), "--engine");
+    }
+    options.resolution = given.number("--resolution").value_or(options.resolution);
+    options.tolerance = given.number("--tolerance").value_or(options.tolerance);
+    return options;
+}
+
+std::string asText(const answers::SceneContinuumAnswer& answer)
+{
+    const NetworkContinuum& curve = answer.curve();
+    const auto inWords = [&of = *answer.of](double energy) {
+        const auto ratio = of.ratio(energy);
+        return ratio ? fmt::format("{:.10g} E₁", *ratio)
+                     : fmt::format("{:.10g} J", of.joules(energy));
+    };
+    std::string text =
+        fmt::format("{:<12}{}, E = {}, {} motions by the {} engine\n", name(curve.status),
+                    textOf(answer.of->schedule.spans), inWords(curve.energy), curve.points.size(),
+                    engineOf(curve.solver));
+    if (curve.known.provedEnergy > 0.0 && !curve.known.isEmpty) {
+        text += fmt::format("range       proved: none has less than {}\n",
+                            inWords(curve.known.provedEnergy));
+    }
+    text += limitText(answer.of->strainLimit);
+    if (curve.dimension) {
+        text += fmt::format("set         of dimension {} at this energy\n", *curve.dimension);
+    }
+    text += fmt::format("connected   {}\n", !curve.connected   ? "not known"
+                                            : *curve.connected ? "yes"
+                                                               : "no");
+    if (!curve.points.empty()) {
+        double residual = 0.0;
+        double least = infinity;
+        double most = 0.0;
+        for (const answers::SceneCurvePoint& point : answer.points()) {
+            residual = std::max(residual, point.point().residuals.worst());
+            least = std::min(least, point.strains().compression);
+            most = std::max(most, point.strains().compression);
+        }
+        const char* unit = curve.parameter == Parameter::number ? ""
+                           : answer.of->unit                    ? " [√E₁]"
+                                                                : " [√E]";
+        text += fmt::format("curve       {}, λ = {}{} from {:.6g} to {:.6g}\n", curve.family,
+                            name(curve.parameter), unit, curve.points.front().lambda,
+                            curve.points.back().lambda);
+        text += resolutionText(curve.resolution);
+        text += fmt::format("strain      at most {:.6g} … {:.6g} in compression along it\n", least,
+                            most);
+        text += fmt::format("residuals   at most {:.3g}\n", residual);
+    }
+    if (const auto member = answer.member()) {
+        text += fmt::format(
+            "member      λ = {:.10g}, the nearest point of the curve; {:.6g} in compression\n",
+            member->point().lambda, member->strains().compression);
+    }
+    return text + detailText(curve.status, curve.detail);
+}
+
+}  // namespace
+
+ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
+                           const Assembly& assembly)
+{
+    Network network = networkOf(assembly);
+    const std::vector<ContactSpan> schedule = spansOf(given, common, network.contacts.size());
+    answers::limitStrain(network, assembly, given.number("--strain-limit"));
+    const auto joules = given.number("--energy");
+    const auto ratio = given.number("--energy-ratio");
+    requireEnergy(joules, ratio);
+    const double energy = *heldEnergy(network, joules, ratio);
+    NetworkCurveOptions options = curveOf(given, assembly, network);
+    Outputs outputs(given, {"--csv", "--state", "--figure", "--animate"});
+    answers::SceneContinuumAnswer answer =
+        watched(common, "tracing", [&](const Cancel& cancel, const auto& show) {
+            options.cancel = cancel;
+            options.progress = show;
+            return answers::continuumOf(assembly, network, schedule, energy, options);
+        });
+    const NetworkContinuum& curve = answer.curve();
+    if (!curve.points.empty()) {
+        if (const auto member = given.number("--member")) {
+            answer.asked = pointAt(curve, *member);
+        }
+        outputs.put("--state", [&](const std::string& path) {
+            const NetworkClaim& motion = curve.points[*answer.asked].motion;
+            writeStateTable(path, network, {motion.waves, motion.displacements});
+        });
+        outputs.put("--csv",
+                    [&](const std::string& path) { writeContinuumCsv(path, network, curve); });
+        outputs.draw("--figure", [&] { return sceneContinuumFigure(answer); });
+        outputs.draw("--animate", [&] { return sceneContinuumFrames(answer); });
+        outputs.commit();
+    } else if (outputs.areWanted()) {
+        common.say("no motion to write, so no file was written");
+    }
+    writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
+                              : headline(assembly, network) + asText(answer));
+    Physical worst;
+    for (const answers::SceneCurvePoint& point : answer.points()) {
+        worst.peakCompression = std::max(worst.peakCompression, point.strains().compression);
+    }
+    common.warnUnlessAdmissible(worst);
+    common.useOneThread();
+    return exitStatusOf(curve.status);
+}
+
+}  // namespace signorini::cli

@@ -1,0 +1,22 @@
+#pragma once
+/// \file
+/// continuum of several bars, of segments and of a bar under gravity.
+
+#include <optional>
+
+#include "arguments.hpp"
+#include "given.hpp"
+
+namespace signorini::cli {
+
+/// Bars in a row, if that is what is meant: a scene that is more than a uniform bar with stops, or
+/// is asked about by sets of contacts, or segments. \throws std::invalid_argument, FileError.
+[[nodiscard]] std::optional<Assembly> barsOf(const Given& given, const CommonOptions& common);
+
+[[nodiscard]] ExitStatus continuumInBars(const Given& given, const CommonOptions& common,
+                                         const Assembly& assembly);
+
+/// \throws std::invalid_argument unless one of them is given.
+void requireEnergy(const std::optional<double>& energy, const std::optional<double>& energyRatio);
+
+}  // namespace signorini::cli
