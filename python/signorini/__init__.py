@@ -27,9 +27,9 @@ from ._core import (AtlasFamily, AtlasRun, AtlasSchedule, BackendUnavailable, Ba
                     Motion, PermanentContact, Physical, PolytopeMotion, ProgramProof, Residuals,
                     Result, Scene, SceneContinuum, SceneContinuumPoint, SceneForcedMotion,
                     SceneForcedResult, SceneFrequency, SceneHarmonicMotion, SceneHarmonicResult,
-                    SceneQuestion, SceneResiduals, SceneResult, SceneSimulation, Schedule, Segment,
-                    Settled, Simulation, SolutionSet, SolverReport, State, SteppedProof,
-                    StudyPoint, Sweep, SweepPoint, Waves, __version__, backends)
+                    SceneQuestion, SceneResiduals, SceneResponse, SceneResult, SceneSimulation,
+                    Schedule, Segment, Settled, Simulation, SolutionSet, SolverReport, State,
+                    SteppedProof, StudyPoint, Sweep, SweepPoint, Waves, __version__, backends)
 from ._find import continuum, find
 from ._forced import Response, exact_response, force_range, response, simulate, sweep
 from ._lists import families, mode, modes, polytope

@@ -79,3 +79,9 @@ def test_editors_complete_what_motions_are_asked_for() -> None:
               if node.returns and ast.unparse(node.returns) == "Any"
               and node.name != "frame"}
     assert not loose
+
+
+def test_all_that_the_package_says_it_has_is_there() -> None:
+    import signorini
+    assert [name for name in signorini.__all__
+            if name != "plot" and not hasattr(signorini, name)] == []
