@@ -1,7 +1,7 @@
 """Types of the answers of the compiled part; stubs alone, no module."""
 
 from collections.abc import Iterator, Sequence
-from typing import Any, Literal, Optional, TypeVar, Union, overload
+from typing import Any, Generic, Literal, Optional, TypeVar, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,12 +9,13 @@ from typing_extensions import NotRequired, TypedDict
 
 from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Fields,
                     _OfPeriod, _OfTimeRatio, _Record)
-from ._tables import Table
+from ._tables import Row, Table
 
 Array = NDArray[np.float64]
 Bounds = tuple[float, Optional[float]]
 
 _T = TypeVar("_T")
+_Row = TypeVar("_Row", bound=Row)
 # What it is, or None: who has looked at the status, at the gap or at the
 # modulus need not look again.
 Known = Union[_T, Any]
@@ -337,7 +338,15 @@ class ContinuumPoint(_Record):
     state: State
     motion: Motion
 
-class Continuum(_Record):
+class _RowsOf(Generic[_Row]):
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, at: int) -> _Row: ...
+    @overload
+    def __getitem__(self, at: slice) -> Table[_Row]: ...
+    def __iter__(self) -> Iterator[_Row]: ...
+
+class Continuum(_Record, _RowsOf[ContinuumPoint]):
     status: Literal["found", "none", "undecided"]
     cells: int
     schedule: Schedule
@@ -368,12 +377,6 @@ class Continuum(_Record):
     peak_strain: Array
     residual: Array
     def member(self, lambda_: float) -> ContinuumPoint: ...
-    def __len__(self) -> int: ...
-    @overload
-    def __getitem__(self, at: int) -> ContinuumPoint: ...
-    @overload
-    def __getitem__(self, at: slice) -> Table[ContinuumPoint]: ...
-    def __iter__(self) -> Iterator[ContinuumPoint]: ...
     found: bool
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...
@@ -741,7 +744,7 @@ class SceneContinuumPoint(_Record):
     def _scene(self) -> str: ...
     def write(self, path: str, index: int = 0) -> None: ...
 
-class SceneContinuum(_Record):
+class SceneContinuum(_Record, _RowsOf[SceneContinuumPoint]):
     status: Literal["found", "none", "undecided"]
     scene: SceneWords
     reference: SceneReference
@@ -767,12 +770,6 @@ class SceneContinuum(_Record):
     def __bool__(self) -> bool: ...
     def frame(self) -> Any: ...
     def member(self, lambda_: float) -> SceneContinuumPoint: ...
-    def __len__(self) -> int: ...
-    @overload
-    def __getitem__(self, at: int) -> SceneContinuumPoint: ...
-    @overload
-    def __getitem__(self, at: slice) -> Table[SceneContinuumPoint]: ...
-    def __iter__(self) -> Iterator[SceneContinuumPoint]: ...
 
 class SceneForcedResult(_Record):
     status: Literal["found", "none", "undecided"]

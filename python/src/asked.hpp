@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "engine_names.hpp"
 #include "faults.hpp"
 #include "names.hpp"
 #include "numbers.hpp"
@@ -111,6 +112,16 @@ public:
     [[nodiscard]] bool triesStability(std::int64_t steps) const;
     /// "strain_limit" in such units, or infinity.
     [[nodiscard]] double strainLimit(double unit) const;
+
+    /// How a curve is traced, of any bars.
+    template <typename Options>
+    void readCurve(Options& options) const
+    {
+        options.points = get<std::int64_t>("points");
+        options.solver = solverOfEngine(get<std::string>("engine"));
+        options.resolution = get<double>("resolution");
+        options.tolerance = get<double>("tolerance");
+    }
 
 private:
     template <typename T>

@@ -6,7 +6,6 @@
 #include "asked.hpp"
 #include "continuum_answer.hpp"
 #include "described.hpp"
-#include "engine_names.hpp"
 #include "motion.hpp"
 #include "patience.hpp"
 #include "signorini/continuum.hpp"
@@ -87,12 +86,9 @@ ContinuumAnswer continuum(const Asked& asked)
     ContinuumOptions options;
     options.scene = asked.scene();
     const double ratio = asked.energyRatio(options.scene.bar).value();
-    options.points = asked.get<std::int64_t>("points");
+    asked.readCurve(options);
     options.trace = traceOf(asked);
-    options.solver = solverOfEngine(asked.get<std::string>("engine"));
     options.strainLimit = asked.maybe<double>("strain_limit").value_or(options.strainLimit);
-    options.resolution = asked.get<double>("resolution");
-    options.tolerance = asked.get<double>("tolerance");
     return patiently(
         [=](const Wires& wires) mutable {
             options.cancel = wires.cancel;

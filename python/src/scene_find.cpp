@@ -137,15 +137,12 @@ SceneContinuumAnswer continuumInBars(const Asked& asked)
     const double energy =
         *heldEnergy(of.network, asked.maybe<double>("energy"), asked.maybe<double>("energy_ratio"));
     NetworkCurveOptions options;
-    options.points = asked.get<std::int64_t>("points");
+    asked.readCurve(options);
     options.from = wavesOf(asked, "start", of);
     options.to = wavesOf(asked, "to", of);
     options.direction = wavesOf(asked, "direction", of);
     options.isSample = asked.get<bool>("sample");
     options.seed = asked.maybe<std::uint64_t>("seed").value_or(options.seed);
-    options.solver = solverOfEngine(asked.get<std::string>("engine"));
-    options.resolution = asked.get<double>("resolution");
-    options.tolerance = asked.get<double>("tolerance");
     return patiently(
         [=](const Wires& wires) mutable {
             options.cancel = wires.cancel;

@@ -35,6 +35,9 @@ def test_a_curve_of_bars_is_a_sequence_of_motions(tmp_path: Path) -> None:
         path = sg.continuum(*STEPS, scene=BARS, energy_ratio=8.0, points=5, start=start,
                             to=curve[3])
         assert path.connected and path.family == "path between two given motions"
+    with pytest.raises(ValueError, match="from = a state of 56 waves is out of range"):
+        sg.continuum("1:1", "-:4", scene="clamp 2 gap=1e-3 3 clamp", energy_ratio=9.0,
+                     start=curve[0], to=curve[0])
     none = sg.continuum(*STEPS, scene=BARS, energy_ratio=2.0)
     assert none.status == "none" and not none and none.certificate is not None
     assert not len(none)

@@ -128,7 +128,7 @@ std::vector<Option> ofMotions()
         whole("--seed", continuum, "K", 0, std::int64_t{1} << 62U,
               "join two members drawn at random; with --sample, which ones"),
         text("--engine", continuum, "auto|geometric|ipopt|nlopt",
-             "method that traces the curve, or a back end", "auto"),
+             "method that traces the curve, or a back end", "auto", "-", "solver"),
         positive("--strain-limit", schedule | period | forced | continuum | network, "S", "-",
                  "strain >= -S everywhere, always"),
         positive("--resolution", continuum, "X", "-",

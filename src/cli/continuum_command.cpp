@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "engine_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
 #include "given.hpp"
@@ -70,13 +69,8 @@ ContinuumOptions optionsOf(const Given& given, const CommonOptions& common)
     ContinuumOptions options;
     options.scene = common.scene();
     options.trace = traceOf(given, options.scene.bar, common.usualCells());
-    options.points = given.whole("--points").value_or(options.points);
-    if (given.has("--engine")) {
-        options.solver = solverOfEngine(given.text("--engine"), "--engine");
-    }
+    readCurve(given, options);
     options.strainLimit = given.number("--strain-limit").value_or(options.strainLimit);
-    options.resolution = given.number("--resolution").value_or(options.resolution);
-    options.tolerance = given.number("--tolerance").value_or(options.tolerance);
     return options;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "engine_names.hpp"
 #include "files.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
@@ -51,12 +50,7 @@ NetworkCurveOptions curveOf(const Given& given, const Assembly& assembly, const 
     if (const auto seed = given.whole("--seed")) {
         options.seed = static_cast<std::uint64_t>(*seed);
     }
-    options.points = given.whole("--points").value_or(options.points);
-    if (given.has("--engine")) {
-        options.solver = solverOfEngine(given.text("--engine"), "--engine");
-    }
-    options.resolution = given.number("--resolution").value_or(options.resolution);
-    options.tolerance = given.number("--tolerance").value_or(options.tolerance);
+    readCurve(given, options);
     return options;
 }
 
@@ -76,6 +70,7 @@ std::string asText(const answers::SceneContinuumAnswer& answer)
         text += fmt::format("range       proved: none has less than {}\n",
                             inWords(curve.known.provedEnergy));
     }
+    text += fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.of->schedule.period());
     text += limitText(answer.of->strainLimit);
     if (curve.dimension) {
         text += fmt::format("set         of dimension {} at this energy\n", *curve.dimension);
@@ -87,10 +82,14 @@ std::string asText(const answers::SceneContinuumAnswer& answer)
         double residual = 0.0;
         double least = infinity;
         double most = 0.0;
+        std::vector<double> forces(answer.of->schedule.bars.contacts.size(), 0.0);
         for (const answers::SceneCurvePoint& point : answer.points()) {
             residual = std::max(residual, point.point().residuals.worst());
             least = std::min(least, point.strains().compression);
             most = std::max(most, point.strains().compression);
+            for (std::size_t j = 0; j < forces.size(); ++j) {
+                forces[j] = std::max(forces[j], point.point().residuals.peakForces[j]);
+            }
         }
         const char* unit = curve.parameter == Parameter::number ? ""
                            : answer.of->unit                    ? " [√E₁]"
@@ -99,6 +98,10 @@ std::string asText(const answers::SceneContinuumAnswer& answer)
                             name(curve.parameter), unit, curve.points.front().lambda,
                             curve.points.back().lambda);
         text += resolutionText(curve.resolution);
+        for (std::size_t j = 0; j < forces.size(); ++j) {
+            text += fmt::format("contact {:<4}force at most {:.6g} N along it\n", j + 1,
+                                forces[j] * answer.of->schedule.scales.force());
+        }
         text += fmt::format("strain      at most {:.6g} … {:.6g} in compression along it\n", least,
                             most);
         text += fmt::format("residuals   at most {:.3g}\n", residual);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "axes.hpp"
+#include "curve_points.hpp"
 #include "field.hpp"
 #include "lambda_images.hpp"
 #include "signorini/figures.hpp"
@@ -37,19 +38,12 @@ const char* unitOf(const Continuum& curve)
     return "λ";
 }
 
-std::vector<double> lambdasOf(const Continuum& curve)
-{
-    std::vector<double> all;
-    for (const ContinuumPoint& point : curve.points) {
-        all.push_back(point.lambda);
-    }
-    return all;
-}
-
 class ContinuumPanels {
 public:
     explicit ContinuumPanels(const Continuum& curve)
-        : curve_(curve), scale_(scales(curve.scene.bar)), images_(lambdasOf(curve), unitOf(curve))
+        : curve_(curve),
+          scale_(scales(curve.scene.bar)),
+          images_(lambdasOf(curve.points), unitOf(curve))
     {
     }
 
@@ -124,9 +118,6 @@ private:
 
 FigureData continuumFigure(const Continuum& curve)
 {
-    if (curve.points.empty()) {
-        throw std::invalid_argument("figure: the curve holds no motion to draw");
-    }
     return ContinuumPanels(curve).figure();
 }
 

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "axes.hpp"
+#include "curve_points.hpp"
 
 namespace signorini {
 
@@ -34,13 +36,18 @@ std::size_t lengthOf(const Profiles& profiles)
 
 }  // namespace
 
-LambdaImages::LambdaImages(const std::vector<double>& lambdas, std::string label)
-    : lambdas_(lambdas), label_(std::move(label)), low_(lambdas.front()), high_(lambdas.back())
+LambdaImages::LambdaImages(std::vector<double> lambdas, std::string label)
+    : lambdas_(std::move(lambdas)), label_(std::move(label))
 {
+    if (lambdas_.empty()) {
+        throw std::invalid_argument("figure: the curve holds no motion to draw");
+    }
+    low_ = lambdas_.front();
+    high_ = lambdas_.back();
     if (!(high_ > low_)) {
         high_ = low_ + 1.0;
     }
-    const std::size_t last = lambdas.size() - 1;
+    const std::size_t last = lambdas_.size() - 1;
     for (const std::size_t k : {std::size_t{0}, last / 2, last}) {
         if (full_.empty() || full_.back() != k) {
             full_.push_back(k);
@@ -48,11 +55,7 @@ LambdaImages::LambdaImages(const std::vector<double>& lambdas, std::string label
     }
     for (std::size_t row = 0; row < mostRows; ++row) {
         rows_.push_back(low_ + (high_ - low_) * (static_cast<double>(row) + 0.5) / mostRows);
-        const auto at =
-            std::min_element(lambdas.begin(), lambdas.end(), [this](double one, double other) {
-                return std::abs(one - rows_.back()) < std::abs(other - rows_.back());
-            });
-        members_.push_back(static_cast<std::size_t>(at - lambdas.begin()));
+        members_.push_back(nearestTo(rows_.back(), lambdas_));
     }
 }
 

@@ -24,7 +24,8 @@ struct ImageWords {
 class LambdaImages {
 public:
     /// Of points at these lambdas, ascending. `label`: of the ordinate.
-    LambdaImages(const std::vector<double>& lambdas, std::string label);
+    /// \throws std::invalid_argument without points.
+    LambdaImages(std::vector<double> lambdas, std::string label);
 
     /// Which points are shown, row by row: those nearest to it.
     [[nodiscard]] const std::vector<std::size_t>& members() const { return members_; }
@@ -44,8 +45,8 @@ public:
 private:
     std::vector<double> lambdas_;
     std::string label_;
-    double low_;
-    double high_;
+    double low_ = 0.0;
+    double high_ = 0.0;
     std::vector<std::size_t> full_;
     std::vector<double> rows_;  ///< λ
     std::vector<std::size_t> members_;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "axes.hpp"
+#include "curve_points.hpp"
 #include "lambda_images.hpp"
 #include "network_field.hpp"
 #include "scene_figures.hpp"
@@ -79,18 +80,6 @@ std::string unitOf(const SceneContinuumAnswer& answer)
     return answer.of->unit ? "arc length λ [√E_1]" : "arc length λ [√E]";
 }
 
-std::vector<double> lambdasIn(const NetworkContinuum& curve)
-{
-    if (curve.points.empty()) {
-        throw std::invalid_argument("figure: the curve holds no motion to draw");
-    }
-    std::vector<double> all;
-    for (const NetworkCurvePoint& point : curve.points) {
-        all.push_back(point.lambda);
-    }
-    return all;
-}
-
 /// What is drawn of a curve, and its units.
 class BarsCurve {
 public:
@@ -108,7 +97,10 @@ public:
 
     [[nodiscard]] FigureData figure()
     {
-        const LambdaImages images(lambdasIn(curve_), unitOf(answer_));
+        const LambdaImages images(lambdasOf(curve_.points), unitOf(answer_));
+        for (const std::size_t k : images.full()) {
+            seen_.emplace(k, seenIn(network_, curve_.points[k].motion, places_, true));
+        }
         FigureData figure{.width = 18.0, .height = 18.0, .title = title()};
         const std::size_t contacts = std::min<std::size_t>(network_.contacts.size(), 2);
         std::array<Profiles, 3> profiles;
@@ -168,7 +160,7 @@ public:
 private:
     [[nodiscard]] double period() const
     {
-        return static_cast<double>(curve_.points.front().motion.steps());
+        return static_cast<double>(stepsOf(answer_.of->schedule.spans));
     }
 
     [[nodiscard]] std::string title() const
@@ -181,6 +173,7 @@ private:
             curve_.family, curve_.points.size());
     }
 
+    /// Simulated once.
     const SeenMotion& member(std::size_t k)
     {
         const auto known = seen_.find(k);
@@ -193,15 +186,14 @@ private:
     void addFields(FigureData& figure, const LambdaImages& images)
     {
         double reach = 0.0;
-        std::vector<SeenMotion> all;
         for (const std::size_t k : images.full()) {
-            all.push_back(seenIn(network_, curve_.points[k].motion, places_, true));
-            for (const double u : all.back().all.displacements) {
+            for (const double u : member(k).all.displacements) {
                 reach = std::max(reach, std::abs(u));
             }
         }
         const Unit deflection = axisUnit(network_.scales.displacement, reach, "m");
-        for (std::size_t k = 0; k < all.size(); ++k) {
+        for (std::size_t k = 0; k < images.full().size(); ++k) {
+            const SeenMotion& seen = member(images.full()[k]);
             Panel& panel = images.addFull(figure, k);
             const double length = length_ * metre_.factor;
             panel.x = {.label = labelled("along the bars", metre_),
@@ -213,10 +205,10 @@ private:
             for (const double x : positions_) {
                 field.x.push_back(x * metre_.factor);
             }
-            for (const double instant : all[k].instants) {
+            for (const double instant : seen.instants) {
                 field.y.push_back(instant * second_.factor);
             }
-            for (const double u : all[k].all.displacements) {
+            for (const double u : seen.all.displacements) {
                 field.z.push_back(u * deflection.factor);
             }
             panel.add(std::move(field));
@@ -299,7 +291,9 @@ FigureData sceneContinuumFigure(const SceneContinuumAnswer& answer)
 
 std::vector<FigureData> sceneContinuumFrames(const SceneContinuumAnswer& answer)
 {
-    (void)lambdasIn(answer.curve());
+    if (answer.curve().points.empty()) {
+        throw std::invalid_argument("animation: the curve holds no motion to draw");
+    }
     return BarsCurve(answer).frames();
 }
 

@@ -8,6 +8,7 @@
 #include "continuum_geometric.hpp"
 #include "continuum_programs.hpp"
 #include "continuum_record.hpp"
+#include "curve_points.hpp"
 #include "echo.hpp"
 #include "energy_section.hpp"
 #include "faults.hpp"
@@ -39,9 +40,7 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
         faults.add("segments", fmt::format("{} given", options.scene.segments.size()),
                    "none: motions of a stepped bar share no amplitudes of classes");
     }
-    if (options.points < 2 || options.points > maxContinuumPoints) {
-        faults.add("points", options.points, fmt::format("2..{}", maxContinuumPoints));
-    }
+    requireCurve(faults, options.points, options.resolution, options.tolerance);
     const auto* walk = std::get_if<trace::Walk>(&options.trace);
     if (walk != nullptr && (walk->direction.cells() != schedule.cells ||
                             !walk->direction.a.allFinite() || !walk->direction.b.allFinite())) {
@@ -54,12 +53,6 @@ void validate(const Schedule& schedule, double energyRatio, const ContinuumOptio
     }
     if (!(options.strainLimit > 0.0)) {
         faults.add("strainLimit", options.strainLimit, "> 0");
-    }
-    if (!(options.resolution >= 1e-6 && options.resolution <= 1.0)) {
-        faults.add("resolution", options.resolution, "1e-6..1");
-    }
-    if (!(options.tolerance >= 1e-12 && options.tolerance <= 1e-2)) {
-        faults.add("tolerance", options.tolerance, "1e-12..1e-2");
     }
     faults.throwIfAny();
 }
@@ -315,21 +308,11 @@ Continuum traceContinuum(const Schedule& schedule, double energyRatio,
 
 Member memberAt(const Continuum& curve, double lambda)
 {
-    const auto& points = curve.points;
-    if (points.empty() || !(lambda >= points.front().lambda && lambda <= points.back().lambda)) {
-        Faults faults;
-        faults.add("member", lambda,
-                   points.empty() ? "none: the curve has no points"
-                                  : fmt::format("lambda = {}..{}", points.front().lambda,
-                                                points.back().lambda));
-        faults.throwIfAny();
-    }
-    const auto nearest = std::min_element(
-        points.begin(), points.end(), [lambda](const ContinuumPoint& one, const auto& other) {
-            return std::abs(one.lambda - lambda) < std::abs(other.lambda - lambda);
-        });
-    if (nearest->lambda == lambda || curve.parameter != Parameter::pause) {
-        return {*nearest, nearest->lambda == lambda};
+    const std::vector<double> lambdas = lambdasOf(curve.points);
+    requireWithin(lambda, lambdas);
+    const ContinuumPoint& nearest = curve.points[nearestTo(lambda, lambdas)];
+    if (nearest.lambda == lambda || curve.parameter != Parameter::pause) {
+        return {nearest, nearest.lambda == lambda};
     }
     ContinuumOptions options;
     options.scene = curve.scene;

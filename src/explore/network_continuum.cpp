@@ -6,6 +6,7 @@
 
 #include "backend_choice.hpp"
 #include "curve_march.hpp"
+#include "curve_points.hpp"
 #include "faults.hpp"
 #include "network_section.hpp"
 
@@ -13,21 +14,22 @@ namespace signorini {
 
 namespace {
 
-void validate(double energy, const NetworkCurveOptions& options)
+void validate(const Network& network, double energy, const NetworkCurveOptions& options)
 {
     Faults faults;
     if (!(energy > 0.0 && std::isfinite(energy))) {
         faults.add("energy", energy, "finite numbers > 0");
     }
-    if (options.points < 2 || options.points > maxContinuumPoints) {
-        faults.add("points", options.points, fmt::format("2..{}", maxContinuumPoints));
-    }
-    if (!(options.resolution >= 1e-6 && options.resolution <= 1.0)) {
-        faults.add("resolution", options.resolution, "1e-6..1");
-    }
-    if (!(options.tolerance >= 1e-12 && options.tolerance <= 1e-2)) {
-        faults.add("tolerance", options.tolerance, "1e-12..1e-2");
-    }
+    requireCurve(faults, options.points, options.resolution, options.tolerance);
+    const auto requireWaves = [&](const char* field, const auto& state) {
+        if (state && state->size() != network.waves()) {
+            faults.add(field, fmt::format("a state of {} waves", state->size()),
+                       fmt::format("those of this network, {}", network.waves()));
+        }
+    };
+    requireWaves("from", options.from);
+    requireWaves("to", options.to);
+    requireWaves("direction", options.direction);
     if (options.isSample && options.solver != automaticChoice && options.solver != closedForm) {
         faults.add("solver", options.solver, "auto|closed-form (engine geometric) of a sample");
     }
@@ -292,41 +294,34 @@ private:
         }
     }
 
-    /// No unknown is left, or one that can be of two values.
+    /// No unknown is left, or one that can be of two values. That rests on ranks which nothing else
+    /// checked, so it is a note and no claim.
     void listIsolated(const NetworkSection& section, SectionCurve& curve,
                       const Eigen::VectorXd& start)
     {
+        constexpr const char* finite =
+            "as far as rounding tells only finitely many motions have this energy, and no curve "
+            "joins two";
         result_.parameter = Parameter::number;
         result_.family = "isolated motions";
         if (options_.to && curve.distance(start, section.unknownsOf(*options_.to)) >
                                options_.tolerance * curve.norm()) {
-            result_.status = section.isClear() ? Status::none : Status::undecided;
-            if (section.isClear()) {
-                result_.connected = false;
-            }
-            result_.detail = "only finitely many motions have this energy: no curve joins two";
+            result_.detail = finite;
             return;
         }
         if (!curve.keepAt(1.0, options_.from ? section.motionOf(*options_.from) : member_)) {
             return;
         }
-        std::size_t others = 0;
         if (!options_.from && section.unknowns() == 1) {
             NetworkCurvePoint other{2.0, section.motionOf(Eigen::VectorXd(-start))};
             if (curve.measure(other) <= options_.tolerance) {
                 result_.points.push_back(std::move(other));
-                ++others;
             }
         }
         curve.finish();
-        result_.detail = options_.from || others > 0
-                             ? "finitely many motions have this energy, and no curve joins two"
-                             : "no other motion has this energy";
+        result_.detail = finite;
         if (section.isClear()) {
             result_.dimension = 0;
-            if (!options_.from) {
-                result_.connected = others == 0;
-            }
         }
     }
 
@@ -429,26 +424,15 @@ private:
 NetworkContinuum traceContinuum(const Network& network, const std::vector<ContactSpan>& schedule,
                                 double energy, const NetworkCurveOptions& options)
 {
-    validate(energy, options);
+    validate(network, energy, options);
     return NetworkTracing(network, schedule, energy, options).run();
 }
 
 std::size_t pointAt(const NetworkContinuum& curve, double lambda)
 {
-    const auto& points = curve.points;
-    if (points.empty() || !(lambda >= points.front().lambda && lambda <= points.back().lambda)) {
-        Faults faults;
-        faults.add("member", lambda,
-                   points.empty() ? "none: the curve has no points"
-                                  : fmt::format("lambda = {}..{}", points.front().lambda,
-                                                points.back().lambda));
-        faults.throwIfAny();
-    }
-    const auto nearest = std::min_element(
-        points.begin(), points.end(), [lambda](const NetworkCurvePoint& one, const auto& other) {
-            return std::abs(one.lambda - lambda) < std::abs(other.lambda - lambda);
-        });
-    return static_cast<std::size_t>(nearest - points.begin());
+    const std::vector<double> lambdas = lambdasOf(curve.points);
+    requireWithin(lambda, lambdas);
+    return nearestTo(lambda, lambdas);
 }
 
 }  // namespace signorini

@@ -18,8 +18,8 @@ struct NetworkCurveOptions {
     std::int64_t points = 201;
     std::optional<std::vector<double>> from = {};  ///< with `to` or `direction`
     std::optional<std::vector<double>> to = {};    ///< a path between two motions
-    std::optional<std::vector<double>> direction =
-        {};                 ///< half a great circle, along the faces met
+    /// Half a great circle from there, along the faces met.
+    std::optional<std::vector<double>> direction = {};
     bool isSample = false;  ///< members spread over the whole set
     std::uint64_t seed = 1;
     std::string solver = "auto";  ///< a back end that holds an energy; of a sample "closed-form"
@@ -41,7 +41,7 @@ struct NetworkCurvePoint {
 struct NetworkContinuum {
     Status status = Status::undecided;
     std::string detail = {};
-    /// Can the two given ends be joined, or is the motion the only one? Empty: not known.
+    /// True: a curve joins the two given ends at this `resolution`. Empty: not known.
     std::optional<bool> connected;
     std::optional<std::int64_t> dimension;  ///< of the motions of this energy, if known
     std::optional<double> resolution;       ///< largest distance of neighbours, over that of rest

@@ -9,8 +9,9 @@ namespace signorini {
 
 namespace {
 
-/// Of rows and pivots that are 0 but for rounding, relative.
+/// Of rows and pivots that are 0 but for rounding, and of those that are not, relative.
 constexpr double noRow = 1e-11;
+constexpr double clearRow = 1e-7;
 
 }  // namespace
 
@@ -26,7 +27,10 @@ NetworkSection::NetworkSection(const Network& network, const std::vector<Contact
     conditions_ = rowsOf(blocks_, *kernel_);
     steady_ = steadyCoordinates(blocks_, *kernel_);
     const RowSystem& system = conditions_.system;
-    const LeastSquares equalities(system.rows.topRows(system.equalities), noRow);
+    const Eigen::MatrixXd held = system.rows.topRows(system.equalities);
+    const LeastSquares equalities(held, noRow);
+    isClear_ = kernel_->isClear && conditions_.isClear &&
+               equalities.rank() == LeastSquares(held, clearRow).rank();
     const Eigen::VectorXd sums = system.rhs + system.rows * steady_;
     centre_ = equalities.solve(sums.head(system.equalities));
     basis_ = equalities.kernel();

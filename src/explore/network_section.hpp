@@ -12,7 +12,6 @@
 /// which are added as they are broken. docs/theory.md, section 20.
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <random>
 #include <span>
@@ -29,8 +28,8 @@ public:
 
     /// Is the kernel small enough? Nothing else is known of one that is not.
     [[nodiscard]] bool isWithinReach() const { return kernel_.has_value(); }
-    /// Rounding hides neither the kernel nor a row.
-    [[nodiscard]] bool isClear() const { return kernel_->isClear && conditions_.isClear; }
+    /// Rounding hides neither the kernel, nor a row, nor how many equalities there are.
+    [[nodiscard]] bool isClear() const { return isClear_; }
     /// Of t.
     [[nodiscard]] Eigen::Index unknowns() const { return basis_.cols(); }
     /// rho. 0: the energy is less than any motion has, or just that of the only one.
@@ -60,6 +59,7 @@ private:
     Eigen::MatrixXd basis_ = {};   ///< Q
     Eigen::MatrixXd rows_ = {};
     Eigen::VectorXd rhs_ = {};
+    bool isClear_ = false;
     double norm_ = 0.0;
     double radius_ = 0.0;
 };

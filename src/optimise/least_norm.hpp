@@ -71,6 +71,7 @@ public:
     /// columns^2).
     explicit LeastSquares(const Eigen::MatrixXd& a, double none = 0.0);
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+    [[nodiscard]] Eigen::Index rank() const { return factors_.rank(); }
     /// An orthonormal basis of all x with a x = 0, one in each column. O(columns^3).
     [[nodiscard]] Eigen::MatrixXd kernel() const;
 

@@ -287,6 +287,12 @@ TEST_CASE("cli: continuum of several bars: a sample, paths through files, a tabl
                             containsText("proved: none has less than 5.24"));
     CHECK_THAT(low.err, containsText("no motion to write"));
     CHECK(program.run(asked + "--engine geometric").status == 2);
+    for (const char* call : {"continuum 6 36 --cells 12 --energy-ratio 9",
+                             "continuum 6 36 --segments 6:1,6:1 --energy-ratio 9"}) {
+        const auto engine = program.run(std::string(call) + " --engine glpk-simplex");
+        CHECK(engine.status == 2);
+        CHECK_THAT(engine.err, containsText("--engine = glpk-simplex is out of range"));
+    }
     if (signorini::preferred({.energyEquality = true, .start = true}) == nullptr) {
         return;
     }

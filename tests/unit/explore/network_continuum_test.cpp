@@ -238,6 +238,27 @@ TEST_CASE("continuum of networks: energies below the least are none, with a proo
     CHECK(never.known.isEmpty);
 }
 
+TEST_CASE("continuum of networks: motions that are isolated are listed, and nothing is claimed",
+          "[glpk]")
+{
+    // Three cells before a stop and one beyond it, (1, 3): one unknown is left.
+    const Network network = sceneOf("clamp 3 stop=1e-3 1 clamp");
+    const std::vector<ContactSpan> schedule{{1, 1}, {0, 3}};
+    const LeastMotion least = leastMotion(network, schedule, 1e9);
+    REQUIRE(least.status == Status::found);
+    const NetworkContinuum pair = traceContinuum(network, schedule, 1.3 * least.energy, {});
+    requireMotions(network, pair);
+    REQUIRE(pair.points.size() == 2);
+    CHECK(pair.dimension == 0);
+    CHECK(pair.connected == std::nullopt);
+    CHECK_THAT(pair.detail, containsText("as far as rounding tells"));
+    const NetworkContinuum apart =
+        traceContinuum(network, schedule, 1.3 * least.energy,
+                       {.from = pair.points[0].motion.waves, .to = pair.points[1].motion.waves});
+    CHECK(apart.status == Status::undecided);
+    CHECK(apart.connected == std::nullopt);
+}
+
 TEST_CASE("continuum of networks: wrong use is named", "[glpk]")
 {
     const Network network = twoBars();
@@ -256,4 +277,8 @@ TEST_CASE("continuum of networks: wrong use is named", "[glpk]")
     refuses({.solver = "oracle"}, "oracle");
     const std::vector<double> none(network.waves(), 0.0);
     refuses({.from = none, .to = none}, "from = a state of 0 times the energy");
+    // Of another network.
+    refuses({.from = std::vector<double>(3, 0.0), .to = none}, "from = a state of 3 waves");
+    refuses({.from = none, .direction = std::vector<double>(99, 0.0)},
+            "direction = a state of 99 waves");
 }
