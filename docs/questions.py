@@ -53,7 +53,7 @@ QUESTIONS = {
     "Modes": ("modes", "--max-order 2 --max-period 3", "modes"),
     "The motion of a mode": ("mode", "4 -1 --period 3.14", "mode"),
     "An atlas": ("atlas", "--database {folder}/new.sqlite --max-contact 4 --max-free 8", "Atlas"),
-    "A query of an atlas": ("atlas", "--database {folder}/known.sqlite --period 4", "Atlas"),
+    "A query of an atlas": ("atlas", "--database {folder}/KNOWN.sqlite --period 4", "Atlas"),
     "Response to a staircase of forces": ("response", "{force} --from 1 --to 1.3", "response"),
     "Response to the harmonic itself": ("response", "--exact {force} --from 1.05 --to 1.1", "exact_response"),
     "Simulation": ("simulate", "--rest --periods 2 --frequency 1 {force}", "simulate"),
@@ -102,16 +102,17 @@ class Asker:
 
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
-        self.known, self.state = folder / "known.sqlite", folder / "state.csv"
+        self.folder, self.state = folder, folder / "state.csv"
         of_bars = [f"find {words} {SCENES[scene]} --state '{folder}/{scene}.csv'" for scene, words in STATES.items()]
-        for words in (f"atlas --cells 12 --database {self.known} --max-contact 4 --max-free 8",
-                      f"find 6 36 --cells 12 --state {self.state}", *of_bars):
+        known = [f"atlas {given} --database '{folder}/{scene}.sqlite' --max-contact 4 --max-free 8"
+                 for scene, given in SCENES.items()]
+        for words in (*known, f"find 6 36 --cells 12 --state {self.state}", *of_bars):
             subprocess.run([program, *shlex.split(words)], check=True, capture_output=True)
 
     def run(self, words):
         """None where it answers, else why not."""
         with tempfile.TemporaryDirectory(dir=self.folder) as folder:
-            for path in (self.known, *self.folder.glob("*.csv")):
+            for path in (*self.folder.glob("*.sqlite"), *self.folder.glob("*.csv")):
                 Path(folder, path.name).write_bytes(path.read_bytes())
             given = shlex.split(words.format(folder=folder, force="{force}"))
             done = subprocess.run([self.program, *given, "--quiet"], capture_output=True, text=True, check=False,
@@ -134,6 +135,7 @@ def words_of(question, scene, demand=None):
     """What is typed."""
     command, words, _ = QUESTIONS[question]
     words = OTHERWISE.get((question, scene), words)
+    words = words.replace("{folder}/KNOWN.sqlite", f"'{{folder}}/{scene}.sqlite'")
     given = SCENES[scene]
     if "{force}" in words:
         words = words.replace("{force}", OWN_FORCE if scene in DRIVEN else FORCE)

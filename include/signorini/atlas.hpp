@@ -23,6 +23,13 @@
 ///
 /// It has no families: every schedule is decided one by one, as `findPeriodic` does, and a row
 /// holds the least energy. What is refuted is proved in rationals; what is not is undecided.
+///
+/// ## Bars in a row
+///
+/// Each phase closes one of their contacts alone. Programs decide, as above. Energies are in E_1 of
+/// the bars, or in joules where they have none (a bar drifts, or contact 1 has no gap). A schedule
+/// that bars at rest follow, or that leaves a bar untied, has motions of any size, or any place: it
+/// stays undecided. Periods are multiples of h, in which a wave crosses one cell: L/c means N h.
 
 #include <cstdint>
 #include <functional>
@@ -32,6 +39,7 @@
 #include <string_view>
 #include <vector>
 
+#include "signorini/assembly.hpp"
 #include "signorini/bar.hpp"
 #include "signorini/control.hpp"
 #include "signorini/modes.hpp"
@@ -57,12 +65,26 @@ struct AtlasRange {
     /// h in units of displacement (Stops::left): then phases touch either stop. Families are those
     /// of the wall that it leaves.
     std::optional<Fraction> secondStop = std::nullopt;
+    /// Bars in a row in place of one bar: N cells in all; then gapSign is 1, and of segments,
+    /// second stop and families there are none.
+    std::optional<Assembly> bars = std::nullopt;
 
     friend bool operator==(const AtlasRange&, const AtlasRange&) = default;
 };
 
 /// The stops of a range.
 [[nodiscard]] Stops stopsOf(const AtlasRange& range);
+
+/// How many contacts a phase has to choose from.
+[[nodiscard]] std::int64_t contactsOf(const AtlasRange& range);
+
+/// What is decided, but for the sign of the gap and a second stop, as one line of text: nothing of
+/// a uniform bar, "cells:impedance:speed:dashpot,..." of segments, "words; length wave_speed
+/// axial_stiffness gravity young" of bars in a row, young 0 if it is not known.
+[[nodiscard]] std::string sceneText(const AtlasRange& range);
+
+/// Enters what such a text says. \throws std::invalid_argument on any other text.
+void readScene(AtlasRange& range, std::string_view text);
 
 /// Largest number of phases of a range.
 inline constexpr std::int64_t maxAtlasPhases = 8;
@@ -140,9 +162,10 @@ struct AtlasTally {
 
 /// A row of table `schedules`.
 struct AtlasEntry {
-    Schedule schedule;
-    AtlasRow row;  ///< `number`: its rowid; energies that are not known read as infinite
+    Schedule schedule;  ///< of bars in a row `Stop` numbers contacts
+    AtlasRow row;       ///< `number`: its rowid; energies that are not known read as infinite
     std::optional<std::int64_t> family;  ///< id of its AtlasFamily (`row.familyTop` is not read)
+    bool isOfBars = false;               ///< in a row
 };
 
 /// steps/N [L/c], of its motions.

@@ -9,15 +9,16 @@
 /// many of the range show some of its motions; of several ranges, in the one with most); unique in
 /// (cells, phases). The grazing motions of one period are a row, too, with w, nu and k NULL.
 ///
-/// Table `schedules`, one row for each schedule kept: cells, phases as text "nc:nf[,nc:nf...]",
+/// Table `schedules`, one row for each schedule kept: cells, phases as text "nc:nf[,nc:nf...]", of
+/// bars in a row "SET:STEPS -:STEPS[ SET:STEPS -:STEPS...]" with one contact in each set,
 /// steps (after which all its motions repeat), period (steps/N), frequency_ratio (4N/steps),
 /// status, reason, kernel_dimension, kind, dimension, contact, canonical (0 or 1),
 /// energy_ratio_min, energy_ratio_max (NULL: unbounded or unknown), family (the id of its family;
 /// NULL: several phases, or no motion, or several segments), proof (of a refuted schedule of a bar
-/// of several segments: AtlasProof); unique in (cells, phases), and within a run by n and n_c,
-/// those of several phases in the order of the range. steps is n, or less where every motion
-/// repeats sooner: a repetition never has a row of its own in `families`, and in `schedules` it has
-/// the frequency of its motions.
+/// of several segments, or of bars: AtlasProof); unique in (cells, phases), and within a run by n
+/// and n_c, those of several phases in the order of the range. steps is n, or less where every
+/// motion repeats sooner: a repetition never has a row of its own in `families`, and in `schedules`
+/// it has the frequency of its motions.
 ///
 /// Table `runs`, one row for each range: version, options, its bounds, next_batch of batches, the
 /// tally so far (schedules, and the families of those with one phase), started, finished, seconds,
@@ -25,8 +26,9 @@
 /// moment loses the batches in flight, nothing else.
 ///
 /// All ranges of a file have a gap of one sign, runs.gap_sign. Without a gap energies have no
-/// meaning: energy_ratio_min is 0, energy_ratio_max NULL. They are of one bar, runs.segments:
-/// "cells:impedance:speed:dashpot,...", empty for a uniform one.
+/// meaning: energy_ratio_min is 0, energy_ratio_max NULL. They are of one scene, runs.segments
+/// (`sceneText`), empty for a uniform bar. Of bars in a row energies are in E_1 or, where there is
+/// none, in J, and frequency_ratio is 4N/steps as ever, not a multiple of their first frequency.
 ///
 /// This is version 4 of the tables (user_version). An atlas of version 1, without `families`, 2,
 /// without gap_sign, or 3, without segments, is refused: decide its range anew.

@@ -19,7 +19,7 @@
 
 namespace signorini {
 
-/// Which of the stops the tip touches.
+/// Which of the stops the tip touches. Of bars in a row their contact number k + 1 has the value k.
 enum class Stop {
     right,  ///< the wall, at u(L) = g; it pushes the tip to the left
     left,   ///< the second stop, at u(L) = -h; it pushes the tip to the right

@@ -506,12 +506,13 @@ class AtlasFamily(_Record):
 
 class AtlasSchedule(_Record):
     cells: int
-    schedule: Schedule
+    schedule: Optional[Schedule]
+    spans: Optional[list[ContactSpan]]
     family: Optional[int]
     period: float
     period_ratio: float
     frequency: float
-    frequency_ratio: float
+    frequency_ratio: Optional[float]
     status: Literal["found", "none", "undecided"]
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
@@ -532,6 +533,7 @@ class AtlasRun(_Record):
     phases: int
     max_energy_ratio: Optional[float]
     families_only: bool
+    scene: Optional[SceneWords]
     finished: bool
     decided: int
     found: int

@@ -6,11 +6,11 @@ import os
 from typing import Any
 
 from . import _core
-from ._asking import asks
-from ._core import AtlasFamily, AtlasRun, AtlasSchedule, Bar
-from ._progress import Progress, listener
+from ._asking import asks, gathered
+from ._core import AtlasFamily, AtlasRun, AtlasSchedule, Bar, Scene
+from ._progress import Progress
 from ._tables import Table
-from ._words import Number, Quantity, bar_of, fraction_of
+from ._words import Number, Quantity, Segments, bar_of, fraction_of
 from ._words import path as path_of
 
 
@@ -41,18 +41,26 @@ class Atlas:
 
     @classmethod
     @asks("atlas")
-    def build(cls, database: str | os.PathLike[str], *, cells: int = 300,
+    def build(cls, database: str | os.PathLike[str], *, cells: int | None = None,
               max_contact: int | None = None, max_free: int | None = None,
               phases: int = 1, max_energy_ratio: float | None = None,
               all: bool = False, families_only: bool = False,
               resume: bool = False, threads: int = 1,
-              bar: Bar | None = None, progress: Progress = None,
+              bar: Bar | None = None, scene: Scene | str | None = None,
+              gravity: Quantity = 0.0, second_stop: Quantity | None = None,
+              segments: Segments | None = None, progress: Progress = None,
               **bar_options: Quantity | None) -> Atlas:
         """Decide every schedule of a range, store the results, open the file.
 
         An interrupted run loses only the batches in progress; the same
         call with `resume` continues it. The sign of the bar's gap decides
-        what exists.
+        what exists. Of bars in a row each phase closes one contact.
+
+        Parameters
+        ----------
+        scene : Scene or str, optional
+            In place of `bar`, `second_stop` and `segments`; or the words of several
+            bars.
 
         Returns
         -------
@@ -66,10 +74,10 @@ class Atlas:
         OSError
             If the file cannot be used.
         """
-        path = path_of("database", database)
-        units = bar_of(bar, bar_options)
-        _core.build_atlas({**locals(), "bar": units, "progress": listener(progress)})
-        return cls(path, bar=units)
+        asked = gathered(locals())
+        asked["path"] = path_of("database", database)
+        _core.build_atlas(asked)
+        return cls(asked["path"], bar=asked["scene"].bar)
 
     @property
     def runs(self) -> Table[AtlasRun]:

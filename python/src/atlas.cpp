@@ -25,11 +25,22 @@ namespace {
 struct Atlas {
     AtlasDatabase database;
     Bar bar;
+    answers::AtlasUnits units;
     std::mutex mutex;
 
-    Atlas(const std::string& path, const Bar& units)
-        : database(AtlasDatabase::open(path)), bar(units)
+    Atlas(const std::string& path, const Bar& ofOne)
+        : database(AtlasDatabase::open(path)), bar(ofOne)
     {
+        const std::optional<Assembly> bars = answers::barsOf(database.runs());
+        units = bars ? answers::atlasUnitsOf(*bars) : answers::atlasUnitsOf(bar);
+    }
+
+    /// A point of the plot as its rows have it: 4N/n.
+    [[nodiscard]] double onGrid(double frequencyRatio) const
+    {
+        const answers::AtlasPoint at{.frequencyRatio = frequencyRatio, .units = units};
+        validate(at);
+        return at.onGrid();
     }
 };
 
@@ -53,7 +64,7 @@ void addQuestion(py::class_<Atlas, SharedAtlas>& shown, const char* name,
 
 /// Visits each row that `visit` shows, until the call is cancelled.
 template <typename Row, typename Given, typename Visit>
-std::vector<Row> allRows(const Wires& wires, const Bar& bar, Visit visit)
+std::vector<Row> allRows(const Wires& wires, const answers::AtlasUnits& units, Visit visit)
 {
     struct Cancelled {};
     std::vector<Row> rows;
@@ -62,7 +73,9 @@ std::vector<Row> allRows(const Wires& wires, const Bar& bar, Visit visit)
             if (wires.cancel()) {
                 throw Cancelled();
             }
-            rows.push_back({one, bar});
+            Row& row = rows.emplace_back();
+            row.value = one;
+            row.units = units;
         });
     } catch (const Cancelled&) {
         rows.clear();  // nobody waits for them
@@ -79,12 +92,12 @@ void addAtlasFile(py::module_& module)
     addQuestion(
         shown, "families", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
             return allRows<FamilyOf, AtlasFamily>(
-                wires, a.bar, [&](const auto& keep) { a.database.forEachFamily(cells, keep); });
+                wires, a.units, [&](const auto& keep) { a.database.forEachFamily(cells, keep); });
         });
     addQuestion(
         shown, "schedules", {"cells"}, +[](const Atlas& a, const Wires& wires, Cells cells) {
             return allRows<EntryOf, AtlasEntry>(
-                wires, a.bar, [&](const auto& keep) { a.database.forEachFound(cells, keep); });
+                wires, a.units, [&](const auto& keep) { a.database.forEachFound(cells, keep); });
         });
     addQuestion(
         shown, "frequency_energy_figure", {"cells", "left", "right", "top", "max_order"},
@@ -104,29 +117,29 @@ void addAtlasFile(py::module_& module)
     addQuestion(
         shown, "families_near", {"frequency_ratio", "energy_ratio", "within", "cells"},
         +[](const Atlas& a, const Wires&, double w, double e, double within, Cells cells) {
-            return withUnits(a.database.familiesNear(w, e, within, cells), a.bar, e);
+            return withUnits(a.database.familiesNear(a.onGrid(w), e, within, cells), a.units, e);
         });
     addQuestion(
         shown, "schedules_near", {"frequency_ratio", "energy_ratio", "within", "cells"},
         +[](const Atlas& a, const Wires&, double w, double e, double within, Cells cells) {
-            return withUnits(a.database.schedulesNear(w, e, within, cells), a.bar);
+            return withUnits(a.database.schedulesNear(a.onGrid(w), e, within, cells), a.units);
         });
     addQuestion(
         shown, "families_of_period", {"period", "denominator", "cells"},
         +[](const Atlas& a, const Wires&, std::int64_t p, std::int64_t q, Cells cells) {
-            return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.bar);
+            return withUnits(a.database.familiesOfPeriod(exactPeriod(p, q), cells), a.units);
         });
     addQuestion(
         shown, "schedules_of_period", {"period", "denominator", "cells"},
         +[](const Atlas& a, const Wires&, std::int64_t p, std::int64_t q, Cells cells) {
-            return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells), a.bar);
+            return withUnits(a.database.schedulesOfPeriod(exactPeriod(p, q), cells), a.units);
         });
     addQuestion(
         shown, "twins", {"cells"}, +[](const Atlas& a, const Wires&, Cells cells) {
             std::vector<std::tuple<std::vector<FamilyOf>, std::vector<EntryOf>>> groups;
             for (const Twins& twins : a.database.twins(cells)) {
-                groups.emplace_back(withUnits(twins.families, a.bar),
-                                    withUnits(twins.schedules, a.bar));
+                groups.emplace_back(withUnits(twins.families, a.units),
+                                    withUnits(twins.schedules, a.units));
             }
             return groups;
         });
@@ -134,14 +147,17 @@ void addAtlasFile(py::module_& module)
 
 AtlasRun build(const Asked& asked)
 {
-    AtlasRange range = usualRange(asked.get<std::int64_t>("cells"));
+    AtlasRange range =
+        asked.has("words")
+            ? answers::atlasRangeOf(asked.assembly())
+            : answers::atlasRangeOf(asked.scene(),
+                                    asked.maybe<std::int64_t>("cells").value_or(Schedule().cells));
     range.maxContact = asked.maybe<std::int64_t>("max_contact").value_or(range.maxContact);
     range.maxFree = asked.maybe<std::int64_t>("max_free").value_or(range.maxFree);
     range.maxPhases = asked.get<std::int64_t>("phases");
     range.maxEnergyRatio = asked.maybe<double>("max_energy_ratio").value_or(range.maxEnergyRatio);
     range.keepsRefuted = asked.get<bool>("all");
     range.familiesOnly = asked.get<bool>("families_only");
-    range.gapSign = stopsOf(asked.bar()).right;
     validate(range);
     const auto path = asked.get<std::string>("path");
     const auto threads = asked.get<std::int64_t>("threads");

@@ -6,32 +6,66 @@
 #include <string>
 
 #include "family_section.hpp"
-#include "parts.hpp"
+#include "scene_find_answer.hpp"
 #include "signorini/atlas.hpp"
-#include "simulation_answer.hpp"
 
 namespace signorini::answers {
 
+/// What rows are measured in.
+struct AtlasUnits {
+    double time = 1.0;    ///< [s], in which a wave crosses all N cells: L/c
+    double energy = 1.0;  ///< [J] of their energies: E_1, or a joule
+    bool isRatio = true;  ///< are they in E_1?
+    /// omega_1 of a uniform bar of this L/c over that of the bars; infinite: nothing holds them.
+    double frequency = 1.0;
+};
+[[nodiscard]] inline AtlasUnits atlasUnitsOf(const Bar& bar)
+{
+    return {.time = scales(bar).time, .energy = scales(bar).energy};
+}
+[[nodiscard]] AtlasUnits atlasUnitsOf(const Assembly& bars);
+
+/// The usual range of what is asked about: a uniform bar, a bar of several segments and one wall,
+/// or bars in a row. \throws std::invalid_argument on an invalid scene.
+[[nodiscard]] AtlasRange atlasRangeOf(const Scene& scene, std::int64_t cells);
+[[nodiscard]] AtlasRange atlasRangeOf(const Assembly& bars);
+
+/// The bars in a row that a database is of, if it is.
+[[nodiscard]] std::optional<Assembly> barsOf(const std::vector<AtlasRun>& runs);
+
+/// A row, or a group of them.
+template <typename T>
+struct InUnits {
+    T value;
+    AtlasUnits units;
+};
 /// A set of orbits; its motions of one energy, where one was asked for.
 struct AtlasFamilyOf {
     AtlasFamily value;
-    Bar bar;
+    AtlasUnits units;
     std::optional<FamilySection> section = {};
 };
-using AtlasEntryOf = Of<AtlasEntry>;
-using TwinsOf = Of<Twins>;
+using AtlasEntryOf = InUnits<AtlasEntry>;
+using TwinsOf = InUnits<Twins>;
 
 /// A point of the frequency-energy plot, and how near rows are to be.
 struct AtlasPoint {
     double frequencyRatio = 0.0;  ///< [omega_1]
     double energyRatio = 0.0;     ///< [E_1]
     double distance = 0.0;        ///< [-], relative
-    Bar bar = {};
+    AtlasUnits units = {};
+
+    /// The frequency as databases have it: 4N/n.
+    [[nodiscard]] double onGrid() const { return frequencyRatio / units.frequency; }
 };
+/// \throws std::invalid_argument unless bars have what it is measured in.
+void validate(const AtlasPoint& point);
 
 /// What was asked of a database, and what was found: twins, or rows.
 struct AtlasAnswer {
-    Bar bar;  ///< for seconds, hertz and joules
+    std::optional<Bar> bar = {};        ///< of which the database is
+    std::optional<Assembly> bars = {};  ///< in its place
+    AtlasUnits units = {};
     std::optional<AtlasPoint> near = {};
     std::optional<std::vector<TwinsOf>> twins = {};
     std::optional<std::vector<AtlasFamilyOf>> families = {};
@@ -50,6 +84,7 @@ struct AtlasBuilt {
     AtlasRun run;
     std::string database;
     Scene scene;
+    std::optional<SeveralBars> several = {};  ///< in its place
 
     [[nodiscard]] Ending status() const
     {
@@ -59,15 +94,25 @@ struct AtlasBuilt {
 
 /// Families with their units and, where an energy is given, their motions of it.
 [[nodiscard]] inline std::vector<AtlasFamilyOf> withUnits(const std::vector<AtlasFamily>& list,
-                                                          const Bar& bar,
+                                                          const AtlasUnits& units,
                                                           std::optional<double> energyRatio = {})
 {
     std::vector<AtlasFamilyOf> all;
     for (const AtlasFamily& one : list) {
-        all.push_back({one, bar});
+        all.push_back({one, units});
         if (energyRatio) {
             all.back().section = sectionOf(one, *energyRatio);
         }
+    }
+    return all;
+}
+
+template <typename T>
+[[nodiscard]] std::vector<InUnits<T>> withUnits(const std::vector<T>& list, const AtlasUnits& units)
+{
+    std::vector<InUnits<T>> all;
+    for (const T& one : list) {
+        all.push_back({one, units});
     }
     return all;
 }
@@ -118,6 +163,9 @@ void describe(D& d, Type<AtlasRun>)
 {
     d.record("AtlasRun", "A range of schedules, and how far it is decided.");
     describeRange(d, std::identity());
+    d.key(
+        "scene", "-", "Of bars in a row.", [](const AtlasRun& run) { return run.range.bars; },
+        When::any);
     d.key("finished", "-", "Is all of it decided?", &AtlasRun::isFinished);
     describeTally(d, std::identity(), When::python);
 }
@@ -130,32 +178,35 @@ void describe(D& d, Type<AtlasBuilt>)
     d.key("database", "-", "Its file.", &AtlasBuilt::database);
     describeRange(d, std::mem_fn(&AtlasBuilt::run));
     describeTally(d, std::mem_fn(&AtlasBuilt::run));
-    describeScene(d, std::mem_fn(&AtlasBuilt::scene));
+    describeSceneOrBars<AtlasBuilt>(d);
 }
 
 /// Keys of when motions repeat.
-template <typename D, typename T>
-void describePeriod(D& d, Type<T>)
+template <typename D, typename T, typename Ratio>
+void describePeriod(D& d, Type<T>, Ratio frequencyRatio)
 {
-    const auto seconds = [](const T& of) { return period(of.value) * scales(of.bar).time; };
+    const auto seconds = [](const T& of) { return period(of.value) * of.units.time; };
     d.key("period", "s > 0", "T, of the motions: a repetition has that of what it repeats.",
           seconds);
     d.key("period_ratio", "L/c > 0", "c T/L.", [](const T& of) { return period(of.value); });
     d.key("frequency", "Hz > 0", "1/T.", [seconds](const T& of) { return 1.0 / seconds(of); });
-    d.key("frequency_ratio", "- > 0", "omega/omega_1.",
-          [](const T& of) { return frequencyRatio(of.value); });
+    d.key("frequency_ratio", "- > 0", "omega/omega_1.", frequencyRatio);
 }
 
-/// Keys of energies; `energy` gives them in a unit.
-template <typename D, typename Get>
-void describeEnergies(D& d, Get energy, When when = When::always)
+/// omega/omega_1 of a row of one bar, and where there may be bars in a row.
+inline constexpr auto ratioOfOne = [](const auto& of) { return frequencyRatio(of.value); };
+inline constexpr auto ratioOfAny = [](const auto& of) {
+    return known(frequencyRatio(of.value) * of.units.frequency);
+};
+
+/// Keys of energies; `energy` gives them in a unit, `ratio` in E_1.
+template <typename D, typename Get, typename Ratio>
+void describeEnergies(D& d, Get energy, Ratio ratio, When when = When::always)
 {
     d.key(
         "energy_range", "J >= 0", "(least, most on this grid); nothing: unbounded or unknown.",
-        [energy](const auto& of) { return energy(of, scales(of.bar).energy); }, when);
-    d.key(
-        "energy_ratio_range", "E_1 >= 0", "(least, most on this grid).",
-        [energy](const auto& of) { return energy(of, 1.0); }, when);
+        [energy](const auto& of) { return energy(of, of.units.energy); }, when);
+    d.key("energy_ratio_range", "E_1 >= 0", "(least, most on this grid).", ratio, when);
 }
 
 template <typename D>
@@ -180,11 +231,13 @@ Either a family, or all grazing motions of one period: those have no (order, nu,
     d.key("schedule", "-", "That has the whole set.", [](const T& f) {
         return Schedule{f.value.cells, {f.value.top}};
     });
-    describePeriod(d, type);
+    describePeriod(d, type, ratioOfOne);
     d.key("contact", "-", R"("pressing" or "grazing".)", ofValue(&AtlasFamily::contact));
     d.key("kind", "-", "Of the set.", ofValue(&AtlasFamily::kind));
     d.key("dimension", "- >= 0", "Of the set.", ofValue(&AtlasFamily::dimension));
-    describeEnergies(d, [](const T& f, double unit) { return scaled(f.value.energy, unit); });
+    describeEnergies(
+        d, [](const T& f, double unit) { return scaled(f.value.energy, unit); },
+        [](const T& f) { return f.value.energy; });
     d.key("schedules", "- >= 1", "How many of the range show some of its motions.",
           ofValue(&AtlasFamily::schedules));
     d.key(
@@ -218,10 +271,21 @@ void describe(D& d, Type<AtlasEntryOf> type)
         };
     };
     d.key("cells", "- >= 1", "N.", [](const T& e) { return e.value.schedule.cells; });
-    d.key("schedule", "-", "What it is of.", ofValue(&AtlasEntry::schedule));
+    d.key(
+        "schedule", "-", "What it is of.",
+        [](const T& e) {
+            return e.value.isOfBars ? std::nullopt : std::optional(e.value.schedule);
+        },
+        When::any);
+    d.key(
+        "spans", "-", R"([{"closed", "steps"}, ...], in its place, of bars in a row.)",
+        [](const T& e) {
+            return e.value.isOfBars ? std::optional(spansOf(e.value.schedule)) : std::nullopt;
+        },
+        When::any);
     d.key("family", "-", "id of its AtlasFamily; nothing: several phases, or no motion.",
           ofValue(&AtlasEntry::family));
-    describePeriod(d, type);
+    describePeriod(d, type, ratioOfAny);
     d.key("status", "-", "Decided.", ofRow(&AtlasRow::status));
     d.key("reason", "-", "Why there is no motion.", ofRow(&AtlasRow::reason));
     d.key("kernel_dimension", "- >= 0", "dim ker(W - 1).", ofRow([](const AtlasRow& row) {
@@ -238,6 +302,10 @@ void describe(D& d, Type<AtlasEntryOf> type)
         [ifFound](const T& e, double unit) {
             return ifFound([unit](const AtlasRow& row) { return scaled(row.energy, unit); })(e);
         },
+        [ifFound](const T& e) {
+            const auto energy = ifFound(&AtlasRow::energy)(e);
+            return e.units.isRatio ? energy : std::nullopt;
+        },
         When::any);
 }
 
@@ -246,14 +314,16 @@ void describe(D& d, Type<TwinsOf> type)
 {
     using T = TwinsOf;
     d.record("AtlasTwins", "Different orbits of equal period and energy.");
-    describePeriod(d, type);
+    describePeriod(d, type, ratioOfAny);
     d.key("energy", "J > 0", "The least of each.",
-          [](const T& t) { return energyRatio(t.value) * scales(t.bar).energy; });
-    d.key("energy_ratio", "E_1 > 0", "The same.", [](const T& t) { return energyRatio(t.value); });
+          [](const T& t) { return energyRatio(t.value) * t.units.energy; });
+    d.key("energy_ratio", "E_1 > 0", "The same.", [](const T& t) {
+        return t.units.isRatio ? std::optional(energyRatio(t.value)) : std::nullopt;
+    });
     d.key("families", "-", "Of one phase.",
-          [](const T& t) { return withUnits(t.value.families, t.bar); });
+          [](const T& t) { return withUnits(t.value.families, t.units); });
     d.key("schedules", "-", "Of several.",
-          [](const T& t) { return withUnits(t.value.schedules, t.bar); });
+          [](const T& t) { return withUnits(t.value.schedules, t.units); });
 }
 
 template <typename D>
@@ -262,9 +332,9 @@ void describe(D& d, Type<AtlasPoint>)
     using T = AtlasPoint;
     d.record("AtlasPoint", "A point of the frequency-energy plot.");
     d.key("frequency", "Hz > 0", "1/T.",
-          [](const T& p) { return p.frequencyRatio / (4.0 * scales(p.bar).time); });
+          [](const T& p) { return p.frequencyRatio / (4.0 * p.units.time * p.units.frequency); });
     d.key("frequency_ratio", "- > 0", "omega/omega_1.", &T::frequencyRatio);
-    d.key("energy", "J > 0", "E.", [](const T& p) { return p.energyRatio * scales(p.bar).energy; });
+    d.key("energy", "J > 0", "E.", [](const T& p) { return p.energyRatio * p.units.energy; });
     d.key("energy_ratio", "E_1 > 0", "E/E_1.", &T::energyRatio);
     d.key("within", "- > 0", "How near, relative.", &T::distance);
 }
@@ -274,7 +344,8 @@ void describe(D& d, Type<AtlasAnswer>)
 {
     using T = AtlasAnswer;
     d.record("AtlasAnswer", "What a database says.");
-    d.key("bar", "-", "What units mean.", &T::bar);
+    d.key("bar", "-", "What units mean.", &T::bar, When::any);
+    d.key("scene", "-", "In its place, of bars in a row.", &T::bars, When::any);
     d.key("near", "-", "The point asked about.", &T::near, When::any);
     d.key("twins", "-", "Groups of different orbits.", &T::twins, When::any);
     d.key("families", "-", "Sets of orbits.", &T::families, When::any);

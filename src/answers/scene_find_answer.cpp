@@ -88,12 +88,6 @@ std::optional<double> SceneFindAnswer::provedCompression() const
                   : std::nullopt;
 }
 
-bool SceneFindAnswer::presses() const
-{
-    const auto& impulses = motions.residuals.impulses;
-    return std::any_of(impulses.begin(), impulses.end(), [](double one) { return one > 1e-9; });
-}
-
 std::optional<SceneFloor> SceneFindAnswer::certificate() const
 {
     if (!isProof() || motions.provedEnergy == 0.0) {

@@ -111,7 +111,7 @@ struct SceneFindAnswer {
     /// Every motion of the schedule has more.
     [[nodiscard]] std::optional<double> provedCompression() const;
     /// Does any contact press?
-    [[nodiscard]] bool presses() const;
+    [[nodiscard]] bool presses() const { return motions.residuals.presses(); }
     /// What is proved is that of least energy.
     [[nodiscard]] bool isProof() const
     {

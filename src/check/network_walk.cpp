@@ -60,6 +60,11 @@ double NetworkResiduals::worst() const
     return std::max({periodicity, tie, gap, pressure, penetration});
 }
 
+bool NetworkResiduals::presses() const
+{
+    return std::any_of(impulses.begin(), impulses.end(), [](double one) { return one > 1e-9; });
+}
+
 double strainExcess(const Network& network, const NetworkClaim& claim, const NetworkExtremes& seen)
 {
     if (network.strainLimit == infinity) {

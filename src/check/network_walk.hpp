@@ -73,6 +73,8 @@ struct NetworkResiduals {
     std::vector<ContactSet> pressed = {};  ///< in each part of the schedule: those that press
     /// The largest of the five.
     [[nodiscard]] double worst() const;
+    /// Does any contact press?
+    [[nodiscard]] bool presses() const;
 };
 
 /// Walks a state along the schedule for one period. A push of less than `tolerance` times what the

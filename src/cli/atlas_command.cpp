@@ -14,7 +14,8 @@
 #include "progress.hpp"
 #include "ranks.hpp"
 #include "reports.hpp"
-#include "segments_text.hpp"
+#include "scene_options.hpp"
+#include "scene_report.hpp"
 #include "signorini/atlas_database.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/output.hpp"
@@ -23,6 +24,8 @@
 namespace signorini::cli {
 
 namespace {
+
+using answers::AtlasUnits;
 
 /// Finer than the periods of a grid up to N = 280, so that one of its frequencies is meant.
 constexpr double usualDistance = 0.001;
@@ -51,7 +54,8 @@ std::string optionsOf(const AtlasRange& range)
                 ? fmt::format(" --second-stop {}/{} units", range.secondStop->numerator,
                               range.secondStop->denominator)
                 : "") +
-           (range.segments.empty() ? "" : fmt::format(" --segments {}", textOf(range.segments)));
+           (range.segments.empty() ? "" : fmt::format(" --segments {}", sceneText(range))) +
+           (range.bars ? fmt::format(" --scene '{}'", sceneText(range)) : "");
 }
 
 /// One call.
@@ -70,20 +74,25 @@ struct AtlasCommand {
 private:
     [[nodiscard]] bool isQuery() const;
     [[nodiscard]] AtlasRange range() const;
-    /// Of a bar that is not uniform.
-    [[nodiscard]] std::vector<Segment> segments() const;
+    [[nodiscard]] AtlasRange usualRangeOfScene() const;
     /// Whose scales the answers have.
     [[nodiscard]] Bar bar() const;
+    /// The same of a database, which knows its bars.
+    [[nodiscard]] AtlasUnits units(const std::optional<Assembly>& known) const;
     void checkQuery() const;
-    [[nodiscard]] std::optional<answers::AtlasPoint> point() const;
-    [[nodiscard]] AtlasQuestion question() const;
-    [[nodiscard]] AtlasAnswer ask(const AtlasDatabase& atlas) const;
+    [[nodiscard]] std::optional<answers::AtlasPoint> point(const AtlasUnits& units) const;
+    [[nodiscard]] AtlasQuestion question(const std::optional<answers::AtlasPoint>& at) const;
+    [[nodiscard]] AtlasAnswer ask(const AtlasDatabase& atlas,
+                                  const std::vector<AtlasRun>& runs) const;
     [[nodiscard]] ExitStatus answer() const;
     [[nodiscard]] ExitStatus build(const AtlasRange& range, Ranks* ranks,
                                    std::optional<Interrupt>& interrupt) const;
     void fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks, const AtlasOptions& options) const;
     void draw(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
               Outputs& outputs) const;
+    /// Says it, in words after the line of the bars.
+    template <typename Answer>
+    void tellOf(const Answer& answer, const std::optional<Assembly>& bars) const;
 };
 
 AtlasCommand::AtlasCommand(const Given& words)
@@ -101,36 +110,38 @@ bool AtlasCommand::isQuery() const
 
 AtlasRange AtlasCommand::range() const
 {
-    AtlasRange range = usualRange(common.usualCells());
+    AtlasRange range = usualRangeOfScene();
     range.maxContact = given.whole("--max-contact").value_or(range.maxContact);
     range.maxFree = given.whole("--max-free").value_or(range.maxFree);
     range.maxPhases = given.whole("--phases").value_or(range.maxPhases);
     range.maxEnergyRatio = given.number("--max-energy-ratio").value_or(range.maxEnergyRatio);
     range.keepsRefuted = given.has("--all");
     range.familiesOnly = given.has("--families-only");
-    const Stops stops = stopsOf(common.scene());
-    range.gapSign = stops.right;
-    range.secondStop = stops.left;
-    range.segments = segments();
     refuseIf(range.keepsRefuted && range.familiesOnly,
              "--all, --families-only: allowed one of them");
     validate(range);
     return range;
 }
 
-std::vector<Segment> AtlasCommand::segments() const
+AtlasRange AtlasCommand::usualRangeOfScene() const
 {
-    const Scene scene = common.scene();
-    if (isUniform(scene.segments)) {
-        return {};
-    }
-    refuseIf(scene.secondStop.has_value(), "--second-stop: allowed for a uniform bar");
-    return scene.segments;
+    return common.hasScene() ? answers::atlasRangeOf(common.assembly())
+                             : answers::atlasRangeOf(common.shortForms(), common.usualCells());
 }
 
 Bar AtlasCommand::bar() const
 {
-    return firstMaterial({common.scene().bar, std::nullopt, segments()});
+    return firstMaterial(common.scene());
+}
+
+AtlasUnits AtlasCommand::units(const std::optional<Assembly>& known) const
+{
+    if (!known) {
+        return answers::atlasUnitsOf(bar());
+    }
+    const bool isOther = common.hasScene() && common.assembly() != *known;
+    refuseIf(isOther, "--scene", common.sceneText, "the scene of the database, or none");
+    return answers::atlasUnitsOf(*known);
 }
 
 ExitStatus AtlasCommand::run() const
@@ -145,18 +156,22 @@ ExitStatus AtlasCommand::run() const
     }
     try {
         refuseIf(database.empty(), "--database is missing: allowed the name of an SQLite file");
-        refuseIf(stopsOf(common.scene()) != Stops{} && given.has("--figure"),
-                 "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds the "
-                 "families");
-        refuseIf(!segments().empty() && (given.has("--figure") || given.has("--csv")),
-                 "--figure, --csv: allowed for a uniform bar, whose families they show");
+        const bool showsFamilies = given.has("--figure") || given.has("--csv");
+        if (showsFamilies) {
+            const AtlasRange asked = usualRangeOfScene();
+            refuseIf(asked.bars || !asked.segments.empty(),
+                     "--figure, --csv: allowed for a uniform bar, whose families they show");
+            refuseIf(stopsOf(asked) != Stops{} && given.has("--figure"),
+                     "--figure: allowed with a gap > 0 and one stop, whose plot it is; --csv holds "
+                     "the families");
+        }
         validateOutputs({{"--database", database},
                          {"--figure", given.text("--figure")},
                          {"--map", given.text("--map")},
                          {"--csv", given.text("--csv")}});
         // A picture of an atlas that exists needs no range.
-        const bool draws = (given.has("--figure") || given.has("--map") || given.has("--csv")) &&
-                           !common.cells && given.outside(answers::asks::atlasQuery) == nullptr &&
+        const bool draws = (showsFamilies || given.has("--map")) && !common.cells &&
+                           given.outside(answers::asks::atlasQuery) == nullptr &&
                            std::filesystem::exists(database);
         if (isQuery() || draws) {
             checkQuery();
@@ -180,10 +195,10 @@ void AtlasCommand::checkQuery() const
     refuseIf(given.has("--within") && !near, "--within: allowed only together with --near");
     refuseIf(given.has("--schedules") && !near && !period,
              "--schedules: allowed only together with --near or --period");
-    (void)point();
+    (void)point({});
 }
 
-std::optional<answers::AtlasPoint> AtlasCommand::point() const
+std::optional<answers::AtlasPoint> AtlasCommand::point(const AtlasUnits& units) const
 {
     const std::vector<std::string>& near = given.all("--near");
     if (near.empty()) {
@@ -192,38 +207,46 @@ std::optional<answers::AtlasPoint> AtlasCommand::point() const
     if (near.size() != 2) {
         refuse("--near", near[0], "two numbers, omega/omega_1 > 0 and E/E_1 > 0");
     }
-    return answers::AtlasPoint{.frequencyRatio = parseRatio("--near W", near[0], "omega_1"),
-                               .energyRatio = parsePositive("--near E", near[1], "E_1"),
-                               .distance = given.number("--within").value_or(usualDistance),
-                               .bar = bar()};
+    const answers::AtlasPoint at{.frequencyRatio = parseRatio("--near W", near[0], "omega_1"),
+                                 .energyRatio = parsePositive("--near E", near[1], "E_1"),
+                                 .distance = given.number("--within").value_or(usualDistance),
+                                 .units = units};
+    validate(at);
+    return at;
 }
 
-AtlasQuestion AtlasCommand::question() const
+AtlasQuestion AtlasCommand::question(const std::optional<answers::AtlasPoint>& at) const
 {
     AtlasQuestion question{
         .cells = common.cells, .period = period, .wantsSchedules = given.has("--schedules")};
-    if (const auto at = point()) {
-        question.lowestFrequency = at->frequencyRatio * (1.0 - at->distance);
-        question.highestFrequency = at->frequencyRatio * (1.0 + at->distance);
+    if (at) {
+        question.lowestFrequency = at->onGrid() * (1.0 - at->distance);
+        question.highestFrequency = at->onGrid() * (1.0 + at->distance);
         question.highestEnergy = at->energyRatio * (1.0 + at->distance);
     }
     return question;
 }
 
-AtlasAnswer AtlasCommand::ask(const AtlasDatabase& atlas) const
+AtlasAnswer AtlasCommand::ask(const AtlasDatabase& atlas, const std::vector<AtlasRun>& runs) const
 {
     using answers::withUnits;
-    AtlasAnswer answer{.bar = bar(), .near = point()};
+    AtlasAnswer answer{.bars = answers::barsOf(runs)};
+    answer.units = units(answer.bars);
+    answer.near = point(answer.units);
+    if (!answer.bars) {
+        answer.bar = bar();
+    }
     const AtlasSchedules which =
         given.has("--schedules") ? AtlasSchedules::all : AtlasSchedules::withoutFamily;
     if (given.has("--twins")) {
-        answer.twins = withUnits(atlas.twins(common.cells), answer.bar);
+        answer.twins = withUnits(atlas.twins(common.cells), answer.units);
     } else if (period) {
-        answer.families = withUnits(atlas.familiesOfPeriod(*period, common.cells), answer.bar);
+        answer.families = withUnits(atlas.familiesOfPeriod(*period, common.cells), answer.units);
         answer.schedules =
-            withUnits(atlas.schedulesOfPeriod(*period, common.cells, which), answer.bar);
+            withUnits(atlas.schedulesOfPeriod(*period, common.cells, which), answer.units);
     } else if (const auto& at = answer.near) {
-        const auto [w, energy, distance, unit] = *at;
+        const double w = at->onGrid();
+        const auto& [ratio, energy, distance, unit] = *at;
         answer.families =
             withUnits(atlas.familiesNear(w, energy, distance, common.cells), unit, energy);
         answer.schedules =
@@ -237,8 +260,9 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
 {
     const std::vector<AtlasRun> runs = atlas.runs();
     if ((given.has("--figure") || given.has("--csv")) &&
-        std::any_of(runs.begin(), runs.end(),
-                    [](const AtlasRun& run) { return !run.range.segments.empty(); })) {
+        std::any_of(runs.begin(), runs.end(), [](const AtlasRun& run) {
+            return !run.range.segments.empty() || run.range.bars;
+        })) {
         throw std::invalid_argument(
             "--figure, --csv: allowed for the atlas of a uniform bar, whose families they show");
     }
@@ -246,7 +270,9 @@ void AtlasCommand::draw(const AtlasDatabase& atlas, std::optional<std::int64_t> 
         return frequencyEnergyFigure(atlas, cells, {.maxFrequencyRatio = {}, .bar = bar()});
     });
     outputs.draw("--map", [&] { return existenceFigure(atlas, cells); });
-    outputs.put("--csv", writeAtlasCsv, atlas, cells, bar());
+    if (given.has("--csv")) {
+        outputs.put("--csv", writeAtlasCsv, atlas, cells, bar());
+    }
     outputs.commit();
 }
 
@@ -257,8 +283,9 @@ ExitStatus AtlasCommand::answer() const
     AtlasCoverage coverage;
     const AtlasDatabase atlas = forFile("--database", database, [&] {
         AtlasDatabase opened = AtlasDatabase::open(database);
-        coverage = AtlasCoverage(question(), opened.runs());
-        answer = ask(opened);
+        const std::vector<AtlasRun> runs = opened.runs();
+        answer = ask(opened, runs);
+        coverage = AtlasCoverage(question(answer.near), runs);
         return opened;
     });
     draw(atlas, common.cells, drawing);
@@ -269,10 +296,20 @@ ExitStatus AtlasCommand::answer() const
         common.say(gaps);
     }
     if (isQuery()) {
-        report(common, answer);
+        tellOf(answer, answer.bars);
         return answer.isEmpty() && !coverage.isDecided() ? exitUndecided : exitFound;
     }
     return exitFound;
+}
+
+template <typename Answer>
+void AtlasCommand::tellOf(const Answer& answer, const std::optional<Assembly>& bars) const
+{
+    if (bars && !common.wantsJson) {
+        writeOut(headline(*bars, networkOf(*bars)) + asText(answer));
+    } else {
+        report(common, answer);
+    }
 }
 
 void AtlasCommand::fill(AtlasDatabase& atlas, AtlasRun& run, Ranks* ranks,
@@ -340,7 +377,13 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (run.isFinished()) {
         draw(*atlas, range.cells, drawing);
     }
-    report(common, AtlasBuilt{run, database, common.scene()});
+    if (range.bars) {
+        tellOf(
+            AtlasBuilt{run, database, {}, answers::severalOf(*range.bars, networkOf(*range.bars))},
+            range.bars);
+    } else {
+        tellOf(AtlasBuilt{run, database, common.scene()}, range.bars);
+    }
     if (!run.isFinished()) {
         common.say(
             fmt::format("interrupted after {} of {} batches; the same call with --resume continues",

@@ -7,8 +7,6 @@
 #include <iterator>
 #include <set>
 
-#include "segments_text.hpp"
-
 namespace signorini::cli {
 
 namespace {
@@ -124,7 +122,9 @@ std::string describe(const AtlasRange& range)
         std::isfinite(range.maxEnergyRatio) ? fmt::format(", E <= {} E₁", range.maxEnergyRatio)
                                             : "",
         range.familiesOnly ? ", families only" : "",
-        range.segments.empty() ? "" : fmt::format(", segments {}", textOf(range.segments)));
+        range.bars               ? ", " + textOf(range.bars->parts)
+        : range.segments.empty() ? ""
+                                 : ", segments " + sceneText(range));
 }
 
 }  // namespace signorini::cli

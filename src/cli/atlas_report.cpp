@@ -14,19 +14,25 @@ namespace {
 
 using answers::AtlasEntryOf;
 using answers::AtlasFamilyOf;
+using answers::AtlasUnits;
 using answers::TwinsOf;
 
 constexpr std::size_t shownRows = 20;
 
 /// " T = 3.5  ω/ω₁ = 1.14286 (0.285714 Hz)  ".
-std::string periodText(double period, double frequencyRatio, const Scales& unit)
+std::string periodText(double period, double frequencyRatio, const AtlasUnits& unit)
 {
-    return fmt::format("T = {:<10.6g} ω/ω₁ = {:<9.6g} ({:.6g} Hz)  ", period, frequencyRatio,
-                       1.0 / (period * unit.time));
+    const std::string ratio = std::isfinite(unit.frequency)
+                                  ? fmt::format("ω/ω₁ = {:<9.6g} ", frequencyRatio * unit.frequency)
+                                  : "";
+    return fmt::format("T = {:<10.6g} {}({:.6g} Hz)  ", period, ratio, 1.0 / (period * unit.time));
 }
 
-std::string energyText(const EnergyRange& energy, const Scales& unit)
+std::string energyText(const EnergyRange& energy, const AtlasUnits& unit)
 {
+    if (!unit.isRatio) {
+        return fmt::format("E = {:.8g} J … unbounded or unknown", energy.least);
+    }
     if (energy.least == energy.most) {
         return fmt::format("E/E₁ = {:.8g} ({:.6g} J)", energy.least, energy.least * unit.energy);
     }
@@ -47,7 +53,7 @@ std::string nameOf(const AtlasFamily& all)
                                   : "grazing");
 }
 
-std::string asText(const AtlasFamilyOf& of, const Scales& unit)
+std::string asText(const AtlasFamilyOf& of, const AtlasUnits& unit)
 {
     const AtlasFamily& all = of.value;
     std::string text = fmt::format("{:<24} {}{}, {} of dimension {}", nameOf(all),
@@ -62,31 +68,39 @@ std::string asText(const AtlasFamilyOf& of, const Scales& unit)
                               all.schedules == 1 ? "" : "s", all.top.contact, all.top.free);
 }
 
-std::string asText(const AtlasEntry& entry, const Scales& unit)
+std::string nameOf(const AtlasEntry& entry)
+{
+    return entry.isOfBars ? textOf(spansOf(entry.schedule)) : describe(entry.schedule);
+}
+
+std::string asText(const AtlasEntry& entry, const AtlasUnits& unit)
 {
     const AtlasRow& row = entry.row;
-    const std::string text = fmt::format("{:<34} {}", describe(entry.schedule),
+    const std::string text = fmt::format("{:<34} {}", nameOf(entry),
                                          periodText(period(entry), frequencyRatio(entry), unit));
     if (row.status != Status::found) {
         return text + fmt::format("{}{}\n", name(row.status),
                                   row.reason ? fmt::format(", {}", name(*row.reason)) : "");
     }
-    return text + fmt::format("{}, {}, {} of dimension {}{}\n", energyText(row.energy, unit),
-                              name(row.contact), name(row.kind), row.dimension,
+    const std::string set =
+        row.dimension < 0 ? "" : fmt::format(", {} of dimension {}", name(row.kind), row.dimension);
+    return text + fmt::format("{}, {}{}{}\n", energyText(row.energy, unit), name(row.contact), set,
                               row.isCanonical ? ", canonical" : "");
 }
 
-std::string asText(const Twins& twins, const Scales& unit)
+std::string asText(const Twins& twins, const AtlasUnits& unit)
 {
     const double time = period(twins);
     const double energy = energyRatio(twins);
-    std::string text = fmt::format("T = {:.6g} ({:.6g} Hz), E/E₁ = {:.8g} ({:.6g} J):", time,
-                                   1.0 / (time * unit.time), energy, energy * unit.energy);
+    std::string text = fmt::format(
+        "T = {:.6g} ({:.6g} Hz), {}:", time, 1.0 / (time * unit.time),
+        unit.isRatio ? fmt::format("E/E₁ = {:.8g} ({:.6g} J)", energy, energy * unit.energy)
+                     : fmt::format("E = {:.8g} J", energy));
     for (const AtlasFamily& all : twins.families) {
         text += fmt::format("  {}", nameOf(all));
     }
     for (const AtlasEntry& entry : twins.schedules) {
-        text += fmt::format("  {}", describe(entry.schedule));
+        text += fmt::format("  {}", nameOf(entry));
     }
     return text + "\n";
 }
@@ -110,7 +124,7 @@ std::string listed(const std::vector<Row>& rows, std::string_view one, std::stri
 
 std::string asText(const AtlasAnswer& answer)
 {
-    const Scales unit = scales(answer.bar);
+    const AtlasUnits& unit = answer.units;
     std::string text;
     if (answer.twins) {
         text = listed(*answer.twins, "group of different orbits of equal T and E",
@@ -138,10 +152,11 @@ std::string asText(const AtlasBuilt& built)
     return fmt::format(
         "{:<12}{}: {}\n"
         "decided     {} schedules in {:.3g} s\n"
-        "found       {}: {} pressing, {} grazing; {} families on this grid\n"
+        "found       {}: {} pressing, {} grazing{}\n"
         "none        {}{}\n",
         name(built.status()), onOneLine(built.database), describe(run.range), tally.decided,
-        run.seconds, tally.pressing + tally.grazing, tally.pressing, tally.grazing, tally.families,
+        run.seconds, tally.pressing + tally.grazing, tally.pressing, tally.grazing,
+        run.range.bars ? "" : fmt::format("; {} families on this grid", tally.families),
         tally.refuted, tally.undecided > 0 ? fmt::format("\nundecided   {}", tally.undecided) : "");
 }
 

@@ -183,13 +183,13 @@ Scene CommonOptions::scene() const
         return shortForms();
     }
     refuseIf(sceneText.empty(),
-             "--gravity: allowed with find, continuum, response, simulate and sweep");
+             "--gravity: allowed with find, continuum, response, simulate, sweep and atlas");
     const std::optional<Scene> bar = barOf(assembly());
     if (!bar) {
         throw std::invalid_argument(fmt::format(
             "--scene '{}': allowed for this question: one bar, clamped on the left, with stops at "
-            "its tip, as in 'clamp 300 stop=1e-3'; of other scenes find, continuum, response and "
-            "simulate know motions",
+            "its tip, as in 'clamp 300 stop=1e-3'; of other scenes find, continuum, response, "
+            "simulate and atlas know motions",
             shortened(sceneText)));
     }
     validate(*bar);

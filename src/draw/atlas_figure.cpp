@@ -4,9 +4,12 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <vector>
 
+#include "infinity.hpp"
+#include "network_find.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 
@@ -25,7 +28,7 @@ constexpr double longestFlight = 4.0;
 constexpr std::int64_t maxNamedOrder = 7;
 constexpr double nameDistance = 0.11;  ///< [L/c]
 
-/// What the map shows of an atlas.
+/// What a map shows of an atlas: of bars in a row the schedules of one contact alone.
 struct Map {
     Series pressing = plot::dots(Role::ink);
     Series grazing = plot::dots(Role::faint);
@@ -33,9 +36,11 @@ struct Map {
     double contactTime = 0.0;   ///< [L/c], longest drawn
     double flightTime = 0.0;    ///< [L/c], longest drawn
     double energy = 10.0;       ///< [E_1], the largest of the least ones
+    double lowest = 1.0;        ///< [E_1], the least
     double cells = 1.0;         ///< of the finest grid
 
-    Map(const AtlasDatabase& atlas, std::optional<std::int64_t> of)
+    Map(const AtlasDatabase& atlas, std::optional<std::int64_t> of, Stop contact)
+        : contact_(contact)
     {
         atlas.forEachFound(of, [this](const AtlasEntry& entry) { add(entry); });
         if (pressing.x.empty() && grazing.x.empty()) {
@@ -54,7 +59,8 @@ struct Map {
 private:
     void add(const AtlasEntry& entry)
     {
-        if (entry.schedule.phases.size() != 1) {
+        if (entry.schedule.phases.size() != 1 ||
+            (entry.isOfBars && entry.schedule.phases.front().stop != contact_)) {
             return;
         }
         const auto size = static_cast<double>(entry.schedule.cells);
@@ -74,12 +80,30 @@ private:
         pressing.add(flight, contact);
         pressing.z.push_back(entry.row.energy.least);
         energy = std::max(energy, entry.row.energy.least);
+        lowest = std::min(lowest, entry.row.energy.least);
+        if (entry.isOfBars) {
+            return;
+        }
         const std::optional<TentPlace> place = familyOf(entry.schedule);
         if (place && place->offset == 0 && place->family.order <= maxNamedOrder) {
             tents.push_back(place->family);
         }
     }
+
+    Stop contact_;
 };
+
+/// Contacts of the bars in a row that an atlas is of; 1 of one bar, whose stops share a map.
+std::int64_t mapsOf(const std::vector<AtlasRun>& runs)
+{
+    return !runs.empty() && runs.front().range.bars ? contactsOf(runs.front().range) : 1;
+}
+
+bool hasFirstEnergy(const std::vector<AtlasRun>& runs)
+{
+    return runs.empty() || !runs.front().range.bars ||
+           firstEnergy(networkOf(*runs.front().range.bars)).has_value();
+}
 
 /// Names at the upper ends of tents, t_c = (2k + 2)/w: left of those that end at t_f = 2, above
 /// the others; of names that would meet the first.
@@ -112,6 +136,11 @@ void addNames(Panel& panel, std::span<const Family> tents)
 FigureData frequencyEnergyFigure(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                                  const FrequencyEnergyOptions& options)
 {
+    const std::vector<AtlasRun> runs = atlas.runs();
+    if (!runs.empty() && runs.front().range.bars) {
+        throw std::invalid_argument(
+            "the frequency-energy plot: allowed for the atlas of one bar, whose families it shows");
+    }
     std::set<std::array<std::int64_t, 3>> seen;  // on several grids, each once
     std::vector<Family> onGrid;
     std::vector<EnergyBar> bars;
@@ -140,33 +169,68 @@ FigureData frequencyEnergyFigure(const AtlasDatabase& atlas, std::optional<std::
 
 FigureData existenceFigure(const AtlasDatabase& atlas, std::optional<std::int64_t> cells)
 {
-    Map map(atlas, cells);
+    constexpr double above = 1.5;  // [cm], of the legend
+    constexpr double below = 1.7;  // [cm], of each panel's axis
+    const std::vector<AtlasRun> runs = atlas.runs();
+    std::vector<Map> maps;
+    for (std::int64_t k = 0; k < mapsOf(runs); ++k) {
+        maps.emplace_back(atlas, cells, static_cast<Stop>(k));
+    }
+    double contactTime = 0.0;
+    double flightTime = 0.0;
+    bool grazes = false;
+    bool presses = false;
+    Axis colour{
+        .label = hasFirstEnergy(runs) ? "least energy  E_{min}/E_1" : "least energy  E_{min}  [J]",
+        .isLogarithmic = true};
+    double lowest = infinity;
+    double highest = 0.0;
+    for (const Map& map : maps) {
+        contactTime = std::max(contactTime, map.contactTime);
+        flightTime = std::max(flightTime, map.flightTime);
+        grazes = grazes || !map.grazing.x.empty();
+        presses = presses || !map.pressing.x.empty();
+        lowest = std::min(lowest, map.lowest);
+        highest = std::max(highest, map.energy);
+    }
+    colour.low = lowest;
+    colour.high = highest;
     // Both times to one scale, so that lines of equal period run at 45 degrees.
-    const double height = std::clamp(plotWidth * map.contactTime / map.flightTime, 2.0, plotWidth);
-    FigureData figure{.width = plotWidth + 5.0, .height = height + 3.2};
-    const double bottom = 1.7 / figure.height;
-    const double top = bottom + height / figure.height;
+    const double height = std::clamp(plotWidth * contactTime / flightTime, 2.0, plotWidth);
+    const auto count = static_cast<double>(maps.size());
+    FigureData figure{.width = plotWidth + 5.0, .height = count * (height + below) + above};
     const double right = (1.8 + plotWidth) / figure.width;
-    Panel& panel = figure.add({.name = "map", .place = {1.8 / figure.width, right, bottom, top}});
-    panel.isEqual = true;
-    panel.legend = Legend::above;
-    panel.x = {.label = "flight time  t_f  [L/c]", .low = 0.0, .high = map.flightTime * 1.01};
-    panel.y = {.label = "contact time  t_c  [L/c]", .low = 0.0, .high = map.contactTime * 1.01};
-    panel.map = ColourMap::onPaper;
-    panel.colour = {.label = "least energy  E_{min}/E_1",
-                    .low = 1.0,
-                    .high = map.energy,
-                    .isLogarithmic = true};
-    panel.colourBar = Place{right + 0.03, right + 0.05, bottom, top};
-    if (!map.grazing.x.empty()) {
-        panel.explain(dots(Role::faint), "grazing: contact without force");
+    for (std::size_t k = 0; k < maps.size(); ++k) {
+        Map& map = maps[k];
+        const double from = (count - 1.0 - static_cast<double>(k)) * (height + below) + below;
+        const double bottom = from / figure.height;
+        const double top = (from + height) / figure.height;
+        Panel& panel = figure.add({.name = maps.size() == 1 ? "map" : fmt::format("map{}", k + 1),
+                                   .place = {1.8 / figure.width, right, bottom, top}});
+        panel.isEqual = true;
+        panel.x = {.label = "flight time  t_f  [L/c]", .low = 0.0, .high = flightTime * 1.01};
+        panel.y = {.label = "contact time  t_c  [L/c]", .low = 0.0, .high = contactTime * 1.01};
+        if (maps.size() > 1) {
+            panel.y.label = fmt::format("t_c at contact {}  [L/c]", k + 1);
+        }
+        panel.map = ColourMap::onPaper;
+        panel.colour = colour;
+        if (k == 0) {
+            panel.legend = Legend::above;
+            panel.colourBar = Place{right + 0.03, right + 0.05, bottom, top};
+            if (grazes) {
+                panel.explain(dots(Role::faint), "grazing: contact without force");
+            }
+            if (presses) {
+                panel.explain(dots(Role::shade2), runs.empty() || !runs.front().range.bars
+                                                      ? "pressing: tents of families (w, ν, k)"
+                                                      : "pressing");
+            }
+        }
+        panel.add(std::move(map.grazing));
+        panel.add(std::move(map.pressing));
+        addNames(panel, map.tents);
     }
-    if (!map.pressing.x.empty()) {
-        panel.explain(dots(Role::shade2), "pressing: tents of families (w, ν, k)");
-    }
-    panel.add(std::move(map.grazing));
-    panel.add(std::move(map.pressing));
-    addNames(panel, map.tents);
     return figure;
 }
 

@@ -1,10 +1,12 @@
 #include "signorini/atlas.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "contact_spans.hpp"
 #include "faults.hpp"
+#include "network_find.hpp"
 #include "segments_text.hpp"
 #include "stepped_bar.hpp"
 #include "text.hpp"
@@ -13,17 +15,51 @@ namespace signorini {
 
 namespace {
 
-/// A phase is one of so many: n_c, n_f, and the stop.
+/// A phase is one of so many: n_c, n_f, and the contact.
 std::int64_t choicesOf(const AtlasRange& range)
 {
-    return range.maxContact * range.maxFree * (range.secondStop ? 2 : 1);
+    return range.maxContact * range.maxFree * contactsOf(range);
+}
+
+/// What a range must not have where programs decide. `of`: "for ...".
+void requirePlain(const AtlasRange& range, const char* of, Faults& faults)
+{
+    if (range.familiesOnly) {
+        faults.add("families only", true, fmt::format("false {}", of));
+    }
+    if (range.secondStop) {
+        faults.add("second stop", range.secondStop->value(), fmt::format("none {}", of));
+    }
+    const std::int64_t most = maxNetworkSteps / maxAtlasPhases;
+    if (range.maxContact + range.maxFree > most) {
+        faults.add("max contact + max free", range.maxContact + range.maxFree,
+                   fmt::format("at most {} {}", most, of));
+    }
+}
+
+void requireBars(const AtlasRange& range, Faults& faults)
+{
+    constexpr const char* of = "for bars in a row";
+    validate(*range.bars);
+    const Network network = networkOf(*range.bars);
+    if (range.cells != network.cells()) {
+        faults.add("cells", range.cells, fmt::format("{}, of all bars", network.cells()));
+    }
+    if (!range.segments.empty() || range.gapSign != 1) {
+        faults.add("segments, gap sign", range.gapSign, fmt::format("none, 1 {}", of));
+    }
+    if (std::isfinite(range.maxEnergyRatio) && !firstEnergy(network)) {
+        faults.add("max energy ratio", range.maxEnergyRatio,
+                   "none where no energy E₁ is needed to reach contact 1");
+    }
+    requirePlain(range, of, faults);
 }
 
 /// pairs + pairs^2 + ... + pairs^phases, if that is at most 2^62.
 std::optional<std::int64_t> countNumbers(const AtlasRange& range)
 {
     constexpr std::int64_t limit = maxSteps;
-    if (range.maxContact > limit / 2 / range.maxFree) {
+    if (range.maxContact > limit / contactsOf(range) / range.maxFree) {
         return std::nullopt;
     }
     const std::int64_t phases = range.maxPhases;
@@ -61,6 +97,52 @@ Stops stopsOf(const AtlasRange& range)
     return {range.gapSign, range.secondStop};
 }
 
+std::int64_t contactsOf(const AtlasRange& range)
+{
+    if (!range.bars) {
+        return range.secondStop ? 2 : 1;
+    }
+    return std::max<std::int64_t>(
+        1, std::count_if(
+               range.bars->parts.begin(), range.bars->parts.end(), [](const AssemblyPart& part) {
+                   return part.kind == PartKind::gap || part.kind == PartKind::rightStop ||
+                          part.kind == PartKind::leftStop;
+               }));
+}
+
+std::string sceneText(const AtlasRange& range)
+{
+    if (!range.bars) {
+        return textOf(range.segments);
+    }
+    const Assembly& bars = *range.bars;
+    return fmt::format("{}; {} {} {} {} {}", textOf(bars.parts), bars.length, bars.waveSpeed,
+                       bars.axialStiffness, bars.gravity, bars.young.value_or(0.0));
+}
+
+void readScene(AtlasRange& range, std::string_view text)
+{
+    const std::size_t end = text.find(';');
+    if (end == std::string_view::npos) {
+        range.segments = segmentsOf(text);
+        return;
+    }
+    Assembly bars{.parts = partsOf(text.substr(0, end))};
+    const std::string ended = std::string(text.substr(end + 1)) + ' ';
+    std::string_view scales = ended;
+    scales.remove_prefix(1);
+    double young = 0.0;
+    for (double* value :
+         {&bars.length, &bars.waveSpeed, &bars.axialStiffness, &bars.gravity, &young}) {
+        if (!takeNumberBefore(scales, ' ', *value)) {
+            throw std::invalid_argument(
+                fmt::format("scene = {}: allowed what sceneText writes", text));
+        }
+    }
+    bars.young = young > 0.0 ? std::optional(young) : std::nullopt;
+    range.bars = std::move(bars);
+}
+
 void validate(const AtlasRange& range)
 {
     Faults faults;
@@ -81,18 +163,10 @@ void validate(const AtlasRange& range)
         if (range.gapSign == 0) {
             faults.add("gap sign", 0, "-1, 1 for a bar of several segments");
         }
-        if (range.familiesOnly) {
-            faults.add("families only", true, "false for a bar of several segments");
-        }
-        if (range.secondStop) {
-            faults.add("second stop", range.secondStop->value(),
-                       "none for a bar of several segments");
-        }
-        const std::int64_t most = maxNetworkSteps / maxAtlasPhases;
-        if (range.maxContact + range.maxFree > most) {
-            faults.add("max contact + max free", range.maxContact + range.maxFree,
-                       fmt::format("at most {} for a bar of several segments", most));
-        }
+        requirePlain(range, "for a bar of several segments", faults);
+    }
+    if (range.bars) {
+        requireBars(range, faults);
     }
     if (!(range.maxEnergyRatio > 0.0)) {
         faults.add("max energy ratio", range.maxEnergyRatio, "numbers > 0 [E_1]");
@@ -117,7 +191,7 @@ std::string textOf(const AtlasRange& range)
     return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", range.cells, range.maxContact,
                        range.maxFree, range.maxPhases, range.maxEnergyRatio,
                        range.keepsRefuted ? 1 : 0, range.familiesOnly ? 1 : 0, range.gapSign,
-                       second.numerator, second.denominator, textOf(range.segments));
+                       second.numerator, second.denominator, sceneText(range));
 }
 
 AtlasRange rangeOf(std::string_view text)
@@ -148,7 +222,7 @@ AtlasRange rangeOf(std::string_view text)
     }
     range.keepsRefuted = keepsRefuted != 0;
     range.familiesOnly = familiesOnly != 0;
-    range.segments = segmentsOf(rest);
+    readScene(range, rest);
     return range;
 }
 
@@ -201,7 +275,7 @@ std::vector<Phase> phasesAt(const AtlasRange& range, std::int64_t number)
     for (std::size_t k = count; k-- > 0; number /= choices) {
         const std::int64_t pair = number % choices % pairs;
         phases[k] = {pair / range.maxFree + 1, pair % range.maxFree + 1,
-                     number % choices < pairs ? Stop::right : Stop::left};
+                     static_cast<Stop>(number % choices / pairs)};
     }
     return phases;
 }

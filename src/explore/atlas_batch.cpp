@@ -1,15 +1,12 @@
 // How a range falls into batches, and what each holds.
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
 
+#include "atlas_programs.hpp"
 #include "several_phases.hpp"
 #include "signorini/atlas.hpp"
-#include "signorini/find_periodic.hpp"
 #include "stops.hpp"
 #include "tents.hpp"
 
@@ -23,7 +20,7 @@ constexpr std::int64_t stepsPerBatch = 1 << 9;
 constexpr std::int64_t stepsPerBatchOfFamilies = 1 << 12;
 constexpr std::int64_t rowsPerBatchOfAll = 1 << 16;
 constexpr std::int64_t severalPhasesBatch = 1 << 12;
-constexpr std::int64_t steppedBatch = 1 << 6;  // each the search for a least norm
+constexpr std::int64_t programBatch = 1 << 6;  // each the search for a least norm
 
 std::int64_t pairsOf(const AtlasRange& range)
 {
@@ -177,79 +174,15 @@ private:
     const Cancel& cancel_;
 };
 
-std::string textOf(const RationalProof& proof)
-{
-    const auto listed = [](const std::vector<RationalMultiplier>& rows) {
-        std::string text;
-        for (const RationalMultiplier& m : rows) {
-            text += fmt::format("{}{}:{}", text.empty() ? "" : " ", m.row, m.value);
-        }
-        return text;
-    };
-    return listed(proof.equalities) + "; " + listed(proof.inequalities);
-}
-
-std::string textOf(const EnergyFloor& proof)
-{
-    const auto listed = [](const std::vector<ContactMultiplier>& conditions) {
-        std::string text;
-        for (const ContactMultiplier& m : conditions) {
-            text +=
-                fmt::format("{}{}:{}:{}", text.empty() ? "" : " ", m.contact + 1, m.step, m.value);
-        }
-        return text;
-    };
-    return fmt::format("{}; {}; {}", fmt::join(proof.periodicity, " "), listed(proof.places),
-                       listed(proof.pushes));
-}
-
-/// What `findPeriodic` says of the least energy of one schedule of a bar of several segments, with
-/// the proof if there is none. \throws BackendUnavailable where this build cannot tell.
-void enterStepped(const AtlasRange& range, std::int64_t number, const Cancel& cancel,
-                  AtlasBatch& batch)
-{
-    const Schedule schedule{range.cells, phasesAt(range, number)};
-    FindOptions options;
-    options.scene.bar.gap *= range.gapSign;
-    options.scene.segments = range.segments;
-    options.objective = Objective::minEnergy;
-    options.cancel = cancel;
-    const PeriodicResult result = findPeriodic(schedule, options);
-    AtlasRow row;
-    row.number = number;
-    row.status = result.status;
-    row.kernelDimension = result.set.kernelDimension.value_or(-1);
-    row.steps = steps(schedule);
-    if (result.absence) {
-        row.reason = result.absence->reason;
-        const auto& proof = result.absence->proof;
-        if (const auto* floor = std::get_if<EnergyFloorProof>(&proof);
-            floor != nullptr && range.keepsRefuted) {
-            batch.proofs.push_back({number, textOf(floor->multipliers)});
-        } else if (const auto* exact = std::get_if<SteppedProof>(&proof);
-                   exact != nullptr && range.keepsRefuted) {
-            batch.proofs.push_back({number, textOf(exact->multipliers)});
-        }
-    }
-    if (result.motion) {
-        row.kind = result.set.kind.value_or(SetKind::polytope);
-        row.dimension = result.set.dimension;
-        row.contact = result.motion->contact;
-        row.isCanonical =
-            result.motion->repetitions == 1 && result.motion->canonical == schedule.phases;
-        row.energy = result.set.energy.value();
-    }
-    enter(range, row, batch);
-}
-
-/// Some neighbouring numbers of a bar of several segments.
-std::optional<AtlasBatch> decideSteppedBatch(const AtlasRange& range, std::int64_t batch,
+/// Some neighbouring numbers of what programs decide.
+std::optional<AtlasBatch> decideProgramBatch(const AtlasRange& range, std::int64_t batch,
                                              const Cancel& cancel)
 {
     AtlasBatch result;
     result.number = batch;
-    const std::int64_t begin = batch * steppedBatch;
-    const std::int64_t end = std::min(begin + steppedBatch, numbersOf(range));
+    const ProgramRows rows(range);
+    const std::int64_t begin = batch * programBatch;
+    const std::int64_t end = std::min(begin + programBatch, numbersOf(range));
     for (std::int64_t number = begin; number < end; ++number) {
         if (isRequested(cancel)) {
             return std::nullopt;
@@ -257,10 +190,14 @@ std::optional<AtlasBatch> decideSteppedBatch(const AtlasRange& range, std::int64
         if (!rotationOf(phasesAt(range, number)).isFirst) {
             continue;
         }
-        enterStepped(range, number, cancel, result);
+        ProgramRow decided = rows.decide(number, cancel);
         if (isRequested(cancel)) {
             return std::nullopt;
         }
+        if (decided.proof && range.keepsRefuted) {
+            result.proofs.push_back({number, std::move(*decided.proof)});
+        }
+        enter(range, decided.row, result);
     }
     return result;
 }
@@ -269,8 +206,8 @@ std::optional<AtlasBatch> decideSteppedBatch(const AtlasRange& range, std::int64
 
 std::int64_t batchesOf(const AtlasRange& range)
 {
-    if (!range.segments.empty()) {
-        return batchesFor(numbersOf(range), steppedBatch);
+    if (isOfPrograms(range)) {
+        return batchesFor(numbersOf(range), programBatch);
     }
     return onePhaseBatches(range) +
            batchesFor(numbersOf(range) - pairsOf(range), severalPhasesBatch);
@@ -279,8 +216,8 @@ std::int64_t batchesOf(const AtlasRange& range)
 std::optional<AtlasBatch> decideBatch(const AtlasRange& range, std::int64_t batch,
                                       std::vector<std::int8_t>& signs, const Cancel& cancel)
 {
-    if (!range.segments.empty()) {
-        return decideSteppedBatch(range, batch, cancel);
+    if (isOfPrograms(range)) {
+        return decideProgramBatch(range, batch, cancel);
     }
     AtlasBatch result;
     result.number = batch;

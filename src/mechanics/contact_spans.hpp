@@ -46,12 +46,13 @@ struct ContactSpan {
     return static_cast<double>(stepsOf(schedule)) * network.scales.time;
 }
 
-/// A schedule of a bar with one stop or two: bit 0 is the wall, bit 1 the second stop.
+/// A schedule of a bar with one stop or two, bit 0 is the wall, bit 1 the second stop; or of bars
+/// in a row, one contact after the other (`Stop`).
 [[nodiscard]] inline std::vector<ContactSpan> spansOf(const Schedule& schedule)
 {
     std::vector<ContactSpan> spans;
     for (const Phase& phase : schedule.phases) {
-        spans.push_back({phase.stop == Stop::right ? 1U : 2U, phase.contact});
+        spans.push_back({ContactSet{1} << static_cast<unsigned>(phase.stop), phase.contact});
         spans.push_back({0, phase.free});
     }
     return spans;

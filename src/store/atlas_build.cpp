@@ -84,10 +84,11 @@ AtlasRun beginAtlas(AtlasDatabase& database, const AtlasRange& range, const Atla
             "gap, second stop: the database holds ranges of other stops: allowed another file");
     }
     if (std::any_of(runs.begin(), runs.end(), [&range](const AtlasRun& run) {
-            return run.range.segments != range.segments;
+            return run.range.segments != range.segments || run.range.bars != range.bars;
         })) {
         throw std::invalid_argument(
-            "segments: the database holds ranges of a bar of other segments: allowed another file");
+            fmt::format("{}: the database holds ranges of other {}: allowed another file",
+                        range.bars ? "scene" : "segments", range.bars ? "bars" : "segments"));
     }
     if (before == runs.end()) {
         const bool othersWait = std::any_of(runs.begin(), runs.end(),

@@ -12,7 +12,7 @@
 
 #include "atlas_rows.hpp"
 #include "connection.hpp"
-#include "segments_text.hpp"
+#include "contact_spans.hpp"
 #include "signorini/config.hpp"
 
 namespace signorini {
@@ -181,9 +181,10 @@ private:
             return row.status == Status::found ? std::optional(value) : std::nullopt;
         };
         const AtlasEntry entry{schedule, row, {}};
-        run(insert_, range.cells, phasesText(schedule.phases), row.steps, period(entry),
-            frequencyRatio(entry), name(row.status),
-            row.reason ? std::optional(name(*row.reason)) : std::nullopt,
+        const std::string text =
+            range.bars ? textOf(spansOf(schedule)) : phasesText(schedule.phases);
+        run(insert_, range.cells, text, row.steps, period(entry), frequencyRatio(entry),
+            name(row.status), row.reason ? std::optional(name(*row.reason)) : std::nullopt,
             row.kernelDimension >= 0 ? std::optional(row.kernelDimension) : std::nullopt,
             ifFound(name(row.kind)), ifFound(row.dimension), ifFound(name(row.contact)),
             ifFound(row.isCanonical), ifFound(row.energy.least), ifFound(row.energy.most),
@@ -283,7 +284,7 @@ AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)
             "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, 0, 0, 0, 0, 0, 0, 0, ?, 0, '')");
         run(insert, SIGNORINI_VERSION, options, range.cells, range.maxContact, range.maxFree,
             range.maxPhases, range.maxEnergyRatio, range.keepsRefuted, range.familiesOnly,
-            range.gapSign, textOf(range.segments), fractionText(range.secondStop), entered.batches,
+            range.gapSign, sceneText(range), fractionText(range.secondStop), entered.batches,
             now());
         entered.id = database.getLastInsertRowid();
         return entered;

@@ -5,18 +5,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "contact_spans.hpp"
 #include "infinity.hpp"
-#include "segments_text.hpp"
 #include "set_kind_names.hpp"
 #include "verdict_names.hpp"
 
@@ -90,9 +93,41 @@ bool takeNumber(std::string_view& text, char after, std::int64_t& value)
     return true;
 }
 
+/// Of bars in a row: "1:6 -:40 2:4 -:20". Anything else is no schedule.
+std::vector<Phase> phasesOfBars(const std::string& given)
+{
+    std::istringstream in(given);
+    const std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
+    const std::vector<ContactSpan> spans = spansOf(words, maxContacts);
+    std::vector<Phase> phases;
+    for (std::size_t k = 0; k + 1 < spans.size(); k += 2) {
+        const int contact = std::countr_zero(spans[k].closed);
+        phases.push_back({spans[k].steps, spans[k + 1].steps, static_cast<Stop>(contact)});
+    }
+    return textOf(spansOf(Schedule{1, phases})) == given ? phases : std::vector<Phase>();
+}
+
+/// Is a schedule one of bars in a row?
+bool isOfBars(const SQLite::Statement& s)
+{
+    return text(s, 2).find(' ') != std::string::npos;
+}
+
 std::vector<Phase> readPhases(const SQLite::Statement& s, int column)
 {
     const std::string given = text(s, column);
+    if (isOfBars(s)) {
+        std::vector<Phase> phases;
+        try {
+            phases = phasesOfBars(given);
+        } catch (const std::invalid_argument&) {
+            phases.clear();
+        }
+        if (phases.empty()) {
+            refuse(s, column, "\"SET:STEPS -:STEPS[ SET:STEPS -:STEPS...]\", SET one contact");
+        }
+        return phases;
+    }
     std::vector<Phase> phases;
     std::string_view rest = given;
     while (!rest.empty()) {
@@ -232,6 +267,7 @@ AtlasEntry readEntry(const SQLite::Statement& s)
     AtlasEntry entry;
     AtlasRow& row = entry.row;
     row.number = whole(s, 0);
+    entry.isOfBars = isOfBars(s);
     entry.schedule = readSchedule(s);
     row.steps = readSteps(s, entry.schedule.cells);
     if (!s.isColumnNull(15)) {
@@ -290,7 +326,7 @@ AtlasRun readRun(const SQLite::Statement& s)
                  .gapSign = static_cast<int>(readWhole(s, 17, -1, 1)),
                  .secondStop = readFraction(s, 19)};
     try {
-        run.range.segments = segmentsOf(text(s, 18));
+        readScene(run.range, text(s, 18));
         validate(run.range);
     } catch (const std::invalid_argument& error) {
         refuse(s, 1, error.what());

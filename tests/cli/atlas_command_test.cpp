@@ -1,5 +1,7 @@
 // signorini atlas: databases, queries, interruption, several processes.
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <random>
 #include <string>
@@ -385,4 +387,56 @@ TEST_CASE("cli atlas: the frequency-energy plot and the existence map")
     CHECK(nowhere.status == 4);
     CHECK_THAT(nowhere.err, containsText("--figure no/x.svg"));
     CHECK_FALSE(fs::exists(program.file("b.sqlite")));
+}
+
+TEST_CASE("cli atlas: bars in a row are asked in their own units, which the database knows")
+{
+    const CommandLine program;
+    const std::string bars = "--scene 'clamp 3 gap=1e-3 4 clamp' --length 0.7 --wave-speed 5000";
+    const auto made = program.run("atlas " + bars +
+                                  " --database a.sqlite --max-contact 6 --max-free 30 --map m.svg");
+    INFO(made.err);
+    REQUIRE(made.status == 0);
+    CHECK_THAT(made.out, containsText("2 bars, 7 cells, 0.7 m"));
+    CHECK(fs::file_size(program.file("m.svg")) > 2000);
+    const json scene = json::parse(program.run("scene " + bars + " --format json").out);
+    const double first = scene["reference"]["frequency"].get<double>();
+
+    // As often as the longer bar swings: grazing motions, found by omega/omega_1 and by c T/L.
+    const auto near =
+        program.run("atlas --database a.sqlite --near 1 3 --within 0.01 --schedules --format json");
+    REQUIRE(near.status == 0);
+    const json rows = json::parse(near.out)["schedules"];
+    REQUIRE(!rows.empty());
+    for (const json& row : rows) {
+        CHECK(row["frequency"].get<double>() == Approx(first));
+        CHECK(row["energy_ratio_range"][0].get<double>() <= 3.03);
+        CHECK(row["spans"][0]["closed"] == json::array({1}));
+        const std::string words = fmt::format("1:{} -:{}", row["spans"][0]["steps"].get<int>(),
+                                              row["spans"][1]["steps"].get<int>());
+        const json found = program.find(words + " " + bars, 0);
+        CHECK(row["period"].get<double>() == Approx(found["period"].get<double>()));
+        CHECK(row["energy_range"][0].get<double>() == Approx(found["energy"].get<double>()));
+    }
+    const auto same =
+        program.run("atlas --database a.sqlite --period 16/7 --schedules --format json");
+    CHECK(json::parse(same.out)["schedules"].size() >= rows.size());
+
+    const auto refuses = [&program](const std::string& words, const std::string& why) {
+        const auto refused = program.run("atlas --database a.sqlite " + words);
+        INFO(words << ": " << refused.err);
+        CHECK(refused.status == 2);
+        CHECK_THAT(refused.err, containsText(why));
+    };
+    refuses("--period 2 --scene 'clamp 3 gap=1e-3 5 clamp'", "the scene of the database");
+    refuses("--scene 'clamp 3 gap=1e-3 5 clamp'", "ranges of other bars");
+    refuses(bars + " --families-only", "for bars in a row");
+    refuses(bars + " --figure f.svg", "--figure");
+    REQUIRE(program
+                .run("atlas --scene 'free 2 gap=1e-3 3 clamp' --database d.sqlite --max-contact 2 "
+                     "--max-free 9")
+                .status == 0);
+    const auto drifting = program.run("atlas --database d.sqlite --near 1 3");
+    CHECK(drifting.status == 2);
+    CHECK_THAT(drifting.err, containsText("nothing drifts"));
 }

@@ -44,6 +44,14 @@ SPOILT_SEGMENTS = [
 ]
 
 
+SPOILT_BARS = [
+    SPOILT[1], SPOILT[9], ("a proof taken away", "UPDATE schedules SET proof = NULL WHERE rowid = {row}", "none"),
+    ("a wave", "UPDATE schedules SET proof = '7 ' || proof WHERE rowid = {row}", "none"),
+    ("a node", "UPDATE runs SET segments = replace(segments, ';', ' 1;') WHERE {row}", "none"),
+    ("an end", "UPDATE runs SET finished = NULL WHERE {row}", "none"),
+]
+
+
 def made(program, folder, words):
     path = folder / "atlas.sqlite"
     path.unlink(missing_ok=True)
@@ -130,6 +138,22 @@ def check_segments(options, folder, draw):
             f"motions, are as the atlases say; {spoilt} spoilt ones are refused")
 
 
+def check_bars(options, folder, draw):
+    """Bars in a row, one contact and two: that what is refuted has no motion; a sentence."""
+    refuted = spoilt = 0
+    for scene in ("clamp 3 gap=1e-3 4:1.7 clamp", "clamp 2 stop=1e-3 gap=-2e-4 3 dash=0.2 1 clamp", "free 3 gap=1e-3 2 clamp",
+                  "clamp 2:1:1.3 mass=0.1 3 stop=-1e-3 stop=2e-3", "spring=2 4 force=1e-4 stop=1e-3"):
+        for more in (["--max-contact", "4", "--max-free", "17"], ["--phases", "2", "--max-contact", "2", "--max-free", "5"]):
+            path = made(options.program, folder, ["--scene", scene, *more])
+            holds, text = checked(options.checker, path)
+            if not holds:
+                sys.exit(f"{scene}: {text}")
+            refuted += (count := int(re.search(r": (\d+) schedules have no motion", text).group(1)))
+            if count:
+                spoilt += spoil(options.checker, path, draw, SPOILT_BARS, 0)
+    return f"bars in a row: {refuted} schedules have no motion, as their proofs say; {spoilt} spoilt ones are refused"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("program")
@@ -165,6 +189,7 @@ def main():
         print(f"{decided} schedules are as the atlases say; {spoilt} spoilt ones are refused")
         if is_possible(options.program, folder):
             print(check_segments(options, folder, draw))
+            print(check_bars(options, folder, draw))
         else:
             print("several segments: this build has no solver for them")
 

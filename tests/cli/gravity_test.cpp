@@ -112,7 +112,7 @@ TEST_CASE("cli gravity: commands that know no weight say so, and damping has its
     for (const char* question :
          {"modes --max-order 2", "families --max-order 3", "mode 4 -1 --period 3.14"}) {
         refuses(fmt::format("{} --gravity 1", question),
-                "--gravity: allowed with find, continuum, response, simulate and sweep");
+                "--gravity: allowed with find, continuum, response, simulate, sweep and atlas");
     }
     refuses("find 5 41 --gravity 1 --damping 0.1", "--force is missing");
     refuses(

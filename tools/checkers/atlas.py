@@ -7,6 +7,7 @@ import re
 import sqlite3
 from fractions import Fraction
 
+from .atlas_bars import check_bars
 from .reading import NoProof, close, integer, multiplier, number, shown
 from .scene import MOST_CELLS, Scene
 from .segments import JointRows
@@ -48,9 +49,16 @@ def text_of(phases):
     return ",".join(f"{'L:' if is_left else ''}{contact}:{free}" for contact, free, is_left in phases)
 
 
+def is_of_bars(run):
+    """Is it about bars in a row, not one bar?"""
+    return ";" in str(run["segments"])
+
+
 def segments_of(run):
     """"cells:impedance:speed:dashpot[,...]", clamp first; nothing of one bar."""
     segments = []
+    if is_of_bars(run):
+        return segments
     for segment in str(run["segments"]).split(",") if run["segments"] else []:
         if not re.fullmatch("[0-9]{1,9}(:[-+.e0-9]+){3}", segment):
             raise NoProof(f"{shown(segment)} is no segment")
@@ -200,6 +208,10 @@ class Rows:
 
     def check(self):
         """All of it, in words."""
+        if is_of_bars(self.runs[0].run):
+            if self.families or any(found.run["families_only"] for found in self.runs):
+                raise NoProof("families of bars in a row")
+            return check_bars([found.run for found in self.runs], self.schedules)
         checked = "; ".join(self.check_run(run) for run in self.runs)
         self.check_families()
         self.check_known()

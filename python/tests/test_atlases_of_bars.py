@@ -1,0 +1,52 @@
+"""Atlases of several bars, and of one bar that is more than uniform."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from support import Program
+
+import signorini as sg
+
+BARS = "clamp 3 stop=1e-3 gap=2e-3 4 clamp"
+
+
+def test_an_atlas_of_bars_is_that_of_the_program(program: Program, tmp_path: Path) -> None:
+    path = tmp_path / "bars.sqlite"
+    atlas = sg.Atlas.build(path, scene=BARS, length=0.7, wave_speed=5000, max_contact=3,
+                           max_free=20, all=True)
+    run = atlas.runs[0]
+    assert run.finished and run.cells == 7 and run.decided == 120 and run.scene
+    said = program("atlas", "--database", path, "--period", "16/7", "--schedules")
+    rows = atlas.schedules_of_period("16/7")
+    assert said["schedules"] == [row.to_dict() for row in rows] and len(rows) == 6
+    found = atlas.schedules()
+    assert len(found.frame()) == len(found) == run.found > 5
+    for row in found[:6]:
+        assert row.schedule is None and row.spans is not None
+        words = [f"{'+'.join(map(str, span['closed'])) or '-'}:{span['steps']}" for span in row.spans]
+        motion = sg.find(words[0], *words[1:], scene=BARS, length=0.7, wave_speed=5000)
+        assert row.energy_range is not None and motion.energy == pytest.approx(row.energy_range[0])
+        assert motion.period == pytest.approx(row.period)
+    # Opened anew, the file knows its bars.
+    again = sg.Atlas(path)
+    assert again.schedules()[0] == found[0]
+    first = found[0].energy_ratio_range
+    assert found[0].frequency_ratio is not None and first is not None
+    near = again.schedules_near(found[0].frequency_ratio, first[0], within=0.01)
+    assert found[0] in list(near)
+
+
+def test_atlases_of_segments_and_of_bars_with_weight(tmp_path: Path) -> None:
+    stepped = sg.Atlas.build(tmp_path / "a.sqlite", segments=[(2, 1), (2, 1.3)], max_contact=3,
+                             max_free=17)
+    assert stepped.runs[0].cells == 4 and stepped.runs[0].scene is None
+    two = sg.Atlas.build(tmp_path / "b.sqlite", segments=[(2, 1), (2, 1.3)], second_stop=2e-3,
+                         max_contact=3, max_free=17)
+    assert two.runs[0].scene and two.runs[0].decided == 2 * stepped.runs[0].decided
+    heavy = sg.Atlas.build(tmp_path / "c.sqlite", cells=4, gravity=1e-4, max_contact=3,
+                           max_free=17)
+    assert heavy.runs[0].scene and heavy.runs[0].undecided == 0
+    with pytest.raises(ValueError, match="for bars in a row"):
+        sg.Atlas.build(tmp_path / "d.sqlite", scene=BARS, families_only=True)

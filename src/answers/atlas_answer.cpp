@@ -1,0 +1,64 @@
+#include "atlas_answer.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "network_find.hpp"
+#include "stepped_bar.hpp"
+
+namespace signorini::answers {
+
+AtlasUnits atlasUnitsOf(const Assembly& bars)
+{
+    const Network network = networkOf(bars);
+    const SceneReference reference = referenceOf(network);
+    const double time = static_cast<double>(network.cells()) * network.scales.time;
+    const bool isRatio = firstEnergy(network).has_value();
+    return {.time = time,
+            .energy = isRatio ? *reference.energy : 1.0,
+            .isRatio = isRatio,
+            .frequency = std::numbers::pi / (2.0 * time * reference.frequency)};
+}
+
+AtlasRange atlasRangeOf(const Scene& scene, std::int64_t cells)
+{
+    validate(scene);
+    AtlasRange range = usualRange(cells);
+    const bool isOfSegments = !isUniform(scene.segments);
+    if (isOfSegments && scene.secondStop) {
+        range.bars = assemblyOf(scene, cells, {});
+        return range;
+    }
+    const Stops stops = stopsOf(scene);
+    range.gapSign = stops.right;
+    range.secondStop = stops.left;
+    range.segments = isOfSegments ? scene.segments : std::vector<Segment>();
+    return range;
+}
+
+AtlasRange atlasRangeOf(const Assembly& bars)
+{
+    const std::int64_t cells = networkOf(bars).cells();
+    if (const auto scene = barOf(bars)) {
+        return atlasRangeOf(*scene, cells);
+    }
+    AtlasRange range = usualRange(cells);
+    range.bars = bars;
+    return range;
+}
+
+void validate(const AtlasPoint& point)
+{
+    if (!std::isfinite(point.units.frequency) || !point.units.isRatio) {
+        throw std::invalid_argument(
+            "near: allowed of bars that have omega_1 and E_1: nothing drifts, contact 1 has a gap");
+    }
+}
+
+std::optional<Assembly> barsOf(const std::vector<AtlasRun>& runs)
+{
+    return runs.empty() ? std::nullopt : runs.front().range.bars;
+}
+
+}  // namespace signorini::answers
