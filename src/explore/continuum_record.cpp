@@ -5,7 +5,6 @@
 #include <functional>
 #include <limits>
 #include <string_view>
-#include <unordered_map>
 
 #include "faults.hpp"
 
