@@ -112,6 +112,28 @@ template <typename Get>
     return [=](const auto& of) { return std::invoke(get, of.value) * scales(of.bar).*unit; };
 }
 
+/// Gets of a part of a record: with `const auto range = partOf(&T::range)` the getter
+/// `range(&Range::cycles)` gets the cycles of a record's range. The part may be a pointer to it.
+template <typename Part>
+[[nodiscard]] auto partOf(Part part)
+{
+    return [part](auto get) {
+        return [=](const auto& of) { return std::invoke(get, std::invoke(part, of)); };
+    };
+}
+/// The same of a part that may be missing: then nothing.
+template <typename Part>
+[[nodiscard]] auto ifThere(Part part)
+{
+    return [part](auto get) {
+        return [=](const auto& of) {
+            const auto& held = std::invoke(part, of);
+            using Value = std::remove_cvref_t<decltype(std::invoke(get, *held))>;
+            return held ? std::optional<Value>(std::invoke(get, *held)) : std::optional<Value>();
+        };
+    };
+}
+
 /// Nothing in place of what is not finite.
 [[nodiscard]] inline std::optional<double> known(double value)
 {

@@ -153,7 +153,7 @@ void describe(D& d, Type<HarmonicAnswer>)
           "May the tip, pressed at rest, stay on a stop for good, without a flight? Nothing where "
           "it is too near to tell, or of several contacts.",
           [](const T& a) { return a.all.rests; });
-    describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
+    describeScene(d, &T::scene);
     d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
 }
 

@@ -149,10 +149,9 @@ s_l are the arrivals. The energy depends on T alone.
     d.key(
         "chains", "-", "One from each arrival.",
         [](const PolytopeOf& p) -> const auto& { return p.value.chains; });
-    d.key("order", "- >= 1", "Sum of all turns, odd.",
-          [](const PolytopeOf& p) { return p.value.order; });
+    d.key("order", "- >= 1", "Sum of all turns, odd.", ofValue(&ModePolytope::order));
     d.key("free_times", "- >= 0", "How many times may be chosen beside T.",
-          [](const PolytopeOf& p) { return p.value.dimension; });
+          ofValue(&ModePolytope::dimension));
     describeInterval(d, type);
     d.key(
         "inverse_sqrt_energy", "-", "(kappa, mu, divisor): 1/sqrt(E/E_1) = (kappa T - mu)/divisor.",
@@ -169,17 +168,17 @@ s_l are the arrivals. The energy depends on T alone.
 template <typename D, typename T, typename Energy>
 void describeTimes(D& d, Type<T>, Energy energyRatio)
 {
+    const auto motion = partOf(&T::motion);
     d.key("period", "s > 0", "T.",
           [](const T& m) { return m.motion.period() * scales(m.bar).time; });
-    d.key("period_ratio", "L/c > 0", "c T/L.", [](const T& m) { return m.motion.period(); });
+    d.key("period_ratio", "L/c > 0", "c T/L.", motion(&ModeMotion::period));
     d.key("frequency", "Hz > 0", "1/T.",
           [](const T& m) { return 1.0 / (m.motion.period() * scales(m.bar).time); });
     d.key("frequency_ratio", "- > 0", "omega/omega_1.",
           [](const T& m) { return 4.0 / m.motion.period(); });
     d.key("contact_time", "s > 0", "Of all contacts together.",
           [](const T& m) { return m.motion.contactTime() * scales(m.bar).time; });
-    d.key("contact_time_ratio", "L/c > 0", "The same.",
-          [](const T& m) { return m.motion.contactTime(); });
+    d.key("contact_time_ratio", "L/c > 0", "The same.", motion(&ModeMotion::contactTime));
     d.key("energy", "J > 0", "E.",
           [energyRatio](const T& m) { return energyRatio(m) * scales(m.bar).energy; });
     d.key("energy_ratio", "E_1 > 0", "E/E_1.", energyRatio);

@@ -69,24 +69,29 @@ void describe(D& d, Type<Segment>)
           &Segment::dashpot);
 }
 
-/// Keys of the scene asked about.
-template <typename D, typename Get>
-void describeScene(D& d, Get scene)
+/// Keys of the scene asked about: `of(get)` gets of the scene of a record.
+template <typename D, typename Of>
+void describeKeysOfScene(D& d, Of of, When when)
 {
-    d.key("bar", "-", "Asked about.", [scene](const auto& a) { return scene(a).bar; });
+    d.key("bar", "-", "Asked about.", of(&Scene::bar), when);
     d.key("stops", "-", R"([{"side", "place" [m]}, ...]: the wall, and a second stop.)",
-          [scene](const auto& a) { return stopsIn(scene(a)); });
+          of(&stopsIn), when);
     d.key("segments", "-", "[Segment, ...] of a stepped bar, clamp first; none: a uniform bar.",
-          [scene](const auto& a) { return scene(a).segments; });
+          of(&Scene::segments), when);
     d.key("static_force", "N >= 0", "What the bar at rest presses on the wall with.",
-          [scene](const auto& a) { return staticForce(scene(a)); });
+          of(&staticForce), when);
+}
+template <typename D, typename Part>
+void describeScene(D& d, Part scene)
+{
+    describeKeysOfScene(d, partOf(scene), When::always);
 }
 
 template <typename D>
 void describe(D& d, Type<Scene>)
 {
     d.record("Scene", "A bar, its stops, and what it is made of.");
-    describeScene(d, [](const Scene& scene) -> const Scene& { return scene; });
+    describeScene(d, std::identity());
 }
 
 template <typename D>

@@ -70,6 +70,12 @@ inline constexpr bool isDictionary<Assembly> = true;
 template <>
 inline constexpr bool isDictionary<SceneReference> = true;
 
+/// omega_1/2 pi [Hz]; 0: they do not vibrate.
+[[nodiscard]] inline double firstHertz(const SceneReference& reference)
+{
+    return reference.frequency / (2.0 * std::numbers::pi);
+}
+
 /// All that an answer says of bars which are asked about.
 struct SeveralBars {
     Assembly assembly;
@@ -125,22 +131,21 @@ void describe(D& d, Type<Assembly>)
 }
 
 /// Keys of a contact, of what has one.
-template <typename D, typename Get>
-void describeContact(D& d, Get contact)
+template <typename D, typename Part>
+void describeContact(D& d, Part contact)
 {
-    d.key("number", "- >= 1", "From 1.", [contact](const auto& a) { return contact(a).number; });
-    d.key("kind", "-", "What it is.", [contact](const auto& a) { return contact(a).kind; });
-    d.key("place", "m", "Along the bars without gaps.",
-          [contact](const auto& a) { return contact(a).place; });
-    d.key("gap", "m", "At rest, weight included.",
-          [contact](const auto& a) { return contact(a).gap; });
+    const auto of = partOf(contact);
+    d.key("number", "- >= 1", "From 1.", of(&SceneContact::number));
+    d.key("kind", "-", "What it is.", of(&SceneContact::kind));
+    d.key("place", "m", "Along the bars without gaps.", of(&SceneContact::place));
+    d.key("gap", "m", "At rest, weight included.", of(&SceneContact::gap));
 }
 
 template <typename D>
 void describe(D& d, Type<SceneContact>)
 {
     d.record("SceneContact", "A contact of bars.");
-    describeContact(d, [](const SceneContact& c) -> const SceneContact& { return c; });
+    describeContact(d, std::identity());
 }
 
 template <typename D>
@@ -148,15 +153,28 @@ void describe(D& d, Type<SceneReference>)
 {
     using T = SceneReference;
     d.record("SceneReference", "What bars are measured with.");
-    d.key("frequency", "Hz > 0", "omega_1/2 pi: the first linear mode with open contacts.",
-          [](const T& r) {
-              return r.frequency > 0.0 ? std::optional(r.frequency / (2.0 * std::numbers::pi))
-                                       : std::nullopt;
-          });
+    d.key(
+        "frequency", "Hz > 0", "omega_1/2 pi: the first linear mode with open contacts.",
+        [](const T& r) { return r.frequency > 0.0 ? std::optional(firstHertz(r)) : std::nullopt; });
     d.key("damping", "-", "zeta of that mode, where it vibrates.", &T::damping);
     d.key("energy", "J > 0", "E_1: the least with which contact 1 is reached.",
           [](const T& r) { return r.energy && *r.energy > 0.0 ? r.energy : std::nullopt; });
     d.key("compliance", "m/N >= 0", "Static, at contact 1, unless a bar drifts.", &T::compliance);
+}
+
+/// Keys of the bars asked about, of what has them.
+template <typename D, typename Part>
+void describeBars(D& d, Part bars)
+{
+    const auto of = partOf(bars);
+    d.key("scene", "-", "Asked about.", of(&SeveralBars::assembly));
+    d.key("reference", "-", "What the bars are measured with.", of(&SeveralBars::reference));
+}
+template <typename D, typename Part>
+void describeBarsAndContacts(D& d, Part bars)
+{
+    describeBars(d, bars);
+    d.key("contacts", "-", "[dict, ...], of the bars.", partOf(bars)(&SeveralBars::contacts));
 }
 
 /// The bar whose units an answer about several bars has: its first frequency is that of the scene.
@@ -166,21 +184,9 @@ void describe(D& d, Type<SceneReference>)
 template <typename T, typename D>
 void describeSceneOrBars(D& d)
 {
-    const auto ofOne = [](auto get) {
-        return [get](const T& a) { return a.several ? std::nullopt : std::optional(get(a.scene)); };
-    };
-    const auto ofSeveral = [](auto member) {
-        return [member](const T& a) {
-            return a.several ? std::optional((*a.several).*member) : std::nullopt;
-        };
-    };
-    d.key("bar", "-", "Asked about.", ofOne([](const Scene& s) { return s.bar; }), When::any);
-    d.key("stops", "-", R"([{"side", "place" [m]}, ...]: the wall, and a second stop.)",
-          ofOne(&stopsIn), When::any);
-    d.key("segments", "-", "[Segment, ...] of a stepped bar, clamp first; none: a uniform bar.",
-          ofOne([](const Scene& s) { return s.segments; }), When::any);
-    d.key("static_force", "N >= 0", "What the bar at rest presses on the wall with.",
-          ofOne(&staticForce), When::any);
+    const auto ofOne = ifThere([](const T& a) { return a.several ? nullptr : &a.scene; });
+    const auto ofSeveral = ifThere(&T::several);
+    describeKeysOfScene(d, ofOne, When::any);
     d.key("scene", "-", "In their place, of several bars.", ofSeveral(&SeveralBars::assembly),
           When::any);
     d.key("reference", "-", "What several bars are measured with.",
@@ -234,7 +240,7 @@ void describe(D& d, Type<ContactPeaks>)
 {
     using T = ContactPeaks;
     d.record("ContactReach", "What forces between two bounds can do at one contact.");
-    describeContact(d, [](const T& c) -> const SceneContact& { return c.contact; });
+    describeContact(d, &T::contact);
     d.key("velocity", "m/s", "Least and most, of its node, of a gap relative to the next one.",
           [](const T& c) { return std::tuple(c.velocity[0], c.velocity[1]); });
     d.key("displacement", "m", "Least and most, likewise.",

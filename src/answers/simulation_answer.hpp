@@ -154,7 +154,7 @@ EA g/L and EA g/c on the simulation's own memory.
 )");
     d.key("status", "-", R"("done", or "interrupted".)", &T::status);
     d.key("cells", "- >= 1", "Of the state at the start.", &T::cells);
-    describeScene(d, [](const T& s) -> const Scene& { return s.scene; });
+    describeScene(d, &T::scene);
     d.key("damping", "-", "A dashpot.", [](const T& s) { return Of<Damping>{s.damping, s.bar()}; });
     d.key("excitation", "-", "What moves the bar.", &T::drive);
     d.key("time", "s >= 0", "Simulated.", [](const T& s) { return s.time * scales(s.bar()).time; });

@@ -51,7 +51,8 @@ private:
 [[nodiscard]] std::vector<ContactSpan> spansOf(const Given& given, const CommonOptions& common,
                                                std::size_t contacts);
 /// "2 E₁", or in joules.
-[[nodiscard]] std::string inWords(const answers::SceneFindAnswer& answer, double energy);
+[[nodiscard]] std::string inWords(const answers::SceneSchedule& schedule, double energy,
+                                  int digits = 6);
 /// The line of what was tried, or none.
 [[nodiscard]] std::string asText(const std::optional<answers::SceneStability>& tried);
 [[nodiscard]] std::string asText(const answers::SceneStrains& strains);
