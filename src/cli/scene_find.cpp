@@ -24,33 +24,6 @@ std::string whyGrazing(const SceneFind& of)
                : "";
 }
 
-}  // namespace
-
-std::string inWords(const answers::SceneSchedule& schedule, double energy, int digits)
-{
-    const auto ratio = schedule.ratio(energy);
-    return fmt::format("{:.{}g} {}", ratio.value_or(schedule.joules(energy)), digits,
-                       ratio ? "E₁" : "J");
-}
-
-NetworkWish wishOf(const FindCommand& call, const Assembly& assembly, const Network& network)
-{
-    const FindOptions& options = call.options;
-    const auto joules = call.given.number("--energy");
-    refuseIf(joules && options.energyRatio,
-             "--energy clashes with --energy-ratio: allowed one of them");
-    NetworkWish wish{options.objective, heldEnergy(network, joules, options.energyRatio), {}};
-    const std::string target = call.given.text("--target");
-    requireTarget(options, target);
-    if (!target.empty()) {
-        wish.target = forFile("--target", target,
-                              [&] { return readNearestWaves(target, network, barOf(assembly)); });
-    }
-    return wish;
-}
-
-namespace {
-
 std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
 {
     const LeastMotion& motions = answer.motions;
@@ -88,6 +61,29 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
 }
 
 }  // namespace
+
+std::string inWords(const answers::SceneSchedule& schedule, double energy, int digits)
+{
+    const auto ratio = schedule.ratio(energy);
+    return fmt::format("{:.{}g} {}", ratio.value_or(schedule.joules(energy)), digits,
+                       ratio ? "E₁" : "J");
+}
+
+NetworkWish wishOf(const FindCommand& call, const Assembly& assembly, const Network& network)
+{
+    const FindOptions& options = call.options;
+    const auto joules = call.given.number("--energy");
+    refuseIf(joules && options.energyRatio,
+             "--energy clashes with --energy-ratio: allowed one of them");
+    NetworkWish wish{options.objective, heldEnergy(network, joules, options.energyRatio), {}};
+    const std::string target = call.given.text("--target");
+    requireTarget(options, target);
+    if (!target.empty()) {
+        wish.target = forFile("--target", target,
+                              [&] { return readNearestWaves(target, network, barOf(assembly)); });
+    }
+    return wish;
+}
 
 void warnOf(const answers::SceneStrains& strains, const FindCommand& call)
 {
