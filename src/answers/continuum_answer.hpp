@@ -41,8 +41,7 @@ template <typename T>
 /// Of the motions of this energy: no motions have no dimension.
 [[nodiscard]] std::optional<std::int64_t> dimensionOf(const Continuum& curve);
 
-template <typename D>
-void describe(D& d, Type<PointOf>)
+void describe(auto& d, Type<PointOf>)
 {
     using T = PointOf;
     const auto point = partOf(&T::point);
@@ -61,8 +60,7 @@ void describe(D& d, Type<PointOf>)
           &T::isExact, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<ContinuumAnswer>)
+void describe(auto& d, Type<ContinuumAnswer>)
 {
     using T = ContinuumAnswer;
     const auto curve = partOf(&T::curve);

@@ -43,8 +43,7 @@ struct ExactAnswer {
     return frequencyRatio / 4.0 / scales(bar).time;
 }
 
-template <typename D>
-void describe(D& d, Type<ExactFrequencyOf>)
+void describe(auto& d, Type<ExactFrequencyOf>)
 {
     d.record("ExactFrequency", "All motions under an exact harmonic at one frequency.");
     d.key("steps", "- >= 1", "T in L/(N c).", ofValue(&ExactFrequency::steps));
@@ -56,8 +55,7 @@ void describe(D& d, Type<ExactFrequencyOf>)
           &motionsOf);
 }
 
-template <typename D>
-void describe(D& d, Type<BranchPointOf>)
+void describe(auto& d, Type<BranchPointOf>)
 {
     using T = BranchPointOf;
     const auto physical = partOf(&T::physical);
@@ -77,8 +75,7 @@ void describe(D& d, Type<BranchPointOf>)
           stability(&ExactStability::attracts));
 }
 
-template <typename D>
-void describe(D& d, Type<BranchMarkOf>)
+void describe(auto& d, Type<BranchMarkOf>)
 {
     using T = BranchMarkOf;
     d.record("BranchMark", "A named point of a curve of motions.");
@@ -89,8 +86,7 @@ void describe(D& d, Type<BranchMarkOf>)
     describeFrequency(d, &BranchMark::frequencyRatio);
 }
 
-template <typename D>
-void describe(D& d, Type<ExactBranchOf>)
+void describe(auto& d, Type<ExactBranchOf>)
 {
     d.record("Branch", "A curve of motions along the frequency.");
     d.key("points", "-", "As they follow each other.", &pointsOf);
@@ -99,8 +95,7 @@ void describe(D& d, Type<ExactBranchOf>)
     });
 }
 
-template <typename D>
-void describe(D& d, Type<ExactAnswer>)
+void describe(auto& d, Type<ExactAnswer>)
 {
     using T = ExactAnswer;
     const auto range = partOf(&T::range);

@@ -69,8 +69,7 @@ void requireTried(std::int64_t steps);
 /// Starts beside the motion, if there is one: as it is, and with a little damping.
 void tryStability(FindAnswer& answer, const Cancel& cancel);
 
-template <typename D>
-void describe(D& d, Type<StabilityTrialOf>)
+void describe(auto& d, Type<StabilityTrialOf>)
 {
     using T = StabilityTrialOf;
     d.record("StabilityTrial", "One disturbance.");
@@ -81,8 +80,7 @@ void describe(D& d, Type<StabilityTrialOf>)
     d.key("end", "m >= 0", "Of displacements.", [](const T& t) { return t.value.end * t.unit; });
 }
 
-template <typename D>
-void describe(D& d, Type<StabilityReport>)
+void describe(auto& d, Type<StabilityReport>)
 {
     using T = StabilityReport;
     const auto result = partOf(&T::result);
@@ -106,8 +104,7 @@ void describe(D& d, Type<StabilityReport>)
 }
 
 /// Where the motion is asked about, and what is known of all motions there.
-template <typename D>
-void describeSet(D& d)
+void describeSet(auto& d)
 {
     using T = FindAnswer;
     const auto result = partOf(&T::result);
@@ -130,8 +127,7 @@ void describeSet(D& d)
 }
 
 /// Who answered.
-template <typename D>
-void describeRoute(D& d)
+void describeRoute(auto& d)
 {
     const auto how = partOf([](const FindAnswer& a) -> const auto& { return a.result.how; });
     d.key("route", "-", "Taken.", how(&Provenance::route));
@@ -140,12 +136,13 @@ void describeRoute(D& d)
     d.key("solver", "-", "Which solver answered.", how(&Provenance::solver));
 }
 
-template <typename D>
-void describe(D& d, Type<FindAnswer>)
+void describe(auto& d, Type<FindAnswer>)
 {
     using T = FindAnswer;
     using M = FoundMotion;
     const auto ofMotion = ifThere([](const T& a) -> const auto& { return a.result.motion; });
+    const auto ofAbsence = ifThere([](const T& a) -> const auto& { return a.result.absence; });
+    const auto ofTarget = ifThere(&T::target);
     d.record("Result", R"(What is known of a schedule.
 
 `status` is "found", "none" (proved) or "undecided" (`detail` says why). Times, energies and forces
@@ -185,13 +182,8 @@ frequencies in omega_1.
     d.key("near_schedule", "-",
           "Of those with one contact that have motions the one that differs in the fewest steps.",
           &T::nearSchedule, When::any);
-    d.key(
-        "certificate", "-", "The proof that there is none.",
-        [](const T& a) {
-            const auto& absence = a.result.absence;
-            return absence ? std::optional(absence->proof) : std::nullopt;
-        },
-        When::none);
+    d.key("certificate", "-", "The proof that there is none.", ofAbsence(&Absence::proof),
+          When::none);
     describeRoute(d);
     d.key("repetitions", "- >= 1",
           "How often the motion repeats within the period of the schedule.",
@@ -202,14 +194,9 @@ frequencies in omega_1.
           ofMotion(&M::isSymmetric), When::any);
     d.key("peak_strain", "-", "Deepest compression.",
           ofMotion([](const M& m) { return m.physical.peakCompression; }), When::any);
-    d.key(
-        "target", "-", "How the target came onto the cells.",
-        [](const T& a) { return a.target ? std::optional(a.target->how) : std::nullopt; },
-        When::any);
-    d.key(
-        "distance", "-", "To the target, relative, in the norm of the energy.",
-        [](const T& a) { return a.target ? std::make_optional(a.target->distance) : std::nullopt; },
-        When::any);
+    d.key("target", "-", "How the target came onto the cells.", ofTarget(&Target::how), When::any);
+    d.key("distance", "-", "To the target, relative, in the norm of the energy.",
+          ofTarget(&Target::distance), When::any);
     d.key("detail", "-", "Why it is undecided, or what the proof says.", &T::detail,
           When::undecided);
     d.key(

@@ -78,16 +78,14 @@ struct ForcedProof {
 template <>
 inline constexpr bool isDictionary<ForcedCondition> = true;
 
-template <typename D>
-void describe(D& d, Type<ForcedCondition>)
+void describe(auto& d, Type<ForcedCondition>)
 {
     d.record("ForcedCondition", "A condition on the motion in one step.");
     d.key("rule", "-", "What has to hold.", &ForcedCondition::rule);
     d.key("step", "- >= 0", "From the start of the first contact.", &ForcedCondition::step);
 }
 
-template <typename D>
-void describe(D& d, Type<ForcedProof>)
+void describe(auto& d, Type<ForcedProof>)
 {
     d.record("ForcedProof", "Conditions that contradict each other.");
     d.key("kind", "-", R"("forced", or "amplitude-range": of motions, but none of the amplitude.)",
@@ -101,8 +99,7 @@ void describe(D& d, Type<ForcedProof>)
           When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<ForcedSetPart>)
+void describe(auto& d, Type<ForcedSetPart>)
 {
     d.record("ForcedSetPart", "What the motions of a schedule look like.");
     d.key("kind", "-", "Their shape.", &ForcedSetPart::kind);
@@ -110,8 +107,7 @@ void describe(D& d, Type<ForcedSetPart>)
           &ForcedSetPart::freeWaves);
 }
 
-template <typename D>
-void describe(D& d, Type<ForcedMotionOf>)
+void describe(auto& d, Type<ForcedMotionOf>)
 {
     using T = ForcedMotionOf;
     const auto physical = partOf(&T::physical);
@@ -131,8 +127,7 @@ void describe(D& d, Type<ForcedMotionOf>)
 }
 
 /// What was asked.
-template <typename D>
-void describeForcing(D& d)
+void describeForcing(auto& d)
 {
     using T = ForcedAnswer;
     const auto set = partOf(&T::set);
@@ -153,8 +148,7 @@ void describeForcing(D& d)
     });
 }
 
-template <typename D>
-void describe(D& d, Type<ForcedAnswer>)
+void describe(auto& d, Type<ForcedAnswer>)
 {
     using T = ForcedAnswer;
     d.record("ForcedResult", "What is known of a schedule that is damped and forced.");

@@ -16,8 +16,7 @@ namespace signorini::answers {
 using HarmonicContactOf = Of<HarmonicContact>;
 
 /// "pinned", or "smooth": of a contact, or of a motion with one.
-template <typename T>
-[[nodiscard]] const char* releaseOf(const T& contact)
+[[nodiscard]] const char* releaseOf(const auto& contact)
 {
     return contact.isPinned ? "pinned" : "smooth";
 }
@@ -75,8 +74,7 @@ struct HarmonicAnswer {
                                       const Scene& scene, std::int64_t contacts,
                                       const Cancel& cancel = {});
 
-template <typename D>
-void describe(D& d, Type<HarmonicContactOf>)
+void describe(auto& d, Type<HarmonicContactOf>)
 {
     using C = HarmonicContact;
     d.record("HarmonicContact", "One contact under an exact harmonic.");
@@ -94,8 +92,7 @@ void describe(D& d, Type<HarmonicContactOf>)
           ofValue(&C::speed, &Scales::velocity));
 }
 
-template <typename D>
-void describe(D& d, Type<HarmonicMotionOf>)
+void describe(auto& d, Type<HarmonicMotionOf>)
 {
     using T = HarmonicMotionOf;
     d.record("HarmonicMotion", "One motion under an exact harmonic; contact is at any times.");
@@ -124,8 +121,7 @@ void describe(D& d, Type<HarmonicMotionOf>)
           [](const T& m) { return positive(m.proof.aloneWithin); });
 }
 
-template <typename D>
-void describe(D& d, Type<HarmonicAnswer>)
+void describe(auto& d, Type<HarmonicAnswer>)
 {
     using T = HarmonicAnswer;
     d.record(

@@ -44,8 +44,7 @@ struct ResponseAnswer {
     [[nodiscard]] std::vector<FrequencyOf> listed() const;
 };
 
-template <typename D>
-void describe(D& d, Type<PermanentOf>)
+void describe(auto& d, Type<PermanentOf>)
 {
     using P = PermanentContact;
     const auto physical = [](const PermanentOf& p) { return physicalOf(p.value.extremes, p.bar); };
@@ -61,8 +60,7 @@ void describe(D& d, Type<PermanentOf>)
           ofValue(&P::residual));
 }
 
-template <typename D>
-void describe(D& d, Type<FrequencyOf>)
+void describe(auto& d, Type<FrequencyOf>)
 {
     using T = FrequencyOf;
     d.record("ForcedFrequency", "All motions at one frequency.");
@@ -82,8 +80,7 @@ void describe(D& d, Type<FrequencyOf>)
     d.key("motions", "-", "By ascending contact steps, then impulse.", &T::motions);
 }
 
-template <typename D>
-void describe(D& d, Type<ResponseAnswer>)
+void describe(auto& d, Type<ResponseAnswer>)
 {
     using T = ResponseAnswer;
     const auto range = partOf(&T::range);

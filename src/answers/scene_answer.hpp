@@ -84,17 +84,13 @@ struct SeveralBars {
 };
 [[nodiscard]] SeveralBars severalOf(const Assembly& assembly, const Network& network);
 
-template <typename D>
-void describe(D& d, Type<AssemblyPart>)
+void describe(auto& d, Type<AssemblyPart>)
 {
     using T = AssemblyPart;
     d.record("ScenePart", "One word of a scene.");
     d.key("kind", "-", "What it is.", &T::kind);
-    const auto ofCells = [](auto member) {
-        return [member](const T& p) {
-            return p.kind == PartKind::cells ? std::optional(p.*member) : std::nullopt;
-        };
-    };
+    const auto ofCells =
+        ifThere([](const T& p) { return p.kind == PartKind::cells ? &p : nullptr; });
     d.key("cells", "- >= 1", "Of a bar.", ofCells(&T::cells), When::any);
     d.key(
         "impedance", "- > 0", "Of a bar, or a dashpot, relative.",
@@ -117,8 +113,7 @@ void describe(D& d, Type<AssemblyPart>)
     }
 }
 
-template <typename D>
-void describe(D& d, Type<Assembly>)
+void describe(auto& d, Type<Assembly>)
 {
     d.record("SceneWords", "Bars in a row with all that stands at them.");
     d.key("length", "m > 0", "Of all bars without gaps.", &Assembly::length);
@@ -131,8 +126,7 @@ void describe(D& d, Type<Assembly>)
 }
 
 /// Keys of a contact, of what has one.
-template <typename D, typename Part>
-void describeContact(D& d, Part contact)
+void describeContact(auto& d, auto contact)
 {
     const auto of = partOf(contact);
     d.key("number", "- >= 1", "From 1.", of(&SceneContact::number));
@@ -141,15 +135,13 @@ void describeContact(D& d, Part contact)
     d.key("gap", "m", "At rest, weight included.", of(&SceneContact::gap));
 }
 
-template <typename D>
-void describe(D& d, Type<SceneContact>)
+void describe(auto& d, Type<SceneContact>)
 {
     d.record("SceneContact", "A contact of bars.");
     describeContact(d, std::identity());
 }
 
-template <typename D>
-void describe(D& d, Type<SceneReference>)
+void describe(auto& d, Type<SceneReference>)
 {
     using T = SceneReference;
     d.record("SceneReference", "What bars are measured with.");
@@ -163,15 +155,13 @@ void describe(D& d, Type<SceneReference>)
 }
 
 /// Keys of the bars asked about, of what has them.
-template <typename D, typename Part>
-void describeBars(D& d, Part bars)
+void describeBars(auto& d, auto bars)
 {
     const auto of = partOf(bars);
     d.key("scene", "-", "Asked about.", of(&SeveralBars::assembly));
     d.key("reference", "-", "What the bars are measured with.", of(&SeveralBars::reference));
 }
-template <typename D, typename Part>
-void describeBarsAndContacts(D& d, Part bars)
+void describeBarsAndContacts(auto& d, auto bars)
 {
     describeBars(d, bars);
     d.key("contacts", "-", "[dict, ...], of the bars.", partOf(bars)(&SeveralBars::contacts));
@@ -224,8 +214,7 @@ struct ForceRange {
 [[nodiscard]] ForceRange forceRangeOf(const Assembly& assembly, double low, double high,
                                       double time);
 
-template <typename D>
-void describe(D& d, Type<Peak>)
+void describe(auto& d, Type<Peak>)
 {
     d.record("ForcePeak", "What forces between two bounds can reach.");
     d.key("bound", "-", "What no such force goes beyond, rounding included.",
@@ -235,8 +224,7 @@ void describe(D& d, Type<Peak>)
     d.key("time", "s >= 0", "When.", [](const Peak& p) { return p.value.time * p.second; });
 }
 
-template <typename D>
-void describe(D& d, Type<ContactPeaks>)
+void describe(auto& d, Type<ContactPeaks>)
 {
     using T = ContactPeaks;
     d.record("ContactReach", "What forces between two bounds can do at one contact.");
@@ -247,8 +235,7 @@ void describe(D& d, Type<ContactPeaks>)
           [](const T& c) { return std::tuple(c.displacement[0], c.displacement[1]); });
 }
 
-template <typename D>
-void describe(D& d, Type<ForceRange>)
+void describe(auto& d, Type<ForceRange>)
 {
     using T = ForceRange;
     d.record("ForceRange",

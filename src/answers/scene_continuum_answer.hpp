@@ -42,8 +42,7 @@ struct SceneContinuumAnswer {
                                                const std::vector<ContactSpan>& schedule,
                                                double energy, const NetworkCurveOptions& options);
 
-template <typename D>
-void describe(D& d, Type<SceneCurvePoint>)
+void describe(auto& d, Type<SceneCurvePoint>)
 {
     using T = SceneCurvePoint;
     const auto point = partOf(&T::point);
@@ -63,8 +62,7 @@ void describe(D& d, Type<SceneCurvePoint>)
           [](const T& p) { return contactsOf(p.of->schedule, &p.point().residuals); });
 }
 
-template <typename D>
-void describe(D& d, Type<SceneContinuumAnswer>)
+void describe(auto& d, Type<SceneContinuumAnswer>)
 {
     using T = SceneContinuumAnswer;
     const auto curve = partOf(&T::curve);

@@ -179,8 +179,7 @@ struct SceneForcedAnswer {
 /// Starts beside each motion.
 void tryStability(SceneForcedAnswer& answer, const Network& network, const Cancel& cancel);
 
-template <typename D>
-void describe(D& d, Type<ContactSpan>)
+void describe(auto& d, Type<ContactSpan>)
 {
     d.record("ContactSpan", "Steps in a row with the same contacts closed.");
     d.key("closed", "- >= 1", "Contacts, counted from the left.",
@@ -189,8 +188,7 @@ void describe(D& d, Type<ContactSpan>)
 }
 
 /// With which an answer begins.
-template <typename D, typename Part>
-void describeSchedule(D& d, Part schedule)
+void describeSchedule(auto& d, auto schedule)
 {
     const auto of = partOf(schedule);
     describeBars(d, of(&SceneSchedule::bars));
@@ -200,15 +198,13 @@ void describeSchedule(D& d, Part schedule)
     d.key("period", "s > 0", "T.", of(&SceneSchedule::period));
 }
 
-template <typename D, typename Part>
-void describeStrainLimit(D& d, Part schedule)
+void describeStrainLimit(auto& d, auto schedule)
 {
     d.key("strain_limit", "- > 0", "Of all motions, if any.",
           partOf(schedule)(&SceneSchedule::strainLimit), When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<ContactInPeriod>)
+void describe(auto& d, Type<ContactInPeriod>)
 {
     using T = ContactInPeriod;
     d.record("SceneContactForces", "A contact of bars, and what it does in a period of a motion.");
@@ -219,8 +215,7 @@ void describe(D& d, Type<ContactInPeriod>)
     d.key("contact_time", "s >= 0", "In a period.", &T::time, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneStrains>)
+void describe(auto& d, Type<SceneStrains>)
 {
     using T = SceneStrains;
     d.record(
@@ -233,8 +228,7 @@ void describe(D& d, Type<SceneStrains>)
           &T::stress);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneFloor>)
+void describe(auto& d, Type<SceneFloor>)
 {
     using T = SceneFloor;
     d.record("SceneEnergyFloor", "Multipliers by which no motion of bars has less energy.");
@@ -246,8 +240,7 @@ void describe(D& d, Type<SceneFloor>)
     describeMultipliers(d, [](const T& f) -> const EnergyFloor& { return f.multipliers; });
 }
 
-template <typename D>
-void describe(D& d, Type<SceneCuts>)
+void describe(auto& d, Type<SceneCuts>)
 {
     using T = SceneCuts;
     d.record("SceneForcedProof", "Multipliers that leave no excitation of bars.");
@@ -258,8 +251,7 @@ void describe(D& d, Type<SceneCuts>)
     d.key("cuts", "-", "[dict, ...]: multipliers.", &T::cuts);
 }
 
-template <typename D>
-void describe(D& d, Type<NetworkResiduals>)
+void describe(auto& d, Type<NetworkResiduals>)
 {
     using T = NetworkResiduals;
     d.record("SceneResiduals", "Relative violations, recomputed; 0 where there are none.");
@@ -273,8 +265,7 @@ void describe(D& d, Type<NetworkResiduals>)
 template <>
 inline constexpr bool isDictionary<StabilityTrial> = true;
 
-template <typename D>
-void describe(D& d, Type<StabilityTrial>)
+void describe(auto& d, Type<StabilityTrial>)
 {
     using T = StabilityTrial;
     d.record("SceneStabilityTrial", "One disturbance of bars.");
@@ -283,8 +274,7 @@ void describe(D& d, Type<StabilityTrial>)
     d.key("end", "- >= 0", "The same at the end.", &T::end);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneStability>)
+void describe(auto& d, Type<SceneStability>)
 {
     using T = SceneStability;
     const auto result = partOf(&T::result);
@@ -297,8 +287,7 @@ void describe(D& d, Type<SceneStability>)
     d.key("trials", "-", "One for each disturbance.", result(&StabilityResult::trials));
 }
 
-template <typename D>
-void describe(D& d, Type<SceneFindAnswer>)
+void describe(auto& d, Type<SceneFindAnswer>)
 {
     using T = SceneFindAnswer;
     const auto motions = partOf(&T::motions);
@@ -346,8 +335,7 @@ void describe(D& d, Type<SceneFindAnswer>)
         When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneForcedMotion>)
+void describe(auto& d, Type<SceneForcedMotion>)
 {
     using T = SceneForcedMotion;
     d.record("SceneForcedMotion", "One forced motion of bars in a row.");
@@ -360,8 +348,7 @@ void describe(D& d, Type<SceneForcedMotion>)
     d.key("stability", "-", "Of the motion when it is perturbed.", &T::stability, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneForcedAnswer>)
+void describe(auto& d, Type<SceneForcedAnswer>)
 {
     using T = SceneForcedAnswer;
     const auto forcing = partOf(&T::forcing);

@@ -68,8 +68,7 @@ struct SceneHarmonicAnswer {
                                            std::int64_t cycles, std::int64_t steps,
                                            double amplitude);
 
-template <typename D>
-void describe(D& d, Type<SceneHarmonicMotion>)
+void describe(auto& d, Type<SceneHarmonicMotion>)
 {
     using T = SceneHarmonicMotion;
     d.record("SceneHarmonicMotion",
@@ -102,8 +101,7 @@ void describe(D& d, Type<SceneHarmonicMotion>)
         [](const T& m) { return m.inSteps ? m.inSteps->stability : std::nullopt; }, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneHarmonicAnswer>)
+void describe(auto& d, Type<SceneHarmonicAnswer>)
 {
     using T = SceneHarmonicAnswer;
     d.record("SceneHarmonicResult",

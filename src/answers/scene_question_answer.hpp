@@ -39,8 +39,7 @@ struct SceneQuestionAnswer {
 /// Starts beside each motion.
 void tryStability(SceneQuestionAnswer& answer, const Network& network, const Cancel& cancel);
 
-template <typename D>
-void describe(D& d, Type<SceneSet>)
+void describe(auto& d, Type<SceneSet>)
 {
     using T = SceneSet;
     d.record("SceneSet", "A schedule with one contact in a period.");
@@ -50,8 +49,7 @@ void describe(D& d, Type<SceneSet>)
     d.key("detail", "-", "Why it is not decided.", &T::detail, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneQuestionAnswer>)
+void describe(auto& d, Type<SceneQuestionAnswer>)
 {
     using T = SceneQuestionAnswer;
     d.record("SceneQuestion", "Motions of bars in a row of one period, with one contact in it.");

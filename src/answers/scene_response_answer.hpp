@@ -62,8 +62,7 @@ struct SceneResponse {
 [[nodiscard]] std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked,
                                                         std::int64_t steps, const Cancel& cancel);
 
-template <typename D>
-void describe(D& d, Type<SceneFrequency>)
+void describe(auto& d, Type<SceneFrequency>)
 {
     using T = SceneFrequency;
     d.record("SceneFrequency", "Motions of bars with one contact in a period, at one frequency.");
@@ -85,8 +84,7 @@ void describe(D& d, Type<SceneFrequency>)
     d.key("reason", "-", "Why they are not known.", &T::reason);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneResponse>)
+void describe(auto& d, Type<SceneResponse>)
 {
     using T = SceneResponse;
     const auto range = partOf(&T::range);

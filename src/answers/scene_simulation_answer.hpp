@@ -71,8 +71,7 @@ struct SceneSimulationAnswer {
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
 };
 
-template <typename D>
-void describe(D& d, Type<ContactTotals>)
+void describe(auto& d, Type<ContactTotals>)
 {
     using T = ContactTotals;
     d.record("SceneContactTotals", "A contact of bars, and what a simulation saw there.");
@@ -83,16 +82,14 @@ void describe(D& d, Type<ContactTotals>)
     d.key("contact_time", "s >= 0", "In all.", &T::time);
 }
 
-template <typename D>
-void describe(D& d, Type<Momentum>)
+void describe(auto& d, Type<Momentum>)
 {
     d.record("MomentumBalance", "Momentum of all bars and masses since the start.");
     d.key("given", "N s", "By forces, dashpots, springs, clamps and stops.", &Momentum::given);
     d.key("error", "N s", "What does not add up.", &Momentum::error);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneSimulationAnswer>)
+void describe(auto& d, Type<SceneSimulationAnswer>)
 {
     using T = SceneSimulationAnswer;
     d.record("SceneSimulation", "What bars in a row did, event by event.");

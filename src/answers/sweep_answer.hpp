@@ -40,8 +40,7 @@ struct SweepAnswer {
     [[nodiscard]] std::vector<SweepPointOf> listed() const;
 };
 
-template <typename D>
-void describe(D& d, Type<SweepPointOf>)
+void describe(auto& d, Type<SweepPointOf>)
 {
     using T = SweepPointOf;
     using P = SweepPoint;
@@ -51,12 +50,8 @@ void describe(D& d, Type<SweepPointOf>)
             return std::tuple(low * unit(p.bar), high * unit(p.bar));
         };
     };
-    const auto ifSettled = [](auto member) {
-        return [member](const T& p) {
-            const std::optional<Settled>& settled = p.value.settling.settled;
-            return settled ? std::optional(*settled.*member) : std::nullopt;
-        };
-    };
+    const auto ifSettled =
+        ifThere([](const T& p) -> const auto& { return p.value.settling.settled; });
     d.record("SweepPoint", "What the bar does at one value of a sweep.");
     d.key("value", "omega_1, N, m or -", "Of what is varied.", &T::given);
     d.key("direction", "-", R"("up" or "down".)", ofValue(&P::direction));
@@ -101,8 +96,7 @@ void describe(D& d, Type<SweepPointOf>)
           &T::stress);
 }
 
-template <typename D>
-void describe(D& d, Type<SweepAnswer>)
+void describe(auto& d, Type<SweepAnswer>)
 {
     using T = SweepAnswer;
     const auto range = partOf(&T::range);

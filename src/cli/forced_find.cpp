@@ -50,8 +50,7 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
     }
 }
 
-template <typename Answer>
-ExitStatus finish(const FindCommand& call, const Answer& answer)
+ExitStatus finish(const FindCommand& call, const auto& answer)
 {
     report(call.common, answer, {}, call.force.ratio);
     for (const auto& motion : answer.motions) {

@@ -27,8 +27,7 @@ struct SceneFind {
     [[nodiscard]] std::string lines(Status status) const;
     /// Writes the files of the motion, if there is one, a proof, if the answer is one, and the
     /// answer.
-    template <typename Answer>
-    [[nodiscard]] ExitStatus finish(const Answer& answer, const NetworkClaim* motion, bool isProof,
+    [[nodiscard]] ExitStatus finish(const auto& answer, const NetworkClaim* motion, bool isProof,
                                     const std::string& text)
     {
         const std::string json = asLine(wholeJsonOf(answer));

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <string_view>
+#include <unordered_map>
 
 #include "faults.hpp"
 
