@@ -41,55 +41,36 @@ template <typename T>
 /// Of the motions of this energy: no motions have no dimension.
 [[nodiscard]] std::optional<std::int64_t> dimensionOf(const Continuum& curve);
 
-template <typename D>
-void describe(D& d, Type<PointOf>)
+void describe(auto& d, Type<PointOf>)
 {
     using T = PointOf;
+    const auto point = partOf(&T::point);
     d.record("ContinuumPoint", "One motion of a curve.");
     d.key("lambda", "-", "Where on the curve; `parameter` says what it is.",
-          [](const T& p) { return p.point->lambda; });
+          point(&ContinuumPoint::lambda));
     d.key("energy", "J > 0", "E, recomputed.",
           [](const T& p) { return joules(p.point->energyRatio, *p.curve); });
     d.key("energy_ratio", "E_1 > 0", "E/E_1, where there is a gap.",
           [](const T& p) { return whereUnit(*p.curve, std::optional(p.point->energyRatio)); });
     d.key("residual", "- >= 0", "The largest of its residuals, recomputed.",
-          [](const T& p) { return p.point->residual; });
-    d.key("peak_strain", "-", "Deepest compression.",
-          [](const T& p) { return p.point->peakStrain; });
+          point(&ContinuumPoint::residual));
+    d.key("peak_strain", "-", "Deepest compression.", point(&ContinuumPoint::peakStrain));
     describePhysical(d, &T::physical);
     d.key("exact", "-", "Of a member: is it the curve's own at this lambda, or the nearest point?",
           &T::isExact, When::any);
 }
 
-/// What is known of the motions of this energy.
-template <typename D>
-void describeSection(D& d)
+void describe(auto& d, Type<ContinuumAnswer>)
 {
     using T = ContinuumAnswer;
-    d.key("connected", "-", "Can the ends, or all motions of this energy, be joined?",
-          [](const T& a) { return a.curve->connected; });
-    d.key("components", "- >= 0", "Of the motions of this energy.",
-          [](const T& a) { return a.curve->components; });
-    d.key("dimension", "- >= 0", "Of the motions of this energy.",
-          [](const T& a) { return dimensionOf(*a.curve); });
-    d.key("energy_ratio_range", "E_1", "(least, most) of the whole set.",
-          [](const T& a) { return whereUnit(*a.curve, a.curve->energyRange); });
-    d.key("resolution", "sqrt(E/E_1) >= 0", "Largest distance of neighbours.",
-          [](const T& a) { return a.curve->resolution; });
-}
-
-template <typename D>
-void describe(D& d, Type<ContinuumAnswer>)
-{
-    using T = ContinuumAnswer;
+    const auto curve = partOf(&T::curve);
     d.record("Continuum", R"(A curve k(lambda) of motions of one schedule and one energy.
 
 A sequence of ContinuumPoint; each was verified before it was kept.
 )");
-    d.key("status", "-", R"("found", "none" or "undecided".)",
-          [](const T& a) { return a.curve->status; });
+    d.key("status", "-", R"("found", "none" or "undecided".)", curve(&Continuum::status));
     d.key("cells", "- >= 1", "N.", [](const T& a) { return a.curve->schedule.cells; });
-    d.key("schedule", "-", "Asked about.", [](const T& a) { return a.curve->schedule; });
+    d.key("schedule", "-", "Asked about.", curve(&Continuum::schedule));
     d.key("period", "s > 0", "T.",
           [](const T& a) { return period(a.curve->schedule) * scales(a.curve->scene.bar).time; });
     d.key("period_ratio", "L/c > 0", "c T/L.",
@@ -100,17 +81,25 @@ A sequence of ContinuumPoint; each was verified before it was kept.
           [](const T& a) { return joules(a.curve->energyRatio, *a.curve); });
     d.key("energy_ratio", "E_1 > 0", "E/E_1 asked for, where there is a gap.",
           [](const T& a) { return whereUnit(*a.curve, std::optional(a.curve->energyRatio)); });
-    describeSection(d);
+    d.key("connected", "-", "Can the ends, or all motions of this energy, be joined?",
+          curve(&Continuum::connected));
+    d.key("components", "- >= 0", "Of the motions of this energy.", curve(&Continuum::components));
+    d.key("dimension", "- >= 0", "Of the motions of this energy.",
+          [](const T& a) { return dimensionOf(*a.curve); });
+    d.key("energy_ratio_range", "E_1", "(least, most) of the whole set.",
+          [](const T& a) { return whereUnit(*a.curve, a.curve->energyRange); });
+    d.key("resolution", "sqrt(E/E_1) >= 0", "Largest distance of neighbours.",
+          curve(&Continuum::resolution));
     d.key("engine", "-", "Which engine traced it.",
           [](const T& a) { return engineOf(a.curve->solver); });
-    d.key("family", "-", R"(E.g. "split pulse".)", [](const T& a) { return a.curve->family; });
-    d.key("parameter", "-", "What lambda is.", [](const T& a) { return a.curve->parameter; });
-    d.key("reason", "-", "Why there is no motion of this energy.",
-          [](const T& a) { return a.curve->reason; });
+    d.key("family", "-", R"(E.g. "split pulse".)", curve(&Continuum::family));
+    d.key("parameter", "-", "What lambda is.", curve(&Continuum::parameter));
+    d.key("reason", "-", "Why there is no motion of this energy.", curve(&Continuum::reason));
     d.key("orbits", "- >= 0", "How many of the points are different motions.",
-          [](const T& a) { return a.curve->orbits; });
+          curve(&Continuum::orbits));
     d.key("points", "-", "Along the curve.", &T::points);
-    describeScene(d, [](const T& a) -> const Scene& { return a.curve->scene; });
+    describeScene(
+        d, [](const T& a) -> const auto& { return a.curve->scene; });
     d.key("member", "-", "That was asked for.", &T::member, When::program);
     d.key(
         "detail", "-", "Why it is not found, or a note.",

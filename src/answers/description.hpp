@@ -96,20 +96,37 @@ template <typename T>
 }
 
 /// Gets what the `value` of a record says, in SI units if one of its bar is given.
-template <typename Get>
-[[nodiscard]] auto ofValue(Get get)
+[[nodiscard]] auto ofValue(auto get)
 {
     return [get](const auto& of) { return std::invoke(get, of.value); };
 }
-template <typename Get>
-[[nodiscard]] auto ofValue(Get get, double (*unit)(const Bar& bar))
+[[nodiscard]] auto ofValue(auto get, double (*unit)(const Bar& bar))
 {
     return [=](const auto& of) { return std::invoke(get, of.value) * unit(of.bar); };
 }
-template <typename Get>
-[[nodiscard]] auto ofValue(Get get, double Scales::*unit)
+[[nodiscard]] auto ofValue(auto get, double Scales::*unit)
 {
     return [=](const auto& of) { return std::invoke(get, of.value) * scales(of.bar).*unit; };
+}
+
+/// Gets of a part of a record: with `const auto range = partOf(&T::range)` the getter
+/// `range(&Range::cycles)` gets the cycles of a record's range. The part may be a pointer to it.
+[[nodiscard]] auto partOf(auto part)
+{
+    return [part](auto get) {
+        return [=](const auto& of) { return std::invoke(get, std::invoke(part, of)); };
+    };
+}
+/// The same of a part that may be missing: then nothing.
+[[nodiscard]] auto ifThere(auto part)
+{
+    return [part](auto get) {
+        return [=](const auto& of) {
+            const auto& held = std::invoke(part, of);
+            using Value = std::remove_cvref_t<decltype(std::invoke(get, *held))>;
+            return held ? std::optional<Value>(std::invoke(get, *held)) : std::optional<Value>();
+        };
+    };
 }
 
 /// Nothing in place of what is not finite.

@@ -43,8 +43,7 @@ struct ExactAnswer {
     return frequencyRatio / 4.0 / scales(bar).time;
 }
 
-template <typename D>
-void describe(D& d, Type<ExactFrequencyOf>)
+void describe(auto& d, Type<ExactFrequencyOf>)
 {
     d.record("ExactFrequency", "All motions under an exact harmonic at one frequency.");
     d.key("steps", "- >= 1", "T in L/(N c).", ofValue(&ExactFrequency::steps));
@@ -56,28 +55,27 @@ void describe(D& d, Type<ExactFrequencyOf>)
           &motionsOf);
 }
 
-template <typename D>
-void describe(D& d, Type<BranchPointOf>)
+void describe(auto& d, Type<BranchPointOf>)
 {
     using T = BranchPointOf;
+    const auto physical = partOf(&T::physical);
+    const auto stability = partOf(&T::stability);
     d.record("BranchPoint", "A motion on a curve of motions.");
     describeFrequency(d, &BranchPoint::frequencyRatio);
     d.key("contacts", "- >= 1", "In a period.",
           [](const T& p) { return std::ssize(p.value.motion.contacts); });
     d.key("phase", "rad", "Of the excitation at the start of the first contact.",
           [](const T& p) { return p.value.motion.phase; });
-    d.key("impulse", "N s >= 0", "In a period.", [](const T& p) { return p.physical().impulse; });
-    d.key("peak_force", "N >= 0", "Of the tip on the stops.",
-          [](const T& p) { return p.physical().peakForce; });
-    d.key("tip_lowest", "m", "min u(L, t).", [](const T& p) { return p.physical().tipLowest; });
+    d.key("impulse", "N s >= 0", "In a period.", physical(&Physical::impulse));
+    d.key("peak_force", "N >= 0", "Of the tip on the stops.", physical(&Physical::peakForce));
+    d.key("tip_lowest", "m", "min u(L, t).", physical(&Physical::tipLowest));
     d.key("growth", "- > 0", "Of a small disturbance in a period; nothing where it is not known.",
-          [](const T& p) { return p.stability.growth; });
+          stability(&ExactStability::growth));
     d.key("attracts", "-", "Does the bar come back? Nothing where it is not known.",
-          [](const T& p) { return p.stability.attracts; });
+          stability(&ExactStability::attracts));
 }
 
-template <typename D>
-void describe(D& d, Type<BranchMarkOf>)
+void describe(auto& d, Type<BranchMarkOf>)
 {
     using T = BranchMarkOf;
     d.record("BranchMark", "A named point of a curve of motions.");
@@ -88,8 +86,7 @@ void describe(D& d, Type<BranchMarkOf>)
     describeFrequency(d, &BranchMark::frequencyRatio);
 }
 
-template <typename D>
-void describe(D& d, Type<ExactBranchOf>)
+void describe(auto& d, Type<ExactBranchOf>)
 {
     d.record("Branch", "A curve of motions along the frequency.");
     d.key("points", "-", "As they follow each other.", &pointsOf);
@@ -98,23 +95,21 @@ void describe(D& d, Type<ExactBranchOf>)
     });
 }
 
-template <typename D>
-void describe(D& d, Type<ExactAnswer>)
+void describe(auto& d, Type<ExactAnswer>)
 {
     using T = ExactAnswer;
+    const auto range = partOf(&T::range);
     d.record("ExactResponse", "Motions under an exact harmonic over a range of frequencies.");
     d.key("status", "-", R"("found", or "undecided": it was interrupted.)", &T::status);
     d.key("cells", "- >= 1", "N: periods are whole numbers of L/(N c).",
-          [](const T& a) { return a.range.cells; });
-    describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
+          range(&ResponseRange::cells));
+    describeScene(d, &T::scene);
     d.key("damping", "-", "A dashpot.", [](const T& a) {
         return Of<Damping>{a.range.damping, a.bar};
     });
-    d.key("force", "-", R"(What is excited: "tip" or "base".)",
-          [](const T& a) { return a.range.place; });
+    d.key("force", "-", R"(What is excited: "tip" or "base".)", range(&ResponseRange::place));
     d.key("amplitude", "N or m > 0", "Of the excitation.", &T::amplitude);
-    d.key("cycles", "- >= 1", "K, of the excitation in a period.",
-          [](const T& a) { return a.range.cycles; });
+    d.key("cycles", "- >= 1", "K, of the excitation in a period.", range(&ResponseRange::cycles));
     d.key("frequencies", "-", "By ascending steps.",
           [](const T& a) { return withUnits(a.frequencies, a.bar); });
     d.key("branches", "-", "Curves of motions.",

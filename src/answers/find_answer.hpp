@@ -3,7 +3,6 @@
 /// What `find` says of a schedule, and of a period.
 
 #include <string>
-#include <string_view>
 
 #include "parts.hpp"
 #include "proofs.hpp"
@@ -70,19 +69,7 @@ void requireTried(std::int64_t steps);
 /// Starts beside the motion, if there is one: as it is, and with a little damping.
 void tryStability(FindAnswer& answer, const Cancel& cancel);
 
-/// A key of the motion, if there is one.
-template <typename Get>
-auto ofMotion(Get get)
-{
-    return [get](const FindAnswer& answer) {
-        const auto& motion = answer.result.motion;
-        using Value = std::remove_cvref_t<decltype(std::invoke(get, *motion))>;
-        return motion ? std::optional<Value>(std::invoke(get, *motion)) : std::optional<Value>();
-    };
-}
-
-template <typename D>
-void describe(D& d, Type<StabilityTrialOf>)
+void describe(auto& d, Type<StabilityTrialOf>)
 {
     using T = StabilityTrialOf;
     d.record("StabilityTrial", "One disturbance.");
@@ -93,21 +80,20 @@ void describe(D& d, Type<StabilityTrialOf>)
     d.key("end", "m >= 0", "Of displacements.", [](const T& t) { return t.value.end * t.unit; });
 }
 
-template <typename D>
-void describe(D& d, Type<StabilityReport>)
+void describe(auto& d, Type<StabilityReport>)
 {
     using T = StabilityReport;
+    const auto result = partOf(&T::result);
     d.record("StabilityReport", "What became of disturbances.");
     d.key("damping", "-", "That was added.", [](const T& r) {
         return Of<Damping>{r.damping, r.bar};
     });
     d.key("verdict", "-", "Does the bar stay near the motion?",
-          [](const T& r) { return r.result.stability; });
+          result(&StabilityResult::stability));
     d.key("periods", "- >= 1", "Waited.", &T::periods);
     d.key("drift", "m >= 0", "Of the undisturbed motion.",
           [](const T& r) { return r.result.drift * scales(r.bar).displacement; });
-    d.key("contacts", "- >= 0", "Of the undisturbed motion.",
-          [](const T& r) { return r.result.contacts; });
+    d.key("contacts", "- >= 0", "Of the undisturbed motion.", result(&StabilityResult::contacts));
     d.key("trials", "-", "One for each disturbance.", [](const T& r) {
         std::vector<StabilityTrialOf> trials;
         for (const StabilityTrial& trial : r.result.trials) {
@@ -118,53 +104,53 @@ void describe(D& d, Type<StabilityReport>)
 }
 
 /// Where the motion is asked about, and what is known of all motions there.
-template <typename D>
-void describeSet(D& d)
+void describeSet(auto& d)
 {
     using T = FindAnswer;
-    d.key("status", "-", R"("found", "none" or "undecided".)",
-          [](const T& a) { return a.result.status; });
+    const auto result = partOf(&T::result);
+    const auto ofSet = partOf([](const T& a) -> const auto& { return a.result.set; });
+    d.key("status", "-", R"("found", "none" or "undecided".)", result(&PeriodicResult::status));
     d.key("cells", "- >= 1", "N.", [](const T& a) { return a.result.schedule.cells; });
-    d.key("schedule", "-", "Asked about.", [](const T& a) { return a.result.schedule; });
-    d.key("period", "s > 0", "T.", [](const T& a) { return a.result.period; });
+    d.key("schedule", "-", "Asked about.", result(&PeriodicResult::schedule));
+    d.key("period", "s > 0", "T.", result(&PeriodicResult::period));
     d.key("period_ratio", "L/c > 0", "c T/L.",
           [](const T& a) { return period(a.result.schedule); });
-    d.key("frequency_ratio", "- > 0", "omega/omega_1.",
-          [](const T& a) { return a.result.frequencyRatio; });
+    d.key("frequency_ratio", "- > 0", "omega/omega_1.", result(&PeriodicResult::frequencyRatio));
     d.key("kernel_dimension", "- >= 0", "dim ker(W - 1), where the route knows it.",
-          [](const T& a) { return a.result.set.kernelDimension; });
+          ofSet(&MotionSet::kernelDimension));
     d.key("solution_set", "-", "What the set of all motions looks like.", [](const T& a) {
         const MotionSet& set = a.result.set;
         return set.kind ? std::optional(SolutionSet{*set.kind, set.dimension}) : std::nullopt;
     });
     d.key("family", "-", "To which it belongs, of one contact that presses.",
-          [](const T& a) { return a.result.set.family; });
+          ofSet(&MotionSet::family));
 }
 
 /// Who answered.
-template <typename D>
-void describeRoute(D& d)
+void describeRoute(auto& d)
 {
-    using T = FindAnswer;
-    d.key("route", "-", "Taken.", [](const T& a) { return a.result.how.route; });
-    d.key("route_reason", "-", "Why that one.", [](const T& a) { return a.result.how.reason; });
-    d.key("left_out", "-", "What the request did not need.",
-          [](const T& a) { return a.result.how.leftOut; });
-    d.key("solver", "-", "Which solver answered.", [](const T& a) { return a.result.how.solver; });
+    const auto how = partOf([](const FindAnswer& a) -> const auto& { return a.result.how; });
+    d.key("route", "-", "Taken.", how(&Provenance::route));
+    d.key("route_reason", "-", "Why that one.", how(&Provenance::reason));
+    d.key("left_out", "-", "What the request did not need.", how(&Provenance::leftOut));
+    d.key("solver", "-", "Which solver answered.", how(&Provenance::solver));
 }
 
-template <typename D>
-void describe(D& d, Type<FindAnswer>)
+void describe(auto& d, Type<FindAnswer>)
 {
     using T = FindAnswer;
     using M = FoundMotion;
+    const auto ofMotion = ifThere([](const T& a) -> const auto& { return a.result.motion; });
+    const auto ofAbsence = ifThere([](const T& a) -> const auto& { return a.result.absence; });
+    const auto ofTarget = ifThere(&T::target);
     d.record("Result", R"(What is known of a schedule.
 
 `status` is "found", "none" (proved) or "undecided" (`detail` says why). Times, energies and forces
 are in SI units, names that end in ``_ratio`` have none: energies in E_1, periods in L/c,
 frequencies in omega_1.
 )");
-    describeScene(d, [](const T& a) -> const Scene& { return a.result.scene; });
+    describeScene(
+        d, [](const T& a) -> const auto& { return a.result.scene; });
     describeSet(d);
     d.key("objective", "-", "Which motion of the set this is.",
           [](const T& a) { return a.result.how.objective; });
@@ -178,7 +164,9 @@ frequencies in omega_1.
           &T::approachSpeeds, When::any);
     d.key("energy", "J > 0", "E.", ofMotion(&M::energy), When::found);
     d.key("energy_ratio", "- > 0", "E/E_1, where there is a gap.",
-          [](const T& a) { return a.hasUnit() ? ofMotion(&M::energyRatio)(a) : std::nullopt; });
+          [ratio = ofMotion(&M::energyRatio)](const T& a) {
+              return a.hasUnit() ? ratio(a) : std::nullopt;
+          });
     d.key("energy_ratio_range", "-",
           "(least, most) E/E_1 of the whole set; nothing where unbounded or unknown.",
           &T::energies);
@@ -194,13 +182,8 @@ frequencies in omega_1.
     d.key("near_schedule", "-",
           "Of those with one contact that have motions the one that differs in the fewest steps.",
           &T::nearSchedule, When::any);
-    d.key(
-        "certificate", "-", "The proof that there is none.",
-        [](const T& a) {
-            const auto& absence = a.result.absence;
-            return absence ? std::optional(absence->proof) : std::nullopt;
-        },
-        When::none);
+    d.key("certificate", "-", "The proof that there is none.", ofAbsence(&Absence::proof),
+          When::none);
     describeRoute(d);
     d.key("repetitions", "- >= 1",
           "How often the motion repeats within the period of the schedule.",
@@ -211,14 +194,9 @@ frequencies in omega_1.
           ofMotion(&M::isSymmetric), When::any);
     d.key("peak_strain", "-", "Deepest compression.",
           ofMotion([](const M& m) { return m.physical.peakCompression; }), When::any);
-    d.key(
-        "target", "-", "How the target came onto the cells.",
-        [](const T& a) { return a.target ? std::optional(a.target->how) : std::nullopt; },
-        When::any);
-    d.key(
-        "distance", "-", "To the target, relative, in the norm of the energy.",
-        [](const T& a) { return a.target ? std::make_optional(a.target->distance) : std::nullopt; },
-        When::any);
+    d.key("target", "-", "How the target came onto the cells.", ofTarget(&Target::how), When::any);
+    d.key("distance", "-", "To the target, relative, in the norm of the energy.",
+          ofTarget(&Target::distance), When::any);
     d.key("detail", "-", "Why it is undecided, or what the proof says.", &T::detail,
           When::undecided);
     d.key(

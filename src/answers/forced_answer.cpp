@@ -9,8 +9,7 @@ namespace signorini::answers {
 namespace {
 
 /// Adds the motions of the amplitude asked for, or the one of the least. \returns is there none?
-template <typename Least, typename OfAmplitude>
-bool lacksMotions(ForcedAnswer& answer, Least least, OfAmplitude ofAmplitude)
+bool lacksMotions(ForcedAnswer& answer, auto least, auto ofAmplitude)
 {
     if (answer.set.status != Status::found) {
         return false;

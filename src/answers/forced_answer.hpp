@@ -78,16 +78,14 @@ struct ForcedProof {
 template <>
 inline constexpr bool isDictionary<ForcedCondition> = true;
 
-template <typename D>
-void describe(D& d, Type<ForcedCondition>)
+void describe(auto& d, Type<ForcedCondition>)
 {
     d.record("ForcedCondition", "A condition on the motion in one step.");
     d.key("rule", "-", "What has to hold.", &ForcedCondition::rule);
     d.key("step", "- >= 0", "From the start of the first contact.", &ForcedCondition::step);
 }
 
-template <typename D>
-void describe(D& d, Type<ForcedProof>)
+void describe(auto& d, Type<ForcedProof>)
 {
     d.record("ForcedProof", "Conditions that contradict each other.");
     d.key("kind", "-", R"("forced", or "amplitude-range": of motions, but none of the amplitude.)",
@@ -101,8 +99,7 @@ void describe(D& d, Type<ForcedProof>)
           When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<ForcedSetPart>)
+void describe(auto& d, Type<ForcedSetPart>)
 {
     d.record("ForcedSetPart", "What the motions of a schedule look like.");
     d.key("kind", "-", "Their shape.", &ForcedSetPart::kind);
@@ -110,19 +107,18 @@ void describe(D& d, Type<ForcedSetPart>)
           &ForcedSetPart::freeWaves);
 }
 
-template <typename D>
-void describe(D& d, Type<ForcedMotionOf>)
+void describe(auto& d, Type<ForcedMotionOf>)
 {
     using T = ForcedMotionOf;
+    const auto physical = partOf(&T::physical);
     d.record("ForcedMotion", "One forced, damped motion.");
     d.key("schedule", "-", "Contact and flight.", ofValue(&ForcedMotion::schedule));
     d.key("amplitude", "N or m >= 0", "Of the excitation.", &T::amplitude);
     d.key("phase", "rad", "Of the excitation at the start of contact.",
           ofValue(&ForcedMotion::phase));
-    d.key("impulse", "N s >= 0", "In a period.", [](const T& m) { return m.physical().impulse; });
-    d.key("peak_force", "N >= 0", "Of the tip on the wall.",
-          [](const T& m) { return m.physical().peakForce; });
-    d.key("tip_lowest", "m", "min u(L, t).", [](const T& m) { return m.physical().tipLowest; });
+    d.key("impulse", "N s >= 0", "In a period.", physical(&Physical::impulse));
+    d.key("peak_force", "N >= 0", "Of the tip on the wall.", physical(&Physical::peakForce));
+    d.key("tip_lowest", "m", "min u(L, t).", physical(&Physical::tipLowest));
     describePhysical(d, &T::physical);
     d.key("residual", "- >= 0", "The worst that was seen walking along it; relative.",
           ofValue(&ForcedMotion::residual));
@@ -131,19 +127,19 @@ void describe(D& d, Type<ForcedMotionOf>)
 }
 
 /// What was asked.
-template <typename D>
-void describeForcing(D& d)
+void describeForcing(auto& d)
 {
     using T = ForcedAnswer;
+    const auto set = partOf(&T::set);
+    const auto forcing = partOf([](const T& a) -> const auto& { return a.set.forcing; });
     d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
     d.key("cells", "- >= 1", "N.", [](const T& a) { return a.set.schedule.cells; });
-    d.key("schedule", "-", "Asked about.", [](const T& a) { return a.set.schedule; });
+    d.key("schedule", "-", "Asked about.", set(&ForcedSet::schedule));
     d.key("damping", "-", "A dashpot.", [](const T& a) {
         return Of<Damping>{a.set.damping, a.bar};
     });
-    d.key("force", "-", "What is excited.", [](const T& a) { return a.set.forcing.place; });
-    d.key("cycles", "- >= 1", "Of the excitation in a period.",
-          [](const T& a) { return a.set.forcing.cycles; });
+    d.key("force", "-", "What is excited.", forcing(&Forcing::place));
+    d.key("cycles", "- >= 1", "Of the excitation in a period.", forcing(&Forcing::cycles));
     d.key("period", "s > 0", "T.",
           [](const T& a) { return period(a.set.schedule) * scales(a.bar).time; });
     d.key("period_ratio", "L/c > 0", "c T/L.", [](const T& a) { return period(a.set.schedule); });
@@ -152,8 +148,7 @@ void describeForcing(D& d)
     });
 }
 
-template <typename D>
-void describe(D& d, Type<ForcedAnswer>)
+void describe(auto& d, Type<ForcedAnswer>)
 {
     using T = ForcedAnswer;
     d.record("ForcedResult", "What is known of a schedule that is damped and forced.");
@@ -176,7 +171,7 @@ void describe(D& d, Type<ForcedAnswer>)
     d.key("motions", "-", "By ascending impulse.", &T::motions, When::found);
     d.key("reason", "-", "Why there is none.", &T::reason, When::none);
     d.key("certificate", "-", "The proof that there is none.", &proofOf, When::none);
-    describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
+    describeScene(d, &T::scene);
     d.key("detail", "-", "Why it is not decided, or which amplitudes have motions.", &T::detail,
           When::undecided);
 }

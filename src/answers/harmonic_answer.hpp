@@ -16,8 +16,7 @@ namespace signorini::answers {
 using HarmonicContactOf = Of<HarmonicContact>;
 
 /// "pinned", or "smooth": of a contact, or of a motion with one.
-template <typename T>
-[[nodiscard]] const char* releaseOf(const T& contact)
+[[nodiscard]] const char* releaseOf(const auto& contact)
 {
     return contact.isPinned ? "pinned" : "smooth";
 }
@@ -75,8 +74,7 @@ struct HarmonicAnswer {
                                       const Scene& scene, std::int64_t contacts,
                                       const Cancel& cancel = {});
 
-template <typename D>
-void describe(D& d, Type<HarmonicContactOf>)
+void describe(auto& d, Type<HarmonicContactOf>)
 {
     using C = HarmonicContact;
     d.record("HarmonicContact", "One contact under an exact harmonic.");
@@ -94,8 +92,7 @@ void describe(D& d, Type<HarmonicContactOf>)
           ofValue(&C::speed, &Scales::velocity));
 }
 
-template <typename D>
-void describe(D& d, Type<HarmonicMotionOf>)
+void describe(auto& d, Type<HarmonicMotionOf>)
 {
     using T = HarmonicMotionOf;
     d.record("HarmonicMotion", "One motion under an exact harmonic; contact is at any times.");
@@ -124,8 +121,7 @@ void describe(D& d, Type<HarmonicMotionOf>)
           [](const T& m) { return positive(m.proof.aloneWithin); });
 }
 
-template <typename D>
-void describe(D& d, Type<HarmonicAnswer>)
+void describe(auto& d, Type<HarmonicAnswer>)
 {
     using T = HarmonicAnswer;
     d.record(
@@ -153,7 +149,7 @@ void describe(D& d, Type<HarmonicAnswer>)
           "May the tip, pressed at rest, stay on a stop for good, without a flight? Nothing where "
           "it is too near to tell, or of several contacts.",
           [](const T& a) { return a.all.rests; });
-    describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
+    describeScene(d, &T::scene);
     d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
 }
 

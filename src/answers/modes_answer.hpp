@@ -62,8 +62,7 @@ struct PolytopeList {
 /// "main", "twin 1", ..., if the mode has a name.
 [[nodiscard]] std::optional<std::string> knownName(const Mode& mode);
 
-template <typename D>
-void describe(D& d, Type<FamilyOf>)
+void describe(auto& d, Type<FamilyOf>)
 {
     d.record("Family", R"(All motions of one period and one contact pattern.
 
@@ -111,8 +110,7 @@ void describeInterval(D& d, Type<Of<T>>)
           [](const Of<T>& of) { return std::tuple(of.value.lowest, of.value.highest); });
 }
 
-template <typename D>
-void describe(D& d, Type<ModeOf> type)
+void describe(auto& d, Type<ModeOf> type)
 {
     d.record("Mode", R"(One continuous family: a motion for every T in an interval.
 
@@ -128,8 +126,7 @@ t_c = a4 + b T and E/E_1 = 1/(kappa T - mu)^2, T in L/c.
     describeRanges(d, type);
 }
 
-template <typename D>
-void describe(D& d, Type<ModeChain>)
+void describe(auto& d, Type<ModeChain>)
 {
     d.record("ModeChain", "Jumps from an arrival to a release: e_release = s + 2 k - turns T.");
     d.key("k", "-", "Jumps.", &ModeChain::k);
@@ -138,8 +135,7 @@ void describe(D& d, Type<ModeChain>)
           [](const ModeChain& chain) { return chain.release + 1; });
 }
 
-template <typename D>
-void describe(D& d, Type<PolytopeOf> type)
+void describe(auto& d, Type<PolytopeOf> type)
 {
     d.record("ModePolytope", R"(Motions with K contacts in a period, on no grid, exact.
 
@@ -149,10 +145,9 @@ s_l are the arrivals. The energy depends on T alone.
     d.key(
         "chains", "-", "One from each arrival.",
         [](const PolytopeOf& p) -> const auto& { return p.value.chains; });
-    d.key("order", "- >= 1", "Sum of all turns, odd.",
-          [](const PolytopeOf& p) { return p.value.order; });
+    d.key("order", "- >= 1", "Sum of all turns, odd.", ofValue(&ModePolytope::order));
     d.key("free_times", "- >= 0", "How many times may be chosen beside T.",
-          [](const PolytopeOf& p) { return p.value.dimension; });
+          ofValue(&ModePolytope::dimension));
     describeInterval(d, type);
     d.key(
         "inverse_sqrt_energy", "-", "(kappa, mu, divisor): 1/sqrt(E/E_1) = (kappa T - mu)/divisor.",
@@ -169,24 +164,23 @@ s_l are the arrivals. The energy depends on T alone.
 template <typename D, typename T, typename Energy>
 void describeTimes(D& d, Type<T>, Energy energyRatio)
 {
+    const auto motion = partOf(&T::motion);
     d.key("period", "s > 0", "T.",
           [](const T& m) { return m.motion.period() * scales(m.bar).time; });
-    d.key("period_ratio", "L/c > 0", "c T/L.", [](const T& m) { return m.motion.period(); });
+    d.key("period_ratio", "L/c > 0", "c T/L.", motion(&ModeMotion::period));
     d.key("frequency", "Hz > 0", "1/T.",
           [](const T& m) { return 1.0 / (m.motion.period() * scales(m.bar).time); });
     d.key("frequency_ratio", "- > 0", "omega/omega_1.",
           [](const T& m) { return 4.0 / m.motion.period(); });
     d.key("contact_time", "s > 0", "Of all contacts together.",
           [](const T& m) { return m.motion.contactTime() * scales(m.bar).time; });
-    d.key("contact_time_ratio", "L/c > 0", "The same.",
-          [](const T& m) { return m.motion.contactTime(); });
+    d.key("contact_time_ratio", "L/c > 0", "The same.", motion(&ModeMotion::contactTime));
     d.key("energy", "J > 0", "E.",
           [energyRatio](const T& m) { return energyRatio(m) * scales(m.bar).energy; });
     d.key("energy_ratio", "E_1 > 0", "E/E_1.", energyRatio);
 }
 
-template <typename D>
-void describe(D& d, Type<ModeAnswer> type)
+void describe(auto& d, Type<ModeAnswer> type)
 {
     d.record("ModeMotion", R"(The motion of a mode at one period, on no grid.
 
@@ -208,8 +202,7 @@ t = 0 is the start of contact; at jumps velocity and strain take the value right
     describePhysical(d, [](const auto& m) { return physicalOf(m.motion.extremes(), m.bar); });
 }
 
-template <typename D>
-void describe(D& d, Type<PolytopeAnswer> type)
+void describe(auto& d, Type<PolytopeAnswer> type)
 {
     d.record("PolytopeMotion", R"(A motion with several contacts in a period, on no grid.
 
@@ -237,8 +230,7 @@ them.
     describePhysical(d, [](const auto& m) { return physicalOf(m.motion.extremes(), m.bar); });
 }
 
-template <typename D>
-void describe(D& d, Type<FamilyList>)
+void describe(auto& d, Type<FamilyList>)
 {
     using T = FamilyList;
     d.record("FamilyList", "All families up to an order.");
@@ -264,8 +256,7 @@ void describeBounds(D& d, Type<T>)
           [](const T& list) { return list.bounds.maxEnergyRatio; });
 }
 
-template <typename D>
-void describe(D& d, Type<ModeList> type)
+void describe(auto& d, Type<ModeList> type)
 {
     d.record("ModeList", "The continuous families up to an order.");
     d.key("bar", "-", "Whose units the modes have.", &ModeList::bar);
@@ -275,8 +266,7 @@ void describe(D& d, Type<ModeList> type)
           [](const ModeList& list) { return withUnits(list.modes, list.bar); });
 }
 
-template <typename D>
-void describe(D& d, Type<PolytopeList> type)
+void describe(auto& d, Type<PolytopeList> type)
 {
     d.record("PolytopeList", "The polytopes of several contacts up to an order.");
     d.key("bar", "-", "Whose units the polytopes have.", &PolytopeList::bar);

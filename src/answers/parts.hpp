@@ -39,8 +39,7 @@ struct SolutionSet {
     std::int64_t dimension = -1;
 };
 
-template <typename D>
-void describe(D& d, Type<Bar>)
+void describe(auto& d, Type<Bar>)
 {
     d.record("Bar", "A bar and its wall, in SI units.");
     d.key("length", "m > 0", "L.", &Bar::length);
@@ -50,16 +49,14 @@ void describe(D& d, Type<Bar>)
     d.key("young", "Pa > 0", "Young's modulus, if it is known.", &Bar::young);
 }
 
-template <typename D>
-void describe(D& d, Type<StopPlace>)
+void describe(auto& d, Type<StopPlace>)
 {
     d.record("StopPlace", "A stop.");
     d.key("side", "-", R"(Of the tip: "right", or "left".)", &StopPlace::side);
     d.key("place", "m", "u(L) there: g, or -h.", &StopPlace::place);
 }
 
-template <typename D>
-void describe(D& d, Type<Segment>)
+void describe(auto& d, Type<Segment>)
 {
     d.record("Segment", "Equal cells of one material of a stepped bar.");
     d.key("cells", "- >= 1", "Of equal crossing time.", &Segment::cells);
@@ -69,28 +66,29 @@ void describe(D& d, Type<Segment>)
           &Segment::dashpot);
 }
 
-/// Keys of the scene asked about.
-template <typename D, typename Get>
-void describeScene(D& d, Get scene)
+/// Keys of the scene asked about: `of(get)` gets of the scene of a record.
+void describeKeysOfScene(auto& d, auto of, When when)
 {
-    d.key("bar", "-", "Asked about.", [scene](const auto& a) { return scene(a).bar; });
+    d.key("bar", "-", "Asked about.", of(&Scene::bar), when);
     d.key("stops", "-", R"([{"side", "place" [m]}, ...]: the wall, and a second stop.)",
-          [scene](const auto& a) { return stopsIn(scene(a)); });
+          of(&stopsIn), when);
     d.key("segments", "-", "[Segment, ...] of a stepped bar, clamp first; none: a uniform bar.",
-          [scene](const auto& a) { return scene(a).segments; });
+          of(&Scene::segments), when);
     d.key("static_force", "N >= 0", "What the bar at rest presses on the wall with.",
-          [scene](const auto& a) { return staticForce(scene(a)); });
+          of(&staticForce), when);
+}
+void describeScene(auto& d, auto scene)
+{
+    describeKeysOfScene(d, partOf(scene), When::always);
 }
 
-template <typename D>
-void describe(D& d, Type<Scene>)
+void describe(auto& d, Type<Scene>)
 {
     d.record("Scene", "A bar, its stops, and what it is made of.");
-    describeScene(d, [](const Scene& scene) -> const Scene& { return scene; });
+    describeScene(d, std::identity());
 }
 
-template <typename D>
-void describe(D& d, Type<Physical>)
+void describe(auto& d, Type<Physical>)
 {
     d.record("Physical", "What one period of a motion shows, in SI units.");
     d.key("frequency", "Hz > 0", "Of the motion's own period.", &Physical::frequency);
@@ -108,8 +106,7 @@ void describe(D& d, Type<Physical>)
 }
 
 /// Keys of what get(record) measures.
-template <typename D, typename Get>
-void describePhysical(D& d, Get get)
+void describePhysical(auto& d, auto get)
 {
     d.key("physical", "-", "What can be measured, in SI units.", get);
     d.key("admissible", "-", "Is s > -1 everywhere?",
@@ -117,8 +114,7 @@ void describePhysical(D& d, Get get)
 }
 
 /// The frequency of the excitation that the `value` of a record has.
-template <typename D, typename Ratio>
-void describeFrequency(D& d, Ratio ratio)
+void describeFrequency(auto& d, auto ratio)
 {
     d.key("frequency_ratio", "- > 0", "omega/omega_1 of the excitation.", ofValue(ratio));
     d.key("frequency", "Hz > 0", "Of the excitation.", [ratio](const auto& of) {
@@ -135,8 +131,7 @@ void describeLinear(D& d, bool T::*touches, double T::*linearPeak)
           ofValue(linearPeak, &Scales::displacement));
 }
 
-template <typename D>
-void describe(D& d, Type<Residuals>)
+void describe(auto& d, Type<Residuals>)
 {
     d.record("Residuals", "Relative violations, recomputed; 0 where there are none.");
     d.key("periodicity", "- >= 0", "Of (30).", &Residuals::periodicity);
@@ -147,8 +142,7 @@ void describe(D& d, Type<Residuals>)
     d.key("demands", "- >= 0", "Of further demands.", &Residuals::demands);
 }
 
-template <typename D>
-void describe(D& d, Type<SolutionSet>)
+void describe(auto& d, Type<SolutionSet>)
 {
     d.record("SolutionSet", "What all motions of a schedule look like.");
     d.key("kind", "-", "Its shape.", &SolutionSet::kind);
@@ -157,8 +151,7 @@ void describe(D& d, Type<SolutionSet>)
     });
 }
 
-template <typename D>
-void describe(D& d, Type<HeldEnergy>)
+void describe(auto& d, Type<HeldEnergy>)
 {
     d.record("EnergySection", "The motions of one energy.");
     d.key("dimension", "- >= 0", "Of that set.", &HeldEnergy::dimension);
@@ -166,8 +159,7 @@ void describe(D& d, Type<HeldEnergy>)
     d.key("components", "- >= 1", "In so many parts, up to 64 bits.", &HeldEnergy::components);
 }
 
-template <typename D>
-void describe(D& d, Type<SolverReport>)
+void describe(auto& d, Type<SolverReport>)
 {
     d.record("SolverReport", "Who did the work.");
     d.key("name", "-", "As the option `solver` has it.", &SolverReport::name);
@@ -176,8 +168,7 @@ void describe(D& d, Type<SolverReport>)
 }
 
 /// Keys that name a family.
-template <typename D, typename Get>
-void describeFamily(D& d, Get family)
+void describeFamily(auto& d, auto family)
 {
     d.key("order", "- >= 1", "w, blocks in 2 L/c.",
           [family](const auto& a) { return family(a).order; });
@@ -194,8 +185,7 @@ void describeFamily(D& d, Get family)
           [family](const auto& a) { return leastEnergy(family(a)).value(); });
 }
 
-template <typename D>
-void describe(D& d, Type<TentPlace>)
+void describe(auto& d, Type<TentPlace>)
 {
     d.record("FamilyPlace", "The family of a schedule, and its place there.");
     describeFamily(d, [](const TentPlace& place) -> const Family& { return place.family; });
@@ -203,8 +193,7 @@ void describe(D& d, Type<TentPlace>)
     d.key("offset", "steps", "n_c - kG.", &TentPlace::offset);
 }
 
-template <typename D>
-void describe(D& d, Type<Of<Damping>>)
+void describe(auto& d, Type<Of<Damping>>)
 {
     d.record("Damping", "A dashpot at the tip.");
     d.key("ratio", "- >= 0", "zeta of the first linear mode.",

@@ -12,8 +12,7 @@ inline constexpr const char* rangeNote =
     "this end of the range is computed, not independently verified";
 
 /// What all proofs by multipliers begin with.
-template <typename D, typename Rows>
-void describeProof(D& d, const char* kind, Rows rows)
+void describeProof(auto& d, const char* kind, auto rows)
 {
     d.key("kind", "-", "What is proved, in a word.", [kind](const auto&) { return kind; });
     d.key("verified", "-", "Verified exactly, or independently of what found it.",
@@ -21,8 +20,7 @@ void describeProof(D& d, const char* kind, Rows rows)
     d.key("rows", "-", "What the multipliers refer to.", rows);
 }
 
-template <typename D>
-void describe(D& d, Type<FarkasCertificate>)
+void describe(auto& d, Type<FarkasCertificate>)
 {
     using T = FarkasCertificate;
     d.record("FarkasCertificate",
@@ -50,8 +48,7 @@ void describeRows(D& d, Type<T>, Floor tipFloor)
         [](const T& p) -> const auto& { return p.multipliers.inequalities; });
 }
 
-template <typename D>
-void describe(D& d, Type<ProgramProof> type)
+void describe(auto& d, Type<ProgramProof> type)
 {
     using T = ProgramProof;
     d.record("ProgramProof", "Whole multipliers of the rows of a program, checked in rationals.");
@@ -61,8 +58,7 @@ void describe(D& d, Type<ProgramProof> type)
     describeRows(d, type, [](const T& p) { return known(p.demands.tipFloor - p.tolerance); });
 }
 
-template <typename D>
-void describe(D& d, Type<SteppedProof> type)
+void describe(auto& d, Type<SteppedProof> type)
 {
     using T = SteppedProof;
     d.record("SteppedProof",
@@ -72,8 +68,7 @@ void describe(D& d, Type<SteppedProof> type)
 }
 
 /// Multipliers for stepping backwards in time.
-template <typename D, typename Get>
-void describeMultipliers(D& d, Get floor)
+void describeMultipliers(auto& d, auto floor)
 {
     d.key(
         "periodicity", "-", "One for each wave.", [floor](const auto& a) -> const auto& {
@@ -100,15 +95,13 @@ void describeMultipliers(D& d, Get floor)
 template <>
 inline constexpr bool isDictionary<EnergyFloor> = true;
 
-template <typename D>
-void describe(D& d, Type<EnergyFloor>)
+void describe(auto& d, Type<EnergyFloor>)
 {
     d.record("EnergyFloor", "Multipliers, verified by stepping backwards in time.");
     describeMultipliers(d, [](const EnergyFloor& f) -> const EnergyFloor& { return f; });
 }
 
-template <typename D>
-void describe(D& d, Type<EnergyFloorProof>)
+void describe(auto& d, Type<EnergyFloorProof>)
 {
     using T = EnergyFloorProof;
     d.record("EnergyFloorProof",
@@ -123,8 +116,7 @@ void describe(D& d, Type<EnergyFloorProof>)
     describeMultipliers(d, [](const T& p) -> const EnergyFloor& { return p.multipliers; });
 }
 
-template <typename D>
-void describe(D& d, Type<EnergyExclusion>)
+void describe(auto& d, Type<EnergyExclusion>)
 {
     d.record("EnergyExclusion", "No motion of the set has the energy held.");
     d.key("kind", "-", R"("energy-range".)", [](const EnergyExclusion&) { return "energy-range"; });

@@ -60,8 +60,7 @@ struct SetPart {
     const FindAnswer& of;
 };
 
-template <typename D>
-void describe(D& d, Type<AskedWords>)
+void describe(auto& d, Type<AskedWords>)
 {
     d.record("AskedWords", "A period as it was asked for.");
     for (const char* option : {"period", "frequency", "hertz"}) {
@@ -71,8 +70,7 @@ void describe(D& d, Type<AskedWords>)
     }
 }
 
-template <typename D>
-void describe(D& d, Type<QuestionPart>)
+void describe(auto& d, Type<QuestionPart>)
 {
     using T = QuestionPart;
     d.record("QuestionPart", "What was asked, on the grid.");
@@ -97,8 +95,7 @@ void describe(D& d, Type<QuestionPart>)
         When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SetPart>)
+void describe(auto& d, Type<SetPart>)
 {
     using T = SetPart;
     d.record("SetPart", "A set of motions with one contact in the period.");
@@ -111,8 +108,7 @@ void describe(D& d, Type<SetPart>)
     d.key("reason", "-", "Why there is no motion.", [](const T& s) { return s.of.reason(); });
 }
 
-template <typename D>
-void describe(D& d, Type<QuestionAnswer>)
+void describe(auto& d, Type<QuestionAnswer>)
 {
     using T = QuestionAnswer;
     d.record("QuestionData", "All motions of one period, one of each set.");

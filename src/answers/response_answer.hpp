@@ -44,8 +44,7 @@ struct ResponseAnswer {
     [[nodiscard]] std::vector<FrequencyOf> listed() const;
 };
 
-template <typename D>
-void describe(D& d, Type<PermanentOf>)
+void describe(auto& d, Type<PermanentOf>)
 {
     using P = PermanentContact;
     const auto physical = [](const PermanentOf& p) { return physicalOf(p.value.extremes, p.bar); };
@@ -61,8 +60,7 @@ void describe(D& d, Type<PermanentOf>)
           ofValue(&P::residual));
 }
 
-template <typename D>
-void describe(D& d, Type<FrequencyOf>)
+void describe(auto& d, Type<FrequencyOf>)
 {
     using T = FrequencyOf;
     d.record("ForcedFrequency", "All motions at one frequency.");
@@ -82,28 +80,26 @@ void describe(D& d, Type<FrequencyOf>)
     d.key("motions", "-", "By ascending contact steps, then impulse.", &T::motions);
 }
 
-template <typename D>
-void describe(D& d, Type<ResponseAnswer>)
+void describe(auto& d, Type<ResponseAnswer>)
 {
     using T = ResponseAnswer;
+    const auto range = partOf(&T::range);
     d.record("ResponseData", "Forced motions over a range of frequencies.");
     d.key("status", "-", R"("found", or "undecided": the list may lack motions.)", &T::status);
     d.key("cells", "- >= 1", "N; of the finest grid, where it is chosen.",
-          [](const T& a) { return a.range.cells; });
-    describeScene(d, [](const T& a) -> const Scene& { return a.scene; });
+          range(&ResponseRange::cells));
+    describeScene(d, &T::scene);
     d.key("damping", "-", "A dashpot.", [](const T& a) {
         return Of<Damping>{a.range.damping, a.bar};
     });
-    d.key("force", "-", R"(What is excited: "tip" or "base".)",
-          [](const T& a) { return a.range.place; });
+    d.key("force", "-", R"(What is excited: "tip" or "base".)", range(&ResponseRange::place));
     d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation.", &T::amplitude);
     d.key("amplitude_of", "-",
           R"(Whose: "force", or of the base "displacement", "velocity" or "acceleration".)",
           [](const T& a) { return amplitudeOf(a.range.place, a.range.derivative); });
     d.key("cycles", "- >= 1", "K, of the excitation in a period of the motions.",
-          [](const T& a) { return a.range.cycles; });
-    d.key("contacts", "- >= 1", "Most contacts in a period.",
-          [](const T& a) { return a.range.contacts; });
+          range(&ResponseRange::cycles));
+    d.key("contacts", "- >= 1", "Most contacts in a period.", range(&ResponseRange::contacts));
     d.key("band", "- > 0",
           "How far amplitudes of two contacts may lie from the amplitude, relative.",
           [](const T& a) {

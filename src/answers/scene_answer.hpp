@@ -70,6 +70,12 @@ inline constexpr bool isDictionary<Assembly> = true;
 template <>
 inline constexpr bool isDictionary<SceneReference> = true;
 
+/// omega_1/2 pi [Hz]; 0: they do not vibrate.
+[[nodiscard]] inline double firstHertz(const SceneReference& reference)
+{
+    return reference.frequency / (2.0 * std::numbers::pi);
+}
+
 /// All that an answer says of bars which are asked about.
 struct SeveralBars {
     Assembly assembly;
@@ -78,17 +84,13 @@ struct SeveralBars {
 };
 [[nodiscard]] SeveralBars severalOf(const Assembly& assembly, const Network& network);
 
-template <typename D>
-void describe(D& d, Type<AssemblyPart>)
+void describe(auto& d, Type<AssemblyPart>)
 {
     using T = AssemblyPart;
     d.record("ScenePart", "One word of a scene.");
     d.key("kind", "-", "What it is.", &T::kind);
-    const auto ofCells = [](auto member) {
-        return [member](const T& p) {
-            return p.kind == PartKind::cells ? std::optional(p.*member) : std::nullopt;
-        };
-    };
+    const auto ofCells =
+        ifThere([](const T& p) { return p.kind == PartKind::cells ? &p : nullptr; });
     d.key("cells", "- >= 1", "Of a bar.", ofCells(&T::cells), When::any);
     d.key(
         "impedance", "- > 0", "Of a bar, or a dashpot, relative.",
@@ -111,8 +113,7 @@ void describe(D& d, Type<AssemblyPart>)
     }
 }
 
-template <typename D>
-void describe(D& d, Type<Assembly>)
+void describe(auto& d, Type<Assembly>)
 {
     d.record("SceneWords", "Bars in a row with all that stands at them.");
     d.key("length", "m > 0", "Of all bars without gaps.", &Assembly::length);
@@ -125,38 +126,45 @@ void describe(D& d, Type<Assembly>)
 }
 
 /// Keys of a contact, of what has one.
-template <typename D, typename Get>
-void describeContact(D& d, Get contact)
+void describeContact(auto& d, auto contact)
 {
-    d.key("number", "- >= 1", "From 1.", [contact](const auto& a) { return contact(a).number; });
-    d.key("kind", "-", "What it is.", [contact](const auto& a) { return contact(a).kind; });
-    d.key("place", "m", "Along the bars without gaps.",
-          [contact](const auto& a) { return contact(a).place; });
-    d.key("gap", "m", "At rest, weight included.",
-          [contact](const auto& a) { return contact(a).gap; });
+    const auto of = partOf(contact);
+    d.key("number", "- >= 1", "From 1.", of(&SceneContact::number));
+    d.key("kind", "-", "What it is.", of(&SceneContact::kind));
+    d.key("place", "m", "Along the bars without gaps.", of(&SceneContact::place));
+    d.key("gap", "m", "At rest, weight included.", of(&SceneContact::gap));
 }
 
-template <typename D>
-void describe(D& d, Type<SceneContact>)
+void describe(auto& d, Type<SceneContact>)
 {
     d.record("SceneContact", "A contact of bars.");
-    describeContact(d, [](const SceneContact& c) -> const SceneContact& { return c; });
+    describeContact(d, std::identity());
 }
 
-template <typename D>
-void describe(D& d, Type<SceneReference>)
+void describe(auto& d, Type<SceneReference>)
 {
     using T = SceneReference;
     d.record("SceneReference", "What bars are measured with.");
-    d.key("frequency", "Hz > 0", "omega_1/2 pi: the first linear mode with open contacts.",
-          [](const T& r) {
-              return r.frequency > 0.0 ? std::optional(r.frequency / (2.0 * std::numbers::pi))
-                                       : std::nullopt;
-          });
+    d.key(
+        "frequency", "Hz > 0", "omega_1/2 pi: the first linear mode with open contacts.",
+        [](const T& r) { return r.frequency > 0.0 ? std::optional(firstHertz(r)) : std::nullopt; });
     d.key("damping", "-", "zeta of that mode, where it vibrates.", &T::damping);
     d.key("energy", "J > 0", "E_1: the least with which contact 1 is reached.",
           [](const T& r) { return r.energy && *r.energy > 0.0 ? r.energy : std::nullopt; });
     d.key("compliance", "m/N >= 0", "Static, at contact 1, unless a bar drifts.", &T::compliance);
+}
+
+/// Keys of the bars asked about, of what has them.
+void describeBars(auto& d, auto bars)
+{
+    const auto of = partOf(bars);
+    d.key("scene", "-", "Asked about.", of(&SeveralBars::assembly));
+    d.key("reference", "-", "What the bars are measured with.", of(&SeveralBars::reference));
+}
+void describeBarsAndContacts(auto& d, auto bars)
+{
+    describeBars(d, bars);
+    d.key("contacts", "-", "[dict, ...], of the bars.", partOf(bars)(&SeveralBars::contacts));
 }
 
 /// The bar whose units an answer about several bars has: its first frequency is that of the scene.
@@ -166,21 +174,9 @@ void describe(D& d, Type<SceneReference>)
 template <typename T, typename D>
 void describeSceneOrBars(D& d)
 {
-    const auto ofOne = [](auto get) {
-        return [get](const T& a) { return a.several ? std::nullopt : std::optional(get(a.scene)); };
-    };
-    const auto ofSeveral = [](auto member) {
-        return [member](const T& a) {
-            return a.several ? std::optional((*a.several).*member) : std::nullopt;
-        };
-    };
-    d.key("bar", "-", "Asked about.", ofOne([](const Scene& s) { return s.bar; }), When::any);
-    d.key("stops", "-", R"([{"side", "place" [m]}, ...]: the wall, and a second stop.)",
-          ofOne(&stopsIn), When::any);
-    d.key("segments", "-", "[Segment, ...] of a stepped bar, clamp first; none: a uniform bar.",
-          ofOne([](const Scene& s) { return s.segments; }), When::any);
-    d.key("static_force", "N >= 0", "What the bar at rest presses on the wall with.",
-          ofOne(&staticForce), When::any);
+    const auto ofOne = ifThere([](const T& a) { return a.several ? nullptr : &a.scene; });
+    const auto ofSeveral = ifThere(&T::several);
+    describeKeysOfScene(d, ofOne, When::any);
     d.key("scene", "-", "In their place, of several bars.", ofSeveral(&SeveralBars::assembly),
           When::any);
     d.key("reference", "-", "What several bars are measured with.",
@@ -218,8 +214,7 @@ struct ForceRange {
 [[nodiscard]] ForceRange forceRangeOf(const Assembly& assembly, double low, double high,
                                       double time);
 
-template <typename D>
-void describe(D& d, Type<Peak>)
+void describe(auto& d, Type<Peak>)
 {
     d.record("ForcePeak", "What forces between two bounds can reach.");
     d.key("bound", "-", "What no such force goes beyond, rounding included.",
@@ -229,20 +224,18 @@ void describe(D& d, Type<Peak>)
     d.key("time", "s >= 0", "When.", [](const Peak& p) { return p.value.time * p.second; });
 }
 
-template <typename D>
-void describe(D& d, Type<ContactPeaks>)
+void describe(auto& d, Type<ContactPeaks>)
 {
     using T = ContactPeaks;
     d.record("ContactReach", "What forces between two bounds can do at one contact.");
-    describeContact(d, [](const T& c) -> const SceneContact& { return c.contact; });
+    describeContact(d, &T::contact);
     d.key("velocity", "m/s", "Least and most, of its node, of a gap relative to the next one.",
           [](const T& c) { return std::tuple(c.velocity[0], c.velocity[1]); });
     d.key("displacement", "m", "Least and most, likewise.",
           [](const T& c) { return std::tuple(c.displacement[0], c.displacement[1]); });
 }
 
-template <typename D>
-void describe(D& d, Type<ForceRange>)
+void describe(auto& d, Type<ForceRange>)
 {
     using T = ForceRange;
     d.record("ForceRange",

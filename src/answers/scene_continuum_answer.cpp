@@ -28,17 +28,16 @@ std::optional<SceneFloor> SceneContinuumAnswer::certificate() const
         known.provedEnergy == 0.0) {
         return std::nullopt;
     }
-    return SceneFloor{known.multipliers, of->joules(known.provedEnergy),
-                      of->ratio(known.provedEnergy), of->strainLimit};
+    return floorOf(of->schedule, known);
 }
 
 SceneContinuumAnswer continuumOf(const Assembly& assembly, const Network& network,
                                  const std::vector<ContactSpan>& schedule, double energy,
                                  const NetworkCurveOptions& options)
 {
-    return {std::make_shared<const SceneCurve>(SceneCurve{
-        scheduleOf(assembly, network, schedule), traceContinuum(network, schedule, energy, options),
-        firstEnergy(network), strainLimitOf(network, assembly)})};
+    return {std::make_shared<const SceneCurve>(
+        SceneCurve{scheduleOf(assembly, network, schedule),
+                   traceContinuum(network, schedule, energy, options)})};
 }
 
 }  // namespace signorini::answers

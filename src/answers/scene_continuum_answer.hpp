@@ -14,15 +14,6 @@ namespace signorini::answers {
 struct SceneCurve {
     SceneSchedule schedule;
     NetworkContinuum curve;
-    std::optional<double> unit;              ///< E_1 [Z_1 delta^2/h], if there is one
-    std::optional<double> strainLimit = {};  ///< [-], asked for
-
-    [[nodiscard]] double joules(double energy) const { return energy * schedule.scales.energy(); }
-    /// E/E_1
-    [[nodiscard]] std::optional<double> ratio(double energy) const
-    {
-        return unit ? std::optional(energy / *unit) : std::nullopt;
-    }
 };
 
 /// One motion of a curve, which it keeps alive.
@@ -38,6 +29,7 @@ struct SceneContinuumAnswer {
     std::shared_ptr<const SceneCurve> of;
     std::optional<std::size_t> asked = {};  ///< the number of the point that was asked for
 
+    [[nodiscard]] const SceneSchedule& schedule() const { return of->schedule; }
     [[nodiscard]] const NetworkContinuum& curve() const { return of->curve; }
     [[nodiscard]] std::vector<SceneCurvePoint> points() const;
     [[nodiscard]] std::optional<SceneCurvePoint> member() const;
@@ -50,17 +42,17 @@ struct SceneContinuumAnswer {
                                                const std::vector<ContactSpan>& schedule,
                                                double energy, const NetworkCurveOptions& options);
 
-template <typename D>
-void describe(D& d, Type<SceneCurvePoint>)
+void describe(auto& d, Type<SceneCurvePoint>)
 {
     using T = SceneCurvePoint;
+    const auto point = partOf(&T::point);
     d.record("SceneContinuumPoint", "One motion of a curve of motions of bars.");
     d.key("lambda", "-", "Where on the curve; `parameter` says what it is.",
-          [](const T& p) { return p.point().lambda; });
+          point(&NetworkCurvePoint::lambda));
     d.key("energy", "J > 0", "E, recomputed.",
-          [](const T& p) { return p.of->joules(p.point().energy); });
+          [](const T& p) { return p.of->schedule.joules(p.point().energy); });
     d.key("energy_ratio", "- > 0", "E/E_1 of the scene; none where a bar drifts, or a gap is 0.",
-          [](const T& p) { return p.of->ratio(p.point().energy); });
+          [](const T& p) { return p.of->schedule.ratio(p.point().energy); });
     d.key("residual", "- >= 0", "The largest of its residuals, recomputed.",
           [](const T& p) { return p.point().residuals.worst(); });
     d.key("peak_strain", "- >= 0", "Deepest compression.",
@@ -70,44 +62,39 @@ void describe(D& d, Type<SceneCurvePoint>)
           [](const T& p) { return contactsOf(p.of->schedule, &p.point().residuals); });
 }
 
-template <typename D>
-void describe(D& d, Type<SceneContinuumAnswer>)
+void describe(auto& d, Type<SceneContinuumAnswer>)
 {
     using T = SceneContinuumAnswer;
+    const auto curve = partOf(&T::curve);
     d.record("SceneContinuum", R"(A curve of motions of one schedule of bars, and one energy.
 
 Each of its points was verified before it was kept.
 )");
-    d.key("status", "-", R"("found", "none" or "undecided".)",
-          [](const T& a) { return a.curve().status; });
-    describeSchedule(d, [](const T& a) -> const SceneSchedule& { return a.of->schedule; });
+    d.key("status", "-", R"("found", "none" or "undecided".)", curve(&NetworkContinuum::status));
+    describeSchedule(d, &T::schedule);
     d.key("energy", "J > 0", "E asked for.",
-          [](const T& a) { return a.of->joules(a.curve().energy); });
+          [](const T& a) { return a.schedule().joules(a.curve().energy); });
     d.key("energy_ratio", "- > 0", "E/E_1 of the scene; none where a bar drifts, or a gap is 0.",
-          [](const T& a) { return a.of->ratio(a.curve().energy); });
+          [](const T& a) { return a.schedule().ratio(a.curve().energy); });
     d.key("energy_ratio_proved", "- >= 0", "No motion of the schedule has less.",
-          [](const T& a) { return a.of->ratio(a.curve().known.provedEnergy); });
+          [](const T& a) { return a.schedule().ratio(a.curve().known.provedEnergy); });
     d.key("connected", "-", "Can the ends, or all motions of this energy, be joined?",
-          [](const T& a) { return a.curve().connected; });
+          curve(&NetworkContinuum::connected));
     d.key("dimension", "- >= 0", "Of the motions of this energy.",
-          [](const T& a) { return a.curve().dimension; });
+          curve(&NetworkContinuum::dimension));
     d.key("resolution", "sqrt(E) >= 0", "Largest distance of neighbours.",
-          [](const T& a) { return a.curve().resolution; });
+          curve(&NetworkContinuum::resolution));
     d.key("engine", "-", "Which engine traced it.",
           [](const T& a) { return engineOf(a.curve().solver); });
-    d.key("family", "-", R"(E.g. "path between two members".)",
-          [](const T& a) { return a.curve().family; });
+    d.key("family", "-", R"(E.g. "path between two members".)", curve(&NetworkContinuum::family));
     d.key("parameter", "-",
           "What lambda is; an arc length in the root of E_1, or of E where there is none.",
-          [](const T& a) { return a.curve().parameter; });
-    d.key(
-        "strain_limit", "- > 0", "Of all motions, if any.",
-        [](const T& a) { return a.of->strainLimit; }, When::any);
+          curve(&NetworkContinuum::parameter));
+    describeStrainLimit(d, &T::schedule);
     d.key("points", "-", "Along the curve.", &T::points);
     d.key("member", "-", "That was asked for.", &T::member, When::program);
     d.key("certificate", "-", "No motion has less energy.", &T::certificate);
-    d.key("detail", "-", "Why it is not found, or a note.",
-          [](const T& a) { return a.curve().detail; });
+    d.key("detail", "-", "Why it is not found, or a note.", curve(&NetworkContinuum::detail));
 }
 
 }  // namespace signorini::answers

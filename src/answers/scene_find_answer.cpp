@@ -1,7 +1,6 @@
 #include "scene_find_answer.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "forced_case.hpp"
 
@@ -17,7 +16,12 @@ SceneStability stabilityIn(const Network& network, const NetworkClaim& motion, c
 SceneSchedule scheduleOf(const Assembly& assembly, const Network& network,
                          const std::vector<ContactSpan>& spans)
 {
-    return {severalOf(assembly, network), spans, network.scales, network.cells()};
+    return {severalOf(assembly, network),
+            spans,
+            network.scales,
+            network.cells(),
+            firstEnergy(network),
+            strainLimitOf(network, assembly)};
 }
 
 std::vector<ContactInPeriod> contactsOf(const SceneSchedule& schedule,
@@ -88,25 +92,27 @@ std::optional<double> SceneFindAnswer::provedCompression() const
                   : std::nullopt;
 }
 
+SceneFloor floorOf(const SceneSchedule& schedule, const LeastMotion& known)
+{
+    return {known.multipliers, schedule.joules(known.provedEnergy),
+            schedule.ratio(known.provedEnergy), schedule.strainLimit};
+}
+
 std::optional<SceneFloor> SceneFindAnswer::certificate() const
 {
     if (!isProof() || motions.provedEnergy == 0.0) {
         return std::nullopt;
     }
-    return SceneFloor{motions.multipliers, joules(motions.provedEnergy),
-                      ratio(motions.provedEnergy), strainLimit};
+    return floorOf(schedule, motions);
 }
 
 SceneFindAnswer answerOf(const Assembly& assembly, const Network& network,
                          const std::vector<ContactSpan>& schedule, const NetworkWish& wish,
                          const FindOptions& options)
 {
-    SceneFindAnswer answer{
-        scheduleOf(assembly, network, schedule), firstEnergy(network), wish.isOfLeast(),
-        wishedMotion(network, schedule, hugeEnergyRatio * usualEnergy(network, schedule), wish,
-                     options)};
-    answer.strainLimit = strainLimitOf(network, assembly);
-    return answer;
+    return {scheduleOf(assembly, network, schedule), wish.isOfLeast(),
+            wishedMotion(network, schedule, hugeEnergyRatio * usualEnergy(network, schedule), wish,
+                         options)};
 }
 
 void tryStability(SceneFindAnswer& answer, const Network& network, const Cancel& cancel)
@@ -140,8 +146,7 @@ SceneForcedAnswer forcedAnswerOf(const Assembly& assembly, const Network& networ
                              .decided = set.status,
                              .detail = set.detail,
                              .cuts = {},
-                             .motions = {},
-                             .strainLimit = strainLimitOf(network, assembly)};
+                             .motions = {}};
     if (set.status == Status::none) {
         answer.cuts = SceneCuts{false, set.cuts};
     }

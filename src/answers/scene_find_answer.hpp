@@ -21,11 +21,19 @@ struct SceneSchedule {
     std::vector<ContactSpan> spans;
     NetworkScales scales;
     std::int64_t cells = 0;
+    std::optional<double> unit = {};         ///< E_1 [Z_1 delta^2/h], if there is one
+    std::optional<double> strainLimit = {};  ///< [-], asked for
 
     /// [s]
     [[nodiscard]] double period() const
     {
         return static_cast<double>(stepsOf(spans)) * scales.time;
+    }
+    [[nodiscard]] double joules(double energy) const { return energy * scales.energy(); }
+    /// E/E_1
+    [[nodiscard]] std::optional<double> ratio(double energy) const
+    {
+        return unit ? std::optional(energy / *unit) : std::nullopt;
     }
     [[nodiscard]] Network network() const { return networkOf(bars.assembly); }
 };
@@ -72,6 +80,7 @@ struct SceneFloor {
     std::optional<double> ratio = {};
     std::optional<double> strainLimit = {};  ///< [-], that it rests on
 };
+[[nodiscard]] SceneFloor floorOf(const SceneSchedule& schedule, const LeastMotion& known);
 
 /// What became of disturbances of a motion.
 struct SceneStability {
@@ -87,20 +96,12 @@ struct SceneStability {
 /// Of a schedule that nothing drives.
 struct SceneFindAnswer {
     SceneSchedule schedule;
-    std::optional<double> unit;  ///< E_1 [Z_1 delta^2/h], if there is one
-    bool isOfLeast = true;       ///< NetworkWish::isOfLeast
+    bool isOfLeast = true;  ///< NetworkWish::isOfLeast
     LeastMotion motions;
-    std::optional<double> strainLimit = {};        ///< [-], asked for
     std::optional<SceneStability> stability = {};  ///< where it was asked for
 
     [[nodiscard]] Status status() const { return motions.status; }
     [[nodiscard]] bool isFound() const { return motions.status == Status::found; }
-    [[nodiscard]] double joules(double energy) const { return energy * schedule.scales.energy(); }
-    /// E/E_1
-    [[nodiscard]] std::optional<double> ratio(double energy) const
-    {
-        return unit ? std::optional(energy / *unit) : std::nullopt;
-    }
     /// Of the motion, if there is one.
     [[nodiscard]] std::optional<SceneStrains> strains() const
     {
@@ -159,7 +160,6 @@ struct SceneForcedAnswer {
     std::string detail;
     std::optional<SceneCuts> cuts;
     std::vector<SceneForcedMotion> motions;
-    std::optional<double> strainLimit = {};  ///< [-], asked for
 
     [[nodiscard]] Status status() const { return decided; }
     /// Of the excitation [Hz].
@@ -179,8 +179,7 @@ struct SceneForcedAnswer {
 /// Starts beside each motion.
 void tryStability(SceneForcedAnswer& answer, const Network& network, const Cancel& cancel);
 
-template <typename D>
-void describe(D& d, Type<ContactSpan>)
+void describe(auto& d, Type<ContactSpan>)
 {
     d.record("ContactSpan", "Steps in a row with the same contacts closed.");
     d.key("closed", "- >= 1", "Contacts, counted from the left.",
@@ -189,32 +188,34 @@ void describe(D& d, Type<ContactSpan>)
 }
 
 /// With which an answer begins.
-template <typename D, typename Get>
-void describeSchedule(D& d, Get of)
+void describeSchedule(auto& d, auto schedule)
 {
-    d.key("scene", "-", "Asked about.", [of](const auto& a) { return of(a).bars.assembly; });
-    d.key("reference", "-", "What the bars are measured with.",
-          [of](const auto& a) { return of(a).bars.reference; });
-    d.key("cells", "- >= 1", "Of all bars.", [of](const auto& a) { return of(a).cells; });
+    const auto of = partOf(schedule);
+    describeBars(d, of(&SceneSchedule::bars));
+    d.key("cells", "- >= 1", "Of all bars.", of(&SceneSchedule::cells));
     d.key("schedule", "-", R"([{"closed", "steps"}, ...] of one period.)",
-          [of](const auto& a) { return of(a).spans; });
-    d.key("period", "s > 0", "T.", [of](const auto& a) { return of(a).period(); });
+          of(&SceneSchedule::spans));
+    d.key("period", "s > 0", "T.", of(&SceneSchedule::period));
 }
 
-template <typename D>
-void describe(D& d, Type<ContactInPeriod>)
+void describeStrainLimit(auto& d, auto schedule)
+{
+    d.key("strain_limit", "- > 0", "Of all motions, if any.",
+          partOf(schedule)(&SceneSchedule::strainLimit), When::any);
+}
+
+void describe(auto& d, Type<ContactInPeriod>)
 {
     using T = ContactInPeriod;
     d.record("SceneContactForces", "A contact of bars, and what it does in a period of a motion.");
-    describeContact(d, [](const T& c) -> const SceneContact& { return c.contact; });
+    describeContact(d, &T::contact);
     d.key("approach_speed", "m/s >= 0", "Largest, before it closes.", &T::speed, When::any);
     d.key("peak_force", "N", "Largest.", &T::peakForce, When::any);
     d.key("impulse", "N s >= 0", "In a period.", &T::impulse, When::any);
     d.key("contact_time", "s >= 0", "In a period.", &T::time, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneStrains>)
+void describe(auto& d, Type<SceneStrains>)
 {
     using T = SceneStrains;
     d.record(
@@ -227,8 +228,7 @@ void describe(D& d, Type<SceneStrains>)
           &T::stress);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneFloor>)
+void describe(auto& d, Type<SceneFloor>)
 {
     using T = SceneFloor;
     d.record("SceneEnergyFloor", "Multipliers by which no motion of bars has less energy.");
@@ -240,8 +240,7 @@ void describe(D& d, Type<SceneFloor>)
     describeMultipliers(d, [](const T& f) -> const EnergyFloor& { return f.multipliers; });
 }
 
-template <typename D>
-void describe(D& d, Type<SceneCuts>)
+void describe(auto& d, Type<SceneCuts>)
 {
     using T = SceneCuts;
     d.record("SceneForcedProof", "Multipliers that leave no excitation of bars.");
@@ -252,8 +251,7 @@ void describe(D& d, Type<SceneCuts>)
     d.key("cuts", "-", "[dict, ...]: multipliers.", &T::cuts);
 }
 
-template <typename D>
-void describe(D& d, Type<NetworkResiduals>)
+void describe(auto& d, Type<NetworkResiduals>)
 {
     using T = NetworkResiduals;
     d.record("SceneResiduals", "Relative violations, recomputed; 0 where there are none.");
@@ -267,8 +265,7 @@ void describe(D& d, Type<NetworkResiduals>)
 template <>
 inline constexpr bool isDictionary<StabilityTrial> = true;
 
-template <typename D>
-void describe(D& d, Type<StabilityTrial>)
+void describe(auto& d, Type<StabilityTrial>)
 {
     using T = StabilityTrial;
     d.record("SceneStabilityTrial", "One disturbance of bars.");
@@ -277,33 +274,36 @@ void describe(D& d, Type<StabilityTrial>)
     d.key("end", "- >= 0", "The same at the end.", &T::end);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneStability>)
+void describe(auto& d, Type<SceneStability>)
 {
     using T = SceneStability;
+    const auto result = partOf(&T::result);
     d.record("SceneStabilityReport", "What became of disturbances of bars.");
-    d.key("verdict", "-", "Do the bars stay near the motion?",
-          [](const T& s) { return s.result.stability; });
+    d.key("verdict", "-", "Do the bars stay near the motion?", result(&StabilityResult::stability));
     d.key("periods", "- >= 1", "Waited.", &T::periods);
     d.key("drift", "- >= 0", "Of the undisturbed motion in a period, as trials are.",
-          [](const T& s) { return s.result.drift; });
-    d.key("contacts", "- >= 0", "Of the undisturbed motion.",
-          [](const T& s) { return s.result.contacts; });
-    d.key("trials", "-", "One for each disturbance.", [](const T& s) { return s.result.trials; });
+          result(&StabilityResult::drift));
+    d.key("contacts", "- >= 0", "Of the undisturbed motion.", result(&StabilityResult::contacts));
+    d.key("trials", "-", "One for each disturbance.", result(&StabilityResult::trials));
 }
 
-template <typename D>
-void describe(D& d, Type<SceneFindAnswer>)
+void describe(auto& d, Type<SceneFindAnswer>)
 {
     using T = SceneFindAnswer;
+    const auto motions = partOf(&T::motions);
     const auto ofMotion = [](auto get) {
         return [get](const T& a) { return a.isFound() ? std::optional(get(a)) : std::nullopt; };
     };
+    const auto ratioOfMotion = [](double LeastMotion::*energy) {
+        return [energy](const T& a) {
+            return a.isFound() ? a.schedule.ratio(a.motions.*energy) : std::nullopt;
+        };
+    };
     d.record("SceneResult", "What is known of a schedule of bars in a row.");
     d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
-    describeSchedule(d, [](const T& a) -> const SceneSchedule& { return a.schedule; });
+    describeSchedule(d, &T::schedule);
     d.key("kernel_dimension", "- >= 0", "None: rounding hides it.",
-          [](const T& a) { return a.motions.kernelDimension; });
+          motions(&LeastMotion::kernelDimension));
     d.key("contacts", "-", "[dict, ...]: each contact, of a motion with its forces.",
           [](const T& a) {
               return contactsOf(a.schedule, a.isFound() ? &a.motions.residuals : nullptr);
@@ -311,20 +311,20 @@ void describe(D& d, Type<SceneFindAnswer>)
     d.key("contact", "-", R"("pressing", or "grazing": nothing presses.)",
           ofMotion([](const T& a) { return a.presses() ? Contact::pressing : Contact::grazing; }));
     d.key("energy", "J >= 0", "Of the waves at the start, about the shape at rest.",
-          ofMotion([](const T& a) { return a.joules(a.motions.energy); }), When::found);
+          ofMotion([](const T& a) { return a.schedule.joules(a.motions.energy); }), When::found);
     d.key("energy_ratio", "- >= 0", "E/E_1 of the scene; none where a bar drifts, or a gap is 0.",
-          [](const T& a) { return a.isFound() ? a.ratio(a.motions.energy) : std::nullopt; });
+          ratioOfMotion(&LeastMotion::energy));
     d.key("energy_ratio_proved", "- >= 0", "No motion has less.",
-          [](const T& a) { return a.isFound() ? a.ratio(a.motions.provedEnergy) : std::nullopt; });
+          ratioOfMotion(&LeastMotion::provedEnergy));
     d.key("strains", "-", "Of the motion.", &T::strains, When::found);
     d.key("peak_compression_proved", "- > 0", "Of a motion with the least: every motion has more.",
           &T::provedCompression, When::any);
-    d.key("residuals", "-", "Of the motion.",
-          ofMotion([](const T& a) { return a.motions.residuals; }), When::found);
+    d.key("residuals", "-", "Of the motion.", ofMotion(motions(&LeastMotion::residuals)),
+          When::found);
     d.key("stability", "-", "Of the motion when it is perturbed.", &T::stability, When::any);
     d.key("certificate", "-", "No motion has less energy; of none: than any looked for, or held.",
           &T::certificate);
-    d.key("detail", "-", "Why it is not decided.", [](const T& a) { return a.motions.detail; });
+    d.key("detail", "-", "Why it is not decided.", motions(&LeastMotion::detail));
     d.key(
         "reason", "-", R"(Of none: "constraints" where motions exist, but not of the energy held.)",
         [](const T& a) {
@@ -335,8 +335,7 @@ void describe(D& d, Type<SceneFindAnswer>)
         When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneForcedMotion>)
+void describe(auto& d, Type<SceneForcedMotion>)
 {
     using T = SceneForcedMotion;
     d.record("SceneForcedMotion", "One forced motion of bars in a row.");
@@ -349,20 +348,19 @@ void describe(D& d, Type<SceneForcedMotion>)
     d.key("stability", "-", "Of the motion when it is perturbed.", &T::stability, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneForcedAnswer>)
+void describe(auto& d, Type<SceneForcedAnswer>)
 {
     using T = SceneForcedAnswer;
+    const auto forcing = partOf(&T::forcing);
     d.record("SceneForcedResult", "What is known of a forced schedule of bars in a row.");
     d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
-    describeSchedule(d, [](const T& a) -> const SceneSchedule& { return a.schedule; });
+    describeSchedule(d, &T::schedule);
     d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).",
-          [](const T& a) { return a.forcing.place; });
-    d.key("cycles", "- >= 1", "Of the excitation in a period.",
-          [](const T& a) { return a.forcing.cycles; });
+          forcing(&Forcing::place));
+    d.key("cycles", "- >= 1", "Of the excitation in a period.", forcing(&Forcing::cycles));
     d.key("frequency", "Hz > 0", "Of the excitation.", &T::frequency);
     d.key("amplitude", "N or m > 0", "Asked for.", &T::asked);
-    d.key("strain_limit", "- > 0", "Of all motions, if any.", &T::strainLimit, When::any);
+    describeStrainLimit(d, &T::schedule);
     d.key("kind", "-", "What motions leave of the plane of excitations.", &T::kind);
     d.key("free_waves", "- >= 0", "That nothing damps.", &T::freeWaves);
     d.key("amplitude_range", "N or m >= 0", "Of which there are motions; no end: None.",

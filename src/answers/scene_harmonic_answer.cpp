@@ -12,7 +12,7 @@ std::int64_t stepsOf(const Assembly& assembly, const AskedSteps& asked, std::int
     const Network network = networkOf(assembly);
     const double second = 1.0 / network.scales.time;
     const double crossing = assembly.length / assembly.waveSpeed * second;
-    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    const double first = firstHertz(referenceOf(network));
     const auto periods = static_cast<double>(cycles);
     const char* name = asked.period ? "period" : asked.hertz ? "hertz" : "frequency";
     const double value = asked.period  ? *asked.period

@@ -68,8 +68,7 @@ struct SceneHarmonicAnswer {
                                            std::int64_t cycles, std::int64_t steps,
                                            double amplitude);
 
-template <typename D>
-void describe(D& d, Type<SceneHarmonicMotion>)
+void describe(auto& d, Type<SceneHarmonicMotion>)
 {
     using T = SceneHarmonicMotion;
     d.record("SceneHarmonicMotion",
@@ -79,15 +78,14 @@ void describe(D& d, Type<SceneHarmonicMotion>)
           [](const T& m) { return m.value.contact + 1; });
     d.key("contact_time", "s > 0", "In a period.",
           [](const T& m) { return m.value.release * m.scales.time; });
-    d.key("contact_steps", "- > 0", "The same in steps.",
-          [](const T& m) { return m.value.release; });
+    d.key("contact_steps", "- > 0", "The same in steps.", ofValue(&NetworkHarmonicMotion::release));
     d.key(
         "release", "-",
         R"("smooth": the push fades to 0; "pinned": a wave front ends it; under a staircase "step", )"
         R"(or "never": the contact does not open.)",
         &T::release);
     d.key("phase", "rad", "Of the excitation at the start of contact.",
-          [](const T& m) { return m.value.phase; });
+          ofValue(&NetworkHarmonicMotion::phase));
     d.key("impulse", "N s > 0", "Of the contact in a period.",
           [](const T& m) { return m.value.impulse * m.scales.force() * m.scales.time; });
     d.key("peak_force", "N > 0", "Largest.",
@@ -95,21 +93,15 @@ void describe(D& d, Type<SceneHarmonicMotion>)
     d.key("speed", "m/s >= 0", "With which the contact closes.",
           [](const T& m) { return m.value.speed * m.scales.velocity(); });
     d.key("residual", "- >= 0", "The worst that was seen moving its waves by the law; relative.",
-          [](const T& m) { return m.value.residual; });
-    const auto inSteps = [](auto member) {
-        return [member](const T& m) {
-            return m.inSteps ? std::optional(std::invoke(member, *m.inSteps)) : std::nullopt;
-        };
-    };
-    d.key("strains", "-", "In a period, under a staircase.", inSteps(&T::InSteps::strains),
-          When::any);
+          ofValue(&NetworkHarmonicMotion::residual));
+    d.key("strains", "-", "In a period, under a staircase.",
+          ifThere(&T::inSteps)(&T::InSteps::strains), When::any);
     d.key(
         "stability", "-", "Of the motion when it is perturbed.",
         [](const T& m) { return m.inSteps ? m.inSteps->stability : std::nullopt; }, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneHarmonicAnswer>)
+void describe(auto& d, Type<SceneHarmonicAnswer>)
 {
     using T = SceneHarmonicAnswer;
     d.record("SceneHarmonicResult",
@@ -124,10 +116,7 @@ void describe(D& d, Type<SceneHarmonicAnswer>)
     d.key("frequency_ratio", "- > 0", "The same in omega_1 of these bars, if they vibrate.",
           &T::frequencyRatio);
     d.key("motions", "-", "By ascending impulse.", &T::motions);
-    d.key("scene", "-", "Asked about.", [](const T& a) { return a.bars.assembly; });
-    d.key("reference", "-", "What the bars are measured with.",
-          [](const T& a) { return a.bars.reference; });
-    d.key("contacts", "-", "[dict, ...], of the bars.", [](const T& a) { return a.bars.contacts; });
+    describeBarsAndContacts(d, &T::bars);
     d.key("detail", "-", "Why it is not decided.", &T::detail, When::undecided);
 }
 

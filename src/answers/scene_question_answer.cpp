@@ -22,7 +22,6 @@ SceneQuestionAnswer questionOf(const Assembly& assembly, const Network& network,
                                const std::function<void(double, double)>& show)
 {
     SceneQuestionAnswer answer{scheduleOf(assembly, network, {{0, steps}}), {}, {}};
-    answer.strainLimit = strainLimitOf(network, assembly);
     const std::size_t contacts = network.contacts.size();
     const auto all = static_cast<double>(contacts) * static_cast<double>(steps - 1);
     for (std::size_t j = 0; j < contacts; ++j) {

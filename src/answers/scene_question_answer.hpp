@@ -21,8 +21,7 @@ struct SceneSet {
 struct SceneQuestionAnswer {
     SceneSchedule period;  ///< in which no contact is closed
     std::vector<SceneSet> sets;
-    std::vector<SceneFindAnswer> motions;    ///< of sets that have one
-    std::optional<double> strainLimit = {};  ///< [-], asked for
+    std::vector<SceneFindAnswer> motions;  ///< of sets that have one
 
     /// Found: at least one motion; undecided: none, and some set undecided; none: proved of every
     /// set.
@@ -40,8 +39,7 @@ struct SceneQuestionAnswer {
 /// Starts beside each motion.
 void tryStability(SceneQuestionAnswer& answer, const Network& network, const Cancel& cancel);
 
-template <typename D>
-void describe(D& d, Type<SceneSet>)
+void describe(auto& d, Type<SceneSet>)
 {
     using T = SceneSet;
     d.record("SceneSet", "A schedule with one contact in a period.");
@@ -51,20 +49,18 @@ void describe(D& d, Type<SceneSet>)
     d.key("detail", "-", "Why it is not decided.", &T::detail, When::any);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneQuestionAnswer>)
+void describe(auto& d, Type<SceneQuestionAnswer>)
 {
     using T = SceneQuestionAnswer;
     d.record("SceneQuestion", "Motions of bars in a row of one period, with one contact in it.");
     d.key("status", "-", R"("found", "none" or "undecided".)", &T::status);
-    d.key("scene", "-", "Asked about.", [](const T& a) { return a.period.bars.assembly; });
-    d.key("reference", "-", "What the bars are measured with.",
-          [](const T& a) { return a.period.bars.reference; });
+    describeBars(
+        d, [](const T& a) -> const auto& { return a.period.bars; });
     d.key("cells", "- >= 1", "Of all bars.", [](const T& a) { return a.period.cells; });
     d.key("steps", "- >= 2", "n.", [](const T& a) { return stepsOf(a.period.spans); });
     d.key("period", "s > 0", "T.", [](const T& a) { return a.period.period(); });
     d.key("frequency", "Hz > 0", "1/T.", [](const T& a) { return 1.0 / a.period.period(); });
-    d.key("strain_limit", "- > 0", "Of all motions, if any.", &T::strainLimit, When::any);
+    describeStrainLimit(d, &T::period);
     d.key("sets", "-", "[dict, ...]: each contact, and each number of steps for it.", &T::sets);
     d.key("motions", "-", "Of those that have one.", [](const T& a) {
         return std::vector<std::reference_wrapper<const SceneFindAnswer>>(a.motions.begin(),

@@ -62,8 +62,7 @@ struct SceneResponse {
 [[nodiscard]] std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked,
                                                         std::int64_t steps, const Cancel& cancel);
 
-template <typename D>
-void describe(D& d, Type<SceneFrequency>)
+void describe(auto& d, Type<SceneFrequency>)
 {
     using T = SceneFrequency;
     d.record("SceneFrequency", "Motions of bars with one contact in a period, at one frequency.");
@@ -85,23 +84,22 @@ void describe(D& d, Type<SceneFrequency>)
     d.key("reason", "-", "Why they are not known.", &T::reason);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneResponse>)
+void describe(auto& d, Type<SceneResponse>)
 {
     using T = SceneResponse;
+    const auto range = partOf(&T::range);
     d.record(
         "SceneResponse",
         "Motions of bars in a row with one contact in a period, under a harmonic over a range of "
         "frequencies.");
     d.key("status", "-", R"("found", or "undecided": the list may lack motions.)", &T::status);
     d.key("force", "-", "What is excited: driven nodes (tip), or shaken clamps (base).",
-          [](const T& a) { return a.range.place; });
+          range(&SceneRange::place));
     d.key("exact", "-", "Is the excitation the harmonic itself, not a staircase?",
-          [](const T& a) { return a.range.isExact; });
-    d.key("cycles", "- >= 1", "Of the excitation in a period.",
-          [](const T& a) { return a.range.cycles; });
+          range(&SceneRange::isExact));
+    d.key("cycles", "- >= 1", "Of the excitation in a period.", range(&SceneRange::cycles));
     d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation.",
-          [](const T& a) { return a.range.amplitude; });
+          range(&SceneRange::amplitude));
     d.key("amplitude_of", "-",
           R"(Whose: "force", or of the base "displacement", "velocity" or "acceleration".)",
           [](const T& a) { return amplitudeOf(a.range.place, a.range.derivative); });
@@ -113,10 +111,7 @@ void describe(D& d, Type<SceneResponse>)
           "no motion is left out is computed, not proved.",
           [](const T& a) { return a.status() == Status::found; });
     d.key("frequencies", "-", "By descending frequency.", &T::frequencies);
-    d.key("scene", "-", "Asked about.", [](const T& a) { return a.bars.assembly; });
-    d.key("reference", "-", "What the bars are measured with.",
-          [](const T& a) { return a.bars.reference; });
-    d.key("contacts", "-", "[dict, ...], of the bars.", [](const T& a) { return a.bars.contacts; });
+    describeBarsAndContacts(d, &T::bars);
 }
 
 }  // namespace signorini::answers

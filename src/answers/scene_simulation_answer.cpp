@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "largest.hpp"
 #include "network_watched.hpp"
 
 namespace signorini::answers {
@@ -43,10 +44,7 @@ double durationOf(const Network& network, const SceneDrive& drive,
 NetworkSimulation simulationOf(const Network& network, const NetworkStart& start,
                                const SceneDrive& drive, bool recordsPaths)
 {
-    double size = 1.0;
-    for (const double wave : start.waves) {
-        size = std::max(size, std::abs(wave));
-    }
+    const double size = std::max(1.0, largestSizeOf(start.waves));
     return {network,
             start,
             drive.moved.drive,

@@ -71,35 +71,30 @@ struct SceneSimulationAnswer {
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
 };
 
-template <typename D>
-void describe(D& d, Type<ContactTotals>)
+void describe(auto& d, Type<ContactTotals>)
 {
     using T = ContactTotals;
     d.record("SceneContactTotals", "A contact of bars, and what a simulation saw there.");
-    describeContact(d, [](const T& c) -> const SceneContact& { return c.contact; });
+    describeContact(d, &T::contact);
     d.key("count", "- >= 0", "How often it pressed.", &T::count);
     d.key("impulse", "N s >= 0", "In all.", &T::impulse);
     d.key("peak_force", "N >= 0", "Largest.", &T::peakForce);
     d.key("contact_time", "s >= 0", "In all.", &T::time);
 }
 
-template <typename D>
-void describe(D& d, Type<Momentum>)
+void describe(auto& d, Type<Momentum>)
 {
     d.record("MomentumBalance", "Momentum of all bars and masses since the start.");
     d.key("given", "N s", "By forces, dashpots, springs, clamps and stops.", &Momentum::given);
     d.key("error", "N s", "What does not add up.", &Momentum::error);
 }
 
-template <typename D>
-void describe(D& d, Type<SceneSimulationAnswer>)
+void describe(auto& d, Type<SceneSimulationAnswer>)
 {
     using T = SceneSimulationAnswer;
     d.record("SceneSimulation", "What bars in a row did, event by event.");
     d.key("status", "-", R"("done", or "interrupted".)", &T::status);
-    d.key("scene", "-", "Asked about.", [](const T& s) { return s.bars.assembly; });
-    d.key("reference", "-", "What the bars are measured with.",
-          [](const T& s) { return s.bars.reference; });
+    describeBars(d, &T::bars);
     d.key("contacts", "-", "[dict, ...]: each contact, and what was seen there.", &T::contacts);
     d.key("excitation", "-", "What moves driven nodes (tip), or shaken clamps (base).", &T::drive);
     d.key("time", "s >= 0", "Simulated.", &T::time);

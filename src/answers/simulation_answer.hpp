@@ -68,8 +68,7 @@ struct SimulationAnswer {
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
 };
 
-template <typename D>
-void describe(D& d, Type<Drive>)
+void describe(auto& d, Type<Drive>)
 {
     d.record("Drive", "What moves the bar.");
     d.key("force", "-", R"(What is excited: "tip" or "base".)", &Drive::place);
@@ -81,8 +80,7 @@ void describe(D& d, Type<Drive>)
     d.key("steps", "- >= 3", "Of a period.", &Drive::steps);
 }
 
-template <typename D>
-void describe(D& d, Type<SettledOn>)
+void describe(auto& d, Type<SettledOn>)
 {
     using T = SettledOn;
     d.record("Settled", "How a simulation repeats itself.");
@@ -97,8 +95,7 @@ void describe(D& d, Type<SettledOn>)
 }
 
 /// Keys of what a simulation settles on.
-template <typename D, typename Get, typename Unit>
-void describeSettled(D& d, Get settling, Unit impulseUnit)
+void describeSettled(auto& d, auto settling, auto impulseUnit)
 {
     d.key("settled", "-", "How it repeats itself.", [=](const auto& s) {
         const std::optional<Settled>& settled = settling(s).settled;
@@ -110,8 +107,7 @@ void describeSettled(D& d, Get settling, Unit impulseUnit)
     });
 }
 
-template <typename D>
-void describe(D& d, Type<Balance>)
+void describe(auto& d, Type<Balance>)
 {
     d.record("EnergyBalance", "Energy that came and went.");
     d.key("work", "J", "Done by the excitation.", &Balance::work);
@@ -120,8 +116,7 @@ void describe(D& d, Type<Balance>)
 }
 
 /// State and energy at the end.
-template <typename D>
-void describeEnd(D& d)
+void describeEnd(auto& d)
 {
     using T = SimulationAnswer;
     d.key("tip", "m", "u(L) at the end.",
@@ -143,8 +138,7 @@ void describeEnd(D& d)
           [](const T& s) { return s.merged * scales(s.bar()).displacement; });
 }
 
-template <typename D>
-void describe(D& d, Type<SimulationAnswer>)
+void describe(auto& d, Type<SimulationAnswer>)
 {
     using T = SimulationAnswer;
     d.record("Simulation", R"(What a bar did, event by event.
@@ -154,7 +148,7 @@ EA g/L and EA g/c on the simulation's own memory.
 )");
     d.key("status", "-", R"("done", or "interrupted".)", &T::status);
     d.key("cells", "- >= 1", "Of the state at the start.", &T::cells);
-    describeScene(d, [](const T& s) -> const Scene& { return s.scene; });
+    describeScene(d, &T::scene);
     d.key("damping", "-", "A dashpot.", [](const T& s) { return Of<Damping>{s.damping, s.bar()}; });
     d.key("excitation", "-", "What moves the bar.", &T::drive);
     d.key("time", "s >= 0", "Simulated.", [](const T& s) { return s.time * scales(s.bar()).time; });

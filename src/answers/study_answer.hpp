@@ -50,8 +50,7 @@ struct StudyAnswer {
     [[nodiscard]] Ending status() const { return isComplete ? Ending::done : Ending::interrupted; }
 };
 
-template <typename D>
-void describe(D& d, Type<StudyPoint>)
+void describe(auto& d, Type<StudyPoint>)
 {
     using T = StudyPoint;
     d.record("StudyPoint", "The worst of one sweep of frequency, both directions.");
@@ -70,8 +69,7 @@ void describe(D& d, Type<StudyPoint>)
           &T::irregular);
 }
 
-template <typename D>
-void describe(D& d, Type<StudyAnswer>)
+void describe(auto& d, Type<StudyAnswer>)
 {
     using T = StudyAnswer;
     d.record("Study", "Sweeps of frequency for gaps, damping ratios and amplitudes.");

@@ -40,8 +40,7 @@ struct SweepAnswer {
     [[nodiscard]] std::vector<SweepPointOf> listed() const;
 };
 
-template <typename D>
-void describe(D& d, Type<SweepPointOf>)
+void describe(auto& d, Type<SweepPointOf>)
 {
     using T = SweepPointOf;
     using P = SweepPoint;
@@ -51,12 +50,8 @@ void describe(D& d, Type<SweepPointOf>)
             return std::tuple(low * unit(p.bar), high * unit(p.bar));
         };
     };
-    const auto ifSettled = [](auto member) {
-        return [member](const T& p) {
-            const std::optional<Settled>& settled = p.value.settling.settled;
-            return settled ? std::optional(*settled.*member) : std::nullopt;
-        };
-    };
+    const auto ifSettled =
+        ifThere([](const T& p) -> const auto& { return p.value.settling.settled; });
     d.record("SweepPoint", "What the bar does at one value of a sweep.");
     d.key("value", "omega_1, N, m or -", "Of what is varied.", &T::given);
     d.key("direction", "-", R"("up" or "down".)", ofValue(&P::direction));
@@ -101,15 +96,15 @@ void describe(D& d, Type<SweepPointOf>)
           &T::stress);
 }
 
-template <typename D>
-void describe(D& d, Type<SweepAnswer>)
+void describe(auto& d, Type<SweepAnswer>)
 {
     using T = SweepAnswer;
+    const auto range = partOf(&T::range);
     d.record("Sweep", "What a bar settles on while one number is varied, the state carried over.");
     d.key("status", "-", R"("done", or "interrupted".)", &T::status);
     describeSceneOrBars<T>(d);
     d.key("over", "-", R"(What is varied: "frequency", "amplitude", "gap" or "damping".)",
-          [](const T& s) { return s.range.over; });
+          range(&SweepRange::over));
     d.key(
         "damping", "-", "A dashpot, unless it is varied.",
         [](const T& s) {
@@ -119,8 +114,7 @@ void describe(D& d, Type<SweepAnswer>)
                               : std::optional(std::optional(Of<Damping>{s.range.damping, s.bar}));
         },
         When::any);
-    d.key("force", "-", R"(What is excited: "tip" or "base".)",
-          [](const T& s) { return s.range.place; });
+    d.key("force", "-", R"(What is excited: "tip" or "base".)", range(&SweepRange::place));
     d.key("amplitude", "N, m, m/s or m/s^2 > 0", "Of the excitation, unless it is varied.",
           [](const T& s) {
               return s.range.over == Swept::amplitude
@@ -134,7 +128,7 @@ void describe(D& d, Type<SweepAnswer>)
     d.key("cells", "- >= 1", "Steps of the excitation in L/c, nearly.",
           [](const T& s) { return static_cast<std::int64_t>(s.range.cells); });
     d.key("carried", "-", "Is the state carried over, or is each value a start at rest?",
-          [](const T& s) { return s.range.isCarried; });
+          range(&SweepRange::isCarried));
     d.key("yield_stress", "Pa > 0", "The stress is compared with it.", &T::yieldStress);
     d.key("points", "-", "[SweepPoint, ...], each direction in the order in which it went.",
           &T::listed);

@@ -1,7 +1,6 @@
 #include "commands.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 

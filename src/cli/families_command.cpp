@@ -12,9 +12,8 @@ namespace signorini::cli {
 namespace {
 
 /// The families, or those found until a signal came or the list was full.
-template <typename Show>
 void fill(answers::FamilyList& list, const FamilyBounds& bounds, const Stops& stops,
-          const Show& show)
+          const auto& show)
 {
     const auto last = static_cast<double>(list.maxOrder);
     std::int64_t order = 0;

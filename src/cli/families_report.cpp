@@ -37,8 +37,7 @@ FamilyNumbers numbersOf(const Family& family, const Scales& unit)
 }
 
 /// Calls `add(text, family)` for each and hands the text on to `write` in pieces.
-template <typename Add, typename Write>
-void inPieces(const std::vector<Family>& families, Add add, Write write)
+void inPieces(const std::vector<Family>& families, auto add, auto write)
 {
     Text text;
     for (const Family& family : families) {

@@ -29,8 +29,7 @@ struct OutputOption {
 void validateOutputs(const std::vector<OutputOption>& outputs);
 
 /// Runs `action` and names the option and the user's file in what it throws.
-template <typename Action>
-auto forFile(const char* option, const std::string& path, Action action)
+auto forFile(const char* option, const std::string& path, auto action)
 {
     try {
         return action();

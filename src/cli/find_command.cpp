@@ -2,14 +2,12 @@
 #include "commands.hpp"
 
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "certificate_report.hpp"
 #include "demand_names.hpp"
 #include "faults.hpp"
 #include "files.hpp"
-#include "interrupt.hpp"
 #include "one_material.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
@@ -199,27 +197,22 @@ ExitStatus FindCommand::run() const
     return status;
 }
 
-bool FindCommand::triesStability(std::int64_t steps) const
+void FindCommand::requireTried(std::int64_t steps) const
 {
-    const bool isAsked = given.has("--stability");
-    if (isAsked) {
+    if (triesStability()) {
         answers::requireTried(steps);
     }
-    return isAsked;
 }
 
 ExitStatus FindCommand::answerSchedule(const Schedule& schedule, const FindRequest& request) const
 {
     validate(schedule);
-    const bool triesStability = this->triesStability(signorini::steps(schedule));
+    requireTried(signorini::steps(schedule));
     FindOutputs files(*this);
     answers::FindAnswer answer = search(schedule, request, common);
     const PeriodicResult& result = answer.result;
     writeFiles(files, request.options, result, wholeJsonOf(answer, "certificate"));
-    if (triesStability) {
-        const Interrupt interrupt;
-        tryStability(answer, interrupt.cancel());
-    }
+    tryIfAsked(answer);
     if (common.wantsJson) {
         writeAnswer(wholeJsonOf(answer, "certificate"), result, writeOut);
     } else {
@@ -235,7 +228,7 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
                                        const FindRequest& request) const
 {
     const std::int64_t cells = common.usualCells();
-    const bool triesStability = this->triesStability(asked.steps);
+    requireTried(asked.steps);
     FindOutputs files(*this);
     answers::QuestionAnswer answer = answers::questionOf(asked, cells, request.options);
     std::optional<PeriodicResult> first;
@@ -251,10 +244,7 @@ ExitStatus FindCommand::answerQuestion(const answers::AskedPeriod& asked,
         if (!first) {
             first = result;
         }
-        if (triesStability) {
-            const Interrupt interrupt;
-            tryStability(found, interrupt.cancel());
-        }
+        tryIfAsked(found);
         found.keptSpeeds = found.approachSpeeds();
         result.motion->state = {};  // there may be many, each as long as the grid is fine
     }

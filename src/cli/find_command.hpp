@@ -3,12 +3,12 @@
 /// signorini find NC NF [NC NF ...], or --period|--frequency|--hertz in place of the steps.
 
 #include <string>
-#include <vector>
 
 #include "arguments.hpp"
 #include "find_outputs.hpp"
 #include "force_options.hpp"
 #include "given.hpp"
+#include "interrupt.hpp"
 #include "question.hpp"
 #include "signorini/output.hpp"
 #include "state_table.hpp"
@@ -35,8 +35,18 @@ struct FindCommand {
     /// Says on stderr where a motion is not what a bar could do.
     void warn(const Physical& physical) const;
 
-    /// Is --stability asked for? \throws std::invalid_argument where a period has too many steps.
-    [[nodiscard]] bool triesStability(std::int64_t steps) const;
+    [[nodiscard]] bool triesStability() const { return given.has("--stability"); }
+    /// \throws std::invalid_argument if --stability is asked for and a period has too many steps.
+    void requireTried(std::int64_t steps) const;
+    /// Starts beside the motions of an answer, `of` a network, if --stability is asked for.
+    template <typename Answer, typename... Of>
+    void tryIfAsked(Answer& answer, const Of&... of) const
+    {
+        if (triesStability()) {
+            const Interrupt interrupt;
+            tryStability(answer, of..., interrupt.cancel());
+        }
+    }
 
 private:
     /// answers::asks::..., of a bar.

@@ -3,7 +3,6 @@
 /// The files that a call of find names: of a motion, or of the proof that there is none.
 
 #include <functional>
-#include <string>
 
 #include "files.hpp"
 #include "harmonic_field.hpp"

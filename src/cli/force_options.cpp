@@ -110,12 +110,11 @@ double ForceOptions::scaledAmplitude(const Bar& bar) const
     return scaled;
 }
 
-ForceOptions ForceOptions::at(double frequencyRatio, double firstHertz) const
+ForceOptions ForceOptions::at(double hertz) const
 {
     ForceOptions displaced = *this;
     if (derivative > 0) {
-        displaced.amplitude =
-            displacementAt(frequencyRatio * firstHertz, amplitude.value(), derivative);
+        displaced.amplitude = displacementAt(hertz, amplitude.value(), derivative);
         displaced.derivative = 0;
     }
     return displaced;

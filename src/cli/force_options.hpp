@@ -48,8 +48,8 @@ struct ForceOptions {
     [[nodiscard]] Damping damping() const { return {ratio.value_or(0.0)}; }
     /// In units of EA g/L (tip) or g (c/L)^derivative (base). \pre place and amplitude were given.
     [[nodiscard]] double scaledAmplitude(const Bar& bar) const;
-    /// The same options with the base's displacement at so many ω/ω₁, ω₁ being so many Hz.
-    [[nodiscard]] ForceOptions at(double frequencyRatio, double firstHertz) const;
+    /// The same options with the base's displacement at so many Hz.
+    [[nodiscard]] ForceOptions at(double hertz) const;
 };
 
 /// --yield-stress [Pa]. \throws std::invalid_argument where strains are not known as stresses.

@@ -1,4 +1,3 @@
-#include <cmath>
 
 #include "find_command.hpp"
 #include "interrupt.hpp"
@@ -51,8 +50,7 @@ void writeFiles(FindOutputs& files, const answers::ForcedAnswer& answer)
     }
 }
 
-template <typename Answer>
-ExitStatus finish(const FindCommand& call, const Answer& answer)
+ExitStatus finish(const FindCommand& call, const auto& answer)
 {
     report(call.common, answer, {}, call.force.ratio);
     for (const auto& motion : answer.motions) {
@@ -80,7 +78,7 @@ ExitStatus answerHarmonic(const FindCommand& call)
     FindOutputs files(call);
     const ExactPeriod period = call.question.exactly(common.usualCells(), scene.bar, call.cycles);
     const double frequencyRatio = 4.0 * static_cast<double>(call.cycles) / period.value();
-    const ForceOptions displaced = force.at(frequencyRatio, firstHertz(scene.bar));
+    const ForceOptions displaced = force.at(frequencyRatio * firstHertz(scene.bar));
     (void)displaced.scaledAmplitude(scene.bar);
     const Interrupt interrupt;
     const answers::HarmonicAnswer answer =
@@ -102,7 +100,7 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
     // Equal segments are one bar.
     const bool isStepped = !isUniform(scene.segments);
     validate(call, schedule);
-    const bool triesStability = call.triesStability(steps(schedule));
+    call.requireTried(steps(schedule));
     const ForceOptions& force = call.force;
     const Bar bar = isStepped ? firstMaterial(scene) : scene.bar;
     FindOutputs files(call);
@@ -113,11 +111,8 @@ ExitStatus answerForced(const FindCommand& call, const Schedule& schedule)
                                   static_cast<double>(steps(schedule));
     answers::ForcedAnswer answer =
         answers::answerOf(forcedMotions(schedule, force.damping(), forcing, limits, scene.segments),
-                          scene, force.at(frequencyRatio, firstHertz(bar)).amplitude);
-    if (triesStability) {
-        const Interrupt interrupt;
-        tryStability(answer, interrupt.cancel());
-    }
+                          scene, force.at(frequencyRatio * firstHertz(bar)).amplitude);
+    call.tryIfAsked(answer);
     writeFiles(files, answer);
     return finish(call, answer);
 }

@@ -42,8 +42,7 @@ public:
     [[nodiscard]] std::optional<double> number(std::string_view option) const;
     [[nodiscard]] std::optional<std::int64_t> whole(std::string_view option) const;
     /// One of the values of an enumeration, by the name that a table (names.hpp) has for it.
-    template <typename Table>
-    [[nodiscard]] auto named(std::string_view option, const Table& table) const
+    [[nodiscard]] auto named(std::string_view option, const auto& table) const
     {
         return valueIn(table, text(option));
     }

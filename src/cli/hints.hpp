@@ -31,9 +31,8 @@ namespace signorini::cli {
 [[nodiscard]] std::string youngNote(const std::optional<double>& young);
 
 /// Does what may refuse such a ratio; a refusal says whether it looks like Hz.
-template <typename F>
 auto hinting(std::string_view option, const std::optional<double>& ratio, double hertz,
-             const Bar& bar, F does)
+             const Bar& bar, auto does)
 {
     try {
         return does();

@@ -57,8 +57,7 @@ private:
 
 /// Work that signals end, and of which it is said how far it has come: work(cancel, show), show as
 /// Progress has it.
-template <typename Work>
-auto watched(const CommonOptions& common, const char* words, Work work)
+auto watched(const CommonOptions& common, const char* words, auto work)
 {
     const Interrupt interrupt;
     Progress progress(!common.quiet, words, common.progressFile);

@@ -7,7 +7,7 @@
 
 #include "arguments.hpp"
 #include "given.hpp"
-#include "harmonic_contact.hpp"
+#include "harmonic_motion.hpp"
 #include "hints.hpp"
 #include "reports.hpp"
 #include "signorini/modes.hpp"

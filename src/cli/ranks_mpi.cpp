@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <mutex>
@@ -77,8 +76,7 @@ struct Packing {
             bytes.append(reinterpret_cast<const char*>(values), count * sizeof(Value));
         }
     }
-    template <typename List>
-    void size(const List& list)
+    void size(const auto& list)
     {
         const std::size_t count = list.size();
         put(&count, 1);
@@ -96,8 +94,7 @@ struct Unpacking {
         }
         at += count * sizeof(Value);
     }
-    template <typename List>
-    void size(List& list)
+    void size(auto& list)
     {
         std::size_t count = 0;
         put(&count, 1);
@@ -106,8 +103,7 @@ struct Unpacking {
 };
 
 /// Number and tally, then families, rows and proofs, each list with its length.
-template <typename Bytes, typename Batch>
-void travel(Bytes& bytes, Batch& batch)
+void travel(auto& bytes, auto& batch)
 {
     const auto list = [&bytes](auto& values) {
         bytes.size(values);
@@ -239,6 +235,57 @@ bool isStopped()
     return hasArrived != 0;
 }
 
+/// Of the pieces of work those that fall to a rank.
+std::vector<std::size_t> partOf(const std::vector<std::size_t>& which, int rank, int count)
+{
+    std::vector<std::size_t> part;
+    for (auto k = static_cast<std::size_t>(rank); k < which.size();
+         k += static_cast<std::size_t>(count)) {
+        part.push_back(which[k]);
+    }
+    return part;
+}
+
+/// Rows by threads of this process, while this thread, the only one that speaks MPI, hands on what
+/// is done: `each(k, row)` there, `meanwhile()` again and again until it is false.
+void workBeside(const std::vector<std::size_t>& which, const RowOf& row, std::int64_t threads,
+                const TakeRow& each, const std::function<bool()>& meanwhile)
+{
+    std::mutex mutex;
+    std::vector<std::pair<std::size_t, std::string>> done;
+    bool isOver = false;
+    std::exception_ptr trouble;
+    std::thread worker([&] {
+        try {
+            byThreads(row, threads)(which, [&](std::size_t k, const std::string& text) {
+                const std::lock_guard lock(mutex);
+                done.emplace_back(k, text);
+            });
+        } catch (...) {
+            trouble = std::current_exception();
+        }
+        const std::lock_guard lock(mutex);
+        isOver = true;
+    });
+    for (bool goesOn = true; goesOn;) {
+        std::vector<std::pair<std::size_t, std::string>> ready;
+        {
+            const std::lock_guard lock(mutex);
+            ready.swap(done);
+            goesOn = !isOver;
+        }
+        for (const auto& [k, text] : ready) {
+            each(k, text);
+        }
+        goesOn = meanwhile() || goesOn || !ready.empty();
+        rest();
+    }
+    worker.join();
+    if (trouble) {
+        std::rethrow_exception(trouble);
+    }
+}
+
 }  // namespace
 
 void handOverToMpi(char**) {}
@@ -306,61 +353,6 @@ bool Ranks::serve(std::int64_t threads, const Cancel& cancel)
     MPI_Recv(nullptr, 0, MPI_BYTE, 0, tagStop, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
     return !isRequested(cancel);
 }
-
-namespace {
-
-/// Of the pieces of work those that fall to a rank.
-std::vector<std::size_t> partOf(const std::vector<std::size_t>& which, int rank, int count)
-{
-    std::vector<std::size_t> part;
-    for (auto k = static_cast<std::size_t>(rank); k < which.size();
-         k += static_cast<std::size_t>(count)) {
-        part.push_back(which[k]);
-    }
-    return part;
-}
-
-/// Rows by threads of this process, while this thread, the only one that speaks MPI, hands on what
-/// is done: `each(k, row)` there, `meanwhile()` again and again until it is false.
-void workBeside(const std::vector<std::size_t>& which, const RowOf& row, std::int64_t threads,
-                const TakeRow& each, const std::function<bool()>& meanwhile)
-{
-    std::mutex mutex;
-    std::vector<std::pair<std::size_t, std::string>> done;
-    bool isOver = false;
-    std::exception_ptr trouble;
-    std::thread worker([&] {
-        try {
-            byThreads(row, threads)(which, [&](std::size_t k, const std::string& text) {
-                const std::lock_guard lock(mutex);
-                done.emplace_back(k, text);
-            });
-        } catch (...) {
-            trouble = std::current_exception();
-        }
-        const std::lock_guard lock(mutex);
-        isOver = true;
-    });
-    for (bool goesOn = true; goesOn;) {
-        std::vector<std::pair<std::size_t, std::string>> ready;
-        {
-            const std::lock_guard lock(mutex);
-            ready.swap(done);
-            goesOn = !isOver;
-        }
-        for (const auto& [k, text] : ready) {
-            each(k, text);
-        }
-        goesOn = meanwhile() || goesOn || !ready.empty();
-        rest();
-    }
-    worker.join();
-    if (trouble) {
-        std::rethrow_exception(trouble);
-    }
-}
-
-}  // namespace
 
 DealRows Ranks::dealt(std::string question, const RowOf& row, std::int64_t threads)
 {

@@ -59,9 +59,8 @@ void writeJson(const answers::FamilyList& list, const Write& write);
 
 /// Writes an answer to standard output: JSON, or the line that restates the bar, with grid and
 /// damping where they are part of the question, and the words.
-template <typename Answer>
-void report(const CommonOptions& common, const Answer& answer,
-            std::optional<std::int64_t> grid = {}, std::optional<double> damping = {})
+void report(const CommonOptions& common, const auto& answer, std::optional<std::int64_t> grid = {},
+            std::optional<double> damping = {})
 {
     writeOut(common.wantsJson ? asLine(wholeJsonOf(answer))
                               : common.restated(grid, damping) + asText(answer));

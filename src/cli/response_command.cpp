@@ -64,9 +64,8 @@ struct Worker {
     }
 
     /// Times one of many, and says how long all will take, where that is long.
-    template <typename Make>
     void estimate(const ResponseRange& range, const std::vector<std::int64_t>& steps,
-                  std::vector<std::optional<FrequencyResponse>>& responses, const Make& make) const
+                  std::vector<std::optional<FrequencyResponse>>& responses, const auto& make) const
     {
         constexpr std::size_t many = 50;
         constexpr double isLong = 5.0;  // [s]

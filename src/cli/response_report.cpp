@@ -25,25 +25,23 @@ void writeResponseCsv(const std::string& path, const ResponseAnswer& answer)
     writeCsv(path, header, [&](CsvRows& row) {
         for (const answers::FrequencyOf& at : answer.listed()) {
             const FrequencyResponse& response = at.value;
+            const std::string begin =
+                fmt::format("{},{},{},{:d},{}", response.steps, response.frequencyRatio,
+                            answers::hertzOf(response.frequencyRatio, answer.bar), response.touches,
+                            response.linearPeak * unit.displacement);
             // Contact and flight, phase, amplitude, second contact and flight, stop.
             const auto put = [&](const auto& first, const auto& phase, std::string_view stability,
                                  double amplitude, const auto& second, std::string_view stop,
                                  const Physical& p) {
-                row(response.steps, response.frequencyRatio,
-                    response.frequencyRatio / 4.0 / unit.time, response.touches,
-                    response.linearPeak * unit.displacement, first, phase, p.impulse, p.peakForce,
-                    p.tipLowest, stability, amplitude, second, stop, response.undecided,
-                    p.contactTime, p.approachSpeed, p.peakCompression, p.peakTension, p.peakStress,
-                    at.cells());
+                row(begin, first, phase, p.impulse, p.peakForce, p.tipLowest, stability, amplitude,
+                    second, stop, response.undecided, p.contactTime, p.approachSpeed,
+                    p.peakCompression, p.peakTension, p.peakStress, at.cells());
             };
             if (const auto& held = response.permanent) {
                 put(fmt::format("{},0", response.steps), 0, "", answer.amplitudeAt(response), ",",
                     "right", physicalOf(held->extremes, answer.bar));
             } else if (response.motions.empty()) {
-                row(response.steps, response.frequencyRatio,
-                    response.frequencyRatio / 4.0 / unit.time, response.touches,
-                    response.linearPeak * unit.displacement, ",,,,,,,,,,", response.undecided,
-                    ",,,,", at.cells());
+                row(begin, ",,,,,,,,,,", response.undecided, ",,,,", at.cells());
             }
             for (const ForcedMotion& motion : response.motions) {
                 const std::vector<Phase>& phases = motion.schedule.phases;

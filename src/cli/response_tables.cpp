@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "printing.hpp"
 
 namespace signorini::cli {
@@ -13,13 +11,12 @@ void writeResponseMapCsv(const std::string& path, const ResponseAnswer& answer)
     constexpr std::string_view header =
         "steps,frequency_ratio,frequency,contacts,contact,free,second_contact,second_free,"
         "least_amplitude,most_amplitude";
-    const Scales unit = scales(answer.bar);
     const double force = amplitudeUnit(answer.range.place, answer.bar);
     writeCsv(path, header, [&](CsvRows& row) {
         for (const FrequencyResponse& response : answer.frequencies) {
             const auto put = [&](const std::string& phases, double least, double most) {
                 row(response.steps, response.frequencyRatio,
-                    response.frequencyRatio / 4.0 / unit.time, phases, least * force,
+                    answers::hertzOf(response.frequencyRatio, answer.bar), phases, least * force,
                     answers::known(most * force));
             };
             put("0,,,,", 0.0, answer.amplitudeAt(response) / force / response.linearPeak);
@@ -49,7 +46,7 @@ void writeBackboneCsv(const std::string& path, const ResponseAnswer& answer)
             for (const BackbonePoint& point : backbone.points) {
                 const Extremes& seen = point.extremes;
                 row(4 * backbone.mode.a, backbone.mode.b, familyName(backbone.mode),
-                    point.frequencyRatio, point.frequencyRatio / 4.0 / scales(answer.bar).time,
+                    point.frequencyRatio, answers::hertzOf(point.frequencyRatio, answer.bar),
                     seen.period, point.energyRatio, seen.impulse * answers::impulseUnit(answer.bar),
                     seen.peakForce * answers::forceUnit(answer.bar),
                     seen.lowestTip * scales(answer.bar).displacement);

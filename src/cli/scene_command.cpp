@@ -4,7 +4,6 @@
 #include "given.hpp"
 #include "network_field.hpp"
 #include "scene_figures.hpp"
-#include "scene_options.hpp"
 #include "scene_report.hpp"
 
 namespace signorini::cli {

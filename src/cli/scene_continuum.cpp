@@ -57,21 +57,18 @@ NetworkCurveOptions curveOf(const Given& given, const Assembly& assembly, const 
 std::string asText(const answers::SceneContinuumAnswer& answer)
 {
     const NetworkContinuum& curve = answer.curve();
-    const auto inWords = [&of = *answer.of](double energy) {
-        const auto ratio = of.ratio(energy);
-        return ratio ? fmt::format("{:.10g} E₁", *ratio)
-                     : fmt::format("{:.10g} J", of.joules(energy));
-    };
+    const answers::SceneSchedule& schedule = answer.schedule();
+    const auto energyText = [&](double energy) { return inWords(schedule, energy, 10); };
     std::string text =
         fmt::format("{:<12}{}, E = {}, {} motions by the {} engine\n", name(curve.status),
-                    textOf(answer.of->schedule.spans), inWords(curve.energy), curve.points.size(),
+                    textOf(schedule.spans), energyText(curve.energy), curve.points.size(),
                     engineOf(curve.solver));
     if (curve.known.provedEnergy > 0.0 && !curve.known.isEmpty) {
         text += fmt::format("range       proved: none has less than {}\n",
-                            inWords(curve.known.provedEnergy));
+                            energyText(curve.known.provedEnergy));
     }
-    text += fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.of->schedule.period());
-    text += limitText(answer.of->strainLimit);
+    text += fmt::format("frequency   {:.6g} Hz\n", 1.0 / schedule.period());
+    text += limitText(schedule.strainLimit);
     if (curve.dimension) {
         text += fmt::format("set         of dimension {} at this energy\n", *curve.dimension);
     }
@@ -82,7 +79,7 @@ std::string asText(const answers::SceneContinuumAnswer& answer)
         double residual = 0.0;
         double least = infinity;
         double most = 0.0;
-        std::vector<double> forces(answer.of->schedule.bars.contacts.size(), 0.0);
+        std::vector<double> forces(schedule.bars.contacts.size(), 0.0);
         for (const answers::SceneCurvePoint& point : answer.points()) {
             residual = std::max(residual, point.point().residuals.worst());
             least = std::min(least, point.strains().compression);
@@ -92,7 +89,7 @@ std::string asText(const answers::SceneContinuumAnswer& answer)
             }
         }
         const char* unit = curve.parameter == Parameter::number ? ""
-                           : answer.of->unit                    ? " [√E₁]"
+                           : schedule.unit                      ? " [√E₁]"
                                                                 : " [√E]";
         text += fmt::format("curve       {}, λ = {}{} from {:.6g} to {:.6g}\n", curve.family,
                             name(curve.parameter), unit, curve.points.front().lambda,
@@ -100,7 +97,7 @@ std::string asText(const answers::SceneContinuumAnswer& answer)
         text += resolutionText(curve.resolution);
         for (std::size_t j = 0; j < forces.size(); ++j) {
             text += fmt::format("contact {:<4}force at most {:.6g} N along it\n", j + 1,
-                                forces[j] * answer.of->schedule.scales.force());
+                                forces[j] * schedule.scales.force());
         }
         text += fmt::format("strain      at most {:.6g} … {:.6g} in compression along it\n", least,
                             most);

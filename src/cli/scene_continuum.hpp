@@ -18,8 +18,7 @@ namespace signorini::cli {
                                          const Assembly& assembly);
 
 /// How a curve is traced, of any bars. \throws std::invalid_argument
-template <typename Options>
-void readCurve(const Given& given, Options& options)
+void readCurve(const Given& given, auto& options)
 {
     options.points = given.whole("--points").value_or(options.points);
     if (given.has("--engine")) {

@@ -24,13 +24,49 @@ std::string whyGrazing(const SceneFind& of)
                : "";
 }
 
+std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
+{
+    const LeastMotion& motions = answer.motions;
+    const answers::SceneSchedule& schedule = answer.schedule;
+    std::string text =
+        of.lines(motions.status) + fmt::format("frequency   {:.6g} Hz\n", 1.0 / schedule.period());
+    const std::string limited =
+        schedule.strainLimit ? fmt::format(" with strain >= -{:.6g}", *schedule.strainLimit) : "";
+    if (motions.status == Status::none) {
+        text += fmt::format("proof       none below {}{}; verified by stepping backwards in time\n",
+                            inWords(schedule, motions.provedEnergy), limited);
+    } else if (motions.status == Status::undecided) {
+        text += fmt::format("why         {}\n", motions.detail);
+    } else {
+        text += fmt::format("energy      {:.6g} J{}{}; proved: none{} has less than {}\n",
+                            schedule.joules(motions.energy),
+                            schedule.unit ? ", " + inWords(schedule, motions.energy) : "",
+                            answer.isOfLeast ? ", the least" + limited : "", limited,
+                            inWords(schedule, motions.provedEnergy));
+        if (!answer.presses()) {
+            text += fmt::format("contact     grazing: nothing presses{}\n", whyGrazing(of));
+        }
+        text +=
+            cli::asText(contactsOf(schedule, &motions.residuals)) + cli::asText(*answer.strains());
+        if (const auto least = answer.provedCompression()) {
+            text += fmt::format(
+                "            proved: every motion has more than {:.6g} in "
+                "compression\n",
+                *least);
+        }
+        text += fmt::format("residual    {:.2g}\n{}", motions.residuals.worst(),
+                            cli::asText(answer.stability));
+    }
+    return text;
+}
+
 }  // namespace
 
-std::string inWords(const SceneFindAnswer& answer, double energy)
+std::string inWords(const answers::SceneSchedule& schedule, double energy, int digits)
 {
-    const auto ratio = answer.ratio(energy);
-    return ratio ? fmt::format("{:.6g} E₁", *ratio)
-                 : fmt::format("{:.6g} J", answer.joules(energy));
+    const auto ratio = schedule.ratio(energy);
+    return fmt::format("{:.{}g} {}", ratio.value_or(schedule.joules(energy)), digits,
+                       ratio ? "E₁" : "J");
 }
 
 NetworkWish wishOf(const FindCommand& call, const Assembly& assembly, const Network& network)
@@ -48,45 +84,6 @@ NetworkWish wishOf(const FindCommand& call, const Assembly& assembly, const Netw
     }
     return wish;
 }
-
-namespace {
-
-std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
-{
-    const LeastMotion& motions = answer.motions;
-    std::string text = of.lines(motions.status) +
-                       fmt::format("frequency   {:.6g} Hz\n", 1.0 / answer.schedule.period());
-    const std::string limited =
-        answer.strainLimit ? fmt::format(" with strain >= -{:.6g}", *answer.strainLimit) : "";
-    if (motions.status == Status::none) {
-        text += fmt::format("proof       none below {}{}; verified by stepping backwards in time\n",
-                            inWords(answer, motions.provedEnergy), limited);
-    } else if (motions.status == Status::undecided) {
-        text += fmt::format("why         {}\n", motions.detail);
-    } else {
-        text += fmt::format("energy      {:.6g} J{}{}; proved: none{} has less than {}\n",
-                            answer.joules(motions.energy),
-                            answer.unit ? ", " + inWords(answer, motions.energy) : "",
-                            answer.isOfLeast ? ", the least" + limited : "", limited,
-                            inWords(answer, motions.provedEnergy));
-        if (!answer.presses()) {
-            text += fmt::format("contact     grazing: nothing presses{}\n", whyGrazing(of));
-        }
-        text += cli::asText(contactsOf(answer.schedule, &motions.residuals)) +
-                cli::asText(*answer.strains());
-        if (const auto least = answer.provedCompression()) {
-            text += fmt::format(
-                "            proved: every motion has more than {:.6g} in "
-                "compression\n",
-                *least);
-        }
-        text += fmt::format("residual    {:.2g}\n{}", motions.residuals.worst(),
-                            cli::asText(answer.stability));
-    }
-    return text;
-}
-
-}  // namespace
 
 void warnOf(const answers::SceneStrains& strains, const FindCommand& call)
 {
@@ -196,11 +193,11 @@ ExitStatus findInScene(const FindCommand& command)
     const Interrupt interrupt;
     FindOptions options = command.options;
     options.cancel = interrupt.cancel();
-    const bool triesStability = command.triesStability(stepsOf(scene.schedule));
+    command.requireTried(stepsOf(scene.schedule));
     SceneFindAnswer answer =
         answers::answerOf(scene.assembly, scene.network, scene.schedule,
                           wishOf(command, scene.assembly, scene.network), options);
-    if (triesStability) {
+    if (command.triesStability()) {
         tryStability(answer, scene.network, options.cancel);
     }
     if (const auto strains = answer.strains()) {

@@ -27,8 +27,7 @@ struct SceneFind {
     [[nodiscard]] std::string lines(Status status) const;
     /// Writes the files of the motion, if there is one, a proof, if the answer is one, and the
     /// answer.
-    template <typename Answer>
-    [[nodiscard]] ExitStatus finish(const Answer& answer, const NetworkClaim* motion, bool isProof,
+    [[nodiscard]] ExitStatus finish(const auto& answer, const NetworkClaim* motion, bool isProof,
                                     const std::string& text)
     {
         const std::string json = asLine(wholeJsonOf(answer));
@@ -51,7 +50,8 @@ private:
 [[nodiscard]] std::vector<ContactSpan> spansOf(const Given& given, const CommonOptions& common,
                                                std::size_t contacts);
 /// "2 E₁", or in joules.
-[[nodiscard]] std::string inWords(const answers::SceneFindAnswer& answer, double energy);
+[[nodiscard]] std::string inWords(const answers::SceneSchedule& schedule, double energy,
+                                  int digits = 6);
 /// The line of what was tried, or none.
 [[nodiscard]] std::string asText(const std::optional<answers::SceneStability>& tried);
 [[nodiscard]] std::string asText(const answers::SceneStrains& strains);

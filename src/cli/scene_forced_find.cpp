@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
-#include "interrupt.hpp"
 #include "scene_find.hpp"
 
 namespace signorini::cli {
@@ -18,7 +16,7 @@ std::string asText(const answers::SceneForcedAnswer& answer, const SceneFind& of
     text += fmt::format("excitation  {}, {:.6g} Hz\n",
                         isForce ? "force on what is driven" : "displacement of the base",
                         answer.frequency());
-    text += limitText(answer.strainLimit);
+    text += limitText(answer.schedule.strainLimit);
     if (answer.range) {
         const auto [least, most] = *answer.range;
         text += fmt::format("amplitudes  {:.6g} {} to {}\n", least, unit,
@@ -50,20 +48,13 @@ ExitStatus findForcedInScene(const FindCommand& command)
     force.requirePlace();
     SceneFind scene(command);
     const Forcing forcing{*force.place, command.cycles, {}};
-    std::optional<double> amplitude;
-    if (force.amplitude) {
-        const double first = referenceOf(scene.network).frequency / (2.0 * std::numbers::pi);
-        const double hertz =
-            static_cast<double>(forcing.cycles) / periodOf(scene.network, scene.schedule);
-        amplitude = first > 0.0 ? force.at(hertz / first, first).amplitude : force.amplitude;
-    }
-    const bool triesStability = command.triesStability(stepsOf(scene.schedule));
+    const double hertz =
+        static_cast<double>(forcing.cycles) / periodOf(scene.network, scene.schedule);
+    command.requireTried(stepsOf(scene.schedule));
     answers::SceneForcedAnswer answer =
-        answers::forcedAnswerOf(scene.assembly, scene.network, scene.schedule, forcing, amplitude);
-    if (triesStability) {
-        const Interrupt interrupt;
-        tryStability(answer, scene.network, interrupt.cancel());
-    }
+        answers::forcedAnswerOf(scene.assembly, scene.network, scene.schedule, forcing,
+                                force.amplitude ? force.at(hertz).amplitude : std::nullopt);
+    command.tryIfAsked(answer, scene.network);
     for (const answers::SceneForcedMotion& one : answer.motions) {
         warnOf(one.strains, command);
     }

@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "find_command.hpp"
-#include "harmonic_network_contact.hpp"
 #include "reports.hpp"
 #include "scene_figures.hpp"
 #include "scene_harmonic_answer.hpp"
@@ -65,11 +62,8 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), call.cycles);
     const double hertz =
         static_cast<double>(call.cycles) / (static_cast<double>(steps) * network.scales.time);
-    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
-    const double amplitude =
-        first > 0.0 ? *force.at(hertz / first, first).amplitude : *force.amplitude;
     const answers::SceneHarmonicAnswer answer =
-        answers::answerOf(assembly, *force.place, call.cycles, steps, amplitude);
+        answers::answerOf(assembly, *force.place, call.cycles, steps, *force.at(hertz).amplitude);
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {  // the last one has the largest impulse

@@ -21,12 +21,12 @@ std::string asText(const SceneQuestionAnswer& answer)
         "none, {} undecided\n",
         name(answer.status()), answer.motions.size(), answer.sets.size(),
         stepsOf(answer.period.spans), answer.count(Status::none), answer.count(Status::undecided));
-    text += limitText(answer.strainLimit);
+    text += limitText(answer.period.strainLimit);
     text += fmt::format("period      {:.6g} s, {:.6g} Hz\n", answer.period.period(),
                         1.0 / answer.period.period());
     for (const SceneFindAnswer& motion : answer.motions) {
         text += fmt::format("motion      {}, {}{}\n", textOf(motion.schedule.spans),
-                            inWords(motion, motion.motions.energy),
+                            inWords(motion.schedule, motion.motions.energy),
                             motion.presses() ? "" : ", grazing: nothing presses") +
                 cli::asText(*motion.strains()) + cli::asText(motion.stability);
     }
@@ -57,13 +57,13 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), 1);
     const NetworkWish wish = wishOf(call, assembly, network);
     FindOptions options = call.options;
-    const bool triesStability = call.triesStability(steps);
+    call.requireTried(steps);
     const SceneQuestionAnswer answer =
         watched(call.common, "deciding schedules", [&](const Cancel& cancel, const auto& show) {
             options.cancel = cancel;
             SceneQuestionAnswer decided =
                 answers::questionOf(assembly, network, steps, wish, options, show);
-            if (triesStability) {
+            if (call.triesStability()) {
                 tryStability(decided, network, cancel);
             }
             return decided;

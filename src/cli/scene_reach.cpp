@@ -4,7 +4,6 @@
 #include <array>
 
 #include "files.hpp"
-#include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "simulate_command.hpp"
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "hints.hpp"
 
 namespace signorini::cli {
@@ -15,7 +13,7 @@ std::string headline(const Assembly& assembly, const Network& network)
                                    network.bars.size(), network.bars.size() == 1 ? "" : "s",
                                    network.cells(), assembly.length, assembly.waveSpeed);
     if (reference.frequency > 0.0) {
-        text += fmt::format(", ω₁ = {:.6g} Hz", reference.frequency / (2.0 * std::numbers::pi));
+        text += fmt::format(", ω₁ = {:.6g} Hz", answers::firstHertz(reference));
     }
     if (reference.damping && *reference.damping > 0.0) {
         text += fmt::format(", ζ = {:.4g}", *reference.damping);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "files.hpp"
 #include "force_options.hpp"
@@ -28,7 +27,7 @@ using answers::SceneResponse;
 void takeHertz(const Given& given, const Network& network, answers::SceneRange& range)
 {
     const ResponseRange usual;
-    const double first = referenceOf(network).frequency / (2.0 * std::numbers::pi);
+    const double first = answers::firstHertz(referenceOf(network));
     const double unit = first > 0.0 ? first : 1.0;  // [Hz], that of ratios
     const auto read = [&](const char* name, const char* twin, double otherwise) {
         const FrequencyOption option(given, name, twin);
@@ -180,7 +179,7 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     SceneResponse answer = answers::responseOf(assembly, range);
     const FrequencyOption to(given, "--to", "--to-hertz");
     const std::vector<std::int64_t> steps =
-        hinting("--to", to.ratio, referenceOf(network).frequency / (2.0 * std::numbers::pi), bar,
+        hinting("--to", to.ratio, answers::firstHertz(referenceOf(network)), bar,
                 [&] { return stepsOf(answer); });
     watched(common, "frequencies", [&](const Cancel& cancel, const auto& show) {
         answer.frequencies = shareOut(

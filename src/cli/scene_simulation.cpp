@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "excited_amplitude.hpp"
 #include "files.hpp"
@@ -9,7 +8,6 @@
 #include "progress.hpp"
 #include "reports.hpp"
 #include "scene_figures.hpp"
-#include "scene_options.hpp"
 #include "scene_report.hpp"
 #include "scene_simulation_answer.hpp"
 #include "simulate_command.hpp"
@@ -66,10 +64,10 @@ void setDrive(const SimulateCommand& command, Question& question)
         refuse("--amplitude-" + std::string(amplitudeOf(Excited::base, force.derivative)),
                fmt::format("{}", *force.amplitude), "only for a base that is shaken");
     }
-    const double hertz = referenceOf(network).frequency / (2.0 * std::numbers::pi);
-    const double ratio = command.frequency.ratioFor(hertz);
+    const double first = answers::firstHertz(referenceOf(network));
+    const double ratio = command.frequency.ratioFor(first);
     question.drive = answers::drivenBy(
-        network, {place, *force.at(ratio, hertz).amplitude, ratio, command.phase});
+        network, {place, *force.at(ratio * first).amplitude, ratio, command.phase});
 }
 
 Question questionOf(const SimulateCommand& command)

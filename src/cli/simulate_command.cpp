@@ -104,7 +104,7 @@ Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
     const double ratio = frequency.ratioFor(firstHertz(bar));
     return hinting("--frequency", frequency.ratio, firstHertz(bar), bar, [&] {
         return excitationAt({.place = *force.place,
-                             .amplitude = force.at(ratio, firstHertz(bar)).scaledAmplitude(bar),
+                             .amplitude = force.at(ratio * firstHertz(bar)).scaledAmplitude(bar),
                              .phase = phase,
                              .stepsPerCrossing = cells},
                             ratio, "--frequency");
@@ -170,8 +170,8 @@ ExitStatus SimulateCommand::run() const
     const Excitation driving = excitation(bar, common.cells ? usual : waves.crossing);
     if (force.place) {
         const double ratio = frequency.ratioFor(firstHertz(bar));
-        answer.drive =
-            answers::Drive{*force.place, *force.at(ratio, firstHertz(bar)).amplitude, ratio, phase};
+        answer.drive = answers::Drive{*force.place, *force.at(ratio * firstHertz(bar)).amplitude,
+                                      ratio, phase};
         answer.drive->follow(driving, bar);
     }
     const double second = scales(bar).time;

@@ -3,7 +3,6 @@
 /// signorini simulate
 
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -1,8 +1,5 @@
 #include "sweep_command.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "commands.hpp"
 #include "excited_names.hpp"
 #include "journal.hpp"

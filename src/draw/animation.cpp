@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 #include "axes.hpp"
 #include "signorini/figures.hpp"
@@ -133,8 +131,7 @@ private:
                       .low = -0.02 * metre_.factor,
                       .high = 1.25 * metre_.factor};
         Panel fields = fieldsPanel(fields_, samples_.bar(), position);
-        position.label.clear();
-        position.hasNumbers = false;
+        position = bare(position);
         Panel bar{
             .name = "bar", .place = {0.13, 0.97, 0.76, 0.92}, .x = position, .hasGrid = false};
         bar.y = {.low = -1.0, .high = 1.0, .ticks = {{-2.0, ""}}};
@@ -240,9 +237,7 @@ private:
         const Unit second = axisUnit(scale_.time, period_, "s");
         const Unit along = axisUnit(bar.length, 1.0, "m");
         Panel upper{.name = "force", .place = {0.13, 0.97, 0.72, 0.92}};
-        upper.x = axisIn(second, "", 0.0, period_);
-        upper.x.label.clear();
-        upper.x.hasNumbers = false;
+        upper.x = bare(axisIn(second, "", 0.0, period_));
         upper.y = force_.axis(newton, curve_.scene.secondStop ? "forces" : "wall force");
         Panel middle{.name = "tip", .place = {0.13, 0.97, 0.5, 0.69}};
         middle.x = axisIn(second, "time  t", 0.0, period_);

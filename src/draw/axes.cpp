@@ -112,6 +112,13 @@ plot::Axis axisAround(const std::vector<plot::Series>& series, const std::string
     return {.label = label, .low = isFromZero ? 0.0 : low - room, .high = high + room};
 }
 
+plot::Axis bare(plot::Axis axis)
+{
+    axis.label.clear();
+    axis.hasNumbers = false;
+    return axis;
+}
+
 plot::Axis frequencyAxis(const std::string& words, double low, double high, const Bar& bar)
 {
     plot::Axis axis{.label = words + "  ω/ω_1", .low = low, .high = high};

@@ -44,6 +44,9 @@ struct Unit {
 [[nodiscard]] plot::Axis axisAround(const std::vector<plot::Series>& series,
                                     const std::string& label, bool isFromZero = false);
 
+/// The same axis without words and numbers, beside a panel that has them.
+[[nodiscard]] plot::Axis bare(plot::Axis axis);
+
 /// An axis of frequency ratios ω/ω_1, above it Hz.
 [[nodiscard]] plot::Axis frequencyAxis(const std::string& words, double low, double high,
                                        const Bar& bar);

@@ -124,9 +124,7 @@ private:
             .low = -(room + magnified_ * reach_) * metre_.factor,
             .high = (length_ + moved_.back() + room + 1.2 * magnified_ * reach_) * metre_.factor};
         Panel bars{.name = "bar", .place = {0.13, 0.97, 0.62, 0.9}, .hasGrid = false};
-        bars.x = along;
-        bars.x.label.clear();
-        bars.x.hasNumbers = false;
+        bars.x = bare(along);
         bars.y = {.low = -1.0, .high = 1.0, .ticks = {{-2.0, ""}}};
         bars.map = ColourMap::diverging;
         const double size = std::max(strain_, 1e-300);

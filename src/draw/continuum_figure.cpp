@@ -1,9 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <utility>
 #include <vector>
 
 #include "axes.hpp"
@@ -96,14 +93,10 @@ private:
         const double length = bar.length * metre.factor;
         for (std::size_t k = 0; k < images_.full().size(); ++k) {
             const Motion motion(curve_.points[images_.full()[k]].state, curve_.schedule);
-            Panel& panel = images_.addFull(figure, k);
-            panel.x = {.label = labelled("position  x", metre),
-                       .low = 0.0,
-                       .high = length,
-                       .step = niceStep(length / 3.0)};
-            panel.y =
+            Panel& panel = images_.addFull(
+                figure, k, labelled("position  x", metre), length,
                 axisIn(second, "time  t", 0.0,
-                       static_cast<double>(motion.steps()) / static_cast<double>(motion.cells()));
+                       static_cast<double>(motion.steps()) / static_cast<double>(motion.cells())));
             panel.add(fieldOf(motion, length, second.factor, deflection.factor, 201, 401));
         }
         images_.shareColours(figure, labelled("displacement  u(x, t)", deflection));

@@ -74,9 +74,7 @@ public:
                         range_.damping.ratio);
         figure.height = 15.0;
         upper_ = {.name = "force", .place = {0.12, 0.95, 0.58, 0.85}};
-        upper_.x = axisIn({hertz_, "Hz"}, "", low_, high_, "ω/ω_1");
-        upper_.x.label.clear();
-        upper_.x.hasNumbers = false;
+        upper_.x = bare(axisIn({hertz_, "Hz"}, "", low_, high_, "ω/ω_1"));
         upper_.y = axisIn(forceUnit_, "largest force", 0.0, 1.15 * force_);
         lower_ = {.name = "impulse", .place = {0.12, 0.95, 0.27, 0.54}, .legend = Legend::below};
         lower_.legendRows = 4;
@@ -112,10 +110,8 @@ private:
 
     void push(Series above, const Series& below, std::string words)
     {
-        if (!above.x.empty()) {
-            upper_.add(std::move(above));
-            lower_.add(below.named(std::move(words)));
-        }
+        upper_.add(std::move(above));
+        lower_.add(below.named(std::move(words)));
     }
 
     /// A line goes on to the next point, whatever that does, unless curves have a gap there.

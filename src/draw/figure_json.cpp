@@ -52,8 +52,7 @@ public:
         put(key, value.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
     void say(const char* key, const std::string& words) { put(key, quoted(words)); }
-    template <typename Names, typename Enum>
-    void say(const char* key, const Names& names, Enum value)
+    void say(const char* key, const auto& names, auto value)
     {
         say(key, names.at(static_cast<std::size_t>(value)));
     }
@@ -64,8 +63,7 @@ private:
     std::string text_;
 };
 
-template <typename Range, typename Write>
-std::string listOf(const Range& range, Write write)
+std::string listOf(const auto& range, auto write)
 {
     std::string text = "[";
     for (const auto& one : range) {

@@ -353,9 +353,7 @@ void printFigure(Text& script, const FigureData& figure)
 }
 
 /// By the ending of a name.
-template <typename Formats>
-auto formatOf(const char* field, const std::string& path, const Formats& formats,
-              const char* allowed)
+auto formatOf(const char* field, const std::string& path, const auto& formats, const char* allowed)
 {
     for (const auto& [ending, format] : formats) {
         if (path.ends_with(ending)) {

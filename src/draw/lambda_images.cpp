@@ -105,13 +105,16 @@ void LambdaImages::add(FigureData& figure, int column, const Profiles& profiles,
     }
 }
 
-Panel& LambdaImages::addFull(FigureData& figure, std::size_t which) const
+Panel& LambdaImages::addFull(FigureData& figure, std::size_t which, const std::string& along,
+                             double length, Axis upwards) const
 {
     const double left = 0.1 + 0.265 * static_cast<double>(which);
     Panel& panel =
         figure.add({.name = memberNames.at(which), .place = {left, left + 0.24, 0.08, 0.42}});
     panel.title = fmt::format("λ = {:.4g}", lambdas_[full_[which]]);
     panel.hasGrid = false;
+    panel.x = {.label = along, .low = 0.0, .high = length, .step = niceStep(length / 3.0)};
+    panel.y = std::move(upwards);
     return panel;
 }
 
@@ -124,10 +127,7 @@ void LambdaImages::shareColours(FigureData& figure, const std::string& label) co
         const std::vector<double>& field = panel.series.front().z;
         const auto [least, most] = std::minmax_element(field.begin(), field.end());
         range = {std::min(range.first, *least), std::max(range.second, *most)};
-        if (k > first) {
-            panel.y.label.clear();
-            panel.y.hasNumbers = false;
-        }
+        panel.y = k > first ? bare(panel.y) : panel.y;
     }
     for (std::size_t k = first; k < figure.panels.size(); ++k) {
         figure.panels[k].colour = {.label = label, .low = range.first, .high = range.second};

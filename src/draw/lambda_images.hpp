@@ -36,9 +36,11 @@ public:
     /// at the end of all are left out.
     void add(plot::FigureData& figure, int column, const Profiles& profiles, double width,
              const ImageWords& words) const;
-    /// A third of the lower half, for a motion that is drawn in full. The panel's field and axes
-    /// are the caller's; all of these are to share one scale of colours.
-    [[nodiscard]] plot::Panel& addFull(plot::FigureData& figure, std::size_t which) const;
+    /// A third of the lower half, for a motion that is drawn in full, over so long an axis `along`.
+    /// The panel's field is the caller's; all of these are to share one scale of colours.
+    [[nodiscard]] plot::Panel& addFull(plot::FigureData& figure, std::size_t which,
+                                       const std::string& along, double length,
+                                       plot::Axis upwards) const;
     /// One scale of colours for all of them, beside the last.
     void shareColours(plot::FigureData& figure, const std::string& label) const;
 

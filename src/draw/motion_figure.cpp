@@ -167,9 +167,7 @@ private:
         const Unit unit = axisUnit(scale, std::max(high, -low), base);
         const double span = std::max(high - low, 1e-9 / unit.factor);
         Panel panel{.name = name, .place = {0.11, 0.51, bottom, bottom + 0.14}};
-        panel.x = position();
-        panel.x.label.clear();
-        panel.x.hasNumbers = false;
+        panel.x = bare(position());
         panel.y = axisIn(unit, words, low - 0.14 * span, high + 0.14 * span);
         panel.y.step = niceStep(span * unit.factor / 3.5);
         Series line = plot::line(role, 2.0);

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "axes.hpp"
+#include "largest.hpp"
 #include "network_field.hpp"
 #include "scene_figures.hpp"
 
@@ -52,11 +52,7 @@ public:
             const double top = 1.0 - room * (above + 4.2 * static_cast<double>(j));
             Panel& panel = figure.add({.name = fmt::format("contact {}", j + 1),
                                        .place = {0.13, right, top - 3.6 * room, top}});
-            panel.x = axisIn(second_, "time", begin_, end_);
-            if (j + 1 < panels) {
-                panel.x.label.clear();
-                panel.x.hasNumbers = false;
-            }
+            panel.x = j + 1 < panels ? bare(time()) : time();
             fill(panel, j);
             panel.y =
                 axisAround(panel.series, fmt::format("u at contact {}  [{}]", j + 1, metre_.name));
@@ -75,9 +71,7 @@ public:
     {
         Panel panel{.name = "displacement", .hasGrid = false};
         const Unit along = axisUnit(1.0, length, "m");
-        panel.x = axisIn(second_, "time", begin_, end_);
-        panel.x.label.clear();
-        panel.x.hasNumbers = false;
+        panel.x = bare(time());
         panel.y = axisIn(along, "along the bars", 0.0, length);
         panel.colour.label = labelled("displacement  u", metre_);
         Series image{.kind = Kind::image};
@@ -106,19 +100,15 @@ public:
     }
 
 private:
+    [[nodiscard]] Axis time() const { return axisIn(second_, "time", begin_, end_); }
+
     /// Of all that is drawn.
     [[nodiscard]] double extent() const
     {
-        double most = 0.0;
-        for (const auto& path : simulation_.paths()) {
-            for (const NodePoint& point : path) {
-                most = std::max(most, std::abs(point.displacement));
-            }
-        }
-        for (const NetworkContact& contact : network_.contacts) {
-            most = std::max(most, std::abs(contact.gap));
-        }
-        return most;
+        const double moved = largestOf(simulation_.paths(), [](const auto& path) {
+            return largestSizeOf(path, &NodePoint::displacement);
+        });
+        return std::max(moved, largestSizeOf(network_.contacts, &NetworkContact::gap));
     }
 
     [[nodiscard]] Series pathOf(std::size_t node, double offset, Role role, std::string words) const
@@ -220,15 +210,10 @@ FigureData periodFigure(const Network& network, const NetworkClaim& motion, doub
 
 FigureData contactFigure(const std::vector<ContactInstant>& path, const NetworkScales& scales)
 {
-    double wide = 0.0;
-    double pressed = 0.0;
-    for (const ContactInstant& one : path) {
-        wide = std::max(wide, one.distance);
-        pressed = std::max(pressed, one.push);
-    }
     const Unit second = axisUnit(scales.time, path.back().time, "s");
-    const Unit metre = axisUnit(scales.displacement, wide, "m");
-    const Unit newton = axisUnit(scales.force(), pressed, "N");
+    const Unit metre =
+        axisUnit(scales.displacement, largestOf(path, &ContactInstant::distance), "m");
+    const Unit newton = axisUnit(scales.force(), largestOf(path, &ContactInstant::push), "N");
     Series gap{.width = 1.8};
     Series force{.role = Role::contact, .width = 1.8};
     for (const ContactInstant& one : path) {

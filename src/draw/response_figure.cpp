@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "axes.hpp"
@@ -112,9 +111,7 @@ public:
         high_ = most + (most > least ? 0.01 * (most - least) : 0.05);
         const std::string gap = range_.stops.right < 0 ? "|g|" : range_.stops.right > 0 ? "g" : "L";
         upper_ = {.name = "impulse", .place = {0.12, 0.88, 0.53, 0.83}, .legend = Legend::topLeft};
-        upper_.x = frequencyAxis("", low_, high_, bar_);
-        upper_.x.label.clear();
-        upper_.x.hasNumbers = false;
+        upper_.x = bare(frequencyAxis("", low_, high_, bar_));
         upper_.y = axisIn(impulseUnit_, "impulse per period", 0.0, impulse_, "EA " + gap + "/c");
         lower_ = {.name = "tip", .place = {0.12, 0.88, 0.12, 0.48}};
         lower_.x = {.label = "frequency of the excitation  ω/ω_1", .low = low_, .high = high_};
@@ -137,8 +134,8 @@ private:
 
     void push(Series series, Series below)
     {
-        upper_.series.push_back(std::move(series));
-        lower_.series.push_back(std::move(below));
+        upper_.add(std::move(series));
+        lower_.add(std::move(below));
     }
 
     /// The backbones of a uniform bar, as far as there are motions.
@@ -159,9 +156,7 @@ private:
             }
             add(modes, nothing, nothing, nothing, below);
         }
-        if (!modes.x.empty()) {
-            push(std::move(modes), std::move(below));
-        }
+        push(std::move(modes), std::move(below));
     }
 
     /// The bar without a wall: where it stays clear, and where the wall is in its way.
@@ -208,9 +203,7 @@ private:
                         }
                     }
                 }
-                if (!marks.x.empty()) {
-                    push(std::move(marks), std::move(below));
-                }
+                push(std::move(marks), std::move(below));
             }
         }
     }

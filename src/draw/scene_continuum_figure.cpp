@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <stdexcept>
 
 #include "axes.hpp"
 #include "curve_points.hpp"
 #include "lambda_images.hpp"
+#include "largest.hpp"
 #include "network_field.hpp"
 #include "scene_figures.hpp"
 
@@ -77,7 +77,7 @@ std::string unitOf(const SceneContinuumAnswer& answer)
     if (answer.curve().parameter == Parameter::number) {
         return "number λ of the motion";
     }
-    return answer.of->unit ? "arc length λ [√E_1]" : "arc length λ [√E]";
+    return answer.schedule().unit ? "arc length λ [√E_1]" : "arc length λ [√E]";
 }
 
 /// What is drawn of a curve, and its units.
@@ -86,8 +86,8 @@ public:
     explicit BarsCurve(const SceneContinuumAnswer& answer)
         : answer_(answer),
           curve_(answer.curve()),
-          network_(answer.of->schedule.network()),
-          length_(answer.of->schedule.bars.assembly.length),
+          network_(answer.schedule().network()),
+          length_(answer.schedule().bars.assembly.length),
           places_(placesAlong(network_, parts)),
           positions_(positionsOf(network_, places_, length_)),
           second_(axisUnit(network_.scales.time, period(), "s")),
@@ -144,11 +144,9 @@ public:
         for (std::size_t k = 0; k < count; k += every) {
             const SeenMotion& seen = member(k);
             for (const std::vector<double>& pushes : seen.pushes) {
-                force = std::max(force, *std::max_element(pushes.begin(), pushes.end()));
+                force = std::max(force, largestOf(pushes));
             }
-            for (const double u : seen.start.displacements) {
-                reach = std::max(reach, std::abs(u));
-            }
+            reach = std::max(reach, largestSizeOf(seen.start.displacements));
         }
         std::vector<FigureData> all;
         for (std::size_t k = 0; k < count; k += every) {
@@ -160,15 +158,15 @@ public:
 private:
     [[nodiscard]] double period() const
     {
-        return static_cast<double>(stepsOf(answer_.of->schedule.spans));
+        return static_cast<double>(stepsOf(answer_.schedule().spans));
     }
 
     [[nodiscard]] std::string title() const
     {
-        const auto ratio = answer_.of->ratio(curve_.energy);
-        const double joules = answer_.of->joules(curve_.energy);
+        const auto ratio = answer_.schedule().ratio(curve_.energy);
+        const double joules = answer_.schedule().joules(curve_.energy);
         return fmt::format(
-            "{}   {}   {}, {} motions", textOf(answer_.of->schedule.spans),
+            "{}   {}   {}, {} motions", textOf(answer_.schedule().spans),
             ratio ? fmt::format("E/E_1 = {:.6g}", *ratio) : "E = " + withUnit(joules, "J"),
             curve_.family, curve_.points.size());
     }
@@ -185,22 +183,15 @@ private:
 
     void addFields(FigureData& figure, const LambdaImages& images)
     {
-        double reach = 0.0;
-        for (const std::size_t k : images.full()) {
-            for (const double u : member(k).all.displacements) {
-                reach = std::max(reach, std::abs(u));
-            }
-        }
+        const double reach = largestOf(images.full(), [this](std::size_t k) {
+            return largestSizeOf(member(k).all.displacements);
+        });
         const Unit deflection = axisUnit(network_.scales.displacement, reach, "m");
         for (std::size_t k = 0; k < images.full().size(); ++k) {
             const SeenMotion& seen = member(images.full()[k]);
-            Panel& panel = images.addFull(figure, k);
-            const double length = length_ * metre_.factor;
-            panel.x = {.label = labelled("along the bars", metre_),
-                       .low = 0.0,
-                       .high = length,
-                       .step = niceStep(length / 3.0)};
-            panel.y = axisIn(second_, "time  t", 0.0, period());
+            Panel& panel =
+                images.addFull(figure, k, labelled("along the bars", metre_),
+                               length_ * metre_.factor, axisIn(second_, "time  t", 0.0, period()));
             Series field{.kind = Kind::image};
             for (const double x : positions_) {
                 field.x.push_back(x * metre_.factor);

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,13 +95,9 @@ private:
 
     void box(double left, double low, double right, double high, Role role, bool isHatched = false)
     {
-        draw({.kind = Kind::boxes,
-              .role = role,
-              .isHatched = isHatched,
-              .x = {left},
-              .y = {low},
-              .x2 = {right},
-              .y2 = {high}});
+        Series filled = plot::box(role, left, low, right, high);
+        filled.isHatched = isHatched;
+        draw(std::move(filled));
         draw({.role = role == Role::grid ? Role::ink : role,
               .width = 1.0,
               .x = {left, right, right, left, left},
@@ -118,12 +113,9 @@ private:
     }
     void label(double x, double y, const std::string& words, Role role = Role::ink)
     {
-        draw({.kind = Kind::words,
-              .role = role,
-              .align = Align::centre,
-              .x = {x},
-              .y = {y},
-              .words = {words}});
+        Series said = plot::labels(1.0, Align::centre, role);
+        said.add(x, y, words);
+        draw(std::move(said));
     }
 
     void drawNode(std::size_t node)

@@ -2,8 +2,6 @@
 /// \file
 /// Pictures of scenes and of what networks do.
 
-#include <string>
-
 #include "harmonic_network_walk.hpp"
 #include "network_walk.hpp"
 #include "scene_continuum_answer.hpp"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 #include <stdexcept>
 
 #include "axes.hpp"
@@ -67,7 +66,7 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
     }
     const Unit forceUnit = unitFor(force, "N");
     const Unit impulseUnit = unitFor(impulse, "N s");
-    const double first = response.bars.reference.frequency / (2.0 * std::numbers::pi);
+    const double first = answers::firstHertz(response.bars.reference);
     const double low = response.frequencies.back().hertz;
     const double high = response.frequencies.front().hertz;
     constexpr double large = 0.8;
@@ -100,9 +99,7 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
     const Axis x{
         .label = "frequency of the excitation  [Hz]", .low = low - margin, .high = high + margin};
     Panel upper{.name = "force", .place = {0.12, 0.95, 0.56, 0.85}};
-    upper.x = x;
-    upper.x.label.clear();
-    upper.x.hasNumbers = false;
+    upper.x = bare(x);
     if (first > 0.0) {
         upper.x.other = {.label = "ω/ω_1", .factor = 1.0 / first};
     }
@@ -119,10 +116,8 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
                .low = 0.0,
                .high = std::max(1.15 * impulse * impulseUnit.factor, 1e-9)};
     const auto put = [&](Series above, const Series& below, std::string words) {
-        if (!above.x.empty()) {
-            upper.add(std::move(above));
-            lower.add(below.named(std::move(words)));
-        }
+        upper.add(std::move(above));
+        lower.add(below.named(std::move(words)));
     };
     put(open, open, "bars that do not meet");
     for (std::size_t contact = 0; contact < contacts.size(); ++contact) {

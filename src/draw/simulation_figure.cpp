@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "axes.hpp"
+#include "largest.hpp"
 #include "signorini/figures.hpp"
 #include "stops.hpp"
 
@@ -43,11 +44,7 @@ public:
         time_ = axisUnit(si.time, seen.time, "s");
         place_ = axisUnit(si.displacement, std::max(std::abs(lowest_), std::abs(wall_)), "m");
         sumByPeriod();
-        double largest = 0.0;
-        for (const double sum : sums_) {
-            largest = std::max(largest, sum);
-        }
-        impulse_ = axisUnit(bar.axialStiffness * si.strain * si.time, largest, "N s");
+        impulse_ = axisUnit(bar.axialStiffness * si.strain * si.time, largestOf(sums_), "N s");
     }
 
     FigureData figure()
@@ -59,8 +56,7 @@ public:
         first.title = "the beginning";
         Panel last = tipPanel("end", {0.57, 0.97, 0.58, 0.9}, {end - shown, end});
         last.title = "the end";
-        last.y.label.clear();
-        last.y.hasNumbers = false;
+        last.y = bare(last.y);
         figure.panels = {std::move(first), std::move(last), impulsePanel()};
         return figure;
     }

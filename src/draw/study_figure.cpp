@@ -7,6 +7,7 @@
 #include <set>
 
 #include "axes.hpp"
+#include "largest.hpp"
 
 namespace signorini {
 
@@ -100,10 +101,7 @@ FigureData studyFigure(const answers::StudyAnswer& answer)
     const StudyAxis gaps(answer.points, &StudyPoint::gap);
     const StudyAxis dampings(answer.points, &StudyPoint::damping);
     const StudyAxis amplitudes(answer.points, &StudyPoint::amplitude);
-    double largest = 0.0;
-    for (const StudyPoint& point : answer.points) {
-        largest = std::max(largest, point.impulse);
-    }
+    const double largest = largestOf(answer.points, &StudyPoint::impulse);
     const Unit impulse = unitFor(largest, "N s");
     const Unit gap = unitFor(gaps.largest(), "m");
     const Unit amplitude =

@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "axes.hpp"
 #include "excited_amplitude.hpp"
+#include "largest.hpp"
 #include "signorini/figures.hpp"
 
 namespace signorini {
@@ -72,10 +70,8 @@ std::string titleOf(const SweepRange& range, const Bar& bar)
 
 Unit impulseUnitOf(std::span<const SweepPoint> points, const Bar& bar)
 {
-    double pushed = 0.0;
-    for (const SweepPoint& point : points) {
-        pushed = std::max(pushed, point.impulse[1]);
-    }
+    const double pushed =
+        largestOf(points, [](const SweepPoint& point) { return point.impulse[1]; });
     const Scales unit = scales(bar);
     return axisUnit(bar.axialStiffness * unit.strain * unit.time, pushed, "N s");
 }
@@ -133,16 +129,13 @@ FigureData sweepFigure(std::span<const SweepPoint> points, const SweepRange& ran
 {
     requirePoints(points);
     const Unit impulse = impulseUnitOf(points, bar);
-    double reach = 0.0;
-    for (const SweepPoint& point : points) {
-        reach = std::max(reach, std::abs(point.tip[0]));
-    }
+    const double reach =
+        largestSizeOf(points, [](const SweepPoint& point) { return point.tip[0]; });
     const Unit swing = axisUnit(scales(bar).displacement, reach, "m");
     const double place = unitOfSwept(range, bar).factor;
     FigureData figure{.title = titleOf(range, bar)};
-    Panel upper{.name = "impulse", .place = {0.12, 0.97, 0.52, 0.83}, .x = axisOfSwept(range, bar)};
-    upper.x.label.clear();
-    upper.x.hasNumbers = false;
+    Panel upper{
+        .name = "impulse", .place = {0.12, 0.97, 0.52, 0.83}, .x = bare(axisOfSwept(range, bar))};
     upper.legend = Legend::topLeft;
     Panel lower{.name = "tip", .place = {0.12, 0.97, 0.12, 0.47}, .x = axisOfSwept(range, bar)};
     lower.x.other.reset();

@@ -193,8 +193,7 @@ std::optional<ContactAnswers::Permanent> ContactAnswers::permanent() const
     return pushes;
 }
 
-template <typename Visit>
-void ContactAnswers::forEachWave(Visit visit) const
+void ContactAnswers::forEachWave(auto visit) const
 {
     const auto rows = static_cast<Index>(given_.network.rows.size());
     for (Index row = 0; row < rows; ++row) {

@@ -58,8 +58,7 @@ private:
     [[nodiscard]] std::vector<double> inTime(const std::vector<Complex>& spectrum,
                                              std::int64_t offset) const;
     /// visit(channel, m): wave by wave, in which channel it arrives and when.
-    template <typename Visit>
-    void forEachWave(Visit visit) const;
+    void forEachWave(auto visit) const;
     template <typename Value>
     [[nodiscard]] Value arriving(Eigen::Index channel, std::int64_t m,
                                  const std::vector<Value>& pushes) const;

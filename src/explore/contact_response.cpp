@@ -1,7 +1,6 @@
 #include "contact_response.hpp"
 
 #include <cmath>
-#include <string>
 
 #include "contact_answers.hpp"
 #include "forced_case.hpp"

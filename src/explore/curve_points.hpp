@@ -13,8 +13,7 @@ namespace signorini {
 void requireCurve(Faults& faults, std::int64_t points, double resolution, double tolerance);
 
 /// Of all points, ascending.
-template <typename Points>
-[[nodiscard]] std::vector<double> lambdasOf(const Points& points)
+[[nodiscard]] std::vector<double> lambdasOf(const auto& points)
 {
     std::vector<double> all;
     all.reserve(points.size());

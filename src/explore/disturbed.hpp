@@ -40,8 +40,7 @@ public:
                                           const StabilityOptions& options);
 
 /// Goes on in steps of a period. \return did it, or did it take too many events?
-template <typename Simulation>
-bool goOn(Simulation& simulation, double period, std::int64_t periods, const Cancel& cancel)
+bool goOn(auto& simulation, double period, std::int64_t periods, const Cancel& cancel)
 {
     const auto goesOn = [&] {
         return simulation.events() < mostDisturbedEvents && !isRequested(cancel);

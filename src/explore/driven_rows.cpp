@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "energy_floor.hpp"
+#include "largest.hpp"
 #include "least_norm.hpp"
 #include "periodic_multipliers.hpp"
 
@@ -135,10 +136,7 @@ void DrivenRows::read(std::size_t first)
 /// What is 0 but for rounding is 0.
 void DrivenRows::clearRounding()
 {
-    double largest = 0.0;
-    for (const ForcedRow& row : forced_) {
-        largest = std::max(largest, sizeOf(row));
-    }
+    const double largest = largestOf(forced_, &sizeOf);
     for (ForcedRow& row : forced_) {
         const auto clear = [&](double& value) {
             value = std::abs(value) <= negligible * largest ? 0.0 : value;

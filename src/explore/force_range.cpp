@@ -22,8 +22,7 @@ struct Response {
 };
 
 /// The sum of what a contact's velocity is made of.
-template <typename Of>
-auto relative(const NetworkContact& contact, const Of& of)
+auto relative(const NetworkContact& contact, const auto& of)
 {
     return contact.kind == ContactKind::gap ? of(contact.node) - of(contact.node + 1)
                                             : of(contact.node);

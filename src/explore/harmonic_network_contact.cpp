@@ -9,6 +9,7 @@
 #include "contact_spans.hpp"
 #include "harmonic_network_walk.hpp"
 #include "harmonic_release.hpp"
+#include "largest.hpp"
 
 namespace signorini {
 
@@ -44,11 +45,7 @@ struct HeldSteps {
 
     [[nodiscard]] double largestPush() const
     {
-        double largest = 0.0;
-        for (const Complex push : pushes) {
-            largest = std::max(largest, lengthOf(push));
-        }
-        return largest;
+        return largestOf(pushes, [](Complex push) { return lengthOf(push); });
     }
 };
 

@@ -1,7 +1,6 @@
 #include "network_forced.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "energy_floor.hpp"
@@ -9,6 +8,7 @@
 #include "forced_case.hpp"
 #include "forced_cut.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "network_find.hpp"
 #include "network_sweep.hpp"
 #include "signorini/find_periodic.hpp"
@@ -212,10 +212,7 @@ std::vector<ForcedCondition> NetworkForced::named(std::span<const std::size_t> r
 ForcedLine NetworkForced::line() const
 {
     const std::vector<ForcedRow>& rows = waves_.rows();
-    double scale = 0.0;
-    for (const ForcedRow& row : rows) {
-        scale = std::max(scale, size(row.plane));
-    }
+    const double scale = largestOf(rows, [](const ForcedRow& row) { return size(row.plane); });
     ForcedCut cut(rows.front().plane, rows.front().limit, scale, true, canRest_);
     if (cut.isEmpty()) {
         return cut.result();

@@ -1,8 +1,8 @@
-#include <algorithm>
 #include <cmath>
 
 #include "disturbed.hpp"
 #include "faults.hpp"
+#include "largest.hpp"
 #include "network_motions.hpp"
 #include "network_simulation.hpp"
 
@@ -14,11 +14,11 @@ class DisturbedNetwork final : public Disturbed {
 public:
     DisturbedNetwork(const Network& network, const NetworkClaim& motion,
                      const StabilityOptions& options)
-        : network_(network), motion_(motion), options_(options)
+        : network_(network),
+          motion_(motion),
+          options_(options),
+          largest_(largestSizeOf(motion.waves))
     {
-        for (const double wave : motion.waves) {
-            largest_ = std::max(largest_, std::abs(wave));
-        }
         Faults faults;
         faults.requirePositive("largest wave", largest_, "-");
         faults.throwIfAny();
@@ -83,7 +83,7 @@ private:
     const Network& network_;
     const NetworkClaim& motion_;
     const StabilityOptions& options_;
-    double largest_ = 0.0;
+    double largest_;
 };
 
 }  // namespace

@@ -13,8 +13,7 @@ namespace {
 constexpr double resonance = 1e-12;  // of a matrix that is nearly singular
 
 /// Visits the nodes that a push acts on, and by how much their way is that of the distance.
-template <typename Visit>
-void forEachPushed(const NetworkContact& contact, const Visit& visit)
+void forEachPushed(const NetworkContact& contact, const auto& visit)
 {
     visit(contact.node, contact.kind == ContactKind::stopLeft ? 1.0 : -1.0);
     if (contact.kind == ContactKind::gap) {

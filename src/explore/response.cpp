@@ -52,43 +52,6 @@ void validate(const ResponseRange& range)
     }
 }
 
-}  // namespace
-
-std::vector<std::int64_t> stepsOf(const ResponseRange& range)
-{
-    validate(range);
-    const double unit = 4.0 * static_cast<double>(range.cells) * static_cast<double>(range.cycles);
-    // 168/1.12 is 150, though not in doubles.
-    constexpr double rounding = 1e-14;
-    const double first = std::max({std::ceil(unit / range.mostFrequencyRatio * (1.0 - rounding)),
-                                   2.0, 2.0 * static_cast<double>(range.cycles)});
-    const double last = std::floor(unit / range.leastFrequencyRatio * (1.0 + rounding));
-    const std::int64_t most = isUniform(range.segments) ? maxForcedSteps : maxStaircaseSteps;
-    if (!(first <= last && last <= static_cast<double>(most))) {
-        Faults faults;
-        faults.add("frequency ratios",
-                   fmt::format("{}..{}", range.leastFrequencyRatio, range.mostFrequencyRatio),
-                   fmt::format("4NK/n for some whole n, 2K < n <= {}", most));
-        faults.throwIfAny();
-    }
-    std::vector<std::int64_t> all;
-    double schedules = 0.0;
-    for (auto n = static_cast<std::int64_t>(first); n <= static_cast<std::int64_t>(last); ++n) {
-        all.push_back(n);
-        schedules += range.contacts > 1 ? twoContactSchedules(n, range.stops) : 0.0;
-    }
-    if (schedules > maxTwoContactSchedules) {
-        Faults faults;
-        faults.add("contacts: 2, schedules", schedules,
-                   fmt::format("at most {}: fewer cells, or a shorter range of frequencies",
-                               maxTwoContactSchedules));
-        faults.throwIfAny();
-    }
-    return all;
-}
-
-namespace {
-
 /// The schedules of n steps that a response goes through.
 enum class Pattern {
     onWall,
@@ -156,6 +119,39 @@ void addMotions(FrequencyResponse& response, const ResponseRange& range, const S
 }
 
 }  // namespace
+
+std::vector<std::int64_t> stepsOf(const ResponseRange& range)
+{
+    validate(range);
+    const double unit = 4.0 * static_cast<double>(range.cells) * static_cast<double>(range.cycles);
+    // 168/1.12 is 150, though not in doubles.
+    constexpr double rounding = 1e-14;
+    const double first = std::max({std::ceil(unit / range.mostFrequencyRatio * (1.0 - rounding)),
+                                   2.0, 2.0 * static_cast<double>(range.cycles)});
+    const double last = std::floor(unit / range.leastFrequencyRatio * (1.0 + rounding));
+    const std::int64_t most = isUniform(range.segments) ? maxForcedSteps : maxStaircaseSteps;
+    if (!(first <= last && last <= static_cast<double>(most))) {
+        Faults faults;
+        faults.add("frequency ratios",
+                   fmt::format("{}..{}", range.leastFrequencyRatio, range.mostFrequencyRatio),
+                   fmt::format("4NK/n for some whole n, 2K < n <= {}", most));
+        faults.throwIfAny();
+    }
+    std::vector<std::int64_t> all;
+    double schedules = 0.0;
+    for (auto n = static_cast<std::int64_t>(first); n <= static_cast<std::int64_t>(last); ++n) {
+        all.push_back(n);
+        schedules += range.contacts > 1 ? twoContactSchedules(n, range.stops) : 0.0;
+    }
+    if (schedules > maxTwoContactSchedules) {
+        Faults faults;
+        faults.add("contacts: 2, schedules", schedules,
+                   fmt::format("at most {}: fewer cells, or a shorter range of frequencies",
+                               maxTwoContactSchedules));
+        faults.throwIfAny();
+    }
+    return all;
+}
 
 std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int64_t steps,
                                             const Cancel& cancel)

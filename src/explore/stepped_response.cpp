@@ -1,7 +1,5 @@
 #include "stepped_response.hpp"
 
-#include <algorithm>
-
 #include "contact_spans.hpp"
 #include "forced_case.hpp"
 

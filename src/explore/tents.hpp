@@ -51,8 +51,7 @@ public:
 
     /// Visits the tents of one n by ascending n_c, those without schedules in the range, too.
     /// O(log n). \returns false if `visit` did.
-    template <typename Visit>
-    [[nodiscard]] bool forEach(std::int64_t n, Visit visit) const
+    [[nodiscard]] bool forEach(std::int64_t n, auto visit) const
     {
         const std::int64_t classes = std::gcd(2 * range_.cells, n);
         if (range_.gapSign < 0) {
@@ -75,8 +74,7 @@ public:
     [[nodiscard]] AtlasFamily familyOf(Tent& tent) const;
 
 private:
-    template <typename Visit>
-    [[nodiscard]] bool pressAll(std::int64_t n, std::int64_t classes, Visit visit) const
+    [[nodiscard]] bool pressAll(std::int64_t n, std::int64_t classes, auto visit) const
     {
         if (n >= 4 * range_.cells) {  // T < 4 where motions press and leave
             return true;
