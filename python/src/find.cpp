@@ -1,15 +1,10 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
 #include <cmath>
 
-#include "asked.hpp"
 #include "demand_names.hpp"
-#include "described.hpp"
 #include "find_answer.hpp"
 #include "motion.hpp"
-#include "patience.hpp"
 #include "question_answer.hpp"
 #include "signorini/output.hpp"
 

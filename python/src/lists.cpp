@@ -1,14 +1,8 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
 #include <cmath>
 
-#include "arrays.hpp"
-#include "asked.hpp"
-#include "described.hpp"
 #include "motion.hpp"
-#include "patience.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 

@@ -1,10 +1,5 @@
-#include <pybind11/stl.h>
-
-#include "arrays.hpp"
-#include "asked.hpp"
 #include "calls.hpp"
-#include "described.hpp"
-#include "patience.hpp"
+
 #include "scene_figures.hpp"
 #include "scene_simulation_answer.hpp"
 #include "signorini/figures.hpp"
@@ -116,9 +111,9 @@ void addSceneSimulation(py::module_& module)
         }
         return numbers;
     });
-    record->more()
-        .def("_figure", [](const SimulatedBars& s) { return s.figure; })
-        .def("_scene", [](const SimulatedBars& s) { return asJson(sceneFigure(s.bars.assembly)); });
+    record->drawsScene([](const SimulatedBars& s) { return s.bars.assembly; })
+        .more()
+        .def("_figure", [](const SimulatedBars& s) { return s.figure; });
     addCall(module, "simulate_bars", &simulateBars);
 }
 

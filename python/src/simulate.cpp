@@ -1,14 +1,8 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
 #include <cmath>
 #include <functional>
 
-#include "arrays.hpp"
-#include "asked.hpp"
-#include "described.hpp"
-#include "patience.hpp"
 #include "simulation_answer.hpp"
 
 namespace signorini::python {
@@ -142,10 +136,10 @@ void addSimulated(py::module_& module)
                 [](const Simulated& s) {
                     return WavesOf{s.waves, s.scene.bar};
                 });
-    record->more().def("_figure", [](const Simulated& s) {
+    record->draws([](const Simulated& s) {
         const double period = s.drive ? s.drive->period / second(s.scene.bar) : 0.0;
-        return asJson(simulationFigure({s.time, stopsOf(s.scene), s.path, s.contacts, period},
-                                       s.scene.bar, true));
+        return simulationFigure({s.time, stopsOf(s.scene), s.path, s.contacts, period}, s.scene.bar,
+                                true);
     });
 }
 
