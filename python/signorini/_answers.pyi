@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from typing_extensions import NotRequired, TypedDict
 
-from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Fields,
-                    _OfPeriod, _OfTimeRatio, _Record)
+from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Drawn, _DrawnEach, _Fields,
+                    _Found, _Framed, _InScene, _MovingEach, _OfPeriod, _OfTimeRatio, _Record)
 from ._tables import Row, Table
 
 Array = NDArray[np.float64]
@@ -276,7 +276,7 @@ class FamilyPlace(_Record):
     amplitudes: int
     offset: int
 
-class Result(_Record):
+class Result(_Record, _Found):
     bar: Bar
     stops: list[StopPlace]
     segments: list[Segment]
@@ -323,8 +323,6 @@ class Result(_Record):
     state: Known[State]
     motion: Known[Motion]
     def is_proof(self) -> bool: ...
-    found: bool
-    def __bool__(self) -> bool: ...
 
 class ContinuumPoint(_Record):
     lambda_: float
@@ -346,7 +344,7 @@ class _RowsOf(Generic[_Row]):
     def __getitem__(self, at: slice) -> Table[_Row]: ...
     def __iter__(self) -> Iterator[_Row]: ...
 
-class Continuum(_Record, _RowsOf[ContinuumPoint]):
+class Continuum(_Record, _RowsOf[ContinuumPoint], _Found, _Framed, _Drawn):
     status: Literal["found", "none", "undecided"]
     cells: int
     schedule: Schedule
@@ -372,14 +370,10 @@ class Continuum(_Record, _RowsOf[ContinuumPoint]):
     segments: list[Segment]
     static_force: float
     detail: Optional[str]
-    def _figure(self) -> str: ...
     lambda_: Array
     peak_strain: Array
     residual: Array
     def member(self, lambda_: float) -> ContinuumPoint: ...
-    found: bool
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class Family(_Record):
     order: int
@@ -504,7 +498,7 @@ class AtlasFamily(_Record):
     dimension_at_energy: Optional[int]
     connected_at_energy: Optional[bool]
 
-class AtlasSchedule(_Record):
+class AtlasSchedule(_Record, _Found):
     cells: int
     schedule: Schedule
     family: Optional[int]
@@ -522,8 +516,6 @@ class AtlasSchedule(_Record):
     canonical: Optional[bool]
     energy_range: Optional[Bounds]
     energy_ratio_range: Optional[Bounds]
-    found: bool
-    def __bool__(self) -> bool: ...
 
 class AtlasRun(_Record):
     cells: int
@@ -585,7 +577,7 @@ class ForcedMotion(_Record):
     tip_lowest_ratio: float
     state: State
 
-class ForcedResult(_Record):
+class ForcedResult(_Record, _Found, _Framed, _MovingEach):
     status: Literal["found", "none", "undecided"]
     cells: int
     schedule: Schedule
@@ -609,11 +601,6 @@ class ForcedResult(_Record):
     segments: list[Segment]
     static_force: float
     detail: Optional[str]
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _frames(self, most: int, index: int, /) -> list[str]: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class HarmonicContact(_Record):
     begin: float
@@ -652,7 +639,7 @@ class SceneHarmonicMotion(_Record):
     strains: Optional[SceneStrains]
     stability: Optional[SceneStabilityReport]
 
-class SceneHarmonicResult(_Record):
+class SceneHarmonicResult(_Record, _Found, _Framed, _DrawnEach, _InScene):
     status: Literal["found", "none", "undecided"]
     force: Literal["tip", "base"]
     cycles: int
@@ -666,13 +653,8 @@ class SceneHarmonicResult(_Record):
     reference: SceneReference
     contacts: list[SceneContact]
     detail: Optional[str]
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _scene(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
-class SceneQuestion(_Record):
+class SceneQuestion(_Record, _Found, _Framed, _InScene):
     status: Literal["found", "none", "undecided"]
     scene: SceneWords
     reference: SceneReference
@@ -683,10 +665,6 @@ class SceneQuestion(_Record):
     strain_limit: Optional[float]
     sets: list[SceneSet]
     motions: list[SceneResult]
-    found: bool
-    def _scene(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class SceneResiduals(_Record):
     periodicity: float
@@ -695,7 +673,7 @@ class SceneResiduals(_Record):
     pressure: float
     penetration: float
 
-class SceneResult(_Record):
+class SceneResult(_Record, _Found, _MovingEach, _InScene):
     status: Literal["found", "none", "undecided"]
     scene: SceneWords
     reference: SceneReference
@@ -716,12 +694,7 @@ class SceneResult(_Record):
     detail: str
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _frames(self, most: int, index: int, /) -> list[str]: ...
-    def _scene(self) -> str: ...
     def write(self, path: str, index: int = ...) -> None: ...
-    def __bool__(self) -> bool: ...
 
 class SceneForcedMotion(_Record):
     amplitude: float
@@ -731,7 +704,7 @@ class SceneForcedMotion(_Record):
     residual: float
     stability: Optional[SceneStabilityReport]
 
-class SceneContinuumPoint(_Record):
+class SceneContinuumPoint(_Record, _MovingEach, _InScene):
     lambda_: float
     energy: float
     energy_ratio: Known[float]
@@ -739,12 +712,9 @@ class SceneContinuumPoint(_Record):
     peak_strain: float
     strains: SceneStrains
     contacts: list[SceneContactForces]
-    def _figure(self, which: int, /) -> str: ...
-    def _frames(self, most: int, which: int, /) -> list[str]: ...
-    def _scene(self) -> str: ...
     def write(self, path: str, index: int = 0) -> None: ...
 
-class SceneContinuum(_Record, _RowsOf[SceneContinuumPoint]):
+class SceneContinuum(_Record, _RowsOf[SceneContinuumPoint], _Found, _Framed, _Drawn, _InScene):
     status: Literal["found", "none", "undecided"]
     scene: SceneWords
     reference: SceneReference
@@ -764,14 +734,9 @@ class SceneContinuum(_Record, _RowsOf[SceneContinuumPoint]):
     points: list[SceneContinuumPoint]
     certificate: Optional[SceneEnergyFloor]
     detail: str
-    found: bool
-    def _figure(self) -> str: ...
-    def _scene(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
     def member(self, lambda_: float) -> SceneContinuumPoint: ...
 
-class SceneForcedResult(_Record):
+class SceneForcedResult(_Record, _Found, _Framed, _MovingEach, _InScene):
     status: Literal["found", "none", "undecided"]
     scene: SceneWords
     reference: SceneReference
@@ -790,15 +755,9 @@ class SceneForcedResult(_Record):
     motions: list[SceneForcedMotion]
     certificate: Optional[SceneForcedProof]
     detail: str
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _frames(self, most: int, index: int, /) -> list[str]: ...
-    def _scene(self) -> str: ...
     def write(self, path: str, index: int = ...) -> None: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
-class SceneSimulation(_Record):
+class SceneSimulation(_Record, _Framed, _Drawn, _InScene):
     status: Literal["done", "interrupted"]
     scene: SceneWords
     reference: SceneReference
@@ -813,17 +772,14 @@ class SceneSimulation(_Record):
     events: int
     fronts: int
     merged: float
-    def _figure(self) -> str: ...
-    def _scene(self) -> str: ...
     contact_number: list[int]
     contact_start: Array
     contact_end: Array
     contact_impulse: Array
     contact_peak_force: Array
     contact_speed: Array
-    def frame(self) -> Any: ...
 
-class HarmonicResult(_Record):
+class HarmonicResult(_Record, _Found, _Framed, _MovingEach):
     status: Literal["found", "none", "undecided"]
     contacts: int
     damping: Damping
@@ -842,11 +798,6 @@ class HarmonicResult(_Record):
     segments: list[Segment]
     static_force: float
     detail: Optional[str]
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _frames(self, most: int, index: int, /) -> list[str]: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class PermanentContact(_Record):
     least_force: float
@@ -926,7 +877,7 @@ class SceneFrequency(_Record):
     undecided: Optional[int]
     reason: Optional[str]
 
-class SceneResponse(_Record):
+class SceneResponse(_Record, _Found, _Framed, _Drawn, _InScene):
     status: Literal["found", "none", "undecided"]
     force: Literal["tip", "base"]
     exact: bool
@@ -939,13 +890,8 @@ class SceneResponse(_Record):
     scene: SceneWords
     reference: SceneReference
     contacts: list[SceneContact]
-    found: bool
-    def _figure(self) -> str: ...
-    def _scene(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
-class ExactResponse(_Record):
+class ExactResponse(_Record, _Found, _Framed, _Drawn):
     status: Literal["found", "none", "undecided"]
     cells: int
     bar: Bar
@@ -958,10 +904,6 @@ class ExactResponse(_Record):
     cycles: int
     frequencies: list[ExactFrequency]
     branches: list[Branch]
-    found: bool
-    def _figure(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class Drive(_Record):
     force: Literal["tip", "base"]
@@ -1001,16 +943,15 @@ class SweepPoint(_Record):
     peak_strain: Optional[float]
     peak_stress: Known[float]
 
-class ForceRange(_Record):
+class ForceRange(_Record, _InScene):
     status: Literal["done", "interrupted"]
     scene: SceneWords
     force_range: tuple[float, float]
     time: float
     closes: Optional[int]
     contacts: list[ContactReach]
-    def _scene(self) -> str: ...
 
-class Sweep(_Record):
+class Sweep(_Record, _Framed, _Drawn):
     status: Literal["done", "interrupted"]
     bar: Optional[Bar]
     stops: Optional[list[StopPlace]]
@@ -1028,8 +969,6 @@ class Sweep(_Record):
     carried: bool
     yield_stress: Optional[float]
     points: list[SweepPoint]
-    def _figure(self) -> str: ...
-    def frame(self) -> Any: ...
 
 class StudyPoint(_Record):
     gap: float
@@ -1055,7 +994,7 @@ class Waves:
     energy_ratio: float
     def stretching(self, cells: int) -> Array: ...
 
-class Simulation(_Record):
+class Simulation(_Record, _Framed, _Drawn):
     status: Literal["done", "interrupted"]
     cells: int
     bar: Bar
@@ -1079,7 +1018,6 @@ class Simulation(_Record):
     events: int
     pieces: int
     merged: float
-    def _figure(self) -> str: ...
     contact_stop: list[str]
     contact_start: Array
     contact_end: Array
@@ -1100,4 +1038,3 @@ class Simulation(_Record):
     tip_time_ratio: Array
     tip_displacement_ratio: Array
     waves: Waves
-    def frame(self) -> Any: ...

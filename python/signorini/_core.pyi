@@ -25,6 +25,26 @@ class _Record:
     def to_dict(self) -> dict[str, Any]: ...
     def _repr_html_(self) -> str: ...
 
+# What several answers have.
+class _Found:
+    found: bool
+    def __bool__(self) -> bool: ...
+
+class _Framed:
+    def frame(self) -> Any: ...
+
+class _Drawn:
+    def _figure(self) -> str: ...
+
+class _DrawnEach:
+    def _figure(self, index: int, /) -> str: ...
+
+class _MovingEach(_DrawnEach):
+    def _frames(self, most: int, index: int, /) -> list[str]: ...
+
+class _InScene:
+    def _scene(self) -> str: ...
+
 class Bar(_Record):
     def __init__(self, *, length: Quantity = ...,
                  wave_speed: Optional[Quantity] = ...,
@@ -55,13 +75,12 @@ class Segment(_Record):
     def __init__(self, cells: int, impedance: float = ..., speed: float = ...,
                  dashpot: float = ...) -> None: ...
 
-class Scene(_Record):
+class Scene(_Record, _InScene):
     bar: Bar
     stops: list[StopPlace]
     segments: list[Segment]
     static_force: float
     second_stop: Optional[float]
-    def _scene(self) -> str: ...
     def __init__(self, bar: Bar = ..., second_stop: Optional[Quantity] = ...,
                  segments: Sequence[Segment] = ...) -> None: ...
     @staticmethod
@@ -151,12 +170,11 @@ class _Fields:
     wall_force: _OfTime
     wall_force_ratio: _OfTime
 
-class Motion(_Fields):
+class Motion(_Fields, _Drawn):
     def __init__(self, state: State, schedule: Schedule,
                  scene: Optional[Scene] = ...) -> None: ...
     scene: Scene
     def _frames(self, most: int, /) -> list[str]: ...
-    def _figure(self) -> str: ...
     def to_dict(self) -> dict[str, Any]: ...
     bar: Bar
     schedule: Schedule
