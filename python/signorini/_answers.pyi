@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike, NDArray
 from typing_extensions import NotRequired, TypedDict
 
 from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Drawn, _DrawnEach, _Fields,
-                    _Found, _Framed, _InScene, _MovingEach, _OfPeriod, _OfTimeRatio, _Record)
+                    _Framed, _InScene, _MovingEach, _OfPeriod, _OfTimeRatio, _Record)
 from ._tables import Row, Table
 
 Array = NDArray[np.float64]
@@ -188,6 +188,38 @@ class ForcePeak(TypedDict):
     reached: float
     time: float
 
+class _Found(_Record):
+    status: Literal["found", "none", "undecided"]
+    found: bool
+    def __bool__(self) -> bool: ...
+
+class _OfScene(_Record):
+    bar: Bar
+    stops: list[StopPlace]
+    segments: list[Segment]
+    static_force: float
+
+class _OfBars(_InScene):
+    scene: SceneWords
+    reference: SceneReference
+
+class _InPeriod(_Record):
+    period: float
+    period_ratio: float
+    frequency_ratio: float
+
+class _Excited(_Record):
+    force: Literal["tip", "base"]
+    cycles: int
+
+class _Measured(_Record):
+    physical: Physical
+    admissible: bool
+
+class _Proof(_Record):
+    kind: str
+    verified: bool
+
 class Physical(_Record):
     frequency: float
     contact_time: float
@@ -208,9 +240,7 @@ class Residuals(_Record):
     demands: float
     def worst(self) -> float: ...
 
-class FarkasCertificate(_Record):
-    kind: str
-    verified: bool
+class FarkasCertificate(_Proof):
     rows: str
     gap: int
     size: int
@@ -218,26 +248,20 @@ class FarkasCertificate(_Record):
     pressure: list[tuple[int, int]]
     penetration: list[tuple[int, int]]
 
-class ProgramProof(_Record):
-    kind: str
-    verified: bool
+class ProgramProof(_Proof):
     rows: Literal["auto", "state", "reduced", "lumped", "joints", "kernel"]
     strain_limit: Optional[float]
     tip_floor: Optional[float]
     equalities: list[tuple[int, int]]
     inequalities: list[tuple[int, int]]
 
-class SteppedProof(_Record):
-    kind: str
-    verified: bool
+class SteppedProof(_Proof):
     rows: Literal["auto", "state", "reduced", "lumped", "joints", "kernel"]
     tip_floor: Optional[float]
     equalities: list[tuple[int, str]]
     inequalities: list[tuple[int, str]]
 
-class EnergyFloorProof(_Record):
-    kind: str
-    verified: bool
+class EnergyFloorProof(_Proof):
     rows: str
     energy_ratio: float
     tip_floor: Optional[float]
@@ -247,9 +271,7 @@ class EnergyFloorProof(_Record):
     pushes: list[tuple[int, int, float]]
     strains: Optional[list[tuple[int, int, int, float]]]
 
-class EnergyExclusion(_Record):
-    kind: str
-    verified: bool
+class EnergyExclusion(_Proof):
     note: Optional[str]
 
 class SolutionSet(_Record):
@@ -276,17 +298,9 @@ class FamilyPlace(_Record):
     amplitudes: int
     offset: int
 
-class Result(_Record, _Found):
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
-    status: Literal["found", "none", "undecided"]
+class Result(_Found, _OfScene, _InPeriod):
     cells: int
     schedule: Schedule
-    period: float
-    period_ratio: float
-    frequency_ratio: float
     kernel_dimension: Optional[int]
     solution_set: Known[SolutionSet]
     family: Known[FamilyPlace]
@@ -324,14 +338,12 @@ class Result(_Record, _Found):
     motion: Known[Motion]
     def is_proof(self) -> bool: ...
 
-class ContinuumPoint(_Record):
+class ContinuumPoint(_Measured):
     lambda_: float
     energy: float
     energy_ratio: Known[float]
     residual: float
     peak_strain: float
-    physical: Physical
-    admissible: bool
     exact: Optional[bool]
     state: State
     motion: Motion
@@ -344,13 +356,9 @@ class _RowsOf(Generic[_Row]):
     def __getitem__(self, at: slice) -> Table[_Row]: ...
     def __iter__(self) -> Iterator[_Row]: ...
 
-class Continuum(_Record, _RowsOf[ContinuumPoint], _Found, _Framed, _Drawn):
-    status: Literal["found", "none", "undecided"]
+class Continuum(_RowsOf[ContinuumPoint], _Found, _Framed, _Drawn, _OfScene, _InPeriod):
     cells: int
     schedule: Schedule
-    period: float
-    period_ratio: float
-    frequency_ratio: float
     energy: float
     energy_ratio: Known[float]
     connected: Optional[bool]
@@ -365,10 +373,6 @@ class Continuum(_Record, _RowsOf[ContinuumPoint], _Found, _Framed, _Drawn):
         "constraints"]]
     orbits: int
     points: list[ContinuumPoint]
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     detail: Optional[str]
     lambda_: Array
     peak_strain: Array
@@ -417,37 +421,27 @@ class _OnNoGrid(_Fields):
     p: _OfTimeRatio
     def state(self, cells: int) -> State: ...
 
-class ModeMotion(_OnNoGrid):
+class ModeMotion(_OnNoGrid, _InPeriod, _Measured):
     status: Literal["found", "none", "undecided"]
     bar: Bar
     mode: Mode
-    period: float
-    period_ratio: float
     frequency: float
-    frequency_ratio: float
     contact_time: float
     contact_time_ratio: float
     energy: float
     energy_ratio: float
     jumps: list[tuple[int, int]]
-    physical: Physical
-    admissible: bool
 
-class PolytopeMotion(_OnNoGrid):
+class PolytopeMotion(_OnNoGrid, _InPeriod, _Measured):
     bar: Bar
     polytope: ModePolytope
-    period: float
-    period_ratio: float
     frequency: float
-    frequency_ratio: float
     contact_time: float
     contact_time_ratio: float
     energy: float
     energy_ratio: float
     contacts: list[tuple[float, float]]
     contacts_ratio: list[tuple[float, float]]
-    physical: Physical
-    admissible: bool
 
 class ModeChain(_Record):
     k: int
@@ -478,17 +472,14 @@ class ModePolytope(_Record):
                ) -> PolytopeMotion: ...
     def schedules(self, cells: int, steps: int) -> list[Schedule]: ...
 
-class AtlasFamily(_Record):
+class AtlasFamily(_InPeriod):
     id: int
     cells: int
     order: Optional[int]
     nu: Optional[int]
     contact_blocks: Optional[int]
     schedule: Schedule
-    period: float
-    period_ratio: float
     frequency: float
-    frequency_ratio: float
     contact: Literal["pressing", "grazing"]
     kind: Literal["empty", "point", "simplex", "box", "polytope", "cone"]
     dimension: int
@@ -498,15 +489,11 @@ class AtlasFamily(_Record):
     dimension_at_energy: Optional[int]
     connected_at_energy: Optional[bool]
 
-class AtlasSchedule(_Record, _Found):
+class AtlasSchedule(_Found, _InPeriod):
     cells: int
     schedule: Schedule
     family: Optional[int]
-    period: float
-    period_ratio: float
     frequency: float
-    frequency_ratio: float
-    status: Literal["found", "none", "undecided"]
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
     kernel_dimension: Optional[int]
@@ -561,15 +548,13 @@ class Damping(_Record):
     ratio: float
     dashpot: float
 
-class ForcedMotion(_Record):
+class ForcedMotion(_Measured):
     schedule: Schedule
     amplitude: float
     phase: float
     impulse: float
     peak_force: float
     tip_lowest: float
-    physical: Physical
-    admissible: bool
     residual: float
     stable: Optional[bool]
     impulse_ratio: float
@@ -577,16 +562,10 @@ class ForcedMotion(_Record):
     tip_lowest_ratio: float
     state: State
 
-class ForcedResult(_Record, _Found, _Framed, _MovingEach):
-    status: Literal["found", "none", "undecided"]
+class ForcedResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited):
     cells: int
     schedule: Schedule
     damping: Damping
-    force: Literal["tip", "base"]
-    cycles: int
-    period: float
-    period_ratio: float
-    frequency_ratio: float
     solution_set: ForcedSetPart
     strain_limit: Optional[float]
     amplitude: Optional[float]
@@ -596,10 +575,6 @@ class ForcedResult(_Record, _Found, _Framed, _MovingEach):
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
     certificate: Optional[ForcedProof]
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     detail: Optional[str]
 
 class HarmonicContact(_Record):
@@ -613,13 +588,11 @@ class HarmonicContact(_Record):
     peak_force: float
     speed: float
 
-class HarmonicMotion(_Record):
+class HarmonicMotion(_Measured):
     contact_time_ratio: float
     release: str
     contacts: list[HarmonicContact]
     phase: float
-    physical: Physical
-    admissible: bool
     growth: Optional[float]
     attracts: Optional[bool]
     residual: float
@@ -639,25 +612,17 @@ class SceneHarmonicMotion(_Record):
     strains: Optional[SceneStrains]
     stability: Optional[SceneStabilityReport]
 
-class SceneHarmonicResult(_Record, _Found, _Framed, _DrawnEach, _InScene):
-    status: Literal["found", "none", "undecided"]
-    force: Literal["tip", "base"]
-    cycles: int
+class SceneHarmonicResult(_Found, _Framed, _DrawnEach, _OfBars, _Excited):
     amplitude: float
     steps: int
     period: float
     frequency: float
     frequency_ratio: Optional[float]
     motions: list[SceneHarmonicMotion]
-    scene: SceneWords
-    reference: SceneReference
     contacts: list[SceneContact]
     detail: Optional[str]
 
-class SceneQuestion(_Record, _Found, _Framed, _InScene):
-    status: Literal["found", "none", "undecided"]
-    scene: SceneWords
-    reference: SceneReference
+class SceneQuestion(_Found, _Framed, _OfBars):
     cells: int
     steps: int
     period: float
@@ -673,10 +638,7 @@ class SceneResiduals(_Record):
     pressure: float
     penetration: float
 
-class SceneResult(_Record, _Found, _MovingEach, _InScene):
-    status: Literal["found", "none", "undecided"]
-    scene: SceneWords
-    reference: SceneReference
+class SceneResult(_Found, _MovingEach, _OfBars):
     cells: int
     schedule: list[ContactSpan]
     period: float
@@ -714,10 +676,7 @@ class SceneContinuumPoint(_Record, _MovingEach, _InScene):
     contacts: list[SceneContactForces]
     def write(self, path: str, index: int = 0) -> None: ...
 
-class SceneContinuum(_Record, _RowsOf[SceneContinuumPoint], _Found, _Framed, _Drawn, _InScene):
-    status: Literal["found", "none", "undecided"]
-    scene: SceneWords
-    reference: SceneReference
+class SceneContinuum(_RowsOf[SceneContinuumPoint], _Found, _Framed, _Drawn, _OfBars):
     cells: int
     schedule: list[ContactSpan]
     period: float
@@ -736,15 +695,10 @@ class SceneContinuum(_Record, _RowsOf[SceneContinuumPoint], _Found, _Framed, _Dr
     detail: str
     def member(self, lambda_: float) -> SceneContinuumPoint: ...
 
-class SceneForcedResult(_Record, _Found, _Framed, _MovingEach, _InScene):
-    status: Literal["found", "none", "undecided"]
-    scene: SceneWords
-    reference: SceneReference
+class SceneForcedResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     cells: int
     schedule: list[ContactSpan]
     period: float
-    force: Literal["tip", "base"]
-    cycles: int
     frequency: float
     amplitude: Optional[float]
     strain_limit: Optional[float]
@@ -757,10 +711,8 @@ class SceneForcedResult(_Record, _Found, _Framed, _MovingEach, _InScene):
     detail: str
     def write(self, path: str, index: int = ...) -> None: ...
 
-class SceneSimulation(_Record, _Framed, _Drawn, _InScene):
+class SceneSimulation(_Record, _Framed, _Drawn, _OfBars):
     status: Literal["done", "interrupted"]
-    scene: SceneWords
-    reference: SceneReference
     contacts: list[SceneContactTotals]
     excitation: Optional[Drive]
     time: float
@@ -779,32 +731,20 @@ class SceneSimulation(_Record, _Framed, _Drawn, _InScene):
     contact_peak_force: Array
     contact_speed: Array
 
-class HarmonicResult(_Record, _Found, _Framed, _MovingEach):
-    status: Literal["found", "none", "undecided"]
+class HarmonicResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited):
     contacts: int
     damping: Damping
-    force: Literal["tip", "base"]
-    cycles: int
     amplitude: float
-    period: float
-    period_ratio: float
     exact_period: tuple[int, int]
-    frequency_ratio: float
     motions: list[HarmonicMotion]
     complete_from: Optional[float]
     rests: Optional[bool]
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     detail: Optional[str]
 
-class PermanentContact(_Record):
+class PermanentContact(_Measured):
     least_force: float
     peak_force: float
     impulse: float
-    physical: Physical
-    admissible: bool
     residual: float
 
 class ForcedFrequency(_Record):
@@ -819,18 +759,12 @@ class ForcedFrequency(_Record):
     permanent_contact: Optional[PermanentContact]
     motions: list[ForcedMotion]
 
-class ResponseData(_Record):
+class ResponseData(_OfScene, _Excited):
     status: Literal["found", "none", "undecided"]
     cells: int
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     damping: Damping
-    force: Literal["tip", "base"]
     amplitude: float
     amplitude_of: str
-    cycles: int
     contacts: int
     band: Optional[float]
     frequency_ratio_range: tuple[float, float]
@@ -877,31 +811,19 @@ class SceneFrequency(_Record):
     undecided: Optional[int]
     reason: Optional[str]
 
-class SceneResponse(_Record, _Found, _Framed, _Drawn, _InScene):
-    status: Literal["found", "none", "undecided"]
-    force: Literal["tip", "base"]
+class SceneResponse(_Found, _Framed, _Drawn, _OfBars, _Excited):
     exact: bool
-    cycles: int
     amplitude: float
     amplitude_of: str
     frequency_range: tuple[float, float]
     complete: bool
     frequencies: list[SceneFrequency]
-    scene: SceneWords
-    reference: SceneReference
     contacts: list[SceneContact]
 
-class ExactResponse(_Record, _Found, _Framed, _Drawn):
-    status: Literal["found", "none", "undecided"]
+class ExactResponse(_Found, _Framed, _Drawn, _OfScene, _Excited):
     cells: int
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     damping: Damping
-    force: Literal["tip", "base"]
     amplitude: float
-    cycles: int
     frequencies: list[ExactFrequency]
     branches: list[Branch]
 
@@ -994,13 +916,9 @@ class Waves:
     energy_ratio: float
     def stretching(self, cells: int) -> Array: ...
 
-class Simulation(_Record, _Framed, _Drawn):
+class Simulation(_Framed, _Drawn, _OfScene):
     status: Literal["done", "interrupted"]
     cells: int
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     damping: Damping
     excitation: Optional[Drive]
     time: float

@@ -26,10 +26,6 @@ class _Record:
     def _repr_html_(self) -> str: ...
 
 # What several answers have.
-class _Found:
-    found: bool
-    def __bool__(self) -> bool: ...
-
 class _Framed:
     def frame(self) -> Any: ...
 
