@@ -116,6 +116,7 @@ void addFind(py::module_& module)
         answer.answers = std::move(sets);
         return dictionaryOf(answer);
     });
+    module.def("steps_nearest", &answers::stepsNearest);
     module.def("schedules_of_period",
                [](std::int64_t cells, std::int64_t steps, const Scene& scene) {
                    return schedulesOfPeriod(cells, steps, stopsOf(scene).right);
