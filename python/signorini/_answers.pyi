@@ -356,19 +356,21 @@ class _RowsOf(Generic[_Row]):
     def __getitem__(self, at: slice) -> Table[_Row]: ...
     def __iter__(self) -> Iterator[_Row]: ...
 
-class Continuum(_RowsOf[ContinuumPoint], _Found, _Framed, _Drawn, _OfScene, _InPeriod):
+class _Curve(_Found, _Framed, _Drawn):
     cells: int
-    schedule: Schedule
     energy: float
     energy_ratio: Known[float]
     connected: Optional[bool]
-    components: Optional[int]
     dimension: Optional[int]
-    energy_ratio_range: Optional[Bounds]
     resolution: Optional[float]
     engine: str
     family: str
     parameter: Literal["arc length", "pause", "number"]
+
+class Continuum(_RowsOf[ContinuumPoint], _OfScene, _InPeriod, _Curve):
+    schedule: Schedule
+    components: Optional[int]
+    energy_ratio_range: Optional[Bounds]
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
     orbits: int
@@ -415,6 +417,12 @@ class Mode(_Record):
     def motion(self, period_ratio: float) -> ModeMotion: ...
 
 class _OnNoGrid(_Fields):
+    bar: Bar
+    frequency: float
+    contact_time: float
+    contact_time_ratio: float
+    energy: float
+    energy_ratio: float
     amplitude_ratio: float
     jump_times_ratio: Array
     def to_dict(self) -> dict[str, Any]: ...
@@ -423,23 +431,11 @@ class _OnNoGrid(_Fields):
 
 class ModeMotion(_OnNoGrid, _InPeriod, _Measured):
     status: Literal["found", "none", "undecided"]
-    bar: Bar
     mode: Mode
-    frequency: float
-    contact_time: float
-    contact_time_ratio: float
-    energy: float
-    energy_ratio: float
     jumps: list[tuple[int, int]]
 
 class PolytopeMotion(_OnNoGrid, _InPeriod, _Measured):
-    bar: Bar
     polytope: ModePolytope
-    frequency: float
-    contact_time: float
-    contact_time_ratio: float
-    energy: float
-    energy_ratio: float
     contacts: list[tuple[float, float]]
     contacts_ratio: list[tuple[float, float]]
 
@@ -676,19 +672,10 @@ class SceneContinuumPoint(_Record, _MovingEach, _InScene):
     contacts: list[SceneContactForces]
     def write(self, path: str, index: int = 0) -> None: ...
 
-class SceneContinuum(_RowsOf[SceneContinuumPoint], _Found, _Framed, _Drawn, _OfBars):
-    cells: int
+class SceneContinuum(_RowsOf[SceneContinuumPoint], _OfBars, _Curve):
     schedule: list[ContactSpan]
     period: float
-    energy: float
-    energy_ratio: Known[float]
     energy_ratio_proved: Optional[float]
-    connected: Optional[bool]
-    dimension: Optional[int]
-    resolution: Optional[float]
-    engine: str
-    family: str
-    parameter: Literal["arc length", "pause", "number"]
     strain_limit: Optional[float]
     points: list[SceneContinuumPoint]
     certificate: Optional[SceneEnergyFloor]
@@ -711,25 +698,27 @@ class SceneForcedResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     detail: str
     def write(self, path: str, index: int = ...) -> None: ...
 
-class SceneSimulation(_Record, _Framed, _Drawn, _OfBars):
+class _Followed(_Record, _Framed, _Drawn):
     status: Literal["done", "interrupted"]
-    contacts: list[SceneContactTotals]
     excitation: Optional[Drive]
     time: float
     settled: Optional[Settled]
     why: Optional[str]
     energy: float
     balance: EnergyBalance
-    momentum: MomentumBalance
     events: int
-    fronts: int
     merged: float
-    contact_number: list[int]
     contact_start: Array
     contact_end: Array
     contact_impulse: Array
     contact_peak_force: Array
     contact_speed: Array
+
+class SceneSimulation(_OfBars, _Followed):
+    contacts: list[SceneContactTotals]
+    momentum: MomentumBalance
+    fronts: int
+    contact_number: list[int]
 
 class HarmonicResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited):
     contacts: int
@@ -916,33 +905,19 @@ class Waves:
     energy_ratio: float
     def stretching(self, cells: int) -> Array: ...
 
-class Simulation(_Framed, _Drawn, _OfScene):
-    status: Literal["done", "interrupted"]
+class Simulation(_OfScene, _Followed):
     cells: int
     damping: Damping
-    excitation: Optional[Drive]
-    time: float
     time_ratio: float
     contacts: int
     impulse: float
     resolution: float
-    settled: Optional[Settled]
-    why: Optional[str]
     tip: float
     held: bool
-    energy: float
     energy_ratio: Known[float]
-    balance: EnergyBalance
-    events: int
     pieces: int
-    merged: float
     contact_stop: list[str]
-    contact_start: Array
-    contact_end: Array
-    contact_impulse: Array
-    contact_peak_force: Array
     contact_mean_force: Array
-    contact_speed: Array
     contact_energy: Array
     contact_start_ratio: Array
     contact_end_ratio: Array
