@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from typing_extensions import NotRequired, TypedDict
 
-from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Fields,
-                    _OfPeriod, _OfTimeRatio, _Record)
+from ._core import (Bar, Motion, Scene, Schedule, Segment, State, _Drawn, _DrawnEach, _Fields,
+                    _Framed, _InScene, _MovingEach, _OfPeriod, _OfTimeRatio, _Record)
 from ._tables import Row, Table
 
 Array = NDArray[np.float64]
@@ -188,6 +188,38 @@ class ForcePeak(TypedDict):
     reached: float
     time: float
 
+class _Found(_Record):
+    status: Literal["found", "none", "undecided"]
+    found: bool
+    def __bool__(self) -> bool: ...
+
+class _OfScene(_Record):
+    bar: Bar
+    stops: list[StopPlace]
+    segments: list[Segment]
+    static_force: float
+
+class _OfBars(_InScene):
+    scene: SceneWords
+    reference: SceneReference
+
+class _InPeriod(_Record):
+    period: float
+    period_ratio: float
+    frequency_ratio: float
+
+class _Excited(_Record):
+    force: Literal["tip", "base"]
+    cycles: int
+
+class _Measured(_Record):
+    physical: Physical
+    admissible: bool
+
+class _Proof(_Record):
+    kind: str
+    verified: bool
+
 class Physical(_Record):
     frequency: float
     contact_time: float
@@ -208,9 +240,7 @@ class Residuals(_Record):
     demands: float
     def worst(self) -> float: ...
 
-class FarkasCertificate(_Record):
-    kind: str
-    verified: bool
+class FarkasCertificate(_Proof):
     rows: str
     gap: int
     size: int
@@ -218,26 +248,20 @@ class FarkasCertificate(_Record):
     pressure: list[tuple[int, int]]
     penetration: list[tuple[int, int]]
 
-class ProgramProof(_Record):
-    kind: str
-    verified: bool
+class ProgramProof(_Proof):
     rows: Literal["auto", "state", "reduced", "lumped", "joints", "kernel"]
     strain_limit: Optional[float]
     tip_floor: Optional[float]
     equalities: list[tuple[int, int]]
     inequalities: list[tuple[int, int]]
 
-class SteppedProof(_Record):
-    kind: str
-    verified: bool
+class SteppedProof(_Proof):
     rows: Literal["auto", "state", "reduced", "lumped", "joints", "kernel"]
     tip_floor: Optional[float]
     equalities: list[tuple[int, str]]
     inequalities: list[tuple[int, str]]
 
-class EnergyFloorProof(_Record):
-    kind: str
-    verified: bool
+class EnergyFloorProof(_Proof):
     rows: str
     energy_ratio: float
     tip_floor: Optional[float]
@@ -247,9 +271,7 @@ class EnergyFloorProof(_Record):
     pushes: list[tuple[int, int, float]]
     strains: Optional[list[tuple[int, int, int, float]]]
 
-class EnergyExclusion(_Record):
-    kind: str
-    verified: bool
+class EnergyExclusion(_Proof):
     note: Optional[str]
 
 class SolutionSet(_Record):
@@ -276,17 +298,9 @@ class FamilyPlace(_Record):
     amplitudes: int
     offset: int
 
-class Result(_Record):
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
-    status: Literal["found", "none", "undecided"]
+class Result(_Found, _OfScene, _InPeriod):
     cells: int
     schedule: Schedule
-    period: float
-    period_ratio: float
-    frequency_ratio: float
     kernel_dimension: Optional[int]
     solution_set: Known[SolutionSet]
     family: Known[FamilyPlace]
@@ -323,17 +337,13 @@ class Result(_Record):
     state: Known[State]
     motion: Known[Motion]
     def is_proof(self) -> bool: ...
-    found: bool
-    def __bool__(self) -> bool: ...
 
-class ContinuumPoint(_Record):
+class ContinuumPoint(_Measured):
     lambda_: float
     energy: float
     energy_ratio: Known[float]
     residual: float
     peak_strain: float
-    physical: Physical
-    admissible: bool
     exact: Optional[bool]
     state: State
     motion: Motion
@@ -346,40 +356,30 @@ class _RowsOf(Generic[_Row]):
     def __getitem__(self, at: slice) -> Table[_Row]: ...
     def __iter__(self) -> Iterator[_Row]: ...
 
-class Continuum(_Record, _RowsOf[ContinuumPoint]):
-    status: Literal["found", "none", "undecided"]
+class _Curve(_Found, _Framed, _Drawn):
     cells: int
-    schedule: Schedule
-    period: float
-    period_ratio: float
-    frequency_ratio: float
     energy: float
     energy_ratio: Known[float]
     connected: Optional[bool]
-    components: Optional[int]
     dimension: Optional[int]
-    energy_ratio_range: Optional[Bounds]
     resolution: Optional[float]
     engine: str
     family: str
     parameter: Literal["arc length", "pause", "number"]
+
+class Continuum(_RowsOf[ContinuumPoint], _OfScene, _InPeriod, _Curve):
+    schedule: Schedule
+    components: Optional[int]
+    energy_ratio_range: Optional[Bounds]
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
     orbits: int
     points: list[ContinuumPoint]
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     detail: Optional[str]
-    def _figure(self) -> str: ...
     lambda_: Array
     peak_strain: Array
     residual: Array
     def member(self, lambda_: float) -> ContinuumPoint: ...
-    found: bool
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class Family(_Record):
     order: int
@@ -417,43 +417,27 @@ class Mode(_Record):
     def motion(self, period_ratio: float) -> ModeMotion: ...
 
 class _OnNoGrid(_Fields):
+    bar: Bar
+    frequency: float
+    contact_time: float
+    contact_time_ratio: float
+    energy: float
+    energy_ratio: float
     amplitude_ratio: float
     jump_times_ratio: Array
     def to_dict(self) -> dict[str, Any]: ...
     p: _OfTimeRatio
     def state(self, cells: int) -> State: ...
 
-class ModeMotion(_OnNoGrid):
+class ModeMotion(_OnNoGrid, _InPeriod, _Measured):
     status: Literal["found", "none", "undecided"]
-    bar: Bar
     mode: Mode
-    period: float
-    period_ratio: float
-    frequency: float
-    frequency_ratio: float
-    contact_time: float
-    contact_time_ratio: float
-    energy: float
-    energy_ratio: float
     jumps: list[tuple[int, int]]
-    physical: Physical
-    admissible: bool
 
-class PolytopeMotion(_OnNoGrid):
-    bar: Bar
+class PolytopeMotion(_OnNoGrid, _InPeriod, _Measured):
     polytope: ModePolytope
-    period: float
-    period_ratio: float
-    frequency: float
-    frequency_ratio: float
-    contact_time: float
-    contact_time_ratio: float
-    energy: float
-    energy_ratio: float
     contacts: list[tuple[float, float]]
     contacts_ratio: list[tuple[float, float]]
-    physical: Physical
-    admissible: bool
 
 class ModeChain(_Record):
     k: int
@@ -484,17 +468,14 @@ class ModePolytope(_Record):
                ) -> PolytopeMotion: ...
     def schedules(self, cells: int, steps: int) -> list[Schedule]: ...
 
-class AtlasFamily(_Record):
+class AtlasFamily(_InPeriod):
     id: int
     cells: int
     order: Optional[int]
     nu: Optional[int]
     contact_blocks: Optional[int]
     schedule: Schedule
-    period: float
-    period_ratio: float
     frequency: float
-    frequency_ratio: float
     contact: Literal["pressing", "grazing"]
     kind: Literal["empty", "point", "simplex", "box", "polytope", "cone"]
     dimension: int
@@ -504,13 +485,11 @@ class AtlasFamily(_Record):
     dimension_at_energy: Optional[int]
     connected_at_energy: Optional[bool]
 
-class AtlasSchedule(_Record):
+class AtlasSchedule(_Found, _InPeriod):
     cells: int
     schedule: Optional[Schedule]
     spans: Optional[list[ContactSpan]]
     family: Optional[int]
-    period: float
-    period_ratio: float
     frequency: float
     frequency_ratio: Optional[float]
     status: Literal["found", "none", "undecided"]
@@ -523,8 +502,6 @@ class AtlasSchedule(_Record):
     canonical: Optional[bool]
     energy_range: Optional[Bounds]
     energy_ratio_range: Optional[Bounds]
-    found: bool
-    def __bool__(self) -> bool: ...
 
 class AtlasRun(_Record):
     cells: int
@@ -571,15 +548,13 @@ class Damping(_Record):
     ratio: float
     dashpot: float
 
-class ForcedMotion(_Record):
+class ForcedMotion(_Measured):
     schedule: Schedule
     amplitude: float
     phase: float
     impulse: float
     peak_force: float
     tip_lowest: float
-    physical: Physical
-    admissible: bool
     residual: float
     stable: Optional[bool]
     impulse_ratio: float
@@ -587,16 +562,10 @@ class ForcedMotion(_Record):
     tip_lowest_ratio: float
     state: State
 
-class ForcedResult(_Record):
-    status: Literal["found", "none", "undecided"]
+class ForcedResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited):
     cells: int
     schedule: Schedule
     damping: Damping
-    force: Literal["tip", "base"]
-    cycles: int
-    period: float
-    period_ratio: float
-    frequency_ratio: float
     solution_set: ForcedSetPart
     strain_limit: Optional[float]
     amplitude: Optional[float]
@@ -606,16 +575,7 @@ class ForcedResult(_Record):
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
     certificate: Optional[ForcedProof]
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     detail: Optional[str]
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _frames(self, most: int, index: int, /) -> list[str]: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class HarmonicContact(_Record):
     begin: float
@@ -628,13 +588,11 @@ class HarmonicContact(_Record):
     peak_force: float
     speed: float
 
-class HarmonicMotion(_Record):
+class HarmonicMotion(_Measured):
     contact_time_ratio: float
     release: str
     contacts: list[HarmonicContact]
     phase: float
-    physical: Physical
-    admissible: bool
     growth: Optional[float]
     attracts: Optional[bool]
     residual: float
@@ -654,30 +612,17 @@ class SceneHarmonicMotion(_Record):
     strains: Optional[SceneStrains]
     stability: Optional[SceneStabilityReport]
 
-class SceneHarmonicResult(_Record):
-    status: Literal["found", "none", "undecided"]
-    force: Literal["tip", "base"]
-    cycles: int
+class SceneHarmonicResult(_Found, _Framed, _DrawnEach, _OfBars, _Excited):
     amplitude: float
     steps: int
     period: float
     frequency: float
     frequency_ratio: Optional[float]
     motions: list[SceneHarmonicMotion]
-    scene: SceneWords
-    reference: SceneReference
     contacts: list[SceneContact]
     detail: Optional[str]
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _scene(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
-class SceneQuestion(_Record):
-    status: Literal["found", "none", "undecided"]
-    scene: SceneWords
-    reference: SceneReference
+class SceneQuestion(_Found, _Framed, _OfBars):
     cells: int
     steps: int
     period: float
@@ -685,10 +630,6 @@ class SceneQuestion(_Record):
     strain_limit: Optional[float]
     sets: list[SceneSet]
     motions: list[SceneResult]
-    found: bool
-    def _scene(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class SceneResiduals(_Record):
     periodicity: float
@@ -697,10 +638,7 @@ class SceneResiduals(_Record):
     pressure: float
     penetration: float
 
-class SceneResult(_Record):
-    status: Literal["found", "none", "undecided"]
-    scene: SceneWords
-    reference: SceneReference
+class SceneResult(_Found, _MovingEach, _OfBars):
     cells: int
     schedule: list[ContactSpan]
     period: float
@@ -718,12 +656,7 @@ class SceneResult(_Record):
     detail: str
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _frames(self, most: int, index: int, /) -> list[str]: ...
-    def _scene(self) -> str: ...
     def write(self, path: str, index: int = ...) -> None: ...
-    def __bool__(self) -> bool: ...
 
 class SceneForcedMotion(_Record):
     amplitude: float
@@ -733,7 +666,7 @@ class SceneForcedMotion(_Record):
     residual: float
     stability: Optional[SceneStabilityReport]
 
-class SceneContinuumPoint(_Record):
+class SceneContinuumPoint(_Record, _MovingEach, _InScene):
     lambda_: float
     energy: float
     energy_ratio: Known[float]
@@ -741,47 +674,22 @@ class SceneContinuumPoint(_Record):
     peak_strain: float
     strains: SceneStrains
     contacts: list[SceneContactForces]
-    def _figure(self, which: int, /) -> str: ...
-    def _frames(self, most: int, which: int, /) -> list[str]: ...
-    def _scene(self) -> str: ...
     def write(self, path: str, index: int = 0) -> None: ...
 
-class SceneContinuum(_Record, _RowsOf[SceneContinuumPoint]):
-    status: Literal["found", "none", "undecided"]
-    scene: SceneWords
-    reference: SceneReference
-    cells: int
+class SceneContinuum(_RowsOf[SceneContinuumPoint], _OfBars, _Curve):
     schedule: list[ContactSpan]
     period: float
-    energy: float
-    energy_ratio: Known[float]
     energy_ratio_proved: Optional[float]
-    connected: Optional[bool]
-    dimension: Optional[int]
-    resolution: Optional[float]
-    engine: str
-    family: str
-    parameter: Literal["arc length", "pause", "number"]
     strain_limit: Optional[float]
     points: list[SceneContinuumPoint]
     certificate: Optional[SceneEnergyFloor]
     detail: str
-    found: bool
-    def _figure(self) -> str: ...
-    def _scene(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
     def member(self, lambda_: float) -> SceneContinuumPoint: ...
 
-class SceneForcedResult(_Record):
-    status: Literal["found", "none", "undecided"]
-    scene: SceneWords
-    reference: SceneReference
+class SceneForcedResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     cells: int
     schedule: list[ContactSpan]
     period: float
-    force: Literal["tip", "base"]
-    cycles: int
     frequency: float
     amplitude: Optional[float]
     strain_limit: Optional[float]
@@ -792,70 +700,44 @@ class SceneForcedResult(_Record):
     motions: list[SceneForcedMotion]
     certificate: Optional[SceneForcedProof]
     detail: str
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _frames(self, most: int, index: int, /) -> list[str]: ...
-    def _scene(self) -> str: ...
     def write(self, path: str, index: int = ...) -> None: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
-class SceneSimulation(_Record):
+class _Followed(_Record, _Framed, _Drawn):
     status: Literal["done", "interrupted"]
-    scene: SceneWords
-    reference: SceneReference
-    contacts: list[SceneContactTotals]
     excitation: Optional[Drive]
     time: float
     settled: Optional[Settled]
     why: Optional[str]
     energy: float
     balance: EnergyBalance
-    momentum: MomentumBalance
     events: int
-    fronts: int
     merged: float
-    def _figure(self) -> str: ...
-    def _scene(self) -> str: ...
-    contact_number: list[int]
     contact_start: Array
     contact_end: Array
     contact_impulse: Array
     contact_peak_force: Array
     contact_speed: Array
-    def frame(self) -> Any: ...
 
-class HarmonicResult(_Record):
-    status: Literal["found", "none", "undecided"]
+class SceneSimulation(_OfBars, _Followed):
+    contacts: list[SceneContactTotals]
+    momentum: MomentumBalance
+    fronts: int
+    contact_number: list[int]
+
+class HarmonicResult(_Found, _Framed, _MovingEach, _OfScene, _InPeriod, _Excited):
     contacts: int
     damping: Damping
-    force: Literal["tip", "base"]
-    cycles: int
     amplitude: float
-    period: float
-    period_ratio: float
     exact_period: tuple[int, int]
-    frequency_ratio: float
     motions: list[HarmonicMotion]
     complete_from: Optional[float]
     rests: Optional[bool]
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     detail: Optional[str]
-    found: bool
-    def _figure(self, index: int, /) -> str: ...
-    def _frames(self, most: int, index: int, /) -> list[str]: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
-class PermanentContact(_Record):
+class PermanentContact(_Measured):
     least_force: float
     peak_force: float
     impulse: float
-    physical: Physical
-    admissible: bool
     residual: float
 
 class ForcedFrequency(_Record):
@@ -870,18 +752,12 @@ class ForcedFrequency(_Record):
     permanent_contact: Optional[PermanentContact]
     motions: list[ForcedMotion]
 
-class ResponseData(_Record):
+class ResponseData(_OfScene, _Excited):
     status: Literal["found", "none", "undecided"]
     cells: int
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     damping: Damping
-    force: Literal["tip", "base"]
     amplitude: float
     amplitude_of: str
-    cycles: int
     contacts: int
     band: Optional[float]
     frequency_ratio_range: tuple[float, float]
@@ -928,42 +804,21 @@ class SceneFrequency(_Record):
     undecided: Optional[int]
     reason: Optional[str]
 
-class SceneResponse(_Record):
-    status: Literal["found", "none", "undecided"]
-    force: Literal["tip", "base"]
+class SceneResponse(_Found, _Framed, _Drawn, _OfBars, _Excited):
     exact: bool
-    cycles: int
     amplitude: float
     amplitude_of: str
     frequency_range: tuple[float, float]
     complete: bool
     frequencies: list[SceneFrequency]
-    scene: SceneWords
-    reference: SceneReference
     contacts: list[SceneContact]
-    found: bool
-    def _figure(self) -> str: ...
-    def _scene(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
-class ExactResponse(_Record):
-    status: Literal["found", "none", "undecided"]
+class ExactResponse(_Found, _Framed, _Drawn, _OfScene, _Excited):
     cells: int
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     damping: Damping
-    force: Literal["tip", "base"]
     amplitude: float
-    cycles: int
     frequencies: list[ExactFrequency]
     branches: list[Branch]
-    found: bool
-    def _figure(self) -> str: ...
-    def __bool__(self) -> bool: ...
-    def frame(self) -> Any: ...
 
 class Drive(_Record):
     force: Literal["tip", "base"]
@@ -1003,16 +858,15 @@ class SweepPoint(_Record):
     peak_strain: Optional[float]
     peak_stress: Known[float]
 
-class ForceRange(_Record):
+class ForceRange(_Record, _InScene):
     status: Literal["done", "interrupted"]
     scene: SceneWords
     force_range: tuple[float, float]
     time: float
     closes: Optional[int]
     contacts: list[ContactReach]
-    def _scene(self) -> str: ...
 
-class Sweep(_Record):
+class Sweep(_Record, _Framed, _Drawn):
     status: Literal["done", "interrupted"]
     bar: Optional[Bar]
     stops: Optional[list[StopPlace]]
@@ -1030,8 +884,6 @@ class Sweep(_Record):
     carried: bool
     yield_stress: Optional[float]
     points: list[SweepPoint]
-    def _figure(self) -> str: ...
-    def frame(self) -> Any: ...
 
 class StudyPoint(_Record):
     gap: float
@@ -1057,38 +909,19 @@ class Waves:
     energy_ratio: float
     def stretching(self, cells: int) -> Array: ...
 
-class Simulation(_Record):
-    status: Literal["done", "interrupted"]
+class Simulation(_OfScene, _Followed):
     cells: int
-    bar: Bar
-    stops: list[StopPlace]
-    segments: list[Segment]
-    static_force: float
     damping: Damping
-    excitation: Optional[Drive]
-    time: float
     time_ratio: float
     contacts: int
     impulse: float
     resolution: float
-    settled: Optional[Settled]
-    why: Optional[str]
     tip: float
     held: bool
-    energy: float
     energy_ratio: Known[float]
-    balance: EnergyBalance
-    events: int
     pieces: int
-    merged: float
-    def _figure(self) -> str: ...
     contact_stop: list[str]
-    contact_start: Array
-    contact_end: Array
-    contact_impulse: Array
-    contact_peak_force: Array
     contact_mean_force: Array
-    contact_speed: Array
     contact_energy: Array
     contact_start_ratio: Array
     contact_end_ratio: Array
@@ -1102,4 +935,3 @@ class Simulation(_Record):
     tip_time_ratio: Array
     tip_displacement_ratio: Array
     waves: Waves
-    def frame(self) -> Any: ...

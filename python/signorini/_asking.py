@@ -23,13 +23,18 @@ _SAID = {
            "`diameter`.",
     "cells": "N, cells of the bar: those of all segments, or 300.",
     "second_stop": "h [m], to a stop on the other side of the tip.",
-    "scene": "In place of `bar`, `second_stop` and `segments`.",
+    "scene": "In place of `bar`, `second_stop` and `segments`",
     "segments": "A stepped bar, clamp first: (cells, impedance, speed, "
                 "dashpot) of each.",
     "progress": "Told how far a long call has come.",
     "figure": "To draw into.",
     "axes": "In its place; several in a sequence, or a dict by their names.",
 }
+
+#: A scene that may be of several bars.
+_IN_WORDS = ('; or the words of several bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 '
+             'clamp", whose scales are `length`, `wave_speed` and `axial_stiffness`, and whose '
+             "damping is among the words")
 
 #: What options are called that are words of Python's own.
 _OPTIONS = {"start": "from"}
@@ -49,6 +54,9 @@ Raises
 ------
 ValueError
     If an argument is out of its range; the message is the library's.
+"""
+_LACKS = """BackendUnavailable
+    If no solver of this build can do what is asked.
 """
 
 
@@ -73,7 +81,10 @@ def _parameters(function: Any, question: str, told: dict[str, str]) -> str:
         if name in ("self", "cls"):
             continue
         said = _SAID.get(name, options.get(_OPTIONS.get(name, name), ""))
-        kind = _kind(name, function.__annotations__[name])
+        annotation = function.__annotations__[name]
+        kind = _kind(name, annotation)
+        if name == "scene":
+            said += _IN_WORDS * ("str" in annotation) + "."
         text += told.get(
             name, f"{'*' * (name in stars)}{name} : {kind}\n"
             + textwrap.indent(textwrap.fill(said, 75) + "\n", "    ").lstrip("\n"))
@@ -91,8 +102,11 @@ def documented(function: Any, question: str) -> str:
             first, *others = entry.split(" : ")[0].strip("*").split(", ")
             told.update({first: entry, **dict.fromkeys(others, "")})
     rest = "".join(sections)
+    if "Raises\n---" not in rest:
+        may_lack = {"solver", "engine"} & set(function.__annotations__)
+        rest = rest.rstrip("\n") + "\n" + _RAISES + _LACKS * bool(may_lack)
     return (f"{sentence}\n{head}".rstrip("\n") + "\n" + _parameters(function, question, told)
-            + "\n" + rest.rstrip("\n") + "\n" + _RAISES * ("Raises\n---" not in rest))
+            + "\n" + rest.rstrip("\n") + "\n")
 
 
 def asks(question: str) -> Callable[[Function], Function]:

@@ -16,124 +16,52 @@ from ._words import (Force, Number, Objective, Quantity, Segments, Steps,
 
 
 if TYPE_CHECKING:
-    from typing_extensions import TypedDict, Unpack
+    from typing_extensions import Unpack
 
-    class _Parameters(TypedDict, total=False):
-        """Of a bar."""
-
-        length: Quantity | None
-        wave_speed: Quantity | None
-        axial_stiffness: Quantity | None
-        gap: Quantity | None
-        young: Quantity | None
-        density: Quantity | None
-        area: Quantity | None
-        diameter: Quantity | None
-
-    class _Options(_Parameters, total=False):
-        """What any motion can be asked with."""
-
-        cells: int | None
-        bar: Bar | None
-        scene: Scene | None
-        second_stop: Quantity | None
-        strain_limit: Quantity | None
-
-    class _Demands(_Options, total=False):
-        """What can be asked of a motion that nothing drives."""
-
-        segments: Segments | None
-        solver: str
-        formulation: str
-        objective: Objective
-        target: State | str | None
-        energy: Quantity | None
-        energy_ratio: float | None
-        tip_floor: Quantity | None
-        tolerance: Quantity
-        time_limit: Quantity | None
-
-    class _Curve(_Parameters, total=False):
-        """What can be asked of a curve."""
-
-        energy_ratio: float | None
-        energy: Quantity | None
-        points: int
-        seed: int | None
-        sample: bool
-        engine: str
-        strain_limit: Quantity | None
-        resolution: Quantity
-        tolerance: Quantity
-        progress: Progress
+    from ._keywords import (CurveOfBar, CurveOfSegments, CurveOfWords, Demands,
+                            DemandsOfBars, Forced, ForcedBars)
 
 
 @overload
-def find(first: Steps, /, *schedule: Steps, stability: bool = False,
-         **demands: Unpack[_Demands]) -> Result: ...
+def find(first: Steps, /, *schedule: Steps, **demands: Unpack[Demands]) -> Result: ...
 
 
 @overload
 def find(*, period: Number | None = None, frequency: Number | None = None,
-         hertz: Quantity | None = None, stability: bool = False,
-         **demands: Unpack[_Demands]) -> Question: ...
+         hertz: Quantity | None = None, **demands: Unpack[Demands]) -> Question: ...
 
 
 @overload
-def find(first: Steps, /, *schedule: Steps, damping: Quantity, force: Force,
-         segments: Segments | None = None,
-         amplitude: Quantity | None = None,
-         amplitude_velocity: Quantity | None = None,
-         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
-         stability: bool = False,
-         **options: Unpack[_Options]) -> ForcedResult: ...
+def find(first: Steps, /, *schedule: Steps, segments: Segments | None = None,
+         stability: bool = False, **forced: Unpack[Forced]) -> ForcedResult: ...
 
 
 @overload
-def find(*, damping: Quantity, force: Force,
-         period: Number | None = None, frequency: Number | None = None,
+def find(*, period: Number | None = None, frequency: Number | None = None,
+         hertz: Quantity | None = None, contacts: int = 1,
+         **forced: Unpack[Forced]) -> HarmonicResult: ...
+
+
+@overload
+def find(first: int | str, /, *schedule: int | str,
+         **demands: Unpack[DemandsOfBars]) -> SceneResult: ...
+
+
+@overload
+def find(*, period: Number | None = None, frequency: Number | None = None,
          hertz: Quantity | None = None,
-         amplitude: Quantity | None = None,
-         amplitude_velocity: Quantity | None = None,
-         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
-         contacts: int = 1,
-         **options: Unpack[_Options]) -> HarmonicResult: ...
+         **demands: Unpack[DemandsOfBars]) -> SceneQuestion: ...
 
 
 @overload
-def find(first: int | str, /, *schedule: int | str, scene: str, gravity: Quantity = 0.0,
-         solver: str = "auto", objective: Objective = "auto", target: str | None = None,
-         energy: Quantity | None = None, energy_ratio: float | None = None,
-         tolerance: Quantity = 1e-7, time_limit: Quantity | None = None,
-         stability: bool = False, **scales: Unpack[_Parameters]) -> SceneResult: ...
+def find(first: int | str, /, *schedule: int | str, stability: bool = False,
+         **forced: Unpack[ForcedBars]) -> SceneForcedResult: ...
 
 
 @overload
-def find(*, scene: str, gravity: Quantity = 0.0,
-         period: Number | None = None, frequency: Number | None = None,
-         hertz: Quantity | None = None, solver: str = "auto", objective: Objective = "auto",
-         target: str | None = None, energy: Quantity | None = None,
-         energy_ratio: float | None = None, tolerance: Quantity = 1e-7,
-         time_limit: Quantity | None = None, stability: bool = False,
-         **scales: Unpack[_Parameters]) -> SceneQuestion: ...
-
-
-@overload
-def find(first: int | str, /, *schedule: int | str, scene: str, force: Force,
-         gravity: Quantity = 0.0, amplitude: Quantity | None = None,
-         amplitude_velocity: Quantity | None = None,
-         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
-         stability: bool = False, **scales: Unpack[_Parameters]) -> SceneForcedResult: ...
-
-
-@overload
-def find(*, scene: str, force: Force, gravity: Quantity = 0.0,
-         period: Number | None = None, frequency: Number | None = None,
+def find(*, period: Number | None = None, frequency: Number | None = None,
          hertz: Quantity | None = None,
-         amplitude: Quantity | None = None,
-         amplitude_velocity: Quantity | None = None,
-         amplitude_acceleration: Quantity | None = None, cycles: int = 1,
-         **scales: Unpack[_Parameters]) -> SceneHarmonicResult: ...
+         **forced: Unpack[ForcedBars]) -> SceneHarmonicResult: ...
 
 
 @overload
@@ -142,7 +70,7 @@ def find(*schedule: Steps | str, gravity: Quantity, damping: Quantity | None = N
          frequency: Number | None = None, hertz: Quantity | None = None,
          amplitude: Quantity | None = None, amplitude_velocity: Quantity | None = None,
          amplitude_acceleration: Quantity | None = None, cycles: int = 1,
-         stability: bool = False, **demands: Unpack[_Demands]
+         **demands: Unpack[Demands]
          ) -> SceneResult | SceneForcedResult | SceneHarmonicResult | SceneQuestion: ...
 
 
@@ -178,11 +106,6 @@ def find(
 
     Parameters
     ----------
-    scene : Scene or str, optional
-        In place of `bar`, `second_stop` and `segments`; or the words of
-        several bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 clamp",
-        whose scales are `length`, `wave_speed` and `axial_stiffness`, and
-        whose damping is among the words.
     gravity : float, optional
         To the right along all bars [m/s^2]; one bar under it is answered as
         several bars are.
@@ -204,13 +127,6 @@ def find(
         or frequency with them a HarmonicResult. Of several bars likewise a
         SceneResult, SceneForcedResult or SceneHarmonicResult, and of a period
         without force, as of one bar of several segments, a SceneQuestion.
-
-    Raises
-    ------
-    ValueError
-        If an argument is out of its range; the message is the library's.
-    BackendUnavailable
-        If no solver of this build can do what is asked.
     """
     asked = gathered(locals(), "target")
     if energy is not None and energy_ratio is not None:
@@ -251,38 +167,22 @@ def find(
 
 
 @overload
-def continuum(*schedule: Steps, cells: int | None = None, bar: Bar | None = None,
-              scene: Scene | None = None, second_stop: Quantity | None = None,
-              start: State | str | None = None, to: State | str | None = None,
-              direction: State | str | None = None,
-              **asked: Unpack[_Curve]) -> Continuum: ...
+def continuum(*schedule: Steps, scene: Scene | None = None,
+              **asked: Unpack[CurveOfBar]) -> Continuum: ...
 
 
 @overload
-def continuum(*schedule: int | str, scene: str, gravity: Quantity = 0.0,
-              start: SceneContinuumPoint | str | None = None,
-              to: SceneContinuumPoint | str | None = None,
-              direction: SceneContinuumPoint | str | None = None,
-              **asked: Unpack[_Curve]) -> SceneContinuum: ...
+def continuum(*schedule: int | str, **asked: Unpack[CurveOfWords]) -> SceneContinuum: ...
 
 
 @overload
-def continuum(*schedule: Steps, segments: Segments, cells: int | None = None,
-              bar: Bar | None = None, second_stop: Quantity | None = None,
-              start: SceneContinuumPoint | str | None = None,
-              to: SceneContinuumPoint | str | None = None,
-              direction: SceneContinuumPoint | str | None = None,
-              gravity: Quantity = 0.0, **asked: Unpack[_Curve]) -> SceneContinuum: ...
+def continuum(*schedule: Steps, segments: Segments, gravity: Quantity = 0.0,
+              **asked: Unpack[CurveOfSegments]) -> SceneContinuum: ...
 
 
 @overload
-def continuum(*schedule: Steps, gravity: Quantity, cells: int | None = None,
-              bar: Bar | None = None, scene: Scene | None = None,
-              second_stop: Quantity | None = None,
-              start: SceneContinuumPoint | str | None = None,
-              to: SceneContinuumPoint | str | None = None,
-              direction: SceneContinuumPoint | str | None = None,
-              **asked: Unpack[_Curve]) -> Continuum | SceneContinuum: ...
+def continuum(*schedule: Steps, gravity: Quantity, scene: Scene | None = None,
+              **asked: Unpack[CurveOfSegments]) -> Continuum | SceneContinuum: ...
 
 
 @asks("continuum")
@@ -306,8 +206,6 @@ def continuum(*schedule: Steps | str, energy_ratio: float | None = None,
     energy, energy_ratio : float, optional
         Of every motion, one of them: in J, or in E_1. Without a gap there is
         no E_1: in J.
-    scene : Scene or str, optional
-        In place of `bar`, `second_stop` and `segments`; or the words of several bars.
     start, to, direction : State or file name, optional
         Both ends of a path, or one and the way to go from there: of several
         bars, or segments, points of another curve. Without, the curve is the
@@ -320,13 +218,6 @@ def continuum(*schedule: Steps | str, energy_ratio: float | None = None,
     Continuum
         A sequence of ContinuumPoint; of several bars, and of one of segments or
         under gravity, a SceneContinuum, one of SceneContinuumPoint.
-
-    Raises
-    ------
-    ValueError
-        If an argument is out of its range; the message is the library's.
-    BackendUnavailable
-        If no solver of this build can do what is asked.
     """
     asked = gathered(locals(), "start", "to", "direction", segments_are_bars=True)
     if (energy is None) == (energy_ratio is None):

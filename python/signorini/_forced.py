@@ -17,7 +17,7 @@ from ._words import Force, Over, Quantity, Segments
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ._find import _Parameters
+    from ._keywords import DrivenBar, DrivenBars, ExactRange, Range, RangeOfBars
 
 
 class Response(Table[ForcedFrequency]):
@@ -63,37 +63,17 @@ class Response(Table[ForcedFrequency]):
 
 
 @overload
-def response(*, damping: Quantity, force: Force, amplitude: Quantity | None = None,
-             amplitude_velocity: Quantity | None = None,
-             amplitude_acceleration: Quantity | None = None,
-             start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
-             cells: int | None = None, stability: bool = False,
-             threads: int = 1, bar: Bar | None = None,
-             scene: Scene | None = None, second_stop: Quantity | None = None,
-             segments: Segments | None = None, progress: Progress = None,
-             **bar_options: Unpack[_Parameters]) -> Response: ...
+def response(*, stability: bool = False, scene: Scene | None = None,
+             segments: Segments | None = None, **asked: Unpack[Range]) -> Response: ...
 
 
 @overload
-def response(*, force: Force, amplitude: Quantity | None = None,
-             amplitude_velocity: Quantity | None = None,
-             amplitude_acceleration: Quantity | None = None,
-             scene: str, gravity: Quantity = 0.0, start: Quantity = 0.5, to: Quantity = 2.0,
-             cycles: int = 1, stability: bool = False, threads: int = 1,
-             progress: Progress = None,
-             **scales: Unpack[_Parameters]) -> SceneResponse: ...
+def response(*, stability: bool = False, **asked: Unpack[RangeOfBars]) -> SceneResponse: ...
 
 
 @overload
-def response(*, gravity: Quantity, damping: Quantity, force: Force,
-             amplitude: Quantity | None = None, amplitude_velocity: Quantity | None = None,
-             amplitude_acceleration: Quantity | None = None,
-             start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
-             cells: int | None = None, stability: bool = False, threads: int = 1,
-             bar: Bar | None = None, scene: Scene | None = None,
-             second_stop: Quantity | None = None, segments: Segments | None = None,
-             progress: Progress = None,
-             **bar_options: Unpack[_Parameters]) -> SceneResponse: ...
+def response(*, gravity: Quantity, stability: bool = False, scene: Scene | None = None,
+             segments: Segments | None = None, **asked: Unpack[Range]) -> SceneResponse: ...
 
 
 @asks("response")
@@ -113,10 +93,6 @@ def response(*, damping: Quantity | None = None, force: Force, amplitude: Quanti
 
     Parameters
     ----------
-    scene : Scene or str, optional
-        In place of `bar`, `second_stop` and `segments`; or the words of several
-        bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 clamp", whose scales
-        are `length`, `wave_speed` and `axial_stiffness`.
     stability : bool
         Perturb each motion to test its stability.
 
@@ -147,45 +123,22 @@ def _of_bars(asked: dict[str, Any]) -> dict[str, Any]:
 
 
 @overload
-def exact_response(*, damping: Quantity, force: Force, amplitude: Quantity,
-                   start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
-                   cells: int | None = None, threads: int = 1, bar: Bar | None = None,
-                   scene: Scene | None = None, second_stop: Quantity | None = None,
-                   progress: Progress = None,
-                   **bar_options: Unpack[_Parameters]) -> ExactResponse: ...
+def exact_response(*, amplitude: Quantity, scene: Scene | None = None,
+                   **asked: Unpack[ExactRange]) -> ExactResponse: ...
 
 
 @overload
-def exact_response(*, force: Force, amplitude: Quantity | None = None,
-                   amplitude_velocity: Quantity | None = None,
-                   amplitude_acceleration: Quantity | None = None,
-                   scene: str, gravity: Quantity = 0.0, start: Quantity = 0.5,
-                   to: Quantity = 2.0, cycles: int = 1, threads: int = 1,
-                   progress: Progress = None,
-                   **scales: Unpack[_Parameters]) -> SceneResponse: ...
+def exact_response(**asked: Unpack[RangeOfBars]) -> SceneResponse: ...
 
 
 @overload
-def exact_response(*, damping: Quantity, force: Force, amplitude: Quantity | None = None,
-                   amplitude_velocity: Quantity | None = None,
-                   amplitude_acceleration: Quantity | None = None,
-                   segments: Segments, start: Quantity = 0.5, to: Quantity = 2.0,
-                   cycles: int = 1, cells: int | None = None, threads: int = 1,
-                   bar: Bar | None = None, second_stop: Quantity | None = None,
-                   progress: Progress = None,
-                   **bar_options: Unpack[_Parameters]) -> SceneResponse: ...
+def exact_response(*, segments: Segments, **asked: Unpack[Range]) -> SceneResponse: ...
 
 
 @overload
-def exact_response(*, gravity: Quantity, damping: Quantity, force: Force,
-                   amplitude: Quantity | None = None, amplitude_velocity: Quantity | None = None,
-                   amplitude_acceleration: Quantity | None = None,
-                   start: Quantity = 0.5, to: Quantity = 2.0, cycles: int = 1,
-                   cells: int | None = None, threads: int = 1,
-                   bar: Bar | None = None, scene: Scene | None = None,
-                   second_stop: Quantity | None = None, segments: Segments | None = None,
-                   progress: Progress = None,
-                   **bar_options: Unpack[_Parameters]) -> SceneResponse: ...
+def exact_response(*, gravity: Quantity, scene: Scene | None = None,
+                   segments: Segments | None = None,
+                   **asked: Unpack[Range]) -> SceneResponse: ...
 
 
 @asks("response")
@@ -200,13 +153,6 @@ def exact_response(*, damping: Quantity | None = None, force: Force,
                    segments: Segments | None = None, progress: Progress = None,
                    **bar_options: Quantity | None) -> ExactResponse | SceneResponse:
     """List motions under an exact harmonic over a range, and the curves they lie on.
-
-    Parameters
-    ----------
-    scene : Scene or str, optional
-        In place of `bar`, `second_stop` and `segments`; or the words of several
-        bars in a row, "clamp 60 dash=0.1 driven gap=1e-3 40 clamp", whose scales
-        are `length`, `wave_speed` and `axial_stiffness`.
 
     Returns
     -------
@@ -225,45 +171,19 @@ def exact_response(*, damping: Quantity | None = None, force: Force,
 
 
 @overload
-def simulate(start: State | Waves | str | None = None, *,
-             damping: Quantity = 0.0, force: Force | None = None,
-             amplitude: Quantity | None = None,
-             amplitude_velocity: Quantity | None = None,
-             amplitude_acceleration: Quantity | None = None,
-             frequency: Quantity | None = None, phase: Quantity = 0.0,
-             time: Quantity | None = None,
-             periods: int | None = None, resolve: Quantity | None = None,
-             cells: int | None = None, tip: bool = True, bar: Bar | None = None,
-             scene: Scene | None = None, second_stop: Quantity | None = None,
-             progress: Progress = None,
-             **bar_options: Unpack[_Parameters]) -> Simulation: ...
+def simulate(start: State | Waves | str | None = None, *, resolve: Quantity | None = None,
+             tip: bool = True, **asked: Unpack[DrivenBar]) -> Simulation: ...
 
 
 @overload
-def simulate(start: str | None = None, *, scene: str, gravity: Quantity = 0.0,
-             velocity: Sequence[Quantity] | None = None, force: Force | None = None,
-             amplitude: Quantity | None = None,
-             amplitude_velocity: Quantity | None = None,
-             amplitude_acceleration: Quantity | None = None,
-             frequency: Quantity | None = None, phase: Quantity = 0.0,
-             time: Quantity | None = None, periods: int | None = None,
-             progress: Progress = None,
-             **scales: Unpack[_Parameters]) -> SceneSimulation: ...
+def simulate(start: str | None = None, *, velocity: Sequence[Quantity] | None = None,
+             **asked: Unpack[DrivenBars]) -> SceneSimulation: ...
 
 
 @overload
 def simulate(start: str | None = None, *, gravity: Quantity,
              velocity: Sequence[Quantity] | None = None,
-             damping: Quantity = 0.0, force: Force | None = None,
-             amplitude: Quantity | None = None,
-             amplitude_velocity: Quantity | None = None,
-             amplitude_acceleration: Quantity | None = None,
-             frequency: Quantity | None = None, phase: Quantity = 0.0,
-             time: Quantity | None = None, periods: int | None = None,
-             cells: int | None = None, bar: Bar | None = None,
-             scene: Scene | None = None, second_stop: Quantity | None = None,
-             progress: Progress = None,
-             **bar_options: Unpack[_Parameters]) -> SceneSimulation: ...
+             **asked: Unpack[DrivenBar]) -> SceneSimulation: ...
 
 
 @asks("simulation")
@@ -343,10 +263,6 @@ def sweep(over: Over = "frequency", start: Quantity = 0.5, to: Quantity = 2.0, *
 
     Parameters
     ----------
-    scene : Scene or str, optional
-        In place of `bar`, `second_stop` and `segments`; or the words of
-        several bars in a row, "clamp 60 gap=1e-3 40 driven clamp", whose
-        scales are `length`, `wave_speed` and `axial_stiffness`.
     direction : str
         "up", "down" or "both".
     cells : int, optional

@@ -253,10 +253,6 @@ _DRAWN: dict[type, tuple[str, tuple[float, float]]] = {
     _core.ForceRange: ("scene", (8, 2.5)),
 }
 
-#: Answers that find a motion or not.
-_FOUND = (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.SceneResult,
-          _core.SceneForcedResult, _core.SceneHarmonicResult, _core.SceneQuestion)
-
 #: The same of tables, by what a row is.
 _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
     _core.Family: ("families", (9, 6.5)),
@@ -264,21 +260,6 @@ _DRAWN_BY_ROW: dict[type, tuple[str, tuple[float, float]]] = {
     _core.ModePolytope: ("polytopes", (8, 9.5)),
     _core.StudyPoint: ("study", (7, 5)),
 }
-
-
-def _has_a_figure(record: Any) -> bool:
-    if isinstance(record, _FOUND):
-        return bool(record.status == "found")
-    if isinstance(record, _core.Simulation):
-        return len(record.tip_time) > 0
-    if isinstance(record, _core.SceneSimulation):
-        return bool(record._figure())
-    if isinstance(record, (_core.ExactResponse, _core.SceneResponse)):
-        return len(record.frequencies) > 0
-    if isinstance(record, _core.Sweep):
-        return len(record.points) > 0
-    return not isinstance(
-        record, (_core.Continuum, _core.SceneContinuum, Table)) or len(record) > 0
 
 
 def _walked(record: Any) -> _core.Simulation:
@@ -318,18 +299,24 @@ def png(record: Any) -> bytes | None:
     how = _DRAWN.get(type(record))
     if type(record) is Table and len(record) > 0:
         how = _DRAWN_BY_ROW.get(type(record[0]))
-    if how is None or not _has_a_figure(record):
+    if how is None or (
+            isinstance(record, (Question, _core.SceneQuestion)) and not record):
         return None
     for known, drawn in _last:
         if known is record:
             return drawn
     try:
         from matplotlib.figure import Figure
+
+        from .plot._style import NothingToDraw
     except ImportError:
         return None
     name, size = how
     figure = Figure(figsize=size, layout="constrained")
-    _draw(name, record, figure)
+    try:
+        _draw(name, record, figure)
+    except NothingToDraw:
+        return None
     if not any(hasattr(axes, "get_subplotspec") and axes.get_subplotspec()
                for axes in figure.axes):
         figure.set_layout_engine("none")  # all have their places
@@ -373,7 +360,9 @@ def be_at_home() -> None:
         _set(kind, "_repr_html_", html)
     for kind in (*_DRAWN, Table):
         _set(kind, "_repr_png_", png)
-    for kind in (*_FOUND, _core.Continuum, _core.SceneContinuum, _core.AtlasSchedule,
+    for kind in (_core.Result, _core.ForcedResult, _core.HarmonicResult, _core.SceneResult,
+                 _core.SceneForcedResult, _core.SceneHarmonicResult, _core.SceneQuestion,
+                 _core.Continuum, _core.SceneContinuum, _core.AtlasSchedule,
                  _core.ExactResponse, _core.SceneResponse, Question, Response):
         _set(kind, "found", property(_found))
         _set(kind, "__bool__", _found)

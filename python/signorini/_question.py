@@ -91,16 +91,9 @@ def _cells_of(cells: Any) -> int:
     return count
 
 
-def _nearest(word: Any, cells: int, bar: Bar) -> int:
-    """The steps of the period of the grid nearest to a frequency in Hz."""
-    steps = cells / bar.time_unit  # in a second
-    hertz = number("hertz", word)
-    if not 1.5 * hertz < steps <= MOST_STEPS * hertz:
-        usual = " by default" if (bar.length, bar.wave_speed) == (1, 1) else ""
-        raise ValueError(f"hertz = {word} is out of range: allowed {steps / MOST_STEPS:.3g}.."
-                         f"{steps / 2:.6g} Hz for this bar (L = {bar.length:.6g} m, c = "
-                         f"{bar.wave_speed:.6g} m/s{usual})")
-    return round(steps / hertz)
+def _exact(name: str, word: Any) -> Fraction:
+    """A period or frequency, of a float what its digits say."""
+    return fraction_of(str(word) if isinstance(word, float) else word, name)
 
 
 def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
@@ -112,9 +105,10 @@ def period_of(asked: dict[str, Any], cells: int | None, bar: Bar, cycles: int
     name, word = _one_of(asked)
     if name == "hertz":
         count = _cells_of(cells)
-        period = Fraction(_nearest(word, count, bar), count) * cycles
+        steps = _core.steps_nearest(number("hertz", word), count, bar)
+        period = Fraction(steps, count) * cycles
     else:
-        exact = fraction_of(str(word) if isinstance(word, float) else word, name)
+        exact = _exact(name, word)
         period = exact if name == "period" else 4 * cycles / exact
     if max(period.numerator, period.denominator) > MOST_DIGITS:
         raise ValueError(f"{name} = {word} is out of range: allowed periods "
@@ -174,8 +168,7 @@ def find_bars(asked: dict[str, Any], times: dict[str, Any], usual: dict[str, Any
 def _timed(times: dict[str, Any], asked: dict[str, Any]) -> dict[str, Any]:
     """The same with the number that was asked for."""
     name, word = _one_of(times)
-    value = word if name == "hertz" else float(
-        fraction_of(str(word) if isinstance(word, float) else word, name))
+    value = word if name == "hertz" else float(_exact(name, word))
     return {**asked, "period": None, "frequency": None, "hertz": None, name: value}
 
 
@@ -191,7 +184,7 @@ def ask(times: dict[str, Any], asked: dict[str, Any]) -> Question:
     """Answer a question by `find` for each set of motions of a period."""
     name, word = _one_of(times)
     cells, scene = _cells_of(asked["cells"]), asked["scene"]
-    steps = (_nearest(word, cells, scene.bar) if name == "hertz"
+    steps = (_core.steps_nearest(number(name, word), cells, scene.bar) if name == "hertz"
              else _on_grid(name, word, cells))
     sets = [_core.find({**asked, "schedule": schedule})
             for schedule in _core.schedules_of_period(cells, steps, scene)]

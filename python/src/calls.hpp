@@ -1,8 +1,14 @@
 #pragma once
 /// \file
-/// What each file adds to the module: classes of answers, and the calls that give them.
+/// What each file adds to the module: classes of answers, and the calls that give them; and what
+/// all of them are made with.
 
-#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "asked.hpp"
+#include "described.hpp"
+#include "patience.hpp"
 
 namespace signorini::python {
 

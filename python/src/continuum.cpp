@@ -1,13 +1,7 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
-#include "arrays.hpp"
-#include "asked.hpp"
 #include "continuum_answer.hpp"
-#include "described.hpp"
 #include "motion.hpp"
-#include "patience.hpp"
 #include "signorini/continuum.hpp"
 #include "signorini/figures.hpp"
 
@@ -59,8 +53,7 @@ void addCurve(py::module_& module)
              [](const ContinuumAnswer& c, double lambda) {
                  return *ContinuumAnswer{c.curve, memberAt(*c.curve, lambda)}.member();
              })
-        .more()
-        .def("_figure", [](const ContinuumAnswer& c) { return asJson(continuumFigure(*c.curve)); });
+        .draws([](const ContinuumAnswer& c) { return continuumFigure(*c.curve); });
 }
 
 Trace traceOf(const Asked& asked)

@@ -1,15 +1,10 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
 #include <cmath>
 
-#include "asked.hpp"
 #include "demand_names.hpp"
-#include "described.hpp"
 #include "find_answer.hpp"
 #include "motion.hpp"
-#include "patience.hpp"
 #include "question_answer.hpp"
 #include "signorini/output.hpp"
 
@@ -121,6 +116,7 @@ void addFind(py::module_& module)
         answer.answers = std::move(sets);
         return dictionaryOf(answer);
     });
+    module.def("steps_nearest", &answers::stepsNearest);
     module.def("schedules_of_period",
                [](std::int64_t cells, std::int64_t steps, const Scene& scene) {
                    return schedulesOfPeriod(cells, steps, stopsOf(scene).right);

@@ -1,17 +1,12 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
 #include <cmath>
 
-#include "asked.hpp"
-#include "described.hpp"
 #include "exact_answer.hpp"
 #include "exact_figure.hpp"
 #include "forced_answer.hpp"
 #include "harmonic_answer.hpp"
 #include "motion.hpp"
-#include "patience.hpp"
 #include "response_answer.hpp"
 #include "scene_answer.hpp"
 #include "scene_figures.hpp"
@@ -253,61 +248,49 @@ void addForced(py::module_& module)
                answers::SceneFrequency>(module);
     addMotionOf(module);
     classOf<ForcedAnswer>(module)
-        ->more()
-        .def("_figure",
-             [](const ForcedAnswer& a, std::size_t k) {
-                 return asJson(motionFigure(a.motions.at(k).value, a.scene));
-             })
-        .def("_frames", [](const ForcedAnswer& a, std::int64_t most, std::size_t k) {
+        ->draws([](const ForcedAnswer& a, std::size_t k) {
+            return motionFigure(a.motions.at(k).value, a.scene);
+        })
+        .moves([](const ForcedAnswer& a, std::size_t most, std::size_t k) {
             const ForcedMotion& one = a.motions.at(k).value;
             const std::vector<Segment> uniform{{.cells = one.schedule.cells}};
             const Motion field(one.state, one.schedule,
                                a.scene.segments.empty() ? uniform : a.scene.segments, one.damping,
                                one.excitation);
-            return framesOf(MotionSamples(field, a.scene), most);
+            return motionFrames(MotionSamples(field, a.scene), most);
         });
     addCall(module, "find_forced", &findForced);
     const auto field = [](const HarmonicAnswer& a, std::size_t k) {
         return HarmonicField(a.given(), a.motions.at(k).value);
     };
     classOf<HarmonicAnswer>(module)
-        ->more()
-        .def("_figure",
-             [field](const HarmonicAnswer& a, std::size_t k) {
-                 return asJson(harmonicFigure(field(a, k), a.scene));
-             })
-        .def("_frames", [field](const HarmonicAnswer& a, std::int64_t most, std::size_t k) {
-            return framesOf(MotionSamples(field(a, k), a.scene, usualCells), most);
+        ->draws([field](const HarmonicAnswer& a, std::size_t k) {
+            return harmonicFigure(field(a, k), a.scene);
+        })
+        .moves([field](const HarmonicAnswer& a, std::size_t most, std::size_t k) {
+            return motionFrames(MotionSamples(field(a, k), a.scene, usualCells), most);
         });
     addCall(module, "find_harmonic", &findHarmonic);
     classOf<answers::SceneHarmonicAnswer>(module)
-        ->more()
-        .def("_figure", [](const answers::SceneHarmonicAnswer& a,
-                           std::size_t k) { return asJson(contactFigure(a.pathOf(k), a.scales)); })
-        .def("_scene", [](const answers::SceneHarmonicAnswer& a) {
-            return asJson(sceneFigure(a.bars.assembly));
-        });
+        ->draws([](const answers::SceneHarmonicAnswer& a, std::size_t k) {
+            return contactFigure(a.pathOf(k), a.scales);
+        })
+        .drawsScene([](const answers::SceneHarmonicAnswer& a) { return a.bars.assembly; });
     addCall(module, "find_harmonic_bars", &findHarmonicBars);
-    classOf<answers::ForceRange>(module)->more().def(
-        "_scene", [](const answers::ForceRange& a) { return asJson(sceneFigure(a.assembly)); });
+    classOf<answers::ForceRange>(module)->drawsScene(
+        [](const answers::ForceRange& a) { return a.assembly; });
     addCall(module, "force_range", &forceRange);
-    classOf<ResponseAnswer>(module)->more().def("_figure", [](const ResponseAnswer& answer) {
-        return asJson(responseFigure(answer.frequencies, answer.range, answer.bar));
+    classOf<ResponseAnswer>(module)->draws([](const ResponseAnswer& answer) {
+        return responseFigure(answer.frequencies, answer.range, answer.bar);
     });
     addCall(module, "response", &response);
-    classOf<ExactAnswer>(module)->more().def("_figure", [](const ExactAnswer& answer) {
-        return asJson(exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar));
+    classOf<ExactAnswer>(module)->draws([](const ExactAnswer& answer) {
+        return exactFigure(answer.frequencies, answer.branches, answer.range, answer.bar);
     });
     addCall(module, "exact_response", &exactResponse);
     classOf<answers::SceneResponse>(module)
-        ->more()
-        .def("_figure",
-             [](const answers::SceneResponse& answer) {
-                 return asJson(sceneResponseFigure(answer));
-             })
-        .def("_scene", [](const answers::SceneResponse& answer) {
-            return asJson(sceneFigure(answer.bars.assembly));
-        });
+        ->draws(&sceneResponseFigure)
+        .drawsScene([](const answers::SceneResponse& answer) { return answer.bars.assembly; });
     addCall(module, "response_bars", &responseOfBars);
 }
 

@@ -1,14 +1,8 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
 #include <cmath>
 
-#include "arrays.hpp"
-#include "asked.hpp"
-#include "described.hpp"
 #include "motion.hpp"
-#include "patience.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
 
@@ -92,19 +86,6 @@ std::vector<FamilyOf> families(const Asked& asked)
         asked.progress());
 }
 
-/// The same for modes, which need a gap.
-int modeSign(const Bar& bar)
-{
-    if (bar.gap == 0.0) {
-        Faults faults;
-        faults.add("gap", 0.0,
-                   "a gap > 0 or < 0 [m]: without one modes have a single period each, which "
-                   "families lists");
-        faults.throwIfAny();
-    }
-    return gapSign(bar);
-}
-
 /// Those with one contact, or what several fill.
 py::object modes(const Asked& asked)
 {
@@ -113,7 +94,7 @@ py::object modes(const Asked& asked)
     ModeBounds bounds{.maxOrder = asked.get<std::int64_t>("max_order"),
                       .maxPeriod = asked.get<double>("max_period_ratio"),
                       .maxEnergyRatio = asked.get<double>("max_energy_ratio"),
-                      .gapSign = phases == 1 ? modeSign(bar) : gapSign(bar)};
+                      .gapSign = phases == 1 ? answers::gapSignOfModes(bar) : gapSign(bar)};
     const auto listed = [&](auto search) {
         return py::cast(patiently(
             [=](const Wires& wires) mutable {
@@ -132,8 +113,9 @@ ModeOf mode(const Asked& asked)
     const auto a4 = asked.get<std::int64_t>("a4");
     const auto b = asked.get<std::int64_t>("b");
     const Bar bar = asked.bar();
-    const std::optional<Mode> found =
-        a4 > 0 && a4 % 4 == 0 && b < 0 ? findMode(a4 / 4, b, modeSign(bar)) : std::nullopt;
+    const std::optional<Mode> found = a4 > 0 && a4 % 4 == 0 && b < 0
+                                          ? findMode(a4 / 4, b, answers::gapSignOfModes(bar))
+                                          : std::nullopt;
     if (!found) {
         throw std::invalid_argument(
             fmt::format("a4, b = {}, {} is out of range: allowed multiples of 4 and negative odd "

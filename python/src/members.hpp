@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "description.hpp"
 #include "signorini/signorini.hpp"
 
 namespace signorini::python {
@@ -55,11 +56,15 @@ constexpr std::size_t countMembers()
 
 }  // namespace detail
 
-/// A value as one of the struct it derives from, as constant as it is.
-template <typename Base, typename T>
-constexpr auto& baseOf(T& value)
+/// An answer, and what Python has of it beside its keys.
+template <typename Answer, typename More>
+struct With : Answer {
+    More more;
+};
+template <typename D, typename Answer, typename More>
+void describe(D& d, answers::Type<With<Answer, More>>)
 {
-    return static_cast<std::conditional_t<std::is_const_v<T>, const Base, Base>&>(value);
+    describe(d, answers::Type<Answer>());
 }
 
 /// Calls a function with all members of a value, in the order of their declaration.
@@ -69,6 +74,12 @@ constexpr void withMembers(T& value, Do doWith)
     using Plain = std::remove_const_t<T>;
     if constexpr (HasList<Plain>) {
         std::apply([&](auto... member) { doWith(value.*member...); }, Members<Plain>::list);
+    } else if constexpr (answers::isA<Plain, With>) {
+        [&]<typename Answer, typename More>(const With<Answer, More>&) {
+            using Base = std::conditional_t<std::is_const_v<T>, const Answer, Answer>;
+            withMembers(static_cast<Base&>(value), doWith);
+        }(value);
+        doWith(value.more);
     } else {
         constexpr std::size_t count = detail::countMembers<Plain>();
         static_assert(count > 0 && count <= 21, "as many as there are lines here");

@@ -157,24 +157,20 @@ void addMotion(py::module_& module)
     Record<GridMotion> record(module, "Motion",
                               "What a bar does over one period: exact at any place and time, for "
                               "waves are constant on each cell and step.");
-    auto& shown = record.more();
-    shown
-        .def(py::init([](const StateOf& state, const Schedule& schedule,
-                         const std::optional<Scene>& scene) {
-                 GridMotion motion{state.value, schedule, scene.value_or(Scene(state.bar))};
-                 (void)motion.field();
-                 return motion;
-             }),
-             py::arg("state"), py::arg("schedule"), py::arg("scene") = py::none())
-        .def("_frames",
-             [](const GridMotion& m, std::int64_t most) {
-                 const Motion& field = *m.field();
-                 return framesOf(MotionSamples(field, m.scene, field.steps() + 1), most);
-             })
-        .def("_figure", [](const GridMotion& m) {
-            return asJson(motionFigure(*m.state, m.schedule, m.scene));
-        });
-    record.has("bar", "Its units.", [](const GridMotion& m) { return m.bar; })
+    record.more().def(
+        py::init(
+            [](const StateOf& state, const Schedule& schedule, const std::optional<Scene>& scene) {
+                GridMotion motion{state.value, schedule, scene.value_or(Scene(state.bar))};
+                (void)motion.field();
+                return motion;
+            }),
+        py::arg("state"), py::arg("schedule"), py::arg("scene") = py::none());
+    record.draws([](const GridMotion& m) { return motionFigure(*m.state, m.schedule, m.scene); })
+        .moves([](const GridMotion& m, std::size_t most) {
+            const Motion& field = *m.field();
+            return motionFrames(MotionSamples(field, m.scene, field.steps() + 1), most);
+        })
+        .has("bar", "Its units.", [](const GridMotion& m) { return m.bar; })
         .has("scene", "Where it happens.", [](const GridMotion& m) { return m.scene; })
         .has("schedule", "That it follows.", [](const GridMotion& m) { return m.schedule; })
         .has("state", "At t = 0.",
@@ -221,16 +217,6 @@ const std::shared_ptr<const Motion>& GridMotion::field() const
                      : std::make_shared<const Motion>(*state, schedule, scene.segments);
     }
     return field_;
-}
-
-std::vector<std::string> framesOf(const MotionSamples& samples, std::int64_t most)
-{
-    std::vector<std::string> frames;
-    for (const FigureData& frame :
-         motionFrames(samples, static_cast<std::size_t>(std::max<std::int64_t>(most, 1)))) {
-        frames.push_back(asJson(frame));
-    }
-    return frames;
 }
 
 void addModeFields(Record<ModeAnswer>& record)

@@ -43,9 +43,6 @@ using answers::PolytopeAnswer;
 
 void addMotion(py::module_& module);
 
-/// The pictures of an animation, as many as `most`, in JSON.
-[[nodiscard]] std::vector<std::string> framesOf(const MotionSamples& samples, std::int64_t most);
-
 /// u, v, s and the force on the wall, on arrays of x and t.
 void addModeFields(Record<ModeAnswer>& record);
 void addModeFields(Record<PolytopeAnswer>& record);

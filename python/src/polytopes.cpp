@@ -1,11 +1,6 @@
-#include <pybind11/stl.h>
-
-#include "arrays.hpp"
-#include "asked.hpp"
 #include "calls.hpp"
-#include "described.hpp"
+
 #include "motion.hpp"
-#include "patience.hpp"
 #include "signorini/output.hpp"
 
 namespace signorini::python {

@@ -58,6 +58,20 @@ void* opened(const py::handle& type, const py::object& state, MadeOf made)
 
 }  // namespace
 
+std::size_t countOfFrames(std::int64_t most)
+{
+    return static_cast<std::size_t>(std::max<std::int64_t>(most, 1));
+}
+
+std::vector<std::string> eachAsJson(const std::vector<FigureData>& figures)
+{
+    std::vector<std::string> texts;
+    for (const FigureData& figure : figures) {
+        texts.push_back(asJson(figure));
+    }
+    return texts;
+}
+
 ClassOfRecord::~ClassOfRecord()
 {
     type_.attr("_keys") = py::tuple(keys_);

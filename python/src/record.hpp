@@ -18,6 +18,7 @@
 
 #include "description.hpp"
 #include "pickled.hpp"
+#include "signorini/figure_data.hpp"
 
 namespace signorini::python {
 
@@ -65,6 +66,10 @@ private:
     py::object type_;
     py::list keys_;
 };
+
+/// Pictures of an animation: one at least, and all in JSON.
+[[nodiscard]] std::size_t countOfFrames(std::int64_t most);
+[[nodiscard]] std::vector<std::string> eachAsJson(const std::vector<FigureData>& figures);
 
 /// A class with keys.
 template <typename T>
@@ -122,6 +127,40 @@ public:
         };
         define(std::make_index_sequence<count>());
         return *this;
+    }
+
+    /// What signorini.plot draws, in JSON: a picture of it, or of the k-th of its motions.
+    template <typename Figure>
+    Record& draws(Figure figure, const char* name = "_figure")
+    {
+        if constexpr (std::is_invocable_v<Figure, const T&>) {
+            class_.def(name, [figure](const T& of) { return asJson(figure(of)); });
+        } else {
+            class_.def(name,
+                       [figure](const T& of, std::size_t k) { return asJson(figure(of, k)); });
+        }
+        return *this;
+    }
+    /// Its pictures over one period, or those of the k-th of its motions, at most so many.
+    template <typename Frames>
+    Record& moves(Frames frames)
+    {
+        if constexpr (std::is_invocable_v<Frames, const T&, std::size_t>) {
+            class_.def("_frames", [frames](const T& of, std::int64_t most) {
+                return eachAsJson(frames(of, countOfFrames(most)));
+            });
+        } else {
+            class_.def("_frames", [frames](const T& of, std::int64_t most, std::size_t k) {
+                return eachAsJson(frames(of, countOfFrames(most), k));
+            });
+        }
+        return *this;
+    }
+    /// The bars in a row that are asked about.
+    template <typename Get>
+    Record& drawsScene(Get assembly)
+    {
+        return draws([assembly](const T& of) { return sceneFigure(assembly(of)); }, "_scene");
     }
 
     /// The class, for all else.

@@ -80,7 +80,15 @@ void addWholeScene(py::module_& module)
         py::arg("cells"), py::arg("impedance") = 1.0, py::arg("speed") = 1.0,
         py::arg("dashpot") = 0.0);
     const auto scene = classOf<Scene>(module, "A bar, its stops, and what it is made of.");
-    scene->more()
+    scene
+        ->drawsScene([](const Scene& of) {
+            Assembly assembly = answers::assemblyOf(of, usualCells, {});
+            std::erase_if(assembly.parts, [](const AssemblyPart& part) {
+                return part.kind == PartKind::driven || part.kind == PartKind::shaken;
+            });
+            return assembly;
+        })
+        .more()
         .def(py::init([](const Bar& bar, const std::optional<Quantity>& secondStop,
                          const std::vector<Segment>& segments) {
                  Scene made(bar, quantityOf("second_stop", secondStop), segments);
@@ -110,14 +118,6 @@ and the time through all pieces are kept, lengths are rounded: by how much at mo
 returned with the Scene. ValueError names the piece that is out of its range.)",
             py::arg("pieces"), py::kw_only(), py::arg("gap") = Bar{}.gap,
             py::arg("second_stop") = py::none(), py::arg("cells") = 300)
-        .def("_scene",
-             [](const Scene& of) {
-                 Assembly assembly = answers::assemblyOf(of, usualCells, {});
-                 std::erase_if(assembly.parts, [](const AssemblyPart& part) {
-                     return part.kind == PartKind::driven || part.kind == PartKind::shaken;
-                 });
-                 return asJson(sceneFigure(assembly));
-             })
         .def_readonly("second_stop", &Scene::secondStop, "h [m], or None.");
 }
 

@@ -1,14 +1,8 @@
-#include <pybind11/stl.h>
+#include "calls.hpp"
 
-#include <algorithm>
-#include <iterator>
 #include <numbers>
 
-#include "asked.hpp"
-#include "calls.hpp"
 #include "demand_names.hpp"
-#include "described.hpp"
-#include "patience.hpp"
 #include "scene_continuum_answer.hpp"
 #include "scene_figures.hpp"
 #include "scene_find_answer.hpp"
@@ -183,24 +177,16 @@ template <typename Answer>
 void addMotions(py::module_& module)
 {
     classOf<Answer>(module)
-        ->more()
-        .def("_figure",
-             [](const Answer& a, std::size_t which) {
-                 return asJson(periodFigure(scheduleIn(a).network(), claimIn(a, which),
-                                            scheduleIn(a).bars.assembly.length));
-             })
-        .def("_frames",
-             [](const Answer& a, std::int64_t most, std::size_t which) {
-                 const auto frames = barsFrames(
-                     scheduleIn(a).bars.assembly, scheduleIn(a).network(), claimIn(a, which),
-                     static_cast<std::size_t>(std::max<std::int64_t>(most, 1)));
-                 std::vector<std::string> all;
-                 std::transform(frames.begin(), frames.end(), std::back_inserter(all),
-                                [](const FigureData& frame) { return asJson(frame); });
-                 return all;
-             })
-        .def("_scene",
-             [](const Answer& a) { return asJson(sceneFigure(scheduleIn(a).bars.assembly)); })
+        ->draws([](const Answer& a, std::size_t which) {
+            return periodFigure(scheduleIn(a).network(), claimIn(a, which),
+                                scheduleIn(a).bars.assembly.length);
+        })
+        .drawsScene([](const Answer& a) { return scheduleIn(a).bars.assembly; })
+        .moves([](const Answer& a, std::size_t most, std::size_t which) {
+            return barsFrames(scheduleIn(a).bars.assembly, scheduleIn(a).network(),
+                              claimIn(a, which), most);
+        })
+        .more()
         .def(
             "write",
             [](const Answer& a, const std::string& path, std::size_t which) {
@@ -222,9 +208,8 @@ void addSceneFind(py::module_& module)
     addClasses<NetworkResiduals, answers::SceneForcedMotion>(module);
     addMotions<SceneFindAnswer>(module);
     addMotions<SceneForcedAnswer>(module);
-    classOf<SceneQuestionAnswer>(module)->more().def("_scene", [](const SceneQuestionAnswer& a) {
-        return asJson(sceneFigure(a.period.bars.assembly));
-    });
+    classOf<SceneQuestionAnswer>(module)->drawsScene(
+        [](const SceneQuestionAnswer& a) { return a.period.bars.assembly; });
     addMotions<SceneCurvePoint>(module);
     classOf<SceneContinuumAnswer>(module)
         ->can("member", {"lambda_"},
@@ -232,12 +217,8 @@ void addSceneFind(py::module_& module)
               [](const SceneContinuumAnswer& c, double lambda) {
                   return SceneCurvePoint{c.of, pointAt(c.curve(), lambda)};
               })
-        .more()
-        .def("_figure",
-             [](const SceneContinuumAnswer& c) { return asJson(sceneContinuumFigure(c)); })
-        .def("_scene", [](const SceneContinuumAnswer& c) {
-            return asJson(sceneFigure(c.of->schedule.bars.assembly));
-        });
+        .draws(&sceneContinuumFigure)
+        .drawsScene([](const SceneContinuumAnswer& c) { return c.of->schedule.bars.assembly; });
     addCall(module, "find_bars", &findInBars);
     addCall(module, "continuum_bars", &continuumInBars);
     addCall(module, "find_period_bars", &findPeriodInBars);

@@ -1,10 +1,5 @@
-#include <pybind11/stl.h>
-
-#include "arrays.hpp"
-#include "asked.hpp"
 #include "calls.hpp"
-#include "described.hpp"
-#include "patience.hpp"
+
 #include "scene_figures.hpp"
 #include "scene_simulation_answer.hpp"
 #include "signorini/figures.hpp"
@@ -16,25 +11,12 @@ namespace {
 
 using answers::SceneSimulationAnswer;
 
-/// What a simulation of bars came to, each contact in SI units, and its picture.
-struct SimulatedBars : SceneSimulationAnswer {
-    std::vector<NetworkContactEvent> pushes;
-    std::string figure;  ///< empty: no paths were recorded
+/// What contacts did, in SI units, and the picture of a simulation.
+struct SeenInBars {
+    std::vector<NetworkContactEvent> pushes = {};
+    std::string figure = {};  ///< empty: no paths were recorded
 };
-
-template <typename D>
-void describe(D& d, answers::Type<SimulatedBars>)
-{
-    describe(d, answers::Type<SceneSimulationAnswer>());
-}
-
-template <typename T, typename F>
-requires(std::is_same_v<std::remove_const_t<T>, SimulatedBars>) constexpr void withMembers(T& value,
-                                                                                           F f)
-{
-    python::withMembers(baseOf<SceneSimulationAnswer>(value), f);
-    f(value.pushes, value.figure);
-}
+using SimulatedBars = With<SceneSimulationAnswer, SeenInBars>;
 
 NetworkStart startOf(const Asked& asked, const Network& network)
 {
@@ -77,17 +59,9 @@ SimulatedBars simulateBars(const Asked& asked)
                 answers::simulationOf(network, start, drive, recordsPaths);
             answer.follow(simulation, drive.moved, duration, wires.cancel, wires.progress);
             if (recordsPaths) {
-                answer.figure = asJson(simulationFigure(simulation));
+                answer.more.figure = asJson(simulationFigure(simulation));
             }
-            const NetworkScales& scales = network.scales;
-            answer.pushes = simulation.contacts();
-            for (NetworkContactEvent& push : answer.pushes) {
-                push.start *= scales.time;
-                push.end *= scales.time;
-                push.impulse *= answer.impulseUnit;
-                push.peakForce *= scales.force();
-                push.speed *= scales.velocity();
-            }
+            answer.more.pushes = answers::contactsOf(simulation);
             return answer;
         },
         asked.progress());
@@ -106,19 +80,19 @@ void addSceneSimulation(py::module_& module)
           std::tuple("contact_peak_force", &Push::peakForce, "[N]"),
           std::tuple("contact_speed", &Push::speed, "With which it closed [m/s].")}) {
         record->has(name, doc, [member = member](const std::shared_ptr<SimulatedBars>& s) {
-            return view(s->pushes, member, s);
+            return view(s->more.pushes, member, s);
         });
     }
     record->has("contact_number", "Which contact, from 1.", [](const SimulatedBars& s) {
         py::list numbers;
-        for (const Push& push : s.pushes) {
+        for (const Push& push : s.more.pushes) {
             numbers.append(push.contact + 1);
         }
         return numbers;
     });
-    record->more()
-        .def("_figure", [](const SimulatedBars& s) { return s.figure; })
-        .def("_scene", [](const SimulatedBars& s) { return asJson(sceneFigure(s.bars.assembly)); });
+    record->drawsScene([](const SimulatedBars& s) { return s.bars.assembly; })
+        .more()
+        .def("_figure", [](const SimulatedBars& s) { return s.more.figure; });
     addCall(module, "simulate_bars", &simulateBars);
 }
 

@@ -1,14 +1,8 @@
 #include "calls.hpp"
 
-#include <pybind11/stl.h>
-
 #include <cmath>
 #include <functional>
 
-#include "arrays.hpp"
-#include "asked.hpp"
-#include "described.hpp"
-#include "patience.hpp"
 #include "simulation_answer.hpp"
 
 namespace signorini::python {
@@ -20,27 +14,13 @@ using answers::Drive;
 /// Waves off any grid, and their units.
 using WavesOf = Of<Waves>;
 
-/// What a simulation came to, and all that happened.
-struct Simulated : answers::SimulationAnswer {
-    Waves waves;
-    std::vector<ContactEvent> contacts;
-    std::vector<TipPoint> path;
+/// All that happened in a simulation, and the waves at its end.
+struct Seen {
+    Waves waves = {};
+    std::vector<ContactEvent> contacts = {};
+    std::vector<TipPoint> path = {};
 };
-
-template <typename D>
-void describe(D& d, answers::Type<Simulated>)
-{
-    describe(d, answers::Type<answers::SimulationAnswer>());
-}
-
-template <typename T, typename F>
-requires(std::is_same_v<std::remove_const_t<T>, Simulated>) constexpr void withMembers(T& value,
-                                                                                       F f)
-{
-    python::withMembers(baseOf<answers::SimulationAnswer>(value), f);
-    f(value.waves, value.contacts, value.path);
-}
-
+using Simulated = With<answers::SimulationAnswer, Seen>;
 using SharedSimulation = std::shared_ptr<Simulated>;
 
 double second(const Bar& bar)
@@ -60,13 +40,13 @@ struct Column {
 
 /// Each in SI units, and without on the simulation's own memory.
 template <typename T>
-void addColumns(Record<Simulated>& record, std::vector<T> Simulated::*list,
+void addColumns(Record<Simulated>& record, std::vector<T> Seen::*list,
                 std::initializer_list<Column<T>> columns)
 {
     for (const Column<T>& column : columns) {
         record.both(column.name, column.unit, column.doc, column.ratioDoc,
                     [list, column](const SharedSimulation& s) {
-                        return view((*s).*list, column.member, s);
+                        return view(s->more.*list, column.member, s);
                     });
     }
 }
@@ -111,7 +91,7 @@ void addSimulated(py::module_& module)
 {
     const auto record = classOf<Simulated>(module);
     addColumns<ContactEvent>(
-        *record, &Simulated::contacts,
+        *record, &Seen::contacts,
         {{"contact_start", &ContactEvent::start, "time_unit", "[s], shape (contacts,).",
           "[L/c]; no copy."},
          {"contact_end", &ContactEvent::end, "time_unit", "[s]", "[L/c]; no copy."},
@@ -125,7 +105,7 @@ void addSimulated(py::module_& module)
          {"contact_energy", &ContactEvent::energy, "energy_unit",
           "Of the waves that the stop sent back [J].", "[E_1]; no copy."}});
     addColumns<TipPoint>(
-        *record, &Simulated::path,
+        *record, &Seen::path,
         {{"tip_time", &TipPoint::time, "time_unit",
           "Instants of the path of the tip [s]; straight between.", "[L/c]; no copy."},
          {"tip_displacement", &TipPoint::displacement, "displacement_unit",
@@ -133,19 +113,19 @@ void addSimulated(py::module_& module)
     record->has("contact_stop", "[\"right\" or \"left\", ...], which stop was touched.",
                 [](const Simulated& s) {
                     py::list stops;
-                    for (const ContactEvent& contact : s.contacts) {
+                    for (const ContactEvent& contact : s.more.contacts) {
                         stops.append(nameOf(contact.stop));
                     }
                     return stops;
                 });
     record->has("waves", "At the end: a Waves, from which another simulation can go on.",
                 [](const Simulated& s) {
-                    return WavesOf{s.waves, s.scene.bar};
+                    return WavesOf{s.more.waves, s.scene.bar};
                 });
-    record->more().def("_figure", [](const Simulated& s) {
+    record->draws([](const Simulated& s) {
         const double period = s.drive ? s.drive->period / second(s.scene.bar) : 0.0;
-        return asJson(simulationFigure({s.time, stopsOf(s.scene), s.path, s.contacts, period},
-                                       s.scene.bar, true));
+        return simulationFigure({s.time, stopsOf(s.scene), s.more.path, s.more.contacts, period},
+                                s.scene.bar, true);
     });
 }
 
@@ -161,39 +141,22 @@ Excitation excitationOf(Drive& drive, double cells, const Bar& bar)
     return excitation;
 }
 
-/// Refuses more than anyone waits for.
-void requireLength(const char* name, double given, double seconds, const Bar& bar)
-{
-    constexpr double longest = 1e9;  // [L/c]
-    if (!(seconds <= longest * second(bar))) {
-        Faults faults;
-        faults.add(
-            name, given,
-            fmt::format("what lasts at most {} L/c, {:.3g} s", longest, longest * second(bar)));
-        faults.throwIfAny();
-    }
-}
-
 /// Goes on stretch by stretch, and sees whether it repeats itself.
-Simulated simulated(Simulated answer, const Excitation& excitation, double total, bool wantsTip,
-                    const Wires& wires)
+Simulated simulated(Simulated answer, const Excitation& excitation, double stretch, double total,
+                    bool wantsTip, const Wires& wires)
 {
-    const double crossing = answer.waves.crossing;
-    BarSimulation simulation(answer.waves, answer.damping, excitation,
+    BarSimulation simulation(answer.more.waves, answer.damping, excitation,
                              {.mergeBelow = {},
                               .recordsTip = wantsTip,
                               .stops = stopsOf(answer.scene),
                               .segments = {},
                               .resolution = answer.resolution});
-    const double stretch = stretchOf(excitation, crossing);
-    const Followed followed =
-        follow(simulation, stretch, answer.drive ? total : total * crossing / stretch, wires.cancel,
-               wires.progress);
+    const Followed followed = follow(simulation, stretch, total, wires.cancel, wires.progress);
     answer.settling = answer.drive ? followed.settling : Settling{};
     answer.see(simulation);
-    answer.waves = simulation.waves();
-    answer.contacts = simulation.contacts();
-    answer.path = simulation.tipPath();
+    answer.more.waves = simulation.waves();
+    answer.more.contacts = simulation.contacts();
+    answer.more.path = simulation.tipPath();
     return answer;
 }
 
@@ -222,8 +185,6 @@ Simulated simulate(const Asked& asked)
     if (asked.has("frequency")) {
         frequency = asked.frequency("frequency", bar);
     }
-    const auto time = asked.maybe<double>("time");
-    const auto periods = asked.maybe<std::int64_t>("periods");
     const auto cells = asked.maybe<std::int64_t>("cells");
     if (frequency) {
         answer.drive = Drive{asked.place(), *asked.displacement(*frequency, bar), *frequency,
@@ -233,19 +194,20 @@ Simulated simulate(const Asked& asked)
         return answer.drive ? excitationOf(*answer.drive, grid, bar)
                             : Excitation{.stepsPerCrossing = grid};
     };
-    answer.waves = startOf(asked, cells, stopsOf(answer.scene), drivenBy);
-    answer.cells = static_cast<std::int64_t>(answer.waves.crossing);
+    answer.more.waves = startOf(asked, cells, stopsOf(answer.scene), drivenBy);
+    answer.cells = static_cast<std::int64_t>(answer.more.waves.crossing);
     const Excitation excitation =
-        drivenBy(cells ? static_cast<double>(*cells) : answer.waves.crossing);
-    const double period = answer.drive ? answer.drive->period : second(bar);
-    const double total = periods ? static_cast<double>(*periods) : *time / period;
-    requireLength(periods ? "periods" : "time", periods ? total : *time, total * period, bar);
+        drivenBy(cells ? static_cast<double>(*cells) : answer.more.waves.crossing);
+    const double stretch = stretchOf(excitation, answer.more.waves.crossing);
+    const double total =
+        answers::stretchesOf(stretch, answer.more.waves.crossing, bar, asked.maybe<double>("time"),
+                             asked.maybe<std::int64_t>("periods"));
     const auto resolve = asked.maybe<double>("resolve");
     answer.resolution = resolve ? *resolve / second(bar) : 1.0 / excitation.stepsPerCrossing;
     const bool tip = asked.get<bool>("tip");
     return patiently(
-        [answer = std::move(answer), excitation, total, tip](const Wires& wires) {
-            return simulated(answer, excitation, total, tip, wires);
+        [answer = std::move(answer), excitation, stretch, total, tip](const Wires& wires) {
+            return simulated(answer, excitation, stretch, total, tip, wires);
         },
         asked.progress());
 }

@@ -1,12 +1,8 @@
-#include <pybind11/stl.h>
-
-#include "asked.hpp"
 #include "calls.hpp"
-#include "described.hpp"
+
 #include "excited_names.hpp"
 #include "journal.hpp"
 #include "network_sweep.hpp"
-#include "patience.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
 #include "study_answer.hpp"
@@ -182,8 +178,8 @@ std::vector<StudyPoint> study(const Asked& asked)
 void addSweep(py::module_& module)
 {
     addClasses<SweepPointOf, StudyPoint>(module);
-    classOf<SweepAnswer>(module)->more().def("_figure", [](const SweepAnswer& answer) {
-        return asJson(sweepFigure(answer.points, answer.range, answer.bar, {}));
+    classOf<SweepAnswer>(module)->draws([](const SweepAnswer& answer) {
+        return sweepFigure(answer.points, answer.range, answer.bar, {});
     });
     addCall(module, "sweep", &sweep);
     addCall(module, "study", &study);

@@ -55,6 +55,10 @@ struct PolytopeList {
     bool isComplete = true;
 };
 
+/// The sign of the gap. \throws std::invalid_argument where there is none: no mode has a stretch of
+/// periods then.
+[[nodiscard]] int gapSignOfModes(const Bar& bar);
+
 /// (p, q) of the contact time p + q T [L/c], of a polytope that of all contacts together.
 [[nodiscard]] std::tuple<std::int64_t, std::int64_t> contactOf(const Mode& mode);
 [[nodiscard]] std::tuple<std::int64_t, std::int64_t> contactOf(const ModePolytope& polytope);

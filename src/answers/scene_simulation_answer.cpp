@@ -51,6 +51,20 @@ NetworkSimulation simulationOf(const Network& network, const NetworkStart& start
             {.mergeBelow = 1e-12 * size, .recordsPaths = recordsPaths}};
 }
 
+std::vector<NetworkContactEvent> contactsOf(const NetworkSimulation& simulation)
+{
+    const NetworkScales& scales = simulation.network().scales;
+    std::vector<NetworkContactEvent> contacts = simulation.contacts();
+    for (NetworkContactEvent& contact : contacts) {
+        contact.start *= scales.time;
+        contact.end *= scales.time;
+        contact.impulse *= scales.force() * scales.time;
+        contact.peakForce *= scales.force();
+        contact.speed *= scales.velocity();
+    }
+    return contacts;
+}
+
 void SceneSimulationAnswer::follow(NetworkSimulation& simulation, const HarmonicDrive& moved,
                                    double duration, const Cancel& cancel,
                                    const std::function<void(double, double)>& show)

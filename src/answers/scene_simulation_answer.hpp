@@ -28,6 +28,9 @@ struct SceneDrive {
 [[nodiscard]] NetworkSimulation simulationOf(const Network& network, const NetworkStart& start,
                                              const SceneDrive& drive, bool recordsPaths);
 
+/// All that its contacts did, in SI units.
+[[nodiscard]] std::vector<NetworkContactEvent> contactsOf(const NetworkSimulation& simulation);
+
 /// What was seen at one contact since the start, in SI units.
 struct ContactTotals {
     static constexpr bool isDictionary = true;

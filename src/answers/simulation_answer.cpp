@@ -1,5 +1,6 @@
 #include "simulation_answer.hpp"
 
+#include "faults.hpp"
 #include "stepped_bar.hpp"
 
 namespace signorini::answers {
@@ -8,6 +9,23 @@ void Drive::follow(const Excitation& excitation, const Bar& bar)
 {
     steps = excitation.steps();
     period = static_cast<double>(steps) / excitation.stepsPerCrossing * scales(bar).time;
+}
+
+double stretchesOf(double stretch, double crossing, const Bar& bar,
+                   const std::optional<double>& time, const std::optional<std::int64_t>& periods)
+{
+    constexpr double longest = 1e9;  // [L/c]
+    const double unit = scales(bar).time;
+    const double total =
+        periods ? static_cast<double>(*periods) : *time / unit * crossing / stretch;
+    Faults faults;
+    if (!(total * stretch <= longest * crossing)) {
+        const std::string allowed =
+            fmt::format("what lasts at most {} L/c, {:.3g} s", longest, longest * unit);
+        periods ? faults.add("periods", *periods, allowed) : faults.add("time", *time, allowed);
+    }
+    faults.throwIfAny();
+    return total;
 }
 
 std::string_view name(Ending ending)

@@ -20,6 +20,12 @@ struct Drive {
     void follow(const Excitation& excitation, const Bar& bar);
 };
 
+/// How many stretches of time (settling.hpp) a call asks for: so many seconds, or periods of what
+/// drives the bar. \throws std::invalid_argument naming time or periods beyond 1e9 L/c.
+[[nodiscard]] double stretchesOf(double stretch, double crossing, const Bar& bar,
+                                 const std::optional<double>& time,
+                                 const std::optional<std::int64_t>& periods);
+
 /// Did it reach its end?
 enum class Ending { done, interrupted };
 [[nodiscard]] std::string_view name(Ending ending);

@@ -70,13 +70,6 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& na
     return nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
 }
 
-std::string sizeOf(const Bar& bar)
-{
-    const bool isUsual = bar.length == Bar{}.length && bar.waveSpeed == Bar{}.waveSpeed;
-    return fmt::format("L = {:.6g} m, c = {:.6g} m/s{}", bar.length, bar.waveSpeed,
-                       isUsual ? " by default" : "");
-}
-
 std::string looksLikeHertz(std::string_view option, double ratio, double hertz,
                            const std::string& size)
 {

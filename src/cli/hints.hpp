@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "signorini/bar.hpp"
+#include "parts.hpp"
 
 namespace signorini::cli {
 
@@ -24,8 +24,7 @@ namespace signorini::cli {
 [[nodiscard]] std::string looksLikeHertz(std::string_view option, double ratio, double hertz,
                                          const std::string& size);
 
-/// "L = 1 m, c = 1 m/s by default" or, of a bar that was described, "L = 3 m, c = 5000 m/s".
-[[nodiscard]] std::string sizeOf(const Bar& bar);
+using answers::sizeOf;
 
 /// A line on a modulus that no bar has: GPa was meant. Empty of others.
 [[nodiscard]] std::string youngNote(const std::optional<double>& young);

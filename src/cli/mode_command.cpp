@@ -113,7 +113,7 @@ ExitStatus runMode(const Given& given)
 {
     const CommonOptions common(given);
     const Bar bar = common.barOfAnyGap();
-    const Mode mode = modeOf(given.words(), gapSignOfModes(bar));
+    const Mode mode = modeOf(given.words(), answers::gapSignOfModes(bar));
     if (!given.has("--period")) {
         throw std::invalid_argument(fmt::format(
             "--period is missing: allowed ]{}, {}[ [L/c], where the mode t_c = {} lives",

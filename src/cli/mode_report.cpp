@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "faults.hpp"
 #include "printing.hpp"
 
 namespace signorini::cli {
@@ -49,18 +48,6 @@ std::string linearAsText(std::int64_t factor, std::int64_t less)
 std::string rootAsText(const Mode& mode)
 {
     return linearAsText(mode.kappa, mode.mu);
-}
-
-int gapSignOfModes(const Bar& bar)
-{
-    if (bar.gap == 0.0) {
-        Faults faults;
-        faults.add("--gap", 0.0,
-                   "a gap > 0 or < 0 [m]: without one modes have a single period each, which "
-                   "families lists");
-        faults.throwIfAny();
-    }
-    return bar.gap > 0.0 ? 1 : -1;
 }
 
 std::string asText(const answers::ModeAnswer& answer)

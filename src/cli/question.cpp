@@ -16,9 +16,8 @@ namespace signorini::cli {
 
 namespace {
 
-/// Periods of so many steps are within exact arithmetic on every grid.
-constexpr std::int64_t leastSteps = 2;
-constexpr std::int64_t mostSteps = 1'000'000'000'000'000;
+constexpr std::int64_t leastSteps = answers::AskedPeriod::leastSteps;
+constexpr std::int64_t mostSteps = answers::AskedPeriod::mostSteps;
 
 /// 4/x: a period in L/c from a frequency in omega_1, and back.
 ExactPeriod reciprocal(const ExactPeriod& x)
@@ -137,16 +136,7 @@ answers::AskedPeriod PeriodQuestion::on(std::int64_t cells, const Bar& bar) cons
                  asked.exact ? std::optional(reciprocal(*asked.exact)) : std::nullopt};
         return onGrid("--frequency", frequency, asked, cells, true);
     }
-    const double unit = static_cast<double>(cells) / scales(bar).time;  // steps in a second
-    const double wanted = unit / *hertz;
-    if (!(wanted > static_cast<double>(leastSteps) - 0.5 &&
-          wanted <= static_cast<double>(mostSteps))) {
-        refuse("--hertz", fmt::format("{}", *hertz),
-               fmt::format("{}..{} Hz for this bar ({}) on {} cells",
-                           unit / static_cast<double>(mostSteps),
-                           unit / static_cast<double>(leastSteps), sizeOf(bar), cells));
-    }
-    return {"hertz", fmt::format("{}", *hertz), std::llround(wanted)};
+    return {"hertz", fmt::format("{}", *hertz), answers::stepsNearest(*hertz, cells, bar)};
 }
 
 }  // namespace signorini::cli

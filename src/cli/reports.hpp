@@ -92,10 +92,6 @@ void report(const CommonOptions& common, const auto& answer, std::optional<std::
 /// "2/1→2 2/2→1": k/turns and release of each chain, contacts counted from 1.
 [[nodiscard]] std::string chainsAsText(const std::vector<ModeChain>& chains);
 
-/// The sign of the gap. \throws std::invalid_argument where there is none: no mode has a stretch of
-/// periods then.
-[[nodiscard]] int gapSignOfModes(const Bar& bar);
-
 /// One row a family.
 void writeFamiliesCsv(const std::string& path, const answers::FamilyList& list);
 /// Motions inside the interval of each mode, evenly in T, with no more than the energy asked for.

@@ -129,28 +129,25 @@ std::string asText(const SceneSimulationAnswer& answer, const Network& network)
 
 void writeEventsOf(const std::string& path, const NetworkSimulation& simulation)
 {
-    const NetworkScales& scales = simulation.network().scales;
     writeCsv(path, "contact,start,end,impulse,peak_force,speed", [&](CsvRows& row) {
-        for (const NetworkContactEvent& event : simulation.contacts()) {
-            row(event.contact + 1, event.start * scales.time, event.end * scales.time,
-                event.impulse * scales.force() * scales.time, event.peakForce * scales.force(),
-                event.speed * scales.velocity());
+        for (const NetworkContactEvent& event : answers::contactsOf(simulation)) {
+            row(event.contact + 1, event.start, event.end, event.impulse, event.peakForce,
+                event.speed);
         }
     });
 }
 
 void writeStatisticsOf(const std::string& path, const NetworkSimulation& simulation)
 {
-    const NetworkScales& scales = simulation.network().scales;
     std::vector<Impacts> all(simulation.network().contacts.size());
     for (std::size_t contact = 0; contact < all.size(); ++contact) {
         all[contact].contact = fmt::format("{}", contact + 1);
     }
-    for (const NetworkContactEvent& event : simulation.contacts()) {
-        all[event.contact].impulse.push_back(event.impulse * scales.force() * scales.time);
-        all[event.contact].speed.push_back(event.speed * scales.velocity());
+    for (const NetworkContactEvent& event : answers::contactsOf(simulation)) {
+        all[event.contact].impulse.push_back(event.impulse);
+        all[event.contact].speed.push_back(event.speed);
     }
-    writeImpacts(path, all, simulation.time() * scales.time);
+    writeImpacts(path, all, simulation.time() * simulation.network().scales.time);
 }
 
 void writePaths(const std::string& path, const NetworkSimulation& simulation)

@@ -18,8 +18,6 @@ namespace signorini::cli {
 
 namespace {
 
-constexpr double longestTime = 1e9;  // [L/c]
-
 /// The segments of a bar that is not uniform.
 std::vector<Segment> partsOf(const Scene& scene)
 {
@@ -111,19 +109,6 @@ Excitation SimulateCommand::excitation(const Bar& bar, double cells) const
     });
 }
 
-double SimulateCommand::stretches(double stretch, double crossing, const Bar& bar) const
-{
-    const double unit = scales(bar).time;
-    const double total =
-        periods ? static_cast<double>(*periods) : *time / unit * crossing / stretch;
-    if (!(total * stretch <= longestTime * crossing)) {
-        refuse(time ? "--time" : "--periods",
-               time ? fmt::format("{}", *time) : fmt::format("{}", *periods),
-               fmt::format("what lasts at most {} L/c, {:.3g} s", longestTime, longestTime * unit));
-    }
-    return total;
-}
-
 std::vector<double> SimulateCommand::forceHistory(double step, double newtons, double steps) const
 {
     const double whole = std::floor(steps) + 1.0;
@@ -184,7 +169,7 @@ ExitStatus SimulateCommand::run() const
                               .segments = partsOf(scene),
                               .resolution = answer.resolution});
     const double stretch = stretchOf(force.place ? driving : Excitation{}, waves.crossing);
-    const double total = stretches(stretch, waves.crossing, bar);
+    const double total = answers::stretchesOf(stretch, waves.crossing, bar, time, periods);
     const Followed followed =
         watched(common, "simulating", [&](const Cancel& cancel, const auto& show) {
             return follow(simulation, stretch, total, cancel, show);

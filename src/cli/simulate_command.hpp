@@ -44,8 +44,6 @@ private:
     }
     /// The start, `base` [g] the place of the base then.
     [[nodiscard]] Waves start(const Scene& scene, double base) const;
-    /// How many stretches of time are asked for, in units of which a crossing takes `crossing`.
-    [[nodiscard]] double stretches(double stretch, double crossing, const Bar& bar) const;
     [[nodiscard]] Excitation excitation(const Bar& bar, double cells) const;
 };
 

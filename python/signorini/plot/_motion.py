@@ -12,7 +12,7 @@ from .._core import (Continuum, ContinuumPoint, ForcedResult, HarmonicResult,
                      SceneSimulation)
 from .._words import whole
 from ._draw import draw
-from ._style import unit_for
+from ._style import NothingToDraw, unit_for
 
 #: What has a motion: a Motion itself, a Result, a point of a continuum, or
 #: several forced motions.
@@ -24,7 +24,7 @@ def motion_of(moving: Moving, index: int) -> tuple[Any, tuple[int, ...]]:
     """Return what draws the motion, and which it is of several. ValueError if there is none."""
     if isinstance(moving, (SceneResult, SceneContinuumPoint)):
         if isinstance(moving, SceneResult) and not moving:
-            raise ValueError("no motion was found: there is nothing to draw")
+            raise NothingToDraw("no motion was found: there is nothing to draw")
         return moving, (0,)
     several = isinstance(moving, (ForcedResult, HarmonicResult, SceneForcedResult,
                                   SceneHarmonicResult))
@@ -32,7 +32,7 @@ def motion_of(moving: Moving, index: int) -> tuple[Any, tuple[int, ...]]:
     found: Any = moving if several or isinstance(moving, Motion) else (
         moving.motion)  # type: ignore[union-attr]
     if found is None or count == 0:
-        raise ValueError("no motion was found: there is nothing to draw")
+        raise NothingToDraw("no motion was found: there is nothing to draw")
     if not -count <= whole("index", index) < count:
         raise ValueError(f"index = {index} is out of range: allowed whole numbers "
                          f"{-count}..{count - 1}")
@@ -127,7 +127,7 @@ def continuum(curve: Continuum | SceneContinuum, *, members: int | None = None,
         If the curve has no points.
     """
     if len(curve) == 0:
-        raise ValueError("the curve has no points: there is nothing to draw")
+        raise NothingToDraw("the curve has no points: there is nothing to draw")
     text = curve._figure()
     panels = tuple(panel["name"] for panel in json.loads(text)["panels"])
     return draw(text, panels, axes, figure)

@@ -12,7 +12,7 @@ from .._asking import asks
 from .._atlas import Atlas
 from .._core import Family, ModePolytope
 from ._draw import draw
-from ._style import colours
+from ._style import NothingToDraw, colours
 
 
 @asks("figure")
@@ -86,7 +86,7 @@ def families(rows: Sequence[Family] | None = None, *, max_order: int = 12,
     """
     rows = _lists.families(max_order) if rows is None else rows
     if len(rows) == 0:
-        raise ValueError("there are no families to draw")
+        raise NothingToDraw("there are no families to draw")
     return draw(_core.families_figure(list(rows)), ("families",), axes,
                 figure)["families"]
 
@@ -112,7 +112,7 @@ def polytopes(rows: Sequence[ModePolytope], *, max_energy_ratio: float = 50.0,
         Of the contact, and of the energy.
     """
     if len(rows) > 0 and rows[0].bar.gap < 0.0:
-        raise ValueError("there is no such figure without a gap > 0")
+        raise NothingToDraw("there is no such figure without a gap > 0")
     drawn = draw(_core.polytopes_figure(list(rows), max_energy_ratio), ("contact", "energy"),
                  axes, figure)
     return drawn["contact"], drawn["energy"]

@@ -9,7 +9,7 @@ import numpy as np
 from .._asking import asks
 from .._core import ExactResponse, SceneResponse, SceneSimulation, Simulation, Sweep
 from ._draw import draw
-from ._style import axes_of, colour_map, unit_for
+from ._style import NothingToDraw, axes_of, colour_map, unit_for
 
 if TYPE_CHECKING:
     from .._forced import Response
@@ -38,7 +38,7 @@ def response(data: Response | ExactResponse | SceneResponse, *, figure: Any = No
         If the response has no frequency.
     """
     if len(data.frequencies) == 0:
-        raise ValueError("the response has no frequency: nothing to draw")
+        raise NothingToDraw("the response has no frequency: nothing to draw")
     if isinstance(data, (ExactResponse, SceneResponse)):
         drawn = draw(data._figure(), ("force", "impulse"), axes, figure)
         return drawn["force"], drawn["impulse"]
@@ -68,10 +68,10 @@ def simulation(run: Simulation | SceneSimulation, *, figure: Any = None,
     if isinstance(run, SceneSimulation):
         contacts = tuple(f"contact {one['number']}" for one in run.contacts[:6])
         if not run._figure():
-            raise ValueError("the paths at the contacts were not recorded: tip=True")
+            raise NothingToDraw("the paths at the contacts were not recorded: tip=True")
         return tuple(draw(run._figure(), contacts, axes, figure).values())
     if len(run.tip_time) == 0:
-        raise ValueError("the path of the tip was not recorded: tip=True")
+        raise NothingToDraw("the path of the tip was not recorded: tip=True")
     drawn = draw(run._figure(), ("tip", "impulse"), axes, figure)
     return drawn["tip"], drawn["impulse"]
 
@@ -98,7 +98,7 @@ def sweep(data: Sweep, *, figure: Any = None,
         If the sweep has no point.
     """
     if not data.points:
-        raise ValueError("the sweep has no point: nothing to draw")
+        raise NothingToDraw("the sweep has no point: nothing to draw")
     drawn = draw(data._figure(), ("impulse", "tip"), axes, figure)
     return drawn["impulse"], drawn["tip"]
 

@@ -15,6 +15,10 @@ from .. import _core
 colours: dict[str, Any] = _core.palette()
 
 
+class NothingToDraw(ValueError):
+    """There is no figure of this."""
+
+
 def new(*arguments: Any, **options: Any) -> Any:
     """Return a figure that lays itself out."""
     from matplotlib import pyplot
