@@ -53,7 +53,7 @@ QUESTIONS = {
     "Modes": ("modes", "--max-order 2 --max-period 3", "modes"),
     "The motion of a mode": ("mode", "4 -1 --period 3.14", "mode"),
     "An atlas": ("atlas", "--database {folder}/new.sqlite --max-contact 4 --max-free 8", "Atlas"),
-    "A query of an atlas": ("atlas", "--database {folder}/KNOWN.sqlite --period 4", "Atlas"),
+    "A query of an atlas": ("atlas", "--database {folder}/known.sqlite --period 4", "Atlas"),
     "Response to a staircase of forces": ("response", "{force} --from 1 --to 1.3", "response"),
     "Response to the harmonic itself": ("response", "--exact {force} --from 1.05 --to 1.1", "exact_response"),
     "Simulation": ("simulate", "--rest --periods 2 --frequency 1 {force}", "simulate"),
@@ -135,7 +135,7 @@ def words_of(question, scene, demand=None):
     """What is typed."""
     command, words, _ = QUESTIONS[question]
     words = OTHERWISE.get((question, scene), words)
-    words = words.replace("{folder}/KNOWN.sqlite", f"'{{folder}}/{scene}.sqlite'")
+    words = words.replace("{folder}/known.sqlite", f"'{{folder}}/{scene}.sqlite'")
     given = SCENES[scene]
     if "{force}" in words:
         words = words.replace("{force}", OWN_FORCE if scene in DRIVEN else FORCE)

@@ -485,14 +485,15 @@ class AtlasFamily(_InPeriod):
     dimension_at_energy: Optional[int]
     connected_at_energy: Optional[bool]
 
-class AtlasSchedule(_Found, _InPeriod):
+class AtlasSchedule(_Found):
     cells: int
     schedule: Optional[Schedule]
     spans: Optional[list[ContactSpan]]
     family: Optional[int]
+    period: float
+    period_ratio: float
     frequency: float
     frequency_ratio: Optional[float]
-    status: Literal["found", "none", "undecided"]
     reason: Optional[Literal["no-live-class", "contact-sign", "penetration", "gap",
         "constraints"]]
     kernel_dimension: Optional[int]

@@ -25,7 +25,8 @@ def test_an_atlas_of_bars_is_that_of_the_program(program: Program, tmp_path: Pat
     assert len(found.frame()) == len(found) == run.found > 5
     for row in found[:6]:
         assert row.schedule is None and row.spans is not None
-        words = [f"{'+'.join(map(str, span['closed'])) or '-'}:{span['steps']}" for span in row.spans]
+        sets = ["+".join(map(str, span["closed"])) or "-" for span in row.spans]
+        words = [f"{name}:{span['steps']}" for name, span in zip(sets, row.spans)]
         motion = sg.find(words[0], *words[1:], scene=BARS, length=0.7, wave_speed=5000)
         assert row.energy_range is not None and motion.energy == pytest.approx(row.energy_range[0])
         assert motion.period == pytest.approx(row.period)

@@ -136,12 +136,10 @@ Bar AtlasCommand::bar() const
 
 AtlasUnits AtlasCommand::units(const std::optional<Assembly>& known) const
 {
-    if (!known) {
-        return answers::atlasUnitsOf(bar());
-    }
-    const bool isOther = common.hasScene() && common.assembly() != *known;
-    refuseIf(isOther, "--scene", common.sceneText, "the scene of the database, or none");
-    return answers::atlasUnitsOf(*known);
+    const bool isOther = common.hasScene() && (known ? common.assembly() != *known
+                                                     : !barOf(common.assembly()).has_value());
+    refuseIf(isOther, "--scene, --gravity: allowed those of the database, or none");
+    return known ? answers::atlasUnitsOf(*known) : answers::atlasUnitsOf(bar());
 }
 
 ExitStatus AtlasCommand::run() const

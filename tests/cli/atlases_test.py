@@ -141,9 +141,11 @@ def check_segments(options, folder, draw):
 def check_bars(options, folder, draw):
     """Bars in a row, one contact and two: that what is refuted has no motion; a sentence."""
     refuted = spoilt = 0
-    for scene in ("clamp 3 gap=1e-3 4:1.7 clamp", "clamp 2 stop=1e-3 gap=-2e-4 3 dash=0.2 1 clamp", "free 3 gap=1e-3 2 clamp",
-                  "clamp 2:1:1.3 mass=0.1 3 stop=-1e-3 stop=2e-3", "spring=2 4 force=1e-4 stop=1e-3"):
-        for more in (["--max-contact", "4", "--max-free", "17"], ["--phases", "2", "--max-contact", "2", "--max-free", "5"]):
+    for scene in ("clamp 3 gap=1e-3 4:1.7 clamp", "clamp 2 stop=1e-3 gap=-2e-4 3 dash=0.2 1 clamp",
+                  "free 3 gap=1e-3 2 clamp", "clamp 2:1:1.3 mass=0.1 3 stop=-1e-3 stop=2e-3",
+                  "spring=2 4 force=1e-4 stop=1e-3"):
+        for more in (["--max-contact", "4", "--max-free", "17"],
+                     ["--phases", "2", "--max-contact", "2", "--max-free", "5"]):
             path = made(options.program, folder, ["--scene", scene, *more])
             holds, text = checked(options.checker, path)
             if not holds:
