@@ -35,8 +35,6 @@ struct Map {
     std::vector<Family> tents;  ///< those to be named, by ascending order
     double contactTime = 0.0;   ///< [L/c], longest drawn
     double flightTime = 0.0;    ///< [L/c], longest drawn
-    double energy = 10.0;       ///< [E_1], the largest of the least ones
-    double lowest = 1.0;        ///< [E_1], the least
     double cells = 1.0;         ///< of the finest grid
 
     Map(const AtlasDatabase& atlas, std::optional<std::int64_t> of, Stop contact)
@@ -79,8 +77,6 @@ private:
         }
         pressing.add(flight, contact);
         pressing.z.push_back(entry.row.energy.least);
-        energy = std::max(energy, entry.row.energy.least);
-        lowest = std::min(lowest, entry.row.energy.least);
         if (entry.isOfBars) {
             return;
         }
@@ -93,17 +89,55 @@ private:
     Stop contact_;
 };
 
-/// Contacts of the bars in a row that an atlas is of; 1 of one bar, whose stops share a map.
-std::int64_t mapsOf(const std::vector<AtlasRun>& runs)
-{
-    return !runs.empty() && runs.front().range.bars ? contactsOf(runs.front().range) : 1;
-}
+/// The maps of an atlas, to one scale: one of one bar, whose stops share it, and one for each
+/// contact of bars in a row.
+struct Maps {
+    std::vector<Map> all;
+    bool areOfBars = false;
+    double contactTime = 0.0;  ///< [L/c], longest drawn
+    double flightTime = 0.0;   ///< [L/c], longest drawn
+    Axis energy{.label = "least energy  E_{min}/E_1", .isLogarithmic = true};
 
-bool hasFirstEnergy(const std::vector<AtlasRun>& runs)
-{
-    return runs.empty() || !runs.front().range.bars ||
-           firstEnergy(networkOf(*runs.front().range.bars)).has_value();
-}
+    Maps(const AtlasDatabase& atlas, std::optional<std::int64_t> cells)
+    {
+        const std::vector<AtlasRun> runs = atlas.runs();
+        areOfBars = !runs.empty() && runs.front().range.bars;
+        const std::int64_t count = areOfBars ? contactsOf(runs.front().range) : 1;
+        const bool isRatio =
+            !areOfBars || firstEnergy(networkOf(*runs.front().range.bars)).has_value();
+        if (!isRatio) {
+            energy.label = "least energy  E_{min}  [J]";
+        }
+        double lowest = isRatio ? 1.0 : infinity;
+        double highest = isRatio ? 10.0 : 0.0;
+        for (std::int64_t k = 0; k < count; ++k) {
+            const Map& map = all.emplace_back(atlas, cells, static_cast<Stop>(k));
+            contactTime = std::max(contactTime, map.contactTime);
+            flightTime = std::max(flightTime, map.flightTime);
+            for (const double least : map.pressing.z) {
+                lowest = std::min(lowest, least);
+                highest = std::max(highest, least);
+            }
+        }
+        energy.low = std::isfinite(lowest) ? lowest : 1.0;
+        energy.high = std::max(highest, 10.0 * *energy.low);
+    }
+
+    void explain(Panel& panel) const
+    {
+        const auto shows = [this](Series Map::*dots) {
+            return std::any_of(all.begin(), all.end(),
+                               [dots](const Map& map) { return !(map.*dots).x.empty(); });
+        };
+        if (shows(&Map::grazing)) {
+            panel.explain(dots(Role::faint), "grazing: contact without force");
+        }
+        if (shows(&Map::pressing)) {
+            panel.explain(dots(Role::shade2),
+                          areOfBars ? "pressing" : "pressing: tents of families (w, ν, k)");
+        }
+    }
+};
 
 /// Names at the upper ends of tents, t_c = (2k + 2)/w: left of those that end at t_f = 2, above
 /// the others; of names that would meet the first.
@@ -169,63 +203,37 @@ FigureData frequencyEnergyFigure(const AtlasDatabase& atlas, std::optional<std::
 
 FigureData existenceFigure(const AtlasDatabase& atlas, std::optional<std::int64_t> cells)
 {
-    constexpr double above = 1.5;  // [cm], of the legend
-    constexpr double below = 1.7;  // [cm], of each panel's axis
-    const std::vector<AtlasRun> runs = atlas.runs();
-    std::vector<Map> maps;
-    for (std::int64_t k = 0; k < mapsOf(runs); ++k) {
-        maps.emplace_back(atlas, cells, static_cast<Stop>(k));
-    }
-    double contactTime = 0.0;
-    double flightTime = 0.0;
-    bool grazes = false;
-    bool presses = false;
-    Axis colour{
-        .label = hasFirstEnergy(runs) ? "least energy  E_{min}/E_1" : "least energy  E_{min}  [J]",
-        .isLogarithmic = true};
-    double lowest = infinity;
-    double highest = 0.0;
-    for (const Map& map : maps) {
-        contactTime = std::max(contactTime, map.contactTime);
-        flightTime = std::max(flightTime, map.flightTime);
-        grazes = grazes || !map.grazing.x.empty();
-        presses = presses || !map.pressing.x.empty();
-        lowest = std::min(lowest, map.lowest);
-        highest = std::max(highest, map.energy);
-    }
-    colour.low = lowest;
-    colour.high = highest;
-    // Both times to one scale, so that lines of equal period run at 45 degrees.
-    const double height = std::clamp(plotWidth * contactTime / flightTime, 2.0, plotWidth);
-    const auto count = static_cast<double>(maps.size());
+    constexpr double above = 1.5;  // [cm], for the legend
+    constexpr double below = 1.7;  // [cm], for the axis of each
+    Maps maps(atlas, cells);
+    // Both times to one scale, so that lines of equal period run at 45 degrees, where there is
+    // room.
+    constexpr double lowest = 3.5;  // [cm], for the numbers of an axis
+    const double toScale = plotWidth * maps.contactTime / maps.flightTime;
+    const double height = std::clamp(toScale, lowest, plotWidth);
+    const auto count = static_cast<double>(maps.all.size());
     FigureData figure{.width = plotWidth + 5.0, .height = count * (height + below) + above};
     const double right = (1.8 + plotWidth) / figure.width;
-    for (std::size_t k = 0; k < maps.size(); ++k) {
-        Map& map = maps[k];
-        const double from = (count - 1.0 - static_cast<double>(k)) * (height + below) + below;
-        const double bottom = from / figure.height;
-        const double top = (from + height) / figure.height;
-        Panel& panel = figure.add({.name = maps.size() == 1 ? "map" : fmt::format("map{}", k + 1),
-                                   .place = {1.8 / figure.width, right, bottom, top}});
-        panel.isEqual = true;
-        panel.x = {.label = "flight time  t_f  [L/c]", .low = 0.0, .high = flightTime * 1.01};
-        panel.y = {.label = "contact time  t_c  [L/c]", .low = 0.0, .high = contactTime * 1.01};
-        if (maps.size() > 1) {
-            panel.y.label = fmt::format("t_c at contact {}  [L/c]", k + 1);
-        }
+    double top = figure.height - above;
+    for (std::size_t k = 0; k < maps.all.size(); ++k, top -= height + below) {
+        Map& map = maps.all[k];
+        const Place place{1.8 / figure.width, right, (top - height) / figure.height,
+                          top / figure.height};
+        const bool isOne = maps.all.size() == 1;
+        Panel& panel =
+            figure.add({.name = isOne ? "map" : fmt::format("map{}", k + 1), .place = place});
+        panel.isEqual = toScale >= lowest;
+        panel.x = {.label = "flight time  t_f  [L/c]", .low = 0.0, .high = maps.flightTime * 1.01};
+        panel.y = {.label = isOne ? "contact time  t_c  [L/c]"
+                                  : fmt::format("t_c at contact {}  [L/c]", k + 1),
+                   .low = 0.0,
+                   .high = maps.contactTime * 1.01};
         panel.map = ColourMap::onPaper;
-        panel.colour = colour;
+        panel.colour = maps.energy;
         if (k == 0) {
             panel.legend = Legend::above;
-            panel.colourBar = Place{right + 0.03, right + 0.05, bottom, top};
-            if (grazes) {
-                panel.explain(dots(Role::faint), "grazing: contact without force");
-            }
-            if (presses) {
-                panel.explain(dots(Role::shade2), runs.empty() || !runs.front().range.bars
-                                                      ? "pressing: tents of families (w, ν, k)"
-                                                      : "pressing");
-            }
+            panel.colourBar = Place{right + 0.03, right + 0.05, place.bottom, place.top};
+            maps.explain(panel);
         }
         panel.add(std::move(map.grazing));
         panel.add(std::move(map.pressing));
