@@ -140,7 +140,7 @@ struct FrequencyEnergyOptions {
 /// that has motions, coloured by its least energy; grazing ones grey. Schedules of one family are a
 /// line, its tent; those of order 7 at most have their names. Flights beyond 4 L/c, which only
 /// repeat linear motions, are left out. An atlas without any leaves an empty map. Panel "map"; of
-/// bars in a row with several contacts one for each, "map1", ...
+/// bars in a row with several contacts one more for each, "map2", ...
 /// \throws FileError.
 [[nodiscard]] FigureData existenceFigure(const AtlasDatabase& atlas,
                                          std::optional<std::int64_t> cells);

@@ -74,6 +74,8 @@ class Atlas:
         OSError
             If the file cannot be used.
         """
+        if isinstance(scene, str) and cells is not None:
+            raise ValueError("cells: allowed only without a scene of words")
         asked = gathered(locals())
         asked["path"] = path_of("database", database)
         _core.build_atlas(asked)

@@ -43,9 +43,15 @@ def test_atlases_of_segments_and_of_bars_with_weight(tmp_path: Path) -> None:
     stepped = sg.Atlas.build(tmp_path / "a.sqlite", segments=[(2, 1), (2, 1.3)], max_contact=3,
                              max_free=17)
     assert stepped.runs[0].cells == 4 and stepped.runs[0].scene is None
-    two = sg.Atlas.build(tmp_path / "b.sqlite", segments=[(2, 1), (2, 1.3)], second_stop=2e-3,
+    two = sg.Atlas.build(tmp_path / "b.sqlite", scene="clamp 2 2:1.3 stop=1e-3 stop=-2e-3",
                          max_contact=3, max_free=17)
     assert two.runs[0].scene and two.runs[0].decided == 2 * stepped.runs[0].decided
+    axes = sg.plot.existence_map(two, contact=2)
+    assert "contact 2" in axes.get_ylabel()
+    with pytest.raises(ValueError, match="contact = 3 is out of range"):
+        sg.plot.existence_map(two, contact=3)
+    with pytest.raises(ValueError, match="cells: allowed only without a scene"):
+        sg.Atlas.build(tmp_path / "d.sqlite", scene=BARS, cells=9)
     heavy = sg.Atlas.build(tmp_path / "c.sqlite", cells=4, gravity=1e-4, max_contact=3,
                            max_free=17)
     assert heavy.runs[0].scene and heavy.runs[0].undecided == 0

@@ -25,22 +25,18 @@ AtlasRange atlasRangeOf(const Scene& scene, std::int64_t cells)
 {
     validate(scene);
     AtlasRange range = usualRange(cells);
-    const bool isOfSegments = !isUniform(scene.segments);
-    if (isOfSegments && scene.secondStop) {
-        range.bars = assemblyOf(scene, cells, {});
-        return range;
-    }
     const Stops stops = stopsOf(scene);
     range.gapSign = stops.right;
     range.secondStop = stops.left;
-    range.segments = isOfSegments ? scene.segments : std::vector<Segment>();
+    range.segments = isUniform(scene.segments) ? std::vector<Segment>() : scene.segments;
     return range;
 }
 
 AtlasRange atlasRangeOf(const Assembly& bars)
 {
     const std::int64_t cells = networkOf(bars).cells();
-    if (const auto scene = barOf(bars)) {
+    const auto scene = barOf(bars);
+    if (scene && isUniform(scene->segments)) {
         return atlasRangeOf(*scene, cells);
     }
     AtlasRange range = usualRange(cells);
@@ -52,7 +48,9 @@ void validate(const AtlasPoint& point)
 {
     if (!std::isfinite(point.units.frequency) || !point.units.isRatio) {
         throw std::invalid_argument(
-            "near: allowed of bars that have omega_1 and E_1: nothing drifts, contact 1 has a gap");
+            "near (--near): allowed of bars that have omega_1 and E_1: nothing drifts, contact 1 "
+            "has a "
+            "gap");
     }
 }
 

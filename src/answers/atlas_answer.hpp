@@ -25,8 +25,9 @@ struct AtlasUnits {
 }
 [[nodiscard]] AtlasUnits atlasUnitsOf(const Assembly& bars);
 
-/// The usual range of what is asked about: a uniform bar, a bar of several segments and one wall,
-/// or bars in a row. \throws std::invalid_argument on an invalid scene.
+/// The usual range of what is asked about: one bar, or bars in a row, as any are in whose words
+/// there is more than a uniform bar and its stops. \throws std::invalid_argument on an invalid
+/// scene.
 [[nodiscard]] AtlasRange atlasRangeOf(const Scene& scene, std::int64_t cells);
 [[nodiscard]] AtlasRange atlasRangeOf(const Assembly& bars);
 
@@ -111,6 +112,7 @@ template <typename T>
 [[nodiscard]] std::vector<InUnits<T>> withUnits(const std::vector<T>& list, const AtlasUnits& units)
 {
     std::vector<InUnits<T>> all;
+    all.reserve(list.size());
     for (const T& one : list) {
         all.push_back({one, units});
     }

@@ -215,13 +215,14 @@ FigureData existenceFigure(const AtlasDatabase& atlas, std::optional<std::int64_
     FigureData figure{.width = plotWidth + 5.0, .height = count * (height + below) + above};
     const double right = (1.8 + plotWidth) / figure.width;
     double top = figure.height - above;
+    bool hasColours = false;
     for (std::size_t k = 0; k < maps.all.size(); ++k, top -= height + below) {
         Map& map = maps.all[k];
         const Place place{1.8 / figure.width, right, (top - height) / figure.height,
                           top / figure.height};
         const bool isOne = maps.all.size() == 1;
         Panel& panel =
-            figure.add({.name = isOne ? "map" : fmt::format("map{}", k + 1), .place = place});
+            figure.add({.name = k == 0 ? "map" : fmt::format("map{}", k + 1), .place = place});
         panel.isEqual = toScale >= lowest;
         panel.x = {.label = "flight time  t_f  [L/c]", .low = 0.0, .high = maps.flightTime * 1.01};
         panel.y = {.label = isOne ? "contact time  t_c  [L/c]"
@@ -230,9 +231,12 @@ FigureData existenceFigure(const AtlasDatabase& atlas, std::optional<std::int64_
                    .high = maps.contactTime * 1.01};
         panel.map = ColourMap::onPaper;
         panel.colour = maps.energy;
+        if (!hasColours && !map.pressing.x.empty()) {
+            hasColours = true;
+            panel.colourBar = Place{right + 0.03, right + 0.05, place.bottom, place.top};
+        }
         if (k == 0) {
             panel.legend = Legend::above;
-            panel.colourBar = Place{right + 0.03, right + 0.05, place.bottom, place.top};
             maps.explain(panel);
         }
         panel.add(std::move(map.grazing));

@@ -139,6 +139,9 @@ void readScene(AtlasRange& range, std::string_view text)
                 fmt::format("scene = {}: allowed what sceneText writes", text));
         }
     }
+    if (!scales.empty() || young < 0.0) {
+        throw std::invalid_argument(fmt::format("scene = {}: allowed what sceneText writes", text));
+    }
     bars.young = young > 0.0 ? std::optional(young) : std::nullopt;
     range.bars = std::move(bars);
 }

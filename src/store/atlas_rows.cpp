@@ -221,6 +221,9 @@ std::optional<Family> readTriple(const SQLite::Statement& s, std::int64_t cells)
 void checkSteps(const SQLite::Statement& s, const Schedule& schedule, const AtlasRow& row)
 {
     const std::int64_t n = steps(schedule);
+    if (isOfBars(s) && row.steps != n) {
+        refuse(s, 12, fmt::format("{}", n));
+    }
     if (schedule.phases.size() > 1 ? n % row.steps != 0 : row.steps != n) {
         // Motions that graze, and those whose tip never leaves the wall, repeat sooner.
         const std::int64_t classes = std::gcd(2 * schedule.cells, n);

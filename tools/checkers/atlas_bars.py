@@ -1,4 +1,5 @@
 """Runs of an atlas that are about bars in a row: that what is refuted has no motion."""
+import collections
 import itertools
 
 from .floor import HUGE
@@ -28,7 +29,7 @@ def part_of(word):
 def scene_of(text):
     """ "words; length wave_speed axial_stiffness gravity young" as answers have it."""
     try:
-        words, scales = text.split("; ")
+        words, scales = str(text).split("; ")
         names = ("length", "wave_speed", "axial_stiffness", "gravity", "young")
         scene = dict(zip(names, map(float, scales.split()), strict=True))
         scene["young"] = scene["young"] or None
@@ -100,29 +101,30 @@ def check_bars(runs, rows):
     said, known = [], set()
     for run in runs:
         bars = Bars(run)
-        counts = dict.fromkeys(("found", "none", "undecided"), 0)
-        if not run["keeps_refuted"]:
-            raise NoProof(f"run {run['id']} kept no proof of what it refuted: --all keeps them")
+        counts, contacts = dict.fromkeys(("found", "none", "undecided"), 0), collections.Counter()
+        if not run["keeps_refuted"] or run["max_energy_ratio"] is not None:
+            raise NoProof(f"run {run['id']} did not keep all: --all without --max-energy-ratio does")
+        if run["gap_sign"] != 1 or run["second_stop"] is not None:
+            raise NoProof(f"run {run['id']}: a gap or a second stop of one bar")
         for phases in bars.schedules():
             row = rows.get((run["cells"], words_of(phases)))
-            if row is None and run["max_energy_ratio"] is None:
-                raise NoProof(f"{words_of(phases)}: no row")
             if row is None:
-                continue  # of more energy than it keeps, if it was found
+                raise NoProof(f"{words_of(phases)}: no row")
             known.add(row["phases"])
             if row["status"] not in counts or (row["status"] != "none" and row["proof"] is not None):
                 raise NoProof(f"{row['phases']}: status {shown(row['status'])}, with a proof of none")
             counts[row["status"]] += 1
+            contacts[row["contact"]] += 1
             require_times(row, sum(contact + free for contact, free, _ in phases))
             if row["status"] == "none":
                 bars.check(phases, row["proof"])
-        lost = run["pressing"] + run["grazing"] - counts["found"]
-        if (counts["none"], counts["undecided"]) != (run["refuted"], run["undecided"]) or \
-                lost < 0 or (lost and run["max_energy_ratio"] is None):
+        if (counts["none"], counts["undecided"], contacts["pressing"], contacts["grazing"]) != tuple(
+                run[name] for name in ("refuted", "undecided", "pressing", "grazing")) or \
+                run["decided"] != sum(counts.values()) or run["families"]:
             raise NoProof(f"run {run['id']}: its counts are not those of its rows")
         said.append(f"N = {run['cells']}, {run['segments'].split(';')[0]}, up to {run['phases']} phases of "
                     f"{run['max_contact']} {run['max_free']}: {counts['none']} schedules have no motion")
     if len(known) < len(rows):
         raise NoProof("schedules: rows of no run")
-    return ("; ".join(said) + " (not checked: that the others have motions, and of which energy; kernel_dimension, "
-            "reason, canonical; who made the runs, when, with which words)")
+    return ("; ".join(said) + " (not checked: that the others have motions, of which energy, kind and contact; "
+            "kernel_dimension, reason, canonical; who made the runs, when, with which words)")

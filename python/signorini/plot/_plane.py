@@ -119,8 +119,8 @@ def polytopes(rows: Sequence[ModePolytope], *, max_energy_ratio: float = 50.0,
 
 
 @asks("figure")
-def existence_map(atlas: Atlas, *, cells: int | None = None, axes: Any = None,
-                  figure: Any = None) -> Any:
+def existence_map(atlas: Atlas, *, cells: int | None = None, contact: int = 1,
+                  axes: Any = None, figure: Any = None) -> Any:
     """Draw where in time motions with one contact exist.
 
     A dot at (t_f, t_c) for each schedule that an atlas keeps, coloured by its
@@ -130,10 +130,15 @@ def existence_map(atlas: Atlas, *, cells: int | None = None, axes: Any = None,
     ----------
     cells : int, optional
         Of one grid.
+    contact : int
+        Of bars in a row, the one that is drawn.
 
     Returns
     -------
     axes
     """
-    return draw(atlas._file.existence_figure(cells), ("map",), axes,
-                figure)["map"]
+    name = "map" if contact == 1 else f"map{contact}"
+    told = atlas._file.existence_figure(cells)
+    if f'"{name}"' not in told:
+        raise ValueError(f"contact = {contact} is out of range: allowed contacts of the atlas")
+    return draw(told, (name,), axes, figure)[name]
