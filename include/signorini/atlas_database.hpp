@@ -83,7 +83,8 @@ public:
     AtlasDatabase& operator=(AtlasDatabase&&) noexcept;
     ~AtlasDatabase();
 
-    /// What was decided, or begun: answers to the questions below cover no more. \throws FileError.
+    /// What was decided, or begun: answers to the questions below cover no more. \throws FileError,
+    /// also where they are of several scenes.
     [[nodiscard]] std::vector<AtlasRun> runs() const;
     /// Reads every page, and every row of the tables that a range left: how many there are by what
     /// they say. \throws FileError on what no atlas would contain.
@@ -132,6 +133,9 @@ private:
     std::unique_ptr<Connection> connection_;
     std::unique_ptr<BatchWriter> writer_;
 };
+
+/// The bars in a row that an atlas is of, if it is.
+[[nodiscard]] std::optional<Assembly> barsOf(const std::vector<AtlasRun>& runs);
 
 /// How to make an atlas.
 struct AtlasOptions {

@@ -31,7 +31,7 @@ struct Atlas {
     Atlas(const std::string& path, const Bar& ofOne)
         : database(AtlasDatabase::open(path)), bar(ofOne)
     {
-        const std::optional<Assembly> bars = answers::barsOf(database.runs());
+        const std::optional<Assembly> bars = barsOf(database.runs());
         units = bars ? answers::atlasUnitsOf(*bars) : answers::atlasUnitsOf(bar);
     }
 

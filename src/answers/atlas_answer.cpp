@@ -48,15 +48,9 @@ void validate(const AtlasPoint& point)
 {
     if (!std::isfinite(point.units.frequency) || !point.units.isRatio) {
         throw std::invalid_argument(
-            "near (--near): allowed of bars that have omega_1 and E_1: nothing drifts, contact 1 "
-            "has a "
+            "near (--near): allowed of bars with omega_1 and E_1: nothing drifts, contact 1 has a "
             "gap");
     }
-}
-
-std::optional<Assembly> barsOf(const std::vector<AtlasRun>& runs)
-{
-    return runs.empty() ? std::nullopt : runs.front().range.bars;
 }
 
 }  // namespace signorini::answers

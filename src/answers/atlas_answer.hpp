@@ -31,9 +31,6 @@ struct AtlasUnits {
 [[nodiscard]] AtlasRange atlasRangeOf(const Scene& scene, std::int64_t cells);
 [[nodiscard]] AtlasRange atlasRangeOf(const Assembly& bars);
 
-/// The bars in a row that a database is of, if it is.
-[[nodiscard]] std::optional<Assembly> barsOf(const std::vector<AtlasRun>& runs);
-
 /// A row, or a group of them.
 template <typename T>
 struct InUnits {
@@ -98,12 +95,10 @@ struct AtlasBuilt {
                                                           const AtlasUnits& units,
                                                           std::optional<double> energyRatio = {})
 {
-    std::vector<AtlasFamilyOf> all;
-    for (const AtlasFamily& one : list) {
-        all.push_back({one, units});
-        if (energyRatio) {
-            all.back().section = sectionOf(one, *energyRatio);
-        }
+    std::vector<AtlasFamilyOf> all = rowsOf<AtlasFamilyOf>(list, units);
+    for (AtlasFamilyOf& one : all) {
+        one.section =
+            energyRatio ? std::optional(sectionOf(one.value, *energyRatio)) : std::nullopt;
     }
     return all;
 }
@@ -111,12 +106,7 @@ struct AtlasBuilt {
 template <typename T>
 [[nodiscard]] std::vector<InUnits<T>> withUnits(const std::vector<T>& list, const AtlasUnits& units)
 {
-    std::vector<InUnits<T>> all;
-    all.reserve(list.size());
-    for (const T& one : list) {
-        all.push_back({one, units});
-    }
-    return all;
+    return rowsOf<InUnits<T>>(list, units);
 }
 
 /// Keys of a range and its limits.

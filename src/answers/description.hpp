@@ -83,16 +83,21 @@ struct Of {
     Bar bar;
 };
 
-/// Each with the bar that gives it units.
+/// Each with what gives it units.
+template <typename Row, typename T, typename Units>
+[[nodiscard]] std::vector<Row> rowsOf(const std::vector<T>& list, const Units& units)
+{
+    std::vector<Row> all;
+    all.reserve(list.size());
+    for (const T& one : list) {
+        all.push_back({one, units});
+    }
+    return all;
+}
 template <typename T>
 [[nodiscard]] std::vector<Of<T>> withUnits(const std::vector<T>& list, const Bar& bar)
 {
-    std::vector<Of<T>> all;
-    all.reserve(list.size());
-    for (const T& one : list) {
-        all.push_back({one, bar});
-    }
-    return all;
+    return rowsOf<Of<T>>(list, bar);
 }
 
 /// Gets what the `value` of a record says, in SI units if one of its bar is given.

@@ -77,6 +77,8 @@ private:
     [[nodiscard]] AtlasRange usualRangeOfScene() const;
     /// Whose scales the answers have.
     [[nodiscard]] Bar bar() const;
+    /// Do options describe anything but these bars?
+    [[nodiscard]] bool isAnother(const Assembly& known) const;
     /// The same of a database, which knows its bars.
     [[nodiscard]] AtlasUnits units(const std::optional<Assembly>& known) const;
     void checkQuery() const;
@@ -134,11 +136,16 @@ Bar AtlasCommand::bar() const
     return firstMaterial(common.scene());
 }
 
+bool AtlasCommand::isAnother(const Assembly& known) const
+{
+    return common.hasScene() ? common.assembly() != known : common.shortForms() != Scene{};
+}
+
 AtlasUnits AtlasCommand::units(const std::optional<Assembly>& known) const
 {
-    const bool isOther = common.hasScene() && (known ? common.assembly() != *known
-                                                     : !barOf(common.assembly()).has_value());
-    refuseIf(isOther, "--scene, --gravity: allowed those of the database, or none");
+    const bool isOther = known ? isAnother(*known) : common.hasScene() && !barOf(common.assembly());
+    refuseIf(isOther,
+             "--scene, --gravity, and what a bar is: allowed those of the database, or none");
     return known ? answers::atlasUnitsOf(*known) : answers::atlasUnitsOf(bar());
 }
 
@@ -228,7 +235,7 @@ AtlasQuestion AtlasCommand::question(const std::optional<answers::AtlasPoint>& a
 AtlasAnswer AtlasCommand::ask(const AtlasDatabase& atlas, const std::vector<AtlasRun>& runs) const
 {
     using answers::withUnits;
-    AtlasAnswer answer{.bars = answers::barsOf(runs)};
+    AtlasAnswer answer{.bars = barsOf(runs)};
     answer.units = units(answer.bars);
     answer.near = point(answer.units);
     if (!answer.bars) {
@@ -375,13 +382,13 @@ ExitStatus AtlasCommand::build(const AtlasRange& range, Ranks* ranks,
     if (run.isFinished()) {
         draw(*atlas, range.cells, drawing);
     }
+    AtlasBuilt built{run, database, {}};
     if (range.bars) {
-        tellOf(
-            AtlasBuilt{run, database, {}, answers::severalOf(*range.bars, networkOf(*range.bars))},
-            range.bars);
+        built.several = answers::severalOf(*range.bars, networkOf(*range.bars));
     } else {
-        tellOf(AtlasBuilt{run, database, common.scene()}, range.bars);
+        built.scene = common.scene();
     }
+    tellOf(built, range.bars);
     if (!run.isFinished()) {
         common.say(
             fmt::format("interrupted after {} of {} batches; the same call with --resume continues",

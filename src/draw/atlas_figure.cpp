@@ -101,10 +101,10 @@ struct Maps {
     Maps(const AtlasDatabase& atlas, std::optional<std::int64_t> cells)
     {
         const std::vector<AtlasRun> runs = atlas.runs();
-        areOfBars = !runs.empty() && runs.front().range.bars;
-        const std::int64_t count = areOfBars ? contactsOf(runs.front().range) : 1;
-        const bool isRatio =
-            !areOfBars || firstEnergy(networkOf(*runs.front().range.bars)).has_value();
+        const std::optional<Assembly> bars = barsOf(runs);
+        areOfBars = bars.has_value();
+        const std::int64_t count = bars ? contactsOf(runs.front().range) : 1;
+        const bool isRatio = !bars || firstEnergy(networkOf(*bars));
         if (!isRatio) {
             energy.label = "least energy  E_{min}  [J]";
         }
@@ -170,8 +170,7 @@ void addNames(Panel& panel, std::span<const Family> tents)
 FigureData frequencyEnergyFigure(const AtlasDatabase& atlas, std::optional<std::int64_t> cells,
                                  const FrequencyEnergyOptions& options)
 {
-    const std::vector<AtlasRun> runs = atlas.runs();
-    if (!runs.empty() && runs.front().range.bars) {
+    if (barsOf(atlas.runs())) {
         throw std::invalid_argument(
             "the frequency-energy plot: allowed for the atlas of one bar, whose families it shows");
     }

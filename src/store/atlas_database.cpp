@@ -262,9 +262,17 @@ std::vector<AtlasRun> AtlasDatabase::runs() const
         std::vector<AtlasRun> all;
         while (statement.executeStep()) {
             all.push_back(readRun(statement));
+            if (sceneText(all.back().range) != sceneText(all.front().range)) {
+                throw SQLite::Exception("runs are of several scenes: allowed one");
+            }
         }
         return all;
     });
+}
+
+std::optional<Assembly> barsOf(const std::vector<AtlasRun>& runs)
+{
+    return runs.empty() ? std::nullopt : runs.front().range.bars;
 }
 
 AtlasRun AtlasDatabase::start(const AtlasRange& range, std::string_view options)

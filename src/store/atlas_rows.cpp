@@ -113,10 +113,10 @@ bool isOfBars(const SQLite::Statement& s)
     return text(s, 2).find(' ') != std::string::npos;
 }
 
-std::vector<Phase> readPhases(const SQLite::Statement& s, int column)
+std::vector<Phase> readPhases(const SQLite::Statement& s, int column, bool areOfBars)
 {
     const std::string given = text(s, column);
-    if (isOfBars(s)) {
+    if (areOfBars) {
         std::vector<Phase> phases;
         try {
             phases = phasesOfBars(given);
@@ -164,9 +164,9 @@ std::int64_t readSteps(const SQLite::Statement& s, std::int64_t cells)
 }
 
 /// Its stops are those of the runs, which are not known here: some that stand apart.
-Schedule readSchedule(const SQLite::Statement& s)
+Schedule readSchedule(const SQLite::Statement& s, bool isOfBars)
 {
-    Schedule schedule{readWhole(s, 1, 1, maxCells), readPhases(s, 2)};
+    Schedule schedule{readWhole(s, 1, 1, maxCells), readPhases(s, 2, isOfBars)};
     if (std::any_of(schedule.phases.begin(), schedule.phases.end(),
                     [](const Phase& phase) { return phase.stop == Stop::left; })) {
         schedule.stops.left = Fraction{1, 1};
@@ -218,10 +218,11 @@ std::optional<Family> readTriple(const SQLite::Statement& s, std::int64_t cells)
 }
 
 /// The steps after which the motions of a schedule can repeat.
-void checkSteps(const SQLite::Statement& s, const Schedule& schedule, const AtlasRow& row)
+void checkSteps(const SQLite::Statement& s, const AtlasEntry& entry)
 {
+    const auto& [schedule, row, family, isOfBars] = entry;
     const std::int64_t n = steps(schedule);
-    if (isOfBars(s) && row.steps != n) {
+    if (isOfBars && row.steps != n) {
         refuse(s, 12, fmt::format("{}", n));
     }
     if (schedule.phases.size() > 1 ? n % row.steps != 0 : row.steps != n) {
@@ -271,7 +272,7 @@ AtlasEntry readEntry(const SQLite::Statement& s)
     AtlasRow& row = entry.row;
     row.number = whole(s, 0);
     entry.isOfBars = isOfBars(s);
-    entry.schedule = readSchedule(s);
+    entry.schedule = readSchedule(s, entry.isOfBars);
     row.steps = readSteps(s, entry.schedule.cells);
     if (!s.isColumnNull(15)) {
         entry.family = whole(s, 15);
@@ -286,7 +287,7 @@ AtlasEntry readEntry(const SQLite::Statement& s)
     } else {
         row.energy = {infinity, infinity};
     }
-    checkSteps(s, entry.schedule, row);
+    checkSteps(s, entry);
     return entry;
 }
 
@@ -294,7 +295,7 @@ AtlasFamily readFamily(const SQLite::Statement& s)
 {
     AtlasFamily all;
     all.id = whole(s, 0);
-    const Schedule schedule = readSchedule(s);
+    const Schedule schedule = readSchedule(s, false);
     all.cells = schedule.cells;
     all.top = schedule.phases.front();
     all.family = readTriple(s, all.cells);

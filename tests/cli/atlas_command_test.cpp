@@ -429,6 +429,7 @@ TEST_CASE("cli atlas: bars in a row are asked in their own units, which the data
         CHECK_THAT(refused.err, containsText(why));
     };
     refuses("--period 2 --scene 'clamp 3 gap=1e-3 5 clamp'", "those of the database");
+    refuses("--period 2 --length 2", "those of the database");
     refuses("--scene 'clamp 3 gap=1e-3 5 clamp'", "ranges of other bars");
     refuses(bars + " --families-only", "for bars in a row");
     refuses(bars + " --figure f.svg", "--figure");

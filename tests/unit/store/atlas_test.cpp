@@ -12,11 +12,13 @@
 #include "atlas_batches.hpp"
 #include "catch.hpp"
 #include "database.hpp"
+#include "decided.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
 #include "support.hpp"
 
 using namespace signorini;
+using signorini::test::decideAll;
 
 namespace {
 
@@ -30,27 +32,6 @@ AtlasRange smallRange(std::int64_t cells, std::int64_t contact, std::int64_t fre
     range.maxPhases = phases;
     range.keepsRefuted = true;
     return range;
-}
-
-struct Whole {
-    AtlasTally tally;
-    std::vector<AtlasFamily> families;
-    std::vector<AtlasRow> rows;
-};
-
-Whole decideAll(const AtlasRange& range, std::int64_t threads = 1)
-{
-    LocalBatches source(range, threads);
-    Whole whole;
-    std::int64_t number = 0;
-    while (const auto batch = source.next()) {
-        REQUIRE(batch->number == number++);
-        whole.tally += batch->tally;
-        whole.families.insert(whole.families.end(), batch->families.begin(), batch->families.end());
-        whole.rows.insert(whole.rows.end(), batch->rows.begin(), batch->rows.end());
-    }
-    REQUIRE(number == batchesOf(range));
-    return whole;
 }
 
 bool isSameRow(const AtlasRow& a, const AtlasRow& b)
@@ -116,7 +97,7 @@ void compareWithEach(AtlasRange range)
     INFO(range.cells << " " << range.maxContact << " " << range.maxFree << " "
                      << range.maxEnergyRatio << " " << range.keepsRefuted);
     std::vector<std::int8_t> signs;
-    const Whole whole = decideAll(range);
+    const AtlasBatch whole = decideAll(range);
     std::map<Phase, AtlasRow> rows;
     for (const AtlasRow& row : whole.rows) {
         REQUIRE(rows.emplace(phasesAt(range, row.number).front(), row).second);
@@ -165,7 +146,7 @@ void compareWithEach(AtlasRange range)
     }
     if (!range.keepsRefuted) {
         range.familiesOnly = true;
-        const Whole only = decideAll(range);
+        const AtlasBatch only = decideAll(range);
         CHECK(only.tally == tally);
         CHECK(std::equal(only.families.begin(), only.families.end(), whole.families.begin(),
                          whole.families.end(), test::isSame));
@@ -200,7 +181,7 @@ TEST_CASE("atlas: numbers stand for every list of phases once, rotations are dec
         firstRotations.insert(first);
     }
     CHECK(static_cast<std::int64_t>(lists.size()) == count);
-    const Whole whole = decideAll(range);
+    const AtlasBatch whole = decideAll(range);
     CHECK(whole.tally.decided == static_cast<std::int64_t>(firstRotations.size()));
     CHECK(whole.rows.size() == firstRotations.size());
     CHECK(whole.tally.undecided == 0);
@@ -297,7 +278,7 @@ TEST_CASE("atlas: N = 300, n_c <= 600, n_f <= 2400: 18,012 of 1.44 million sched
     CHECK(range.maxContact == 600);
     CHECK(range.maxFree == 1200);
     range.maxFree = 2400;
-    const Whole whole = decideAll(range, 2);
+    const AtlasBatch whole = decideAll(range, 2);
     CHECK(whole.tally.decided == 1'440'000);
     CHECK(whole.tally.pressing == 12'962);
     CHECK(whole.tally.grazing == 5'050);
@@ -329,7 +310,7 @@ TEST_CASE("atlas: N = 300, n_c <= 600, n_f <= 2400: 18,012 of 1.44 million sched
     }
     CHECK(row == whole.rows.end());
     range.maxEnergyRatio = 50.0;
-    const Whole low = decideAll(range);
+    const AtlasBatch low = decideAll(range);
     CHECK(low.tally == whole.tally);
     CHECK(static_cast<std::ptrdiff_t>(low.rows.size()) ==
           std::count_if(whole.rows.begin(), whole.rows.end(),
@@ -358,14 +339,14 @@ TEST_CASE("atlas: neither the number of threads nor who takes which batch change
 {
     const AtlasRange range = smallRange(4, 8, 18, 2);
     REQUIRE(batchesOf(range) == 7);
-    const Whole one = decideAll(range, 1);
+    const AtlasBatch one = decideAll(range, 1);
     for (const std::int64_t threads : {2, 5}) {
-        const Whole many = decideAll(range, threads);
+        const AtlasBatch many = decideAll(range, threads);
         CHECK(many.tally == one.tally);
         REQUIRE(many.rows.size() == one.rows.size());
         CHECK(std::equal(one.rows.begin(), one.rows.end(), many.rows.begin(), isSameRow));
     }
-    Whole shared;
+    AtlasBatch shared;
     LocalBatches first(range, 1, {}, 1, 3);
     LocalBatches second(range, 2, {}, 2, 3);
     LocalBatches third(range, 1, {}, 3, 3);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <sstream>
 
-#include "atlas_batches.hpp"
 #include "catch.hpp"
 #include "contact_spans.hpp"
 #include "database.hpp"
+#include "decided.hpp"
 #include "folder.hpp"
 #include "network_find.hpp"
 #include "scene_answer.hpp"
@@ -31,15 +31,10 @@ AtlasRange rangeOfBars(const Assembly& bars, std::int64_t contact, std::int64_t 
     return range;
 }
 
+/// By their numbers.
 AtlasBatch rowsOf(const AtlasRange& range)
 {
-    LocalBatches source(range, 1);
-    AtlasBatch all;
-    while (auto batch = source.next()) {
-        all.tally += batch->tally;
-        all.rows.insert(all.rows.end(), batch->rows.begin(), batch->rows.end());
-        std::move(batch->proofs.begin(), batch->proofs.end(), std::back_inserter(all.proofs));
-    }
+    AtlasBatch all = decideAll(range);
     std::sort(all.rows.begin(), all.rows.end(),
               [](const AtlasRow& a, const AtlasRow& b) { return a.number < b.number; });
     return all;
