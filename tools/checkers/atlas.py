@@ -10,6 +10,7 @@ from fractions import Fraction
 from .atlas_bars import check_bars
 from .reading import NoProof, close, integer, multiplier, number, shown
 from .scene import MOST_CELLS, Scene
+from .schedules import each_once
 from .segments import JointRows
 from .verdicts import EXACT, SteppedVerdict, Verdict
 
@@ -107,14 +108,8 @@ class Range:
             raise NoProof(f"run {self.id}: {shown(count)} schedules are more than this checker decides")
 
     def schedules(self):
-        """All, each once: of those that differ in where they begin the first."""
-        run = self.run
-        phases = list(itertools.product(range(1, run["max_contact"] + 1), range(1, run["max_free"] + 1),
-                                        (False, True) if "left" in self.where else (False,)))
-        for count in range(1, run["phases"] + 1):
-            for chosen in itertools.product(phases, repeat=count):
-                if all(chosen <= chosen[k:] + chosen[:k] for k in range(1, count)):
-                    yield chosen
+        """All, each once."""
+        return each_once(self.run, (False, True) if "left" in self.where else (False,))
 
     def scene(self, phases):
         """A schedule of several segments as certificates are about."""

@@ -1,11 +1,11 @@
 """Runs of an atlas that are about bars in a row: that what is refuted has no motion."""
 import collections
-import itertools
 
 from .floor import HUGE
 from .network import WORDS
 from .network_claim import NINE, Claim
 from .reading import NoProof, shown
+from .schedules import each_once
 
 MOST = 10 ** 5  # schedules: some minutes
 KINDS = {"gap": "gap", "spring": "stiffness", "mass": "mass", "force": "force", "dash": "impedance"}
@@ -65,12 +65,7 @@ class Bars:
         run = self.run
         if (run["max_contact"] * run["max_free"] * self.contacts) ** run["phases"] > MOST:
             raise NoProof(f"run {run['id']}: more than {MOST} schedules")
-        phases = list(itertools.product(range(1, run["max_contact"] + 1), range(1, run["max_free"] + 1),
-                                        range(1, self.contacts + 1)))
-        for count in range(1, run["phases"] + 1):
-            for chosen in itertools.product(phases, repeat=count):
-                if all(chosen <= chosen[k:] + chosen[:k] for k in range(1, count)):
-                    yield chosen
+        return each_once(run, range(1, self.contacts + 1))
 
     def check(self, phases, proof):
         """That a schedule has no motion below 10^9 E_1, or what takes its place."""
