@@ -38,6 +38,8 @@ class Atlas:
         self.database = path_of("database", database)
         self.bar = bar_of(bar, bar_options)
         self._file = _core.AtlasFile(self.database, self.bar)
+        scene = next((run.scene for run in self._file.runs()), None)
+        self._units: dict[str, Any] = {"scene": scene} if scene else {"bar": self.bar}
 
     @classmethod
     @asks("atlas")
@@ -88,11 +90,11 @@ class Atlas:
 
     def families(self, cells: int | None = None) -> Table[AtlasFamily]:
         """Return the sets of orbits of all grids, or of one."""
-        return Table("families", self._file.families(cells), bar=self.bar)
+        return Table("families", self._file.families(cells), **self._units)
 
     def schedules(self, cells: int | None = None) -> Table[AtlasSchedule]:
         """Return the schedules with motions, of all grids, or of one."""
-        return Table("schedules", self._file.schedules(cells), bar=self.bar)
+        return Table("schedules", self._file.schedules(cells), **self._units)
 
     def near(self, frequency_ratio: Number, energy_ratio: float, *,
              within: float = 0.001,
@@ -112,7 +114,7 @@ class Atlas:
         """
         w = float(fraction_of(frequency_ratio, "frequency_ratio"))
         rows = self._file.families_near(w, energy_ratio, within, cells)
-        return Table("families", rows, bar=self.bar)
+        return Table("families", rows, **self._units)
 
     def schedules_near(self, frequency_ratio: Number, energy_ratio: float, *,
                        within: float = 0.001,
@@ -120,7 +122,7 @@ class Atlas:
         """Return the schedules near a point of the plot, as `near` does."""
         w = float(fraction_of(frequency_ratio, "frequency_ratio"))
         rows = self._file.schedules_near(w, energy_ratio, within, cells)
-        return Table("schedules", rows, bar=self.bar)
+        return Table("schedules", rows, **self._units)
 
     def of_period(self, period: Number, *,
                   cells: int | None = None) -> Table[AtlasFamily]:
@@ -128,7 +130,7 @@ class Atlas:
         exact = fraction_of(period, "period")
         rows = self._file.families_of_period(exact.numerator,
                                              exact.denominator, cells)
-        return Table("families", rows, bar=self.bar)
+        return Table("families", rows, **self._units)
 
     def schedules_of_period(self, period: Number, *,
                             cells: int | None = None) -> Table[AtlasSchedule]:
@@ -136,7 +138,7 @@ class Atlas:
         exact = fraction_of(period, "period")
         rows = self._file.schedules_of_period(exact.numerator,
                                               exact.denominator, cells)
-        return Table("schedules", rows, bar=self.bar)
+        return Table("schedules", rows, **self._units)
 
     def twins(self, cells: int | None = None
               ) -> list[tuple[list[AtlasFamily], list[AtlasSchedule]]]:

@@ -32,6 +32,8 @@ def test_an_atlas_of_bars_is_that_of_the_program(program: Program, tmp_path: Pat
         assert motion.period == pytest.approx(row.period)
     # Opened anew, the file knows its bars.
     again = sg.Atlas(path)
+    told = again.schedules().to_dict()
+    assert told["scene"]["length"] == 0.7 and "bar" not in told
     assert again.schedules()[0] == found[0]
     first = found[0].energy_ratio_range
     assert found[0].frequency_ratio is not None and first is not None
