@@ -29,7 +29,8 @@
 /// Each phase closes one of their contacts alone. Programs decide, as above. Energies are in E_1 of
 /// the bars, or in joules where they have none (a bar drifts, or contact 1 has no gap). A schedule
 /// that held bars at rest follow, or that leaves a bar untied, has motions of any size, or any
-/// place: it stays undecided. Periods are multiples of h, in which a wave crosses one cell: L/c means N h.
+/// place: it stays undecided. Periods are multiples of h, in which a wave crosses one cell: L/c
+/// means N h.
 
 #include <cstdint>
 #include <functional>
