@@ -610,10 +610,10 @@ class SceneHarmonicMotion(_Record):
     peak_force: float
     speed: float
     residual: float
-    strains: Optional[SceneStrains]
+    strains: SceneStrains
     stability: Optional[SceneStabilityReport]
 
-class SceneHarmonicResult(_Found, _Framed, _DrawnEach, _OfBars, _Excited):
+class SceneHarmonicResult(_Found, _Framed, _MovingEach, _OfBars, _Excited):
     amplitude: float
     steps: int
     period: float

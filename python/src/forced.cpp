@@ -273,7 +273,10 @@ void addForced(py::module_& module)
     addCall(module, "find_harmonic", &findHarmonic);
     classOf<answers::SceneHarmonicAnswer>(module)
         ->draws([](const answers::SceneHarmonicAnswer& a, std::size_t k) {
-            return contactFigure(a.pathOf(k), a.scales);
+            return harmonicFigure(a, k);
+        })
+        .moves([](const answers::SceneHarmonicAnswer& a, std::size_t most, std::size_t k) {
+            return barsFrames(a.bars.assembly, networkOf(a.bars.assembly), shownPeriod(a, k), most);
         })
         .drawsScene([](const answers::SceneHarmonicAnswer& a) { return a.bars.assembly; });
     addCall(module, "find_harmonic_bars", &findHarmonicBars);

@@ -183,8 +183,9 @@ void addMotions(py::module_& module)
         })
         .drawsScene([](const Answer& a) { return scheduleIn(a).bars.assembly; })
         .moves([](const Answer& a, std::size_t most, std::size_t which) {
-            return barsFrames(scheduleIn(a).bars.assembly, scheduleIn(a).network(),
-                              claimIn(a, which), most);
+            const Network network = scheduleIn(a).network();
+            return barsFrames(scheduleIn(a).bars.assembly, network,
+                              shownPeriod(network, claimIn(a, which)), most);
         })
         .more()
         .def(

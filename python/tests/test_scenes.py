@@ -419,6 +419,8 @@ def test_the_contact_of_bars_is_drawn() -> None:
     assert gap[0] == 0.0 and abs(gap[-1]) < 1e-9 and min(gap) > -1e-9 and max(gap) > 0.0
     unit = {"mN": 1e3, "N": 1.0}[axes["force"].get_ylabel().split("[")[1].strip("] ")]
     assert max(force) == pytest.approx(unit * motion.peak_force, rel=1e-2)
+    assert motion.strains["peak_compression"] > 0.0
+    assert sg.plot.animate(found, frames=5)._repr_html_()
     assert found and found._repr_png_() and len(found.frame()) == 1  # type: ignore[attr-defined]
     assert "<img" in found._repr_html_()
     assert sg.plot.scene(found).collections or sg.plot.scene(found).lines

@@ -73,12 +73,11 @@ std::optional<double> strainLimitOf(const Network& network, const Assembly& asse
     return known(network.strainLimit * strainUnit(assembly, network.scales));
 }
 
-SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales,
-                       const NetworkResiduals& residuals)
+SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales, double least,
+                       double most)
 {
     const double unit = strainUnit(assembly, scales);
-    SceneStrains strains{-residuals.extremes.leastStrain * unit,
-                         residuals.extremes.mostStrain * unit};
+    SceneStrains strains{-least * unit, most * unit};
     if (const auto modulus = modulusOf(assembly)) {
         strains.stress = *modulus * strains.largest();
     }

@@ -69,8 +69,15 @@ struct SceneStrains {
 void limitStrain(Network& network, const Assembly& assembly, const std::optional<double>& limit);
 /// The same, read back.
 [[nodiscard]] std::optional<double> strainLimitOf(const Network& network, const Assembly& assembly);
+/// Of the extremes of (l - r)/speed.
 [[nodiscard]] SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales,
-                                     const NetworkResiduals& residuals);
+                                     double least, double most);
+[[nodiscard]] inline SceneStrains strainsOf(const Assembly& assembly, const NetworkScales& scales,
+                                            const NetworkResiduals& residuals)
+{
+    const NetworkExtremes& seen = residuals.extremes;
+    return strainsOf(assembly, scales, seen.leastStrain, seen.mostStrain);
+}
 
 /// What multipliers prove: no motion has less energy.
 struct SceneFloor {

@@ -50,9 +50,16 @@ SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place, std::int64
     SceneHarmonicAnswer answer{
         place, cycles, amplitude, steps, network.scales, severalOf(assembly, network), {}};
     for (NetworkHarmonicMotion& motion : harmonicContacts(answer.given())) {
-        answer.motions.push_back({std::move(motion), network.scales});
+        answer.motions.push_back(motionOf(assembly, network.scales, std::move(motion)));
     }
     return answer;
+}
+
+SceneHarmonicMotion motionOf(const Assembly& assembly, const NetworkScales& scales,
+                             NetworkHarmonicMotion motion)
+{
+    const SceneStrains strains = strainsOf(assembly, scales, motion.leastStrain, motion.mostStrain);
+    return {std::move(motion), scales, strains};
 }
 
 HarmonicNetwork SceneHarmonicAnswer::given() const
@@ -61,14 +68,29 @@ HarmonicNetwork SceneHarmonicAnswer::given() const
     return {networkOf(bars.assembly), place, amplitude / unit, steps, cycles};
 }
 
-std::vector<ContactInstant> SceneHarmonicAnswer::pathOf(std::size_t motion) const
+void SceneHarmonicAnswer::watch(std::size_t motion, const HarmonicWatch& by) const
 {
     NetworkHarmonicMotion one = motions.at(motion).value;
-    std::vector<ContactInstant> path;
-    HarmonicNetwork still = given();
-    still.network = underConstantForces(still.network).network;
-    measure(still, one, &path);
-    return path;
+    HarmonicNetwork asked = given();
+    const StillNetwork still = underConstantForces(asked.network);
+    asked.network = still.network;
+    const std::vector<double> stretched = stretchedWaves(still.network, still.displacements);
+    HarmonicWatch seeing = by;
+    if (by.state) {
+        seeing.state = [&](std::int64_t step, NetworkStart now) {
+            std::size_t wave = 0;
+            for (std::size_t channel = 0; channel < stretched.size(); ++channel) {
+                for (std::int64_t k = 0; k < lengthOf(still.network, channel); ++k) {
+                    now.waves[wave++] += stretched[channel];
+                }
+            }
+            for (std::size_t node = 0; node < now.displacements.size(); ++node) {
+                now.displacements[node] += still.displacements[node];
+            }
+            by.state(step, now);
+        };
+    }
+    measure(asked, one, seeing);
 }
 
 std::optional<double> SceneHarmonicAnswer::frequencyRatio() const

@@ -27,9 +27,9 @@ struct SceneHarmonicMotion {
     /// Under a staircase of forces, whose motions have no harmonic waves.
     struct InSteps {
         bool opens = true;
-        SceneStrains strains = {};
         std::optional<SceneStability> stability = {};  ///< where it was asked for
     };
+    SceneStrains strains = {};
     std::optional<InSteps> inSteps = {};
 
     [[nodiscard]] const char* release() const
@@ -58,10 +58,15 @@ struct SceneHarmonicAnswer {
     [[nodiscard]] std::optional<double> frequencyRatio() const;
     /// What was asked, in units of the network.
     [[nodiscard]] HarmonicNetwork given() const;
-    /// The contact of a motion over one period. \throws std::out_of_range.
-    [[nodiscard]] std::vector<ContactInstant> pathOf(std::size_t motion) const;
+    /// Looks at a motion over one period; what it is told includes the shape under constant forces.
+    /// \throws std::out_of_range.
+    void watch(std::size_t motion, const HarmonicWatch& by) const;
     [[nodiscard]] std::optional<std::string> detail() const;
 };
+
+/// With what is measured of it, in SI.
+[[nodiscard]] SceneHarmonicMotion motionOf(const Assembly& assembly, const NetworkScales& scales,
+                                           NetworkHarmonicMotion motion);
 
 /// \throws as harmonicContacts (harmonic_network_contact.hpp).
 [[nodiscard]] SceneHarmonicAnswer answerOf(const Assembly& assembly, Excited place,
@@ -94,8 +99,7 @@ void describe(auto& d, Type<SceneHarmonicMotion>)
           [](const T& m) { return m.value.speed * m.scales.velocity(); });
     d.key("residual", "- >= 0", "The worst that was seen moving its waves by the law; relative.",
           ofValue(&NetworkHarmonicMotion::residual));
-    d.key("strains", "-", "In a period, under a staircase.",
-          ifThere(&T::inSteps)(&T::InSteps::strains), When::any);
+    d.key("strains", "-", "In a period.", &T::strains);
     d.key(
         "stability", "-", "Of the motion when it is perturbed.",
         [](const T& m) { return m.inSteps ? m.inSteps->stability : std::nullopt; }, When::any);

@@ -74,7 +74,8 @@ SceneHarmonicMotion motionOf(const ForcedMotion& motion, std::size_t contact, st
     made.value.peakForce = seen.peakForces[contact];
     made.value.speed = seen.extremes.contacts[contact].approach;
     made.value.residual = motion.residual;
-    made.inSteps = {closed < given.steps, strainsOf(asked.bars.assembly, asked.scales, seen)};
+    made.strains = strainsOf(asked.bars.assembly, asked.scales, seen);
+    made.inSteps = {closed < given.steps};
     if (asked.range.triesStability) {
         made.inSteps->stability = stabilityIn(given.network, claim, cancel);
     }
@@ -141,7 +142,7 @@ std::optional<SceneFrequency> frequencyAt(const SceneResponse& asked, std::int64
             distance *= scales.displacement;
         }
         for (NetworkHarmonicMotion& motion : harmonicContacts(given)) {
-            at.motions.push_back({std::move(motion), scales});
+            at.motions.push_back(motionOf(asked.bars.assembly, scales, std::move(motion)));
         }
     } catch (const Resonance& fault) {
         at.reason = fault.what();

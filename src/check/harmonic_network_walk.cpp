@@ -23,11 +23,11 @@ struct Lane {
 class HarmonicSteps {
 public:
     HarmonicSteps(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
-                  std::vector<ContactInstant>* path)
+                  const HarmonicWatch& watch)
         : given_(given),
           network_(given.network),
           motion_(motion),
-          path_(path),
+          watch_(watch),
           open_(network_, 0),
           closed_(network_, ContactSet{1} << motion.contact),
           drive_(given.amplitude * turned(-motion.phase)),
@@ -56,10 +56,16 @@ public:
         double defect = std::abs(distances_[motion_.contact]) / length();
         for (std::int64_t m = 0; m < given_.steps; ++m) {
             step_ = static_cast<double>(m);
+            if (watch_.state) {
+                watch_.state(m, stateAt(m));
+            }
             const Complex drive = drive_ * given_.turn(m);
             force_ = given_.place == Excited::tip ? drive : 0.0;
             base_ = given_.place == Excited::tip ? 0.0 : slope_ * drive;
             for (Lane& lane : lanes_) {
+                if (watch_.arrivals) {
+                    watch_.arrivals(lane.waves.arriving(), lane.from, lane.to);
+                }
                 const bool isHeld = m < lane.held;
                 const NetworkLaw<Complex>& law = isHeld ? closed_ : open_;
                 for (std::size_t j = 0; j < network_.contacts.size(); ++j) {
@@ -72,8 +78,11 @@ public:
                 lane.waves.step(law, force_, base_);
             }
         }
-        if (path_ != nullptr) {
-            path_->push_back({step_ + 1.0, distances_[motion_.contact], 0.0});
+        if (watch_.state) {
+            watch_.state(given_.steps, stateAt(given_.steps));
+        }
+        if (watch_.path != nullptr) {
+            watch_.path->push_back({step_ + 1.0, distances_[motion_.contact], 0.0});
         }
         for (const Lane& lane : lanes_) {
             const std::vector<Complex> after = lane.waves.waves();
@@ -94,25 +103,31 @@ private:
         return std::max(size_, std::abs(network_.contacts[motion_.contact].gap));
     }
 
-    void startDistances()
+    /// Means over the cells.
+    [[nodiscard]] NetworkStart stateAt(std::int64_t m) const
     {
-        // Means over the cells.
-        std::vector<double> waves(motion_.late.size(), 0.0);
+        NetworkStart now{std::vector<double>(motion_.late.size(), 0.0), {}};
         for (const Lane& lane : lanes_) {
             const Complex weight =
                 (turned(given_.omega() * lane.to) - turned(given_.omega() * lane.from)) / slope_;
             const std::vector<Complex> values = lane.waves.waves();
-            for (std::size_t i = 0; i < waves.size(); ++i) {
-                waves[i] += (values[i] * weight).real();
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                now.waves[i] += (values[i] * weight).real();
             }
         }
-        std::vector<double> places = displacementsOf(network_, waves, {});
-        for (std::size_t node = 0; node < places.size(); ++node) {
+        now.displacements = displacementsOf(network_, now.waves, {});
+        for (std::size_t node = 0; node < now.displacements.size(); ++node) {
             const auto clamp = displacementOf(network_, node).clamp;
             if (clamp && network_.nodes[*clamp].isShaken && given_.place != Excited::tip) {
-                places[node] += drive_.real();
+                now.displacements[node] += (drive_ * given_.turn(m)).real();
             }
         }
+        return now;
+    }
+
+    void startDistances()
+    {
+        const std::vector<double> places = stateAt(0).displacements;
         for (const NetworkContact& contact : network_.contacts) {
             distances_.push_back(
                 contact.gap + openingOf(contact, [&](std::size_t node) { return places[node]; }));
@@ -134,10 +149,10 @@ private:
     void see(const Lane& lane, double least, Complex way, Complex push)
     {
         constexpr int instants = 4;
-        for (int k = 0; path_ != nullptr && k < instants; ++k) {
+        for (int k = 0; watch_.path != nullptr && k <= instants; ++k) {
             const double s = lane.from + (lane.to - lane.from) * k / instants;
             const Complex turn = turned(given_.omega() * s);
-            path_->push_back({step_ + s, least + (way * turn).real(), (push * turn).real()});
+            watch_.path->push_back({step_ + s, least + (way * turn).real(), (push * turn).real()});
         }
     }
 
@@ -170,7 +185,7 @@ private:
     const HarmonicNetwork& given_;
     const Network& network_;
     NetworkHarmonicMotion& motion_;
-    std::vector<ContactInstant>* path_;
+    const HarmonicWatch& watch_;
     double step_ = 0.0;
     NetworkLaw<Complex> open_;
     NetworkLaw<Complex> closed_;
@@ -189,11 +204,11 @@ private:
 }  // namespace
 
 void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
-             std::vector<ContactInstant>* path)
+             const HarmonicWatch& watch)
 {
     motion.impulse = 0.0;
     motion.peakForce = 0.0;
-    HarmonicSteps(given, motion, path).run();
+    HarmonicSteps(given, motion, watch).run();
 }
 
 }  // namespace signorini

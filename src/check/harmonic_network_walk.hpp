@@ -3,7 +3,11 @@
 /// What the waves of a motion of a network under an exact harmonic say: moved step by step by the
 /// law (N), and nothing of what found them.
 
+#include <functional>
+#include <span>
+
 #include "harmonic_network.hpp"
+#include "network_simulation.hpp"
 
 namespace signorini {
 
@@ -14,11 +18,26 @@ struct ContactInstant {
     double push;
 };
 
+/// What is told on the way.
+struct HarmonicWatch {
+    std::vector<ContactInstant>* path = nullptr;  ///< some times in a step, and at the end
+    /// At each step and at the end, waves as means over cells; O(M) each.
+    std::function<void(std::int64_t step, const NetworkStart& now)> state = {};
+    /// What arrives in a part of each step, by channel, and which part [from, to] that is.
+    std::function<void(std::span<const std::complex<double>> arriving, double from, double to)>
+        arrivals = {};
+};
+
 /// Fills in impulse, peakForce, speed and residual. Distances follow from the waves at the start;
-/// within a step push and rate are a harmonic, whose extremes are known. O(M + n nodes). `path`
-/// hears of the contact, some times in a step and at the end. \pre no constant forces, no bar that
-/// drifts.
+/// within a step push and rate are a harmonic, whose extremes are known. O(M + n nodes).
+/// \pre no constant forces, no bar that drifts.
 void measure(const HarmonicNetwork& given, NetworkHarmonicMotion& motion,
-             std::vector<ContactInstant>* path = nullptr);
+             const HarmonicWatch& watch = {});
+
+/// Fills in leastStrain and mostStrain, over a shape in which constant forces have displaced the
+/// nodes so far. What meets in a cell during a step are all times of two harmonics, so these bounds
+/// are reached; at the ends of a row they hold. O(n M). \pre as `measure`.
+void measureStrains(const HarmonicNetwork& given, std::span<const double> displaced,
+                    NetworkHarmonicMotion& motion);
 
 }  // namespace signorini

@@ -67,8 +67,10 @@ void FindOutputs::writeMotion(const WrittenMotion& motion)
         motion_.put("--state", [&](const std::string& path) {
             writeStateTable(path, waves, tip / scales(bar).displacement, bar);
         });
-        writePictures(answers::assemblyOf(motion.scene, motion.schedule.cells, motion.damping),
-                      network, claim);
+        const Assembly assembly =
+            answers::assemblyOf(motion.scene, motion.schedule.cells, motion.damping);
+        writePictures(assembly, network, shownPeriod(network, claim),
+                      [&] { return periodFigure(network, claim, assembly.length); });
         return;
     }
     motion_.put("--state", writeStateCsv, motion.state, motion.bar, base);
@@ -101,22 +103,26 @@ void FindOutputs::writeBars(const Assembly& assembly, const Network& network,
     motion_.put("--state", [&](const std::string& path) {
         writeStateTable(path, network, {motion.waves, motion.displacements});
     });
-    writePictures(assembly, network, motion);
+    writePictures(assembly, network, shownPeriod(network, motion),
+                  [&] { return periodFigure(network, motion, assembly.length); });
+}
+
+void FindOutputs::writeHarmonic(const answers::SceneHarmonicAnswer& answer)
+{
+    const std::size_t last = answer.motions.size() - 1;
+    const Assembly& assembly = answer.bars.assembly;
+    writePictures(assembly, networkOf(assembly), shownPeriod(answer, last),
+                  [&] { return harmonicFigure(answer, last); });
 }
 
 void FindOutputs::writePictures(const Assembly& assembly, const Network& network,
-                                const NetworkClaim& motion)
+                                const ShownPeriod& motion,
+                                const std::function<FigureData()>& figure)
 {
-    motion_.draw("--figure", [&] { return periodFigure(network, motion, assembly.length); });
+    motion_.draw("--figure", figure);
     motion_.draw("--animate", [&] { return barsFrames(assembly, network, motion); });
     motion_.putMotion(
         [&](std::int64_t most) { return samplesOf(assembly, network, motion, most); });
-    motion_.commit();
-}
-
-void FindOutputs::writeContact(const std::function<FigureData()>& figure)
-{
-    motion_.draw("--figure", figure);
     motion_.commit();
 }
 

@@ -4,9 +4,10 @@
 
 #include <functional>
 
+#include "bars_motion.hpp"
 #include "files.hpp"
 #include "harmonic_field.hpp"
-#include "network_walk.hpp"
+#include "scene_harmonic_answer.hpp"
 #include "signorini/assembly.hpp"
 
 namespace signorini::cli {
@@ -38,15 +39,15 @@ public:
     void writeHarmonic(const HarmonicField& field, const Scene& scene, std::int64_t cells);
     /// Of the bars of a scene: the table of their state, their motion and pictures of it.
     void writeBars(const Assembly& assembly, const Network& network, const NetworkClaim& motion);
-    /// Of a motion of bars of which no state on a grid is known: a picture of the contact.
-    void writeContact(const std::function<FigureData()>& figure);
+    /// Of the last motion of bars under an exact harmonic, on no grid.
+    void writeHarmonic(const answers::SceneHarmonicAnswer& answer);
     void lackMotion() const;
     void writeProof(const std::function<void(TextFile&)>& write);
     void lackProof() const;
 
 private:
-    void writePictures(const Assembly& assembly, const Network& network,
-                       const NetworkClaim& motion);
+    void writePictures(const Assembly& assembly, const Network& network, const ShownPeriod& motion,
+                       const std::function<FigureData()>& figure);
 
     const FindCommand& words_;
     Outputs motion_;

@@ -107,8 +107,10 @@ std::string limitText(const std::optional<double>& strainLimit)
                : "";
 }
 
-void requireStress(const FindCommand& call, const Assembly& assembly)
+void requireOfBars(const FindCommand& call, const Assembly& assembly)
 {
+    refuseIf(call.given.text("--motion").ends_with(".pvd"), "--motion", call.given.text("--motion"),
+             "FILE.csv|.vtk of several bars: a .pvd shows one before its wall");
     Bar bar;
     bar.young = answers::modulusOf(assembly);
     (void)yieldStressOf(call.given, bar);
@@ -158,9 +160,7 @@ SceneFind::SceneFind(const FindCommand& of)
       schedule(spansOf(of.given, of.common, network.contacts.size())),
       files(of)
 {
-    refuseIf(of.given.text("--motion").ends_with(".pvd"), "--motion", of.given.text("--motion"),
-             "FILE.csv|.vtk of several bars: a .pvd shows one before its wall");
-    requireStress(of, assembly);
+    requireOfBars(of, assembly);
     answers::limitStrain(network, assembly, of.given.number("--strain-limit"));
 }
 

@@ -59,8 +59,9 @@ private:
 [[nodiscard]] std::string limitText(const std::optional<double>& strainLimit);
 /// Says on stderr where bars do not bear them.
 void warnOf(const answers::SceneStrains& strains, const FindCommand& call);
-/// \throws std::invalid_argument on --yield-stress of bars whose stress is not known.
-void requireStress(const FindCommand& call, const Assembly& assembly);
+/// \throws std::invalid_argument on --yield-stress of bars whose stress is not known, and on files
+/// that show one bar only.
+void requireOfBars(const FindCommand& call, const Assembly& assembly);
 /// A line for each contact of a motion.
 [[nodiscard]] std::string asText(const std::vector<answers::ContactInPeriod>& contacts);
 

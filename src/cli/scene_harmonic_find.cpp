@@ -2,7 +2,7 @@
 
 #include "find_command.hpp"
 #include "reports.hpp"
-#include "scene_figures.hpp"
+#include "scene_find.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "scene_report.hpp"
 
@@ -33,6 +33,7 @@ std::string asText(const answers::SceneHarmonicAnswer& answer)
                             value.peakForce * scales.force(),
                             value.impulse * scales.force() * scales.time,
                             value.speed * scales.velocity());
+        text += cli::asText(motion.strains);
     }
     if (const auto detail = answer.detail()) {
         text += fmt::format("why         {}\n", *detail);
@@ -48,8 +49,7 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     force.requirePlace();
     force.requireAmplitude();
     refuseIf(call.given.has("--stability"), "--stability: allowed only of a schedule");
-    for (const char* name : {"--state", "--certificate", "--motion", "--animate", "--yield-stress",
-                             "--strain-limit"}) {
+    for (const char* name : {"--state", "--certificate", "--strain-limit"}) {
         refuseIf(call.given.has(name), name, call.given.text(name),
                  "none with --period, --frequency and --hertz of several bars or segments");
     }
@@ -57,6 +57,7 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
     refuseIf(call.given.whole("--contacts").value_or(1) != 1, "--contacts",
              call.given.text("--contacts"), "1 of several bars or segments");
+    requireOfBars(call, assembly);
     const Network network = networkOf(assembly);
     FindOutputs files(call);
     const std::int64_t steps = answers::stepsOf(assembly, call.question.ofBars(), call.cycles);
@@ -67,8 +68,10 @@ ExitStatus findHarmonicInBars(const FindCommand& call, const Assembly& assembly)
     if (answer.motions.empty()) {
         files.lackMotion();
     } else {  // the last one has the largest impulse
-        files.writeContact(
-            [&] { return contactFigure(answer.pathOf(answer.motions.size() - 1), answer.scales); });
+        files.writeHarmonic(answer);
+    }
+    for (const answers::SceneHarmonicMotion& motion : answer.motions) {
+        warnOf(motion.strains, call);
     }
     call.common.useOneThread();
     writeOut(call.common.wantsJson ? asLine(wholeJsonOf(answer))

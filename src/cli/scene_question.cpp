@@ -50,7 +50,7 @@ ExitStatus findPeriodInBars(const FindCommand& call, const Assembly& assembly)
     }
     refuseIf(!call.given.words().empty(),
              "NC NF clash with --period, --frequency and --hertz: allowed one of them");
-    requireStress(call, assembly);
+    requireOfBars(call, assembly);
     FindOutputs files(call);
     Network network = networkOf(assembly);
     answers::limitStrain(network, assembly, call.given.number("--strain-limit"));

@@ -51,8 +51,8 @@ std::string strainText(const SceneResponse& answer, std::optional<double> yieldS
     double hertz = 0.0;
     for (const SceneFrequency& at : answer.frequencies) {
         for (const SceneHarmonicMotion& motion : at.motions) {
-            if (motion.inSteps && motion.inSteps->strains.largest() > worst.largest()) {
-                worst = motion.inSteps->strains;
+            if (motion.strains.largest() > worst.largest()) {
+                worst = motion.strains;
                 hertz = at.hertz;
             }
         }
@@ -120,24 +120,25 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
 {
     constexpr std::string_view header =
         "steps,frequency_ratio,frequency,amplitude,touches,motion,contact,contact_time,release,"
-        "phase,impulse,peak_force,speed,residual,stability";
+        "phase,impulse,peak_force,speed,residual,stability,compression,tension";
     writeCsv(path, header, [&](CsvRows& row) {
         for (const SceneFrequency& at : answer.frequencies) {
             const auto put = [&](const auto&... values) {
                 row(at.steps, at.ratio, at.hertz, at.amplitude, at.touches(), values...);
             };
             if (at.motions.empty()) {
-                put(",,,,,,,,,");
+                put(",,,,,,,,,,,");
             }
             for (std::size_t k = 0; k < at.motions.size(); ++k) {
                 const SceneHarmonicMotion& motion = at.motions[k];
-                const auto& [value, scales, inSteps] = motion;
+                const auto& [value, scales, strains, inSteps] = motion;
                 const bool isTried = inSteps && inSteps->stability;
                 put(k, value.contact + 1, value.release * scales.time, motion.release(),
                     value.phase, value.impulse * scales.force() * scales.time,
                     value.peakForce * scales.force(), value.speed * scales.velocity(),
                     value.residual,
-                    isTried ? name(inSteps->stability->result.stability) : std::string_view());
+                    isTried ? name(inSteps->stability->result.stability) : std::string_view(),
+                    strains.compression, strains.tension);
             }
         }
     });
@@ -154,11 +155,8 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
                  "none of several bars, or with --exact of segments");
     }
     const bool isExact = given.has("--exact");
-    for (const char* option : {"--stability", "--yield-stress"}) {
-        refuseIf(isExact && given.has(option), option,
-                 given.text(option).empty() ? "true" : given.text(option),
-                 "none with --exact of several bars or segments");
-    }
+    refuseIf(isExact && given.has("--stability"), "--stability", "true",
+             "none with --exact of several bars or segments");
     const Bar bar{.length = assembly.length,
                   .waveSpeed = assembly.waveSpeed,
                   .young = answers::modulusOf(assembly)};

@@ -21,7 +21,7 @@ constexpr double smallestGapShown = 0.06;  ///< [of all bars], the smallest gap 
 /// picture touches.
 class BarsFrames {
 public:
-    BarsFrames(const Assembly& assembly, const Network& network, const NetworkClaim& motion,
+    BarsFrames(const Assembly& assembly, const Network& network, const ShownPeriod& motion,
                std::int64_t most)
         : network_(network),
           places_(sampledPlaces(network)),
@@ -166,7 +166,7 @@ private:
 }  // namespace
 
 std::vector<FigureData> barsFrames(const Assembly& assembly, const Network& network,
-                                   const NetworkClaim& motion, std::size_t most)
+                                   const ShownPeriod& motion, std::size_t most)
 {
     return BarsFrames(assembly, network, motion, static_cast<std::int64_t>(most) + 1).all();
 }

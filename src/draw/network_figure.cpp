@@ -19,6 +19,53 @@ constexpr std::size_t mostPanels = 6;
 constexpr std::size_t mostPoints = 4000;
 constexpr double shownCrossings = 24.0;  ///< of all cells
 
+/// Axis and units of what is drawn over time.
+struct OverTime {
+    Axis axis;
+    Unit second;  ///< [h]
+    Unit metre;   ///< [delta]
+};
+
+constexpr std::size_t partsOfField = 240;  ///< places
+
+/// u of all bars over time, seen at places along them, instant by instant [h]; what presses is
+/// marked.
+Panel fieldPanel(const Network& network, double length, const OverTime& units,
+                 const std::vector<double>& instants, const NetworkLook& seen,
+                 const std::vector<NetworkContactEvent>& events)
+{
+    Panel panel{.name = "displacement", .hasGrid = false};
+    const Unit along = axisUnit(1.0, length, "m");
+    panel.x = bare(units.axis);
+    panel.y = axisIn(along, "along the bars", 0.0, length);
+    panel.colour.label = labelled("displacement  u", units.metre);
+    Series image{.kind = Kind::image};
+    for (const double instant : instants) {
+        image.x.push_back(instant * units.second.factor);
+    }
+    const std::vector<double> positions =
+        positionsOf(network, placesAlong(network, partsOfField), length);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        image.y.push_back(positions[i] * along.factor);
+        for (std::size_t m = 0; m < instants.size(); ++m) {
+            image.z.push_back(seen.displacements[m * positions.size() + i] * units.metre.factor);
+        }
+    }
+    panel.add(std::move(image));
+    const std::vector<double> nodes = placesOf(network, length);
+    Series presses = plot::strokes(Role::contact, 4.0);
+    for (const NetworkContactEvent& event : events) {
+        const double y = nodes[network.contacts[event.contact].node] * along.factor;
+        presses.add(event.start * units.second.factor, y, event.end * units.second.factor, y);
+    }
+    for (const NetworkContact& contact : network.contacts) {
+        panel.add(across(*panel.x.low, *panel.x.high, nodes[contact.node] * along.factor, 1.0,
+                         Dash::dashed));
+    }
+    panel.add(std::move(presses));
+    return panel;
+}
+
 /// What is drawn of a simulation, in SI and units of engineers.
 class ContactPanels {
 public:
@@ -65,38 +112,11 @@ public:
         return figure;
     }
 
-    /// u of all bars over time: instants by places, in units of the network, at positions [m].
-    [[nodiscard]] Panel field(const std::vector<double>& instants, std::vector<double> positions,
-                              const std::vector<double>& displacements, double length) const
+    [[nodiscard]] Panel field(const std::vector<double>& instants, const NetworkLook& seen,
+                              double length) const
     {
-        Panel panel{.name = "displacement", .hasGrid = false};
-        const Unit along = axisUnit(1.0, length, "m");
-        panel.x = bare(time());
-        panel.y = axisIn(along, "along the bars", 0.0, length);
-        panel.colour.label = labelled("displacement  u", metre_);
-        Series image{.kind = Kind::image};
-        for (const double instant : instants) {
-            image.x.push_back(instant * second_.factor);
-        }
-        for (std::size_t i = 0; i < positions.size(); ++i) {
-            image.y.push_back(positions[i] * along.factor);
-            for (std::size_t m = 0; m < instants.size(); ++m) {
-                image.z.push_back(displacements[m * positions.size() + i] * metre_.factor);
-            }
-        }
-        panel.add(std::move(image));
-        const std::vector<double> nodes = placesOf(network_, length);
-        Series presses = plot::strokes(Role::contact, 4.0);
-        for (const NetworkContactEvent& event : simulation_.contacts()) {
-            const double y = nodes[network_.contacts[event.contact].node] * along.factor;
-            presses.add(event.start * second_.factor, y, event.end * second_.factor, y);
-        }
-        for (const NetworkContact& contact : network_.contacts) {
-            panel.add(across(*panel.x.low, *panel.x.high, nodes[contact.node] * along.factor, 1.0,
-                             Dash::dashed));
-        }
-        panel.add(std::move(presses));
-        return panel;
+        return fieldPanel(network_, length, {time(), second_, metre_}, instants, seen,
+                          simulation_.contacts());
     }
 
 private:
@@ -189,9 +209,8 @@ FigureData simulationFigure(const NetworkSimulation& simulation)
 FigureData periodFigure(const Network& network, const NetworkClaim& motion, double length)
 {
     constexpr std::int64_t mostInstants = 400;
-    constexpr std::size_t parts = 240;
     const auto period = static_cast<double>(motion.steps());
-    const std::vector<NetworkPlace> places = placesAlong(network, parts);
+    const std::vector<NetworkPlace> places = placesAlong(network, partsOfField);
     NetworkLook seen;
     std::vector<double> instants;
     const NetworkSimulation simulation =
@@ -202,34 +221,64 @@ FigureData periodFigure(const Network& network, const NetworkClaim& motion, doub
                           look(seen, network, now.state(), places);
                       });
     ContactPanels panels(simulation, period);
-    FigureData figure = panels.figure(
-        panels.field(instants, positionsOf(network, places, length), seen.displacements, length));
+    FigureData figure = panels.figure(panels.field(instants, seen, length));
     figure.title = "one period of the motion";
     return figure;
 }
 
-FigureData contactFigure(const std::vector<ContactInstant>& path, const NetworkScales& scales)
+ShownPeriod shownPeriod(const answers::SceneHarmonicAnswer& answer, std::size_t motion)
 {
-    const Unit second = axisUnit(scales.time, path.back().time, "s");
+    return [&answer, motion](std::int64_t instants, const auto& see) {
+        const std::int64_t count = std::min(instants, answer.steps);
+        std::int64_t seen = 0;
+        answer.watch(motion, {.state = [&](std::int64_t step, const NetworkStart& now) {
+                         if (step == answer.steps * seen / count) {
+                             see(static_cast<double>(step), now);
+                             ++seen;
+                         }
+                     }});
+    };
+}
+
+FigureData harmonicFigure(const answers::SceneHarmonicAnswer& answer, std::size_t motion)
+{
+    const Network network = networkOf(answer.bars.assembly);
+    const NetworkHarmonicMotion& one = answer.motions.at(motion).value;
+    const std::vector<NetworkPlace> places = placesAlong(network, partsOfField);
+    std::vector<ContactInstant> path;
+    NetworkLook seen;
+    std::vector<double> instants;
+    answer.watch(motion, {&path, [&](std::int64_t step, const NetworkStart& now) {
+                              instants.push_back(static_cast<double>(step));
+                              look(seen, network, now, places);
+                          }});
+    const NetworkScales& scales = answer.scales;
+    const Unit second = axisUnit(scales.time, instants.back(), "s");
     const Unit metre =
         axisUnit(scales.displacement, largestOf(path, &ContactInstant::distance), "m");
     const Unit newton = axisUnit(scales.force(), largestOf(path, &ContactInstant::push), "N");
     Series gap{.width = 1.8};
     Series force{.role = Role::contact, .width = 1.8};
-    for (const ContactInstant& one : path) {
-        gap.add(one.time * second.factor, one.distance * metre.factor);
-        force.add(one.time * second.factor, one.push * newton.factor);
+    for (const ContactInstant& at : path) {
+        gap.add(at.time * second.factor, at.distance * metre.factor);
+        force.add(at.time * second.factor, at.push * newton.factor);
     }
-    FigureData figure{.title = "the contact over a period, under an exact harmonic"};
-    Panel above{.name = "gap", .place = {0.13, 0.96, 0.54, 0.9}};
-    above.x = {.low = 0.0, .high = gap.x.back(), .hasNumbers = false};
-    above.series.push_back(std::move(gap));
-    above.y = axisAround(above.series, labelled("open by", metre));
-    Panel below{.name = "force", .place = {0.13, 0.96, 0.12, 0.48}};
-    below.x = {.label = labelled("time  t", second), .low = 0.0, .high = force.x.back()};
+    const Axis time = axisIn(second, "time  t", 0.0, instants.back());
+    const double swing = largestOf(seen.displacements, [](double u) { return std::abs(u); });
+    Panel above = fieldPanel(network, answer.bars.assembly.length,
+                             {time, second, axisUnit(scales.displacement, swing, "m")}, instants,
+                             seen, {{.contact = one.contact, .start = 0.0, .end = one.release}});
+    above.place = {0.13, 0.86, 0.66, 0.92};
+    above.colourBar = Place{0.88, 0.9, 0.66, 0.92};
+    Panel middle{.name = "gap", .place = {0.13, 0.86, 0.38, 0.62}, .x = bare(time)};
+    middle.series.push_back(std::move(gap));
+    middle.y = axisAround(middle.series, labelled("open by", metre));
+    Panel below{.name = "force", .place = {0.13, 0.86, 0.1, 0.34}, .x = time};
     below.series.push_back(std::move(force));
     below.y = axisAround(below.series, labelled("force", newton));
-    figure.panels = {std::move(above), std::move(below)};
+    FigureData figure{
+        .title = fmt::format("contact {} over a period, under an exact harmonic", one.contact + 1)};
+    figure.panels = {std::move(above), std::move(middle), std::move(below)};
     return figure;
 }
 

@@ -2,8 +2,7 @@
 /// \file
 /// Pictures of scenes and of what networks do.
 
-#include "harmonic_network_walk.hpp"
-#include "network_walk.hpp"
+#include "bars_motion.hpp"
 #include "scene_continuum_answer.hpp"
 #include "scene_response_answer.hpp"
 #include "signorini/assembly.hpp"
@@ -30,10 +29,8 @@ class NetworkSimulation;
 
 /// The bars over one period, displacements and gaps magnified by one factor, coloured by strain
 /// (compression red), and u along them. At most so many frames. Panels "bar", "displacement".
-/// \throws std::runtime_error as throughPeriod.
 [[nodiscard]] std::vector<FigureData> barsFrames(const Assembly& assembly, const Network& network,
-                                                 const NetworkClaim& motion,
-                                                 std::size_t most = 120);
+                                                 const ShownPeriod& motion, std::size_t most = 120);
 
 /// A curve of motions: forces of the first two contacts over time and u along the bars at t = 0,
 /// each an image with lambda upwards, or the velocity where there is one contact; below u(x, t) of
@@ -51,8 +48,14 @@ class NetworkSimulation;
 /// without frequencies.
 [[nodiscard]] FigureData sceneResponseFigure(const answers::SceneResponse& response);
 
-/// A contact over one period: how far it is open, and its force. \pre a path of some times.
-[[nodiscard]] FigureData contactFigure(const std::vector<ContactInstant>& path,
-                                       const NetworkScales& scales);
+/// A motion of several under a harmonic. Keeps references. \throws, when it shows, as
+/// answer.watch.
+[[nodiscard]] ShownPeriod shownPeriod(const answers::SceneHarmonicAnswer& answer,
+                                      std::size_t motion);
+
+/// A motion over one period: u of all bars, and of the contact that closes how far it is open and
+/// its force. \throws std::out_of_range.
+[[nodiscard]] FigureData harmonicFigure(const answers::SceneHarmonicAnswer& answer,
+                                        std::size_t motion);
 
 }  // namespace signorini

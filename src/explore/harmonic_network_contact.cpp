@@ -19,8 +19,13 @@ using Complex = OpenNetwork::Complex;
 
 constexpr double sameContact = 1e-7;  // motions nearer than this are one
 
+struct StillCase {
+    HarmonicNetwork given;
+    std::vector<double> displaced;  ///< the nodes, by constant forces
+};
+
 /// Distances counted from the shape under constant forces. \throws std::invalid_argument.
-HarmonicNetwork stillOf(const HarmonicNetwork& given)
+StillCase stillOf(const HarmonicNetwork& given)
 {
     requireAsked(given, maxHarmonicSteps);
     const auto& nodes = given.network.nodes;
@@ -32,9 +37,10 @@ HarmonicNetwork stillOf(const HarmonicNetwork& given)
         throw std::invalid_argument(
             "a bar that nothing holds: its place does not follow from waves");
     }
-    HarmonicNetwork still = given;
-    still.network = underConstantForces(given.network).network;
-    return still;
+    StillNetwork still = underConstantForces(given.network);
+    HarmonicNetwork moved = given;
+    moved.network = std::move(still.network);
+    return {std::move(moved), std::move(still.displacements)};
 }
 
 /// Pushes of a number of steps of contact, for A = 1.
@@ -177,7 +183,7 @@ private:
 
 std::vector<double> openDistances(const HarmonicNetwork& given)
 {
-    const HarmonicNetwork still = stillOf(given);
+    const HarmonicNetwork still = stillOf(given).given;
     const OpenNetwork open(still);
     const OpenNetwork::Vector driven = open.arriving(given.cycles, open.sentByDrive());
     std::vector<double> distances;
@@ -191,11 +197,14 @@ std::vector<double> openDistances(const HarmonicNetwork& given)
 
 std::vector<NetworkHarmonicMotion> harmonicContacts(const HarmonicNetwork& given)
 {
-    const HarmonicNetwork still = stillOf(given);
+    const auto [still, displaced] = stillOf(given);
     const OpenNetwork open(still);
     std::vector<NetworkHarmonicMotion> found;
     for (std::size_t contact = 0; contact < still.network.contacts.size(); ++contact) {
         NetworkContactSearch(still, open, contact, found).run();
+    }
+    for (NetworkHarmonicMotion& motion : found) {
+        measureStrains(still, displaced, motion);
     }
     std::sort(found.begin(), found.end(),
               [](const auto& x, const auto& y) { return x.impulse < y.impulse; });

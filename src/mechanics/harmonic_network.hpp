@@ -61,6 +61,9 @@ struct NetworkHarmonicMotion {
     double impulse = 0.0;  ///< what follows is measured
     double peakForce = 0.0;
     double speed = 0.0;  ///< with which the contact closes
+    /// Of (l - r)/speed, as in NetworkExtremes (network_walk.hpp).
+    double leastStrain = 0.0;
+    double mostStrain = 0.0;
     /// [-], the worst defect: waves that do not come back, distance at the start or the end, a
     /// pull, an overlap of any contact; of the largest wave, or of the gap.
     double residual = 0.0;

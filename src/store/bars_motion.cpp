@@ -11,8 +11,18 @@ std::vector<NetworkPlace> sampledPlaces(const Network& network)
     return placesOfRows(network, std::max<std::int64_t>(1, maxMotionNodes / rows - 1));
 }
 
-MotionSamples samplesOf(const Assembly& assembly, const Network& network,
-                        const NetworkClaim& motion, std::int64_t mostInstants)
+ShownPeriod shownPeriod(const Network& network, const NetworkClaim& motion)
+{
+    return [&](std::int64_t instants, const auto& see) {
+        (void)throughPeriod(network, {motion.waves, motion.displacements},
+                            {.forces = motion.forces, .velocities = motion.velocities},
+                            static_cast<double>(motion.steps()), std::min(motion.steps(), instants),
+                            [&](const NetworkSimulation& now) { see(now.time(), now.state()); });
+    };
+}
+
+MotionSamples samplesOf(const Assembly& assembly, const Network& network, const ShownPeriod& motion,
+                        std::int64_t mostInstants)
 {
     const std::vector<NetworkPlace> places = sampledPlaces(network);
     std::vector<NetworkPlace> middles = places;
@@ -23,14 +33,10 @@ MotionSamples samplesOf(const Assembly& assembly, const Network& network,
                         .xCell = positionsOf(network, middles, assembly.length)};
     NetworkLook seen;
     const NetworkScales& scales = network.scales;
-    (void)throughPeriod(network, {motion.waves, motion.displacements},
-                        {.forces = motion.forces, .velocities = motion.velocities},
-                        static_cast<double>(motion.steps()),
-                        std::min(motion.steps(), mostInstants - 1),
-                        [&](const NetworkSimulation& now) {
-                            sampled.times.push_back(now.time() * scales.time);
-                            look(seen, network, now.state(), places);
-                        });
+    motion(mostInstants - 1, [&](double time, const NetworkStart& now) {
+        sampled.times.push_back(time * scales.time);
+        look(seen, network, now, places);
+    });
     const auto inUnit = [](std::vector<double> values, double unit) {
         for (double& value : values) {
             value *= unit;

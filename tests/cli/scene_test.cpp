@@ -304,25 +304,32 @@ TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper'
         Approx(two["energy"].get<double>()));
 }
 
+namespace {
+
+/// The file of the motion that is found, without its header.
+std::vector<std::vector<double>> motionTable(const CommandLine& program, const std::string& words)
+{
+    CHECK(program.find(words + " --motion m.csv", 0)["status"] == "found");
+    std::vector<std::vector<double>> rows;
+    std::istringstream text(contentOf(program.file("m.csv")));
+    std::string line;
+    for (std::getline(text, line); std::getline(text, line);) {
+        std::vector<double>& row = rows.emplace_back();
+        std::istringstream fields(line);
+        for (std::string field; std::getline(fields, field, ',');) {
+            row.push_back(std::stod(field));
+        }
+    }
+    return rows;
+}
+
+}  // namespace
+
 TEST_CASE("cli scenes: a motion in a file is that of the bar's own field, and two bars mirror it")
 {
     const CommandLine program;
-    const auto tableOf = [&](const std::string& words) {
-        CHECK(program.find(words + " --motion m.csv", 0)["status"] == "found");
-        std::vector<std::vector<double>> rows;
-        std::istringstream text(contentOf(program.file("m.csv")));
-        std::string line;
-        for (std::getline(text, line); std::getline(text, line);) {
-            std::vector<double>& row = rows.emplace_back();
-            std::istringstream fields(line);
-            for (std::string field; std::getline(fields, field, ',');) {
-                row.push_back(std::stod(field));
-            }
-        }
-        return rows;
-    };
-    const auto one = tableOf("3 11 --cells 4");
-    const auto two = tableOf("--scene 'clamp 4 gap=2e-3 4 clamp' --length 2 3 11");
+    const auto one = motionTable(program, "3 11 --cells 4");
+    const auto two = motionTable(program, "--scene 'clamp 4 gap=2e-3 4 clamp' --length 2 3 11");
     REQUIRE(one.size() == 15 * 5);
     REQUIRE(two.size() == 15 * 10);
     for (std::size_t m = 0; m < 15; ++m) {
@@ -349,6 +356,43 @@ TEST_CASE("cli scenes: a motion in a file is that of the bar's own field, and tw
     CHECK_THAT(refused.err, containsText("FILE.csv|.vtk of several bars"));
     CHECK(program.run(bars + "m.vtk").status == 0);
     CHECK_THAT(contentOf(program.file("m.vtk")), containsText("DIMENSIONS 10 15 1"));
+}
+
+TEST_CASE("cli scenes: files and strains under an exact harmonic are those of the bar's field")
+{
+    const CommandLine program;
+    const std::string force = "--period 4 --force tip ";
+    const double dashpot = std::tanh(0.5 * std::numbers::pi * 0.05);  // damps as zeta = 0.05
+    const std::string bar = force + "--amplitude 2e-3 --cells 10 --damping 0.05";
+    const std::string steel =
+        fmt::format("{}--scene 'clamp 10 dash={:.17g} driven stop=1e-3' ", force, dashpot);
+    const std::string words = steel + "--amplitude 2e-3";
+    const auto one = motionTable(program, bar);
+    const auto row = motionTable(program, words);
+    const json strains = program.find(words, 0)["motions"][0]["strains"];
+    const json physical = program.find(bar, 0)["motions"][0]["physical"];
+    CHECK(strains["peak_compression"].get<double>() ==
+          Approx(physical["peak_compression"].get<double>()).epsilon(1e-9));
+    REQUIRE(row.size() == one.size());
+    double largest = 0.0;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        CHECK(row[k][0] == Approx(one[k][0]).margin(1e-12));
+        CHECK(row[k][1] == Approx(one[k][1]).margin(1e-12));
+        CHECK(row[k][2] == Approx(one[k][2]).margin(1e-12));
+        largest = std::max(largest, -row[k][4]);
+    }
+    CHECK(largest <= strains["peak_compression"].get<double>());
+    CHECK(largest > 0.8 * strains["peak_compression"].get<double>());
+    const auto warned =
+        program.run("find " + steel +
+                    "--young 2e11 --density 8e3 --area 1e-4 --amplitude 1e5 --yield-stress 1e8 "
+                    "--figure f.svg --animate a.gif --motion m.vtk");
+    CHECK(warned.status == 0);
+    CHECK_THAT(warned.err, containsText("beyond --yield-stress"));
+    for (const char* file : {"f.svg", "a.gif", "m.vtk"}) {
+        CHECK(std::filesystem::file_size(program.file(file)) > 1000);
+    }
+    CHECK_THAT(program.run("find " + words + " --motion m.pvd").err, containsText("FILE.csv|.vtk"));
 }
 
 TEST_CASE("cli scenes: forced motions of bars that meet, the least amplitude and those of one")

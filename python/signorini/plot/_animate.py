@@ -7,7 +7,6 @@ import os
 from typing import Any
 
 from .._asking import asks
-from .._core import SceneHarmonicResult
 from ._draw import draw_panel
 from ._motion import Moving, motion_of
 from ._style import axes_named
@@ -79,8 +78,6 @@ def animate(moving: Moving, path: str | os.PathLike[str] | None = None, *,
     """
     from matplotlib.animation import FuncAnimation
     found, which = motion_of(moving, index)
-    if isinstance(found, SceneHarmonicResult):
-        raise ValueError("bars under an exact harmonic: allowed only plot.motion")
     pictures = [json.loads(text) for text in found._frames(frames, *which)]
     placed = axes_named(
         ("bar", "displacement"), axes, figure,

@@ -47,7 +47,8 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     Strain and velocity along the bar at t = 0, the displacement u(x, t) over
     one period, and with the same axis of time the path of the tip beside the
     wall and the force of the wall. Under an exact harmonic u(x, t), tip and
-    force alone; of several bars how far the contact is open, and its force.
+    force alone; of several bars u(x, t), how far the contact is open, and its
+    force.
     Of a schedule of several bars u(x, t) of all, and the faces at each contact.
 
     Parameters
@@ -60,7 +61,8 @@ def motion(moving: Moving, *, index: int = -1, figure: Any = None, axes: Any = N
     -------
     dict of axes
         "strain", "velocity", "displacement", "tip", "force", "words"; of
-        several bars "gap", "force", or "displacement", "contact 1", ...
+        several bars "displacement", "gap", "force", or "displacement",
+        "contact 1", ...
 
     Raises
     ------

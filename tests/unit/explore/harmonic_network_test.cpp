@@ -43,6 +43,7 @@ TEST_CASE("harmonic network: of one bar the list is that of the closed form")
         return std::uniform_real_distribution<>(least, most)(random);
     };
     std::size_t count = 0;
+    std::size_t reached = 0;  // strains
     for (int i = 0; i < 300; ++i) {
         const std::int64_t cells = 3 + i % 6;
         const auto steps = static_cast<std::int64_t>(draw(2.0, 5.5) * static_cast<double>(cells));
@@ -70,10 +71,18 @@ TEST_CASE("harmonic network: of one bar the list is that of the closed form")
             CHECK(network[k].speed == Approx(bar[k].contacts[0].speed).epsilon(1e-6).margin(1e-8));
             CHECK(network[k].isPinned == bar[k].contacts[0].isPinned);
             CHECK(network[k].residual < 1e-9);
+            const auto isBound = [&](double bound, double strain) {
+                CHECK(bound >= strain * (1.0 - 1e-9));
+                CHECK(bound <= 1.03 * strain);  // at the clamp or the tip
+                reached += bound <= strain * (1.0 + 1e-9) ? 1 : 0;
+            };
+            isBound(-network[k].leastStrain, bar[k].extremes.peakCompression);
+            isBound(network[k].mostStrain, bar[k].extremes.peakTension);
         }
         count += bar.size();
     }
     CHECK(count > 120);
+    CHECK(static_cast<double>(reached) > 1.8 * static_cast<double>(count));
 }
 
 namespace {

@@ -1,0 +1,130 @@
+// Strain anywhere in a network under a harmonic: what has come in at one end of a row meets what
+// came in at the other, once in each cell and once between two cells, all times of a step with all
+// times.
+
+#include <algorithm>
+
+#include "harmonic_network_walk.hpp"
+#include "harmonic_walk.hpp"
+
+namespace signorini {
+
+namespace {
+
+/// What arrives in a part of each step, channel by channel.
+struct StepPart {
+    double from;
+    double to;
+    std::vector<std::vector<HarmonicBounds>> of;
+};
+
+class RowStrains {
+public:
+    RowStrains(const HarmonicNetwork& given, std::span<const double> displaced,
+               const std::vector<StepPart>& parts, NetworkHarmonicMotion& motion)
+        : given_(given), displaced_(displaced), parts_(parts), motion_(motion)
+    {
+    }
+
+    void stretch(std::size_t r)
+    {
+        row_ = &given_.network.rows[r];
+        right_ = 2 * r;
+        left_ = right_ + 1;
+        const std::vector<HarmonicBounds> right = wholeSteps(right_);
+        const std::vector<HarmonicBounds> left = wholeSteps(left_);
+        // Without weight all cells are the same, and the motion comes back after n steps.
+        const std::int64_t cells =
+            given_.network.gravity == 0.0 ? std::min(row_->cells, given_.steps) : row_->cells;
+        for (std::int64_t m = 0; m < given_.steps; ++m) {
+            for (std::int64_t k = 0; k < cells; ++k) {
+                const HarmonicBounds& r0 = at(right, m + row_->cells - 1 - k);
+                see(at(left, m + k), r0, k);
+                if (k + 1 < row_->cells) {
+                    see(at(left, m + k + 1), r0, k);
+                }
+            }
+            for (const StepPart& l : parts_) {
+                for (const StepPart& r0 : parts_) {  // what enters does so after what arrived
+                    if (l.from <= r0.from) {
+                        see(at(l.of[left_], m + row_->cells), at(r0.of[right_], m),
+                            row_->cells - 1);
+                    }
+                    if (r0.from <= l.from) {
+                        see(at(l.of[left_], m), at(r0.of[right_], m + row_->cells), 0);
+                    }
+                }
+            }
+        }
+    }
+
+private:
+    [[nodiscard]] std::vector<HarmonicBounds> wholeSteps(std::size_t channel) const
+    {
+        std::vector<HarmonicBounds> all = parts_.front().of[channel];
+        for (std::size_t m = 0; m < all.size(); ++m) {
+            const HarmonicBounds& late = parts_.back().of[channel][m];
+            all[m] = {std::min(all[m].least, late.least), std::max(all[m].most, late.most)};
+        }
+        return all;
+    }
+
+    [[nodiscard]] const HarmonicBounds& at(const std::vector<HarmonicBounds>& of,
+                                           std::int64_t m) const
+    {
+        return of[static_cast<std::size_t>(m % given_.steps)];
+    }
+
+    /// In cell k.
+    void see(const HarmonicBounds& left, const HarmonicBounds& right, std::int64_t k)
+    {
+        const auto cells = static_cast<double>(row_->cells);
+        const auto placeOf = [&](std::size_t node) {
+            return displaced_[node] + given_.network.nodes[node].rest;
+        };
+        const double rest = (placeOf(row_->right) - placeOf(row_->left)) / cells -
+                            given_.network.gravity * (static_cast<double>(k) - 0.5 * (cells - 1.0));
+        motion_.leastStrain =
+            std::min(motion_.leastStrain, (left.least - right.most + rest) / row_->speed);
+        motion_.mostStrain =
+            std::max(motion_.mostStrain, (left.most - right.least + rest) / row_->speed);
+    }
+
+    const HarmonicNetwork& given_;
+    std::span<const double> displaced_;
+    const std::vector<StepPart>& parts_;
+    NetworkHarmonicMotion& motion_;
+    const CellRow* row_ = nullptr;
+    std::size_t right_ = 0;  ///< channels
+    std::size_t left_ = 0;
+};
+
+}  // namespace
+
+void measureStrains(const HarmonicNetwork& given, std::span<const double> displaced,
+                    NetworkHarmonicMotion& motion)
+{
+    std::vector<StepPart> parts;
+    NetworkHarmonicMotion walked = motion;
+    const auto keep = [&](std::span<const std::complex<double>> arriving, double from, double to) {
+        auto part = std::find_if(parts.begin(), parts.end(),
+                                 [&](const StepPart& one) { return one.from == from; });
+        if (part == parts.end()) {
+            part = parts.insert(part, {from, to, {}});
+            part->of.resize(arriving.size());
+        }
+        for (std::size_t channel = 0; channel < arriving.size(); ++channel) {
+            part->of[channel].push_back(
+                boundsOf(arriving[channel], given.omega() * from, given.omega() * to));
+        }
+    };
+    measure(given, walked, {.arrivals = keep});
+    motion.leastStrain = 0.0;
+    motion.mostStrain = 0.0;
+    RowStrains strains(given, displaced, parts, motion);
+    for (std::size_t row = 0; row < given.network.rows.size(); ++row) {
+        strains.stretch(row);
+    }
+}
+
+}  // namespace signorini
