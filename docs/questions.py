@@ -92,7 +92,7 @@ WITH = {("find", "--target"): "--objective nearest", ("continuum", "--member"): 
         ("continuum", "--state"): "--member 0", ("response", "--map"): "--contacts 2",
         ("response", "--map-csv"): "--contacts 2", ("response", "--band"): "--contacts 2",
         ("response", "--force-steps"): "--figure {folder}/figure.svg"}
-YIELDING = " --young 200e9 --density 7800 --area 1e-4"
+YIELDING = " --young 1e4 --density 1 --area 1e-4"  # EA = 1 N, as where nothing is said
 #: What it takes the place of in the question.
 INSTEAD = {"--energy": r"--energy(-ratio)? \S+"}
 

@@ -76,8 +76,7 @@ struct SweepPoint {
     std::vector<double> impulses = {};          ///< of single contacts, in their order [EA g/c]
     double meanForce = 0.0;                     ///< largest over the resolution [EA g/L]
     std::array<double, 2> tip = {};             ///< u(L) [g]
-    /// max |s| over all x and t [g/L], of a bar.
-    std::optional<double> strain = std::nullopt;
+    double strain = 0.0;                        ///< max |s| over all x and t [g/L]
 };
 
 /// The values, in ascending order. \throws std::invalid_argument on a range that is none.

@@ -856,7 +856,7 @@ class SweepPoint(_Record):
     mean_force: float
     tip_lowest: float
     tip_highest: float
-    peak_strain: Optional[float]
+    peak_strain: float
     peak_stress: Known[float]
 
 class ForceRange(_Record, _InScene):

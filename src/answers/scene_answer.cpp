@@ -147,13 +147,23 @@ SeveralBars severalOf(const Assembly& assembly, const Network& network)
     return {assembly, referenceOf(network), contactsOf(network, assembly.length)};
 }
 
+std::optional<double> modulusOf(const Assembly& assembly)
+{
+    const auto isOther = [](const AssemblyPart& part) {
+        return part.kind == PartKind::cells && part.speed != 1.0;
+    };
+    const bool isOne = std::none_of(assembly.parts.begin(), assembly.parts.end(), isOther);
+    return isOne ? assembly.young : std::nullopt;
+}
+
 Bar unitsOf(const Assembly& assembly, const Network& network)
 {
     const double gap = std::abs(network.contacts.front().gap) * network.scales.displacement;
     return {.length = assembly.length,
             .waveSpeed = 2.0 * assembly.length * referenceOf(network).frequency / std::numbers::pi,
             .axialStiffness = assembly.axialStiffness,
-            .gap = gap > 0.0 ? gap : assembly.length};
+            .gap = gap > 0.0 ? gap : assembly.length,
+            .young = modulusOf(assembly)};
 }
 
 ForceRange forceRangeOf(const Assembly& assembly, double low, double high, double time)

@@ -167,6 +167,9 @@ void describeBarsAndContacts(auto& d, auto bars)
     d.key("contacts", "-", "[dict, ...], of the bars.", partOf(bars)(&SeveralBars::contacts));
 }
 
+/// Young's modulus [Pa], if it is known and bars have one wave speed.
+[[nodiscard]] std::optional<double> modulusOf(const Assembly& assembly);
+
 /// The bar whose units an answer about several bars has: its first frequency is that of the scene.
 [[nodiscard]] Bar unitsOf(const Assembly& assembly, const Network& network);
 

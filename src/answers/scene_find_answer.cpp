@@ -47,15 +47,6 @@ std::vector<ContactInPeriod> contactsOf(const SceneSchedule& schedule,
     return all;
 }
 
-std::optional<double> modulusOf(const Assembly& assembly)
-{
-    const auto isOther = [](const AssemblyPart& part) {
-        return part.kind == PartKind::cells && part.speed != 1.0;
-    };
-    const bool isOne = std::none_of(assembly.parts.begin(), assembly.parts.end(), isOther);
-    return isOne ? assembly.young : std::nullopt;
-}
-
 double strainUnit(const Assembly& assembly, const NetworkScales& scales)
 {
     return scales.displacement / (scales.time * assembly.waveSpeed);

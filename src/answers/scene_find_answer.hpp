@@ -61,8 +61,6 @@ struct SceneStrains {
 
     [[nodiscard]] double largest() const { return std::max(compression, tension); }
 };
-/// Young's modulus [Pa], if it is known and bars have one wave speed.
-[[nodiscard]] std::optional<double> modulusOf(const Assembly& assembly);
 /// What a difference of waves stretches, over the relative speed [-].
 [[nodiscard]] double strainUnit(const Assembly& assembly, const NetworkScales& scales);
 /// Only motions with strain >= -limit everywhere are asked for, if one is given [-].

@@ -40,8 +40,7 @@ std::optional<StudyPoint> studyAt(const StudyCase& of, const Cancel& cancel)
             point.frequency = hertz;
         }
         point.meanForce = std::max(point.meanForce, seen.meanForce * forceUnit(answer.bar));
-        keepLarger(point.strain,
-                   seen.strain ? std::optional(*seen.strain * unit.strain) : std::nullopt);
+        keepLarger(point.strain, seen.strain * unit.strain);
         keepLarger(point.stress, at.stress());
         if (seen.meanContacts > 0.0) {
             point.from = std::min(point.from.value_or(hertz), hertz);

@@ -38,9 +38,7 @@ double SweepPointOf::given() const
 
 std::optional<double> SweepPointOf::stress() const
 {
-    return bar.young && value.strain
-               ? std::optional(*value.strain * scales(bar).strain * *bar.young)
-               : std::nullopt;
+    return bar.young ? std::optional(value.strain * scales(bar).strain * *bar.young) : std::nullopt;
 }
 
 std::vector<SweepPointOf> SweepAnswer::listed() const

@@ -88,10 +88,8 @@ void describe(auto& d, Type<SweepPointOf>)
           ofValue([](const P& p) { return p.tip[0]; }, &Scales::displacement));
     d.key("tip_highest", "m", "max u(L, t).",
           ofValue([](const P& p) { return p.tip[1]; }, &Scales::displacement));
-    d.key("peak_strain", "- >= 0", "max |s| over all x and t, of a bar.", [](const T& p) {
-        return p.value.strain ? std::optional(*p.value.strain * scales(p.bar).strain)
-                              : std::nullopt;
-    });
+    d.key("peak_strain", "- >= 0", "max |s| over all x and t.",
+          ofValue(&P::strain, &Scales::strain));
     d.key("peak_stress", "Pa >= 0", "Largest |stress|, where Young's modulus is known.",
           &T::stress);
 }

@@ -123,15 +123,14 @@ SweepAnswer SweepCommand::question(const Network& network) const
     common.requireOwnDamping();
     refuseIf(over == Swept::gap || over == Swept::damping, "--over", name(over),
              "frequency|amplitude of a scene of several bars");
-    refuseIf(given.has("--yield-stress"), "--yield-stress", given.text("--yield-stress"),
-             "only for one bar: strains of several are not recorded");
     force.requirePlace();
     Faults faults;
     requireExcitable(faults, network, *force.place);
     faults.throwIfAny();
     const Assembly& assembly = common.assembly();
     const Bar bar = answers::unitsOf(assembly, network);
-    return {range(bar, bar), bar, bar, {}, true, {}, answers::severalOf(assembly, network)};
+    return {range(bar, bar), bar, bar, {}, true, yieldStressOf(given, bar),
+            answers::severalOf(assembly, network)};
 }
 
 std::string SweepCommand::questionOf(const SweepAnswer& answer) const

@@ -136,11 +136,8 @@ void addWorst(const SweepAnswer& answer, Text& text)
     const SweepPoint impulse = worst([](const SweepPoint& p) { return p.impulse[1]; });
     line("impulse", impulse, impulse.impulse[1] * answers::impulseUnit(answer.bar),
          "N s per period");
-    const SweepPoint strain = worst([](const SweepPoint& p) { return p.strain.value_or(0.0); });
-    if (!strain.strain) {
-        return;
-    }
-    const double most = *strain.strain * scales(answer.bar).strain;
+    const SweepPoint strain = worst([](const SweepPoint& p) { return p.strain; });
+    const double most = strain.strain * scales(answer.bar).strain;
     if (!answer.bar.young) {
         line("strain", strain, most, "[-]");
         return;
@@ -197,7 +194,7 @@ void writeSweepCsv(const std::string& path, const SweepAnswer& answer)
                 p.impulse[0] * impulse, p.impulse[1] * impulse,
                 p.meanForce * answers::forceUnit(answer.bar), p.tip[0] * unit.displacement,
                 p.tip[1] * unit.displacement,
-                p.strain ? std::optional(*p.strain * unit.strain) : std::nullopt, at.stress());
+                p.strain * unit.strain, at.stress());
         }
     });
 }

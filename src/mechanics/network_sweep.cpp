@@ -8,6 +8,7 @@
 #include "excited_names.hpp"
 #include "infinity.hpp"
 #include "network_watched.hpp"
+#include "sweep_point.hpp"
 
 namespace signorini {
 
@@ -103,6 +104,9 @@ public:
         const NetworkScales& scale = network_.scales;
         force_ = sweep.bar.axialStiffness * unit.strain / scale.force();
         displacement_ = unit.displacement / scale.displacement;
+        for (const CellRow& row : network_.rows) {
+            strain_ += static_cast<double>(row.cells) * row.speed / displacement_;
+        }
         impulse_ = force_ * unit.time / scale.time;
         resolution_ = range.resolution > 0.0 ? range.resolution * unit.time / scale.time : 1.0;
         drive_ = harmonicDrive(
@@ -184,6 +188,11 @@ private:
         SweepPoint ignored;
         (void)advance(seen, ignored);
         const double begin = seen.time();
+        NetworkSimulation strained(network_, seen.state(), drive_.drive,
+                                   {.mergeBelow = mergeBelow(waves)});
+        for (std::int64_t k = 0; k < repeats; ++k) {
+            point.strain = std::max(point.strain, strain_ * largestStrain(strained, drive_.period));
+        }
         std::vector<double> impulses;
         for (std::int64_t k = 0; k < repeats; ++k) {
             impulses.push_back(advance(seen, point));
@@ -253,6 +262,7 @@ private:
     double ratio_ = 1.0;
     double force_ = 1.0;  ///< units of the bar in those of the network
     double displacement_ = 1.0;
+    double strain_ = 0.0;  ///< and in those of the bar what one of the network is
     double impulse_ = 1.0;
     double resolution_ = 1.0;  ///< [h]
 };

@@ -28,7 +28,7 @@ struct HarmonicDrive {
 /// A sweep of a network over the frequency or the amplitude: as that of a bar (signorini/sweep.hpp)
 /// from rest or with the state carried over. Numbers of the range and of the points are in units of
 /// `bar`, whose first frequency is that of the network; the tip is the node of the first contact,
-/// contacts and forces are those of all contacts, and there is no strain.
+/// contacts and forces are those of all contacts.
 struct NetworkSweep {
     const Network& network;
     const Bar& bar;

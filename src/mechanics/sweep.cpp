@@ -164,7 +164,7 @@ void measure(const BarSimulation& simulation, double period, double gap, SweepPo
         const double pushed = seen.impulse();
         const auto before = static_cast<std::int64_t>(seen.contacts().size());
         const double strain = advanced(seen, period, waves.crossing);
-        point.strain = std::max(point.strain.value_or(0.0), gap * strain);
+        point.strain = std::max(point.strain, gap * strain);
         if (k == 0) {
             begin = seen.time();
         } else {

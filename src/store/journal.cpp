@@ -215,8 +215,8 @@ std::string lineOf(const SweepStep& step)
                             p.meanForce,
                             p.tip[0],
                             p.tip[1],
-                            p.strain ? 1.0 : 0.0,
-                            p.strain.value_or(0.0)};
+                            1.0,
+                            p.strain};
     const Settled settled = p.settling.settled.value_or(Settled{});
     all.insert(all.end(), {static_cast<double>(settled.periods), settled.residual,
                            static_cast<double>(settled.contacts), settled.impulse,
@@ -248,9 +248,11 @@ SweepStep sweepStepOf(const std::string& line)
     p.meanImpulse = numbers.next();
     p.meanForce = numbers.next();
     p.tip = {numbers.next(), numbers.next()};
-    const bool hasStrain = numbers.next() != 0.0;
-    const double strain = numbers.next();
-    p.strain = hasStrain ? std::optional(strain) : std::nullopt;
+    if (numbers.next() == 0.0) {  // written before sweeps of several bars knew it
+        throw std::invalid_argument(
+            "the run that was begun says nothing of strain: allowed a new run");
+    }
+    p.strain = numbers.next();
     Settled settled;
     settled.periods = numbers.whole();
     settled.residual = numbers.next();
