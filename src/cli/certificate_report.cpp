@@ -119,7 +119,8 @@ Json claimOf(const Json& answer, const std::optional<Json>& energies)
     }
     const std::string objective = answer.at("objective");
     if (answer.at("status") == name(Status::found) &&
-        (objective == name(Objective::minEnergy) || objective == name(Objective::maxEnergy))) {
+        (objective == name(Objective::minEnergy) ||
+         (objective == name(Objective::maxEnergy) && energies->at("rows") != "network"))) {
         claim["objective"] = objective;
         claim["energy_ratio"] = answer.at("energy_ratio");
     }

@@ -130,10 +130,6 @@ LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>&
                          double largest, const NetworkWish& wish, const FindOptions& options)
 {
     Faults faults;
-    if (wish.objective == Objective::maxEnergy) {
-        faults.add("objective", name(wish.objective),
-                   "auto|any|min-energy|max-impulse|min-peak-strain|nearest for several bars");
-    }
     if (wish.energy && wish.objective != Objective::automatic && wish.objective != Objective::any) {
         faults.add("objective", name(wish.objective), "auto|any when an energy is held");
     }
@@ -161,8 +157,10 @@ LeastMotion wishedMotion(const Network& network, const std::vector<ContactSpan>&
         return near;
     }
     NetworkPoints points(single, options);
-    const NetworkPoint point =
-        wish.energy ? points.ofEnergy(*wish.energy, leastWaves) : points.extreme(wish.objective);
+    const NetworkPoint point = wish.energy ? points.ofEnergy(*wish.energy, leastWaves)
+                               : wish.objective == Objective::maxEnergy
+                                   ? points.ofMostEnergy(largest)
+                                   : points.extreme(wish.objective);
     least.detail = point.detail;
     if (point.detail.empty() &&
         enterMotion(least, single, points.motion(point), options.tolerance) &&

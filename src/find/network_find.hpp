@@ -45,16 +45,15 @@ struct NetworkWish {
 
     [[nodiscard]] bool isOfLeast() const
     {
-        return !energy && !target && objective != Objective::maxImpulse &&
-               objective != Objective::minPeakStrain;
+        return !energy && !target && objective != Objective::maxEnergy &&
+               objective != Objective::maxImpulse && objective != Objective::minPeakStrain;
     }
 };
 
-/// The motion of a wish. None, too: what is proved of all motions excludes the energy held. What is
-/// proved stays that of least energy. `options`: tolerance, back end and limits.
-/// \throws as `leastMotion`; std::invalid_argument on an energy that is held along with an
-/// objective, and on maxEnergy: the energy grows in all directions, its largest value is known to
-/// closed forms alone.
+/// The motion of a wish; of maxEnergy the most that is found, not proved the most. None, too: what
+/// is proved of all motions excludes the energy held. What is proved stays that of least energy.
+/// `options`: tolerance, back end and limits. \throws as `leastMotion`; std::invalid_argument on an
+/// energy that is held along with an objective.
 [[nodiscard]] LeastMotion wishedMotion(const Network& network,
                                        const std::vector<ContactSpan>& schedule, double largest,
                                        const NetworkWish& wish, const FindOptions& options);

@@ -171,23 +171,64 @@ NetworkPoint NetworkPoints::extreme(Objective objective)
     return solved(options_.solver);
 }
 
-NetworkPoint NetworkPoints::ofEnergy(double wanted, std::span<const double> leastWaves)
+NetworkPoint NetworkPoints::climbed(const Eigen::VectorXd& made, double box, double enough)
 {
     constexpr int directions = 8;
+    program_.quadratic.resize(0);
+    program_.lower = -made.array() - box;
+    program_.upper = -made.array() + box;
+    NetworkPoint best;
+    double highest = -1.0;
+    for (int k = 0; k < directions && highest < enough; ++k) {
+        Eigen::VectorXd& cost = program_.linear;
+        for (Eigen::Index i = 0; i < cost.size(); ++i) {
+            cost[i] = std::cos(static_cast<double>((i + 1) * (k + 1)));
+        }
+        for (double reached = -1.0;;) {
+            NetworkPoint vertex = solved(options_.solver);
+            best.iterations += vertex.iterations;
+            if (!vertex.detail.empty()) {
+                best.detail = vertex.detail;
+                break;
+            }
+            vertex.z += made;
+            const double found = vertex.z.squaredNorm();
+            cost = -2.0 * vertex.z;
+            if (found > highest) {
+                highest = found;
+                best.z = std::move(vertex.z);
+                best.solver = vertex.solver;
+            }
+            if (found >= enough || !(found > reached * (1.0 + 1e-9))) {
+                break;
+            }
+            reached = found;
+        }
+    }
+    if (highest >= 0.0) {
+        best.detail.clear();
+    }
+    return best;
+}
+
+double NetworkPoints::steadyEnergy(const Eigen::VectorXd& made) const
+{
+    return energyOf(blocks_.network(), wavesAt(blocks_, *kernel_, Eigen::VectorXd(0.0 * made),
+                                               steadyInputs(*kernel_))) -
+           made.squaredNorm();
+}
+
+NetworkPoint NetworkPoints::ofEnergy(double wanted, std::span<const double> leastWaves)
+{
     NetworkPoint least;
     if (!kernel_) {
         least.detail = outOfReach;
         return least;
     }
-    // With z counted from what constant forces make of it the energy is |z|^2 and what is left of
-    // theirs.
     const Eigen::VectorXd made = steadyCoordinates(blocks_, *kernel_);
     least.z = coordinatesOf(blocks_, *kernel_, leastWaves);
     const double asked = wanted;
-    const double steady =
-        energyOf(blocks_.network(), wavesAt(blocks_, *kernel_, Eigen::VectorXd(0.0 * least.z),
-                                            steadyInputs(*kernel_))) -
-        made.squaredNorm();
+    const double steady = steadyEnergy(made);
     wanted -= steady;
     const double lowest = least.z.squaredNorm();
     if (wanted < lowest - options_.tolerance * asked) {
@@ -197,46 +238,47 @@ NetworkPoint NetworkPoints::ofEnergy(double wanted, std::span<const double> leas
             (lowest + steady) / asked);
         return least;
     }
-    double highest = lowest;
-    program_.quadratic.resize(0);
-    // No motion of the energy is outside of this box, and every vertex on its faces has more.
-    const double most = std::sqrt(std::max(wanted, lowest)) * (1.0 + 1e-6);
-    program_.lower = -made.array() - most;
-    program_.upper = -made.array() + most;
-    for (int k = 0; k < directions && wanted > lowest; ++k) {
-        Eigen::VectorXd& cost = program_.linear;
-        for (Eigen::Index i = 0; i < cost.size(); ++i) {
-            cost[i] = std::cos(static_cast<double>((i + 1) * (k + 1)));
-        }
-        for (double reached = -1.0;;) {
-            NetworkPoint vertex = solved(options_.solver);
-            if (!vertex.detail.empty()) {
-                break;
-            }
-            vertex.z += made;
-            least.iterations += vertex.iterations;
-            const double found = vertex.z.squaredNorm();
-            highest = std::max(highest, found);
-            if (found >= wanted) {
-                least.z = between(least.z, vertex.z, wanted) - made;
-                least.solver = vertex.solver;
-                return least;
-            }
-            if (!(found > reached * (1.0 + 1e-9))) {
-                break;
-            }
-            reached = found;
-            cost = -2.0 * vertex.z;
-        }
-    }
     if (wanted > lowest) {
-        least.detail = fmt::format(
-            "energies up to {:.9g} times the one asked for were found, and nothing proves that "
-            "there is none above",
-            (highest + steady) / asked);
+        // No motion of the energy is outside of this box, and every vertex on its faces has more.
+        NetworkPoint vertex = climbed(made, std::sqrt(wanted) * (1.0 + 1e-6), wanted);
+        least.iterations = vertex.iterations;
+        const double highest =
+            std::max(lowest, vertex.detail.empty() ? vertex.z.squaredNorm() : 0.0);
+        if (highest >= wanted) {
+            least.z = between(least.z, vertex.z, wanted);
+            least.solver = vertex.solver;
+        } else {
+            least.detail = fmt::format(
+                "energies up to {:.9g} times the one asked for were found, and nothing proves that "
+                "there is none above",
+                (highest + steady) / asked);
+        }
     }
     least.z -= made;
     return least;
+}
+
+NetworkPoint NetworkPoints::ofMostEnergy(double beyond)
+{
+    NetworkPoint most;
+    if (!kernel_) {
+        most.detail = outOfReach;
+        return most;
+    }
+    const Eigen::VectorXd made = steadyCoordinates(blocks_, *kernel_);
+    most = climbed(made, std::sqrt(beyond), beyond);
+    if (!most.detail.empty()) {
+        return most;
+    }
+    if (most.z.squaredNorm() >= beyond * (1.0 - 1e-6)) {
+        most.detail = fmt::format(
+            "motions of {:.6g} J are among them: the energies seem to have no bound, so none has "
+            "the "
+            "most",
+            beyond * blocks_.network().scales.energy());
+    }
+    most.z -= made;
+    return most;
 }
 
 NetworkClaim NetworkPoints::motion(const NetworkPoint& point) const

@@ -34,6 +34,9 @@ public:
     /// and one of more: the set is convex and the energy grows on the way. Those of more are
     /// vertices in several directions. \throws BackendUnavailable
     [[nodiscard]] NetworkPoint ofEnergy(double wanted, std::span<const double> leastWaves);
+    /// The most energy that climbing finds, not proved the most; one of `beyond` [Z_1 delta^2/h]
+    /// counts as none with a bound. \throws BackendUnavailable
+    [[nodiscard]] NetworkPoint ofMostEnergy(double beyond);
     /// Waves, and where the nodes are at the start.
     [[nodiscard]] NetworkClaim motion(const NetworkPoint& point) const;
 
@@ -42,6 +45,12 @@ private:
     [[nodiscard]] NetworkPoint solved(const std::string& solver);
     [[nodiscard]] NetworkPoint solvedOnce(const std::string& solver) const;
     [[nodiscard]] NetworkPoint leastStrained();
+    /// The energy is convex: from several directions, follows its linearisation from vertex to
+    /// vertex while it grows, until one has as much as is `enough`. The best vertex, counted from
+    /// what constant forces make of z, in a box about that.
+    [[nodiscard]] NetworkPoint climbed(const Eigen::VectorXd& made, double box, double enough);
+    /// Of constant forces that |z|^2 about theirs leaves out.
+    [[nodiscard]] double steadyEnergy(const Eigen::VectorXd& made) const;
     /// Is the time over? Enters it.
     [[nodiscard]] bool isOver(NetworkPoint& point) const;
     void enterRows();

@@ -211,6 +211,11 @@ private:
         if (options_.objective == Objective::nearest) {
             return nearestMotion();
         }
+        if (options_.objective == Objective::maxEnergy) {
+            const NetworkBlocks single(blocks_.network(), blocks_.schedule(), false);
+            NetworkPoints points(single, options_);
+            return entered(points.ofMostEnergy(demands().absent), points);
+        }
         const bool isOfStrain = options_.objective == Objective::minPeakStrain;
         const bool isOther =
             isOfStrain || options_.objective == Objective::maxImpulse ||
@@ -314,12 +319,6 @@ void requireKnownOfJoints(const Schedule& schedule, const FindOptions& options)
         refuse("formulation", name(form), "auto|joints|kernel");
     }
     const Objective objective = options.objective;
-    if (objective != Objective::automatic && objective != Objective::any &&
-        objective != Objective::minEnergy && objective != Objective::maxImpulse &&
-        objective != Objective::minPeakStrain && objective != Objective::nearest) {
-        refuse("objective", name(objective),
-               "auto|any|min-energy|max-impulse|min-peak-strain|nearest");
-    }
     if (options.energyRatio && objective != Objective::automatic && objective != Objective::any) {
         refuse("objective", name(objective), "auto|any when an energy is held,");
     }

@@ -292,6 +292,8 @@ TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper'
     CHECK(two["contacts"][0]["impulse"].get<double>() ==
           Approx(one["physical"]["impulse"].get<double>()));
     CHECK(two["certificate"].is_null());
+    const auto highest = program.run("find " + bars + "3 11 --objective max-energy");
+    CHECK_THAT(highest.out, containsText("the most found, not proved the most; proved: none"));
     const double least = one["energy_ratio_range"][0].get<double>() * 1e-6;  // of two bars
     CHECK(program.find(bars + "2 14 --energy 3e-6", 0)["energy"].get<double>() == Approx(3e-6));
     const json none = program.find(fmt::format("{} 3 11 --energy {}", bars, 0.99 * least), 1);
