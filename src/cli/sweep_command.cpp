@@ -129,7 +129,12 @@ SweepAnswer SweepCommand::question(const Network& network) const
     faults.throwIfAny();
     const Assembly& assembly = common.assembly();
     const Bar bar = answers::unitsOf(assembly, network);
-    return {range(bar, bar), bar, bar, {}, true, yieldStressOf(given, bar),
+    return {range(bar, bar),
+            bar,
+            bar,
+            {},
+            true,
+            yieldStressOf(given, bar),
             answers::severalOf(assembly, network)};
 }
 

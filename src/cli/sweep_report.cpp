@@ -193,8 +193,7 @@ void writeSweepCsv(const std::string& path, const SweepAnswer& answer)
                 p.meanContacts, p.contacts[0], p.contacts[1], p.meanImpulse * impulse,
                 p.impulse[0] * impulse, p.impulse[1] * impulse,
                 p.meanForce * answers::forceUnit(answer.bar), p.tip[0] * unit.displacement,
-                p.tip[1] * unit.displacement,
-                p.strain * unit.strain, at.stress());
+                p.tip[1] * unit.displacement, p.strain * unit.strain, at.stress());
         }
     });
 }
