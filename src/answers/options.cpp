@@ -84,6 +84,9 @@ std::string inOptions(const std::string& message, unsigned questions,
             (plain(option.name) != plain(field) && plain(option.field) != plain(field))) {
             continue;
         }
+        if (option.takes == Takes::nothing && allowed.starts_with("false ")) {
+            return fmt::format("{}{}{}", option.name, notApplied, allowed.substr(5)) + rest;
+        }
         const std::string text = shortened(typed(option.name));
         if (!text.empty() && (value == text || numberIn(value, "-"))) {
             return fmt::format("{}{}{}{}{}{}", option.name, is, text, verdict,

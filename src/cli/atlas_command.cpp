@@ -201,6 +201,9 @@ void AtlasCommand::checkQuery() const
     refuseIf(given.has("--schedules") && !near && !period,
              "--schedules: allowed only together with --near or --period");
     (void)point({});
+    if (!common.sceneText.empty()) {
+        (void)common.assembly();  // its faults are not those of the database
+    }
 }
 
 std::optional<answers::AtlasPoint> AtlasCommand::point(const AtlasUnits& units) const
