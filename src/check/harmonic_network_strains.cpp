@@ -6,6 +6,7 @@
 
 #include "harmonic_network_walk.hpp"
 #include "harmonic_walk.hpp"
+#include "infinity.hpp"
 
 namespace signorini {
 
@@ -17,6 +18,13 @@ struct StepPart {
     double to;
     std::vector<std::vector<HarmonicBounds>> of;
 };
+
+/// Of l - r, where these are anything within their bounds.
+void widen(HarmonicBounds& seen, const HarmonicBounds& left, const HarmonicBounds& right)
+{
+    seen = {std::min(seen.least, left.least - right.most),
+            std::max(seen.most, left.most - right.least)};
+}
 
 class RowStrains {
 public:
@@ -33,32 +41,49 @@ public:
         left_ = right_ + 1;
         const std::vector<HarmonicBounds> right = wholeSteps(right_);
         const std::vector<HarmonicBounds> left = wholeSteps(left_);
+        const std::int64_t n = given_.steps;
         // Without weight all cells are the same, and the motion comes back after n steps.
         const std::int64_t cells =
-            given_.network.gravity == 0.0 ? std::min(row_->cells, given_.steps) : row_->cells;
-        for (std::int64_t m = 0; m < given_.steps; ++m) {
-            for (std::int64_t k = 0; k < cells; ++k) {
-                const HarmonicBounds& r0 = at(right, m + row_->cells - 1 - k);
-                see(at(left, m + k), r0, k);
+            given_.network.gravity == 0.0 ? std::min(row_->cells, n) : row_->cells;
+        for (std::int64_t k = 0; k < cells; ++k) {
+            const HarmonicBounds* from = right.data() + (row_->cells - 1 - k) % n;
+            const HarmonicBounds* to = left.data() + k % n;
+            HarmonicBounds seen{infinity, -infinity};
+            for (std::int64_t m = 0; m < n; ++m) {
+                widen(seen, to[m], from[m]);
                 if (k + 1 < row_->cells) {
-                    see(at(left, m + k + 1), r0, k);
+                    widen(seen, to[m + 1], from[m]);
                 }
             }
-            for (const StepPart& l : parts_) {
-                for (const StepPart& r0 : parts_) {  // what enters does so after what arrived
-                    if (l.from <= r0.from) {
-                        see(at(l.of[left_], m + row_->cells), at(r0.of[right_], m),
-                            row_->cells - 1);
+            enter(seen, k);
+        }
+        stretchEnds();
+    }
+
+private:
+    /// What enters does so after what arrived.
+    void stretchEnds()
+    {
+        HarmonicBounds atLeft{infinity, -infinity};
+        HarmonicBounds atRight = atLeft;
+        for (const StepPart& l : parts_) {
+            for (const StepPart& r : parts_) {
+                for (std::int64_t m = 0; m < given_.steps; ++m) {
+                    const std::int64_t later = m + row_->cells;
+                    if (l.from <= r.from) {
+                        widen(atRight, at(l.of[left_], later), at(r.of[right_], m));
                     }
-                    if (r0.from <= l.from) {
-                        see(at(l.of[left_], m), at(r0.of[right_], m + row_->cells), 0);
+                    if (r.from <= l.from) {
+                        widen(atLeft, at(l.of[left_], m), at(r.of[right_], later));
                     }
                 }
             }
         }
+        enter(atLeft, 0);
+        enter(atRight, row_->cells - 1);
     }
 
-private:
+    /// Of two periods, so that places in them need no remainders.
     [[nodiscard]] std::vector<HarmonicBounds> wholeSteps(std::size_t channel) const
     {
         std::vector<HarmonicBounds> all = parts_.front().of[channel];
@@ -66,6 +91,9 @@ private:
             const HarmonicBounds& late = parts_.back().of[channel][m];
             all[m] = {std::min(all[m].least, late.least), std::max(all[m].most, late.most)};
         }
+        const std::size_t count = all.size();
+        all.resize(2 * count);
+        std::copy_n(all.begin(), count, all.begin() + static_cast<std::ptrdiff_t>(count));
         return all;
     }
 
@@ -75,8 +103,8 @@ private:
         return of[static_cast<std::size_t>(m % given_.steps)];
     }
 
-    /// In cell k.
-    void see(const HarmonicBounds& left, const HarmonicBounds& right, std::int64_t k)
+    /// What was seen in cell k.
+    void enter(const HarmonicBounds& seen, std::int64_t k)
     {
         const auto cells = static_cast<double>(row_->cells);
         const auto placeOf = [&](std::size_t node) {
@@ -84,10 +112,8 @@ private:
         };
         const double rest = (placeOf(row_->right) - placeOf(row_->left)) / cells -
                             given_.network.gravity * (static_cast<double>(k) - 0.5 * (cells - 1.0));
-        motion_.leastStrain =
-            std::min(motion_.leastStrain, (left.least - right.most + rest) / row_->speed);
-        motion_.mostStrain =
-            std::max(motion_.mostStrain, (left.most - right.least + rest) / row_->speed);
+        motion_.leastStrain = std::min(motion_.leastStrain, (seen.least + rest) / row_->speed);
+        motion_.mostStrain = std::max(motion_.mostStrain, (seen.most + rest) / row_->speed);
     }
 
     const HarmonicNetwork& given_;
