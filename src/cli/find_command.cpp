@@ -11,6 +11,7 @@
 #include "one_material.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
+#include "scene_find.hpp"
 #include "scene_options.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/motion.hpp"
@@ -166,7 +167,7 @@ ExitStatus FindCommand::run() const
         if (given.outside(asks::network) == nullptr && !(isOfBar && barOf(common.assembly()))) {
             return findInBars();
         }
-        if (!barOf(common.assembly())) {
+        if (!barOf(common.assembly()) || hasSets(given)) {
             const unsigned damped = common.sceneText.empty() ? asks::forced : 0U;
             given.requireOnly(asks::network | (isForced() ? damped : asks::freeNetwork));
             return findInBars();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "backend_choice.hpp"
+#include "infinity.hpp"
 #include "network_motions.hpp"
 
 namespace signorini {
@@ -144,6 +145,7 @@ NetworkPoint NetworkPoints::solvedOnce(const std::string& solver) const
                    .cancel = backend->capabilities().cancel ? options_.cancel : Cancel()});
     point.iterations = answer.iterations;
     point.z = answer.x;
+    point.isUnbounded = answer.status == SolverStatus::unbounded;
     if (answer.status != SolverStatus::optimal) {
         point.detail = fmt::format("{}: {}", point.solver, answer.detail);
     }
@@ -173,7 +175,7 @@ NetworkPoint NetworkPoints::extreme(Objective objective)
 
 NetworkPoint NetworkPoints::climbed(const Eigen::VectorXd& made, double box, double enough)
 {
-    constexpr int directions = 8;
+    constexpr int directions = 16;
     program_.quadratic.resize(0);
     program_.lower = -made.array() - box;
     program_.upper = -made.array() + box;
@@ -182,11 +184,16 @@ NetworkPoint NetworkPoints::climbed(const Eigen::VectorXd& made, double box, dou
     for (int k = 0; k < directions && highest < enough; ++k) {
         Eigen::VectorXd& cost = program_.linear;
         for (Eigen::Index i = 0; i < cost.size(); ++i) {
-            cost[i] = std::cos(static_cast<double>((i + 1) * (k + 1)));
+            const double sign = k % 2 == 0 ? 1.0 : -1.0;
+            cost[i] = sign * std::cos(static_cast<double>((i + 1) * (k / 2 + 1)));
         }
         for (double reached = -1.0;;) {
             NetworkPoint vertex = solved(options_.solver);
             best.iterations += vertex.iterations;
+            if (vertex.isUnbounded) {
+                best.isUnbounded = true;
+                return best;
+            }
             if (!vertex.detail.empty()) {
                 best.detail = vertex.detail;
                 break;
@@ -266,16 +273,13 @@ NetworkPoint NetworkPoints::ofMostEnergy(double beyond)
         return most;
     }
     const Eigen::VectorXd made = steadyCoordinates(blocks_, *kernel_);
-    most = climbed(made, std::sqrt(beyond), beyond);
+    const bool isLimited = blocks_.network().strainLimit < infinity;
+    most = climbed(made, isLimited ? std::sqrt(beyond) : infinity, isLimited ? beyond : infinity);
+    if (most.isUnbounded || (most.z.size() > 0 && most.z.squaredNorm() >= beyond * (1.0 - 1e-6))) {
+        most.detail = "the energies of the schedule seem to have no bound, and no motion the most";
+    }
     if (!most.detail.empty()) {
         return most;
-    }
-    if (most.z.squaredNorm() >= beyond * (1.0 - 1e-6)) {
-        most.detail = fmt::format(
-            "motions of {:.6g} J are among them: the energies seem to have no bound, so none has "
-            "the "
-            "most",
-            beyond * blocks_.network().scales.energy());
     }
     most.z -= made;
     return most;

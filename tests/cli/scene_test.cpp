@@ -270,7 +270,6 @@ TEST_CASE("cli scenes: find --scene knows any bars that are held, and proves wha
     refuses("--scene '4 gap=1e-3 4' 3 9", "bar = 1");
     refuses(bars + "1:3 -:9 --tip-floor -1", "--tip-floor clashes with --scene");
     refuses(bars + "1:3 -:9 --energy-ratio 3 --energy 1", "--energy clashes with --energy-ratio");
-    refuses(bars + "1:3 -:9 --objective max-energy", "--objective = max-energy");
     refuses(bars + "1:3 -:9 --objective nearest", "--target is missing");
     refuses("--scene 'stop=1e-3 8 stop=1e-3' 1:3 -:9 --energy-ratio 3", "--energy-ratio = 3");
     refuses(bars + "1:3 -:9 --force tip --damping 0.1", "--damping clashes with --scene");
@@ -292,6 +291,10 @@ TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper'
     CHECK(two["contacts"][0]["impulse"].get<double>() ==
           Approx(one["physical"]["impulse"].get<double>()));
     CHECK(two["certificate"].is_null());
+    // Sets of contacts name those of one bar with any demand, too.
+    CHECK(
+        program.find("1:3 -:11 --scene 'clamp 4 stop=1e-3' --objective max-energy", 0)["energy"] ==
+        program.find("3 11 --cells 4 --objective max-energy", 0)["energy"]);
     const auto highest = program.run("find " + bars + "3 11 --objective max-energy");
     CHECK_THAT(highest.out, containsText("the most found, not proved the most; proved: none"));
     const double least = one["energy_ratio_range"][0].get<double>() * 1e-6;  // of two bars

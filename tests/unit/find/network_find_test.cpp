@@ -185,7 +185,7 @@ TEST_CASE("network find: held energies, most impulses and the nearest motions of
         wishedMotion(sceneOf("clamp 6 gap=1e-3 6 clamp"), {{1, 6}, {0, 42}}, 1e9,
                      {Objective::maxEnergy, {}, {}}, {});
     CHECK(together.status == Status::undecided);
-    CHECK_THAT(together.detail, containsText("none has the most"));
+    CHECK_THAT(together.detail, containsText("no motion the most"));
     CHECK_THROWS_WITH(wished(2, 14, {Objective::minEnergy, 1.0, {}}), containsText("is held"));
 }
 
