@@ -74,7 +74,8 @@ TEST_CASE("cli stepped: a call that cannot be meant is refused by name")
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --figure f.svg", "--figure");
     refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --cells 9",
             "cells of all segments = 8");
-    refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only", "--families-only is not allowed");
+    refuses("atlas --database a.sqlite --segments 4:1,4:1.3 --families-only",
+            "--families-only is not allowed");
     const std::string response = "response --damping 0.1 --force tip --amplitude 1e-4 --segments ";
     refuses(response + "4:1,4:1.3 --contacts 2", "contacts = 2");
     refuses(response + "4:1,4:1.3 --cells 9", "cells of all segments = 8");
