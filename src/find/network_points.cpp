@@ -182,10 +182,11 @@ NetworkPoint NetworkPoints::climbed(const Eigen::VectorXd& made, double box, dou
     NetworkPoint best;
     double highest = -1.0;
     for (int k = 0; k < directions && highest < enough; ++k) {
+        const double sign = k % 2 == 0 ? 1.0 : -1.0;
+        const int turns = k / 2 + 1;
         Eigen::VectorXd& cost = program_.linear;
         for (Eigen::Index i = 0; i < cost.size(); ++i) {
-            const double sign = k % 2 == 0 ? 1.0 : -1.0;
-            cost[i] = sign * std::cos(static_cast<double>((i + 1) * (k / 2 + 1)));
+            cost[i] = sign * std::cos(static_cast<double>((i + 1) * turns));
         }
         for (double reached = -1.0;;) {
             NetworkPoint vertex = solved(options_.solver);
@@ -273,8 +274,11 @@ NetworkPoint NetworkPoints::ofMostEnergy(double beyond)
         return most;
     }
     const Eigen::VectorXd made = steadyCoordinates(blocks_, *kernel_);
-    const bool isLimited = blocks_.network().strainLimit < infinity;
-    most = climbed(made, isLimited ? std::sqrt(beyond) : infinity, isLimited ? beyond : infinity);
+    double enough = infinity;
+    if (blocks_.network().strainLimit < infinity) {
+        enough = beyond;
+    }
+    most = climbed(made, std::sqrt(enough), enough);
     if (most.isUnbounded || (most.z.size() > 0 && most.z.squaredNorm() >= beyond * (1.0 - 1e-6))) {
         most.detail = "the energies of the schedule seem to have no bound, and no motion the most";
     }
