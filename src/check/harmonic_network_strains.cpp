@@ -106,12 +106,9 @@ private:
     /// What was seen in cell k.
     void enter(const HarmonicBounds& seen, std::int64_t k)
     {
-        const auto cells = static_cast<double>(row_->cells);
-        const auto placeOf = [&](std::size_t node) {
-            return displaced_[node] + given_.network.nodes[node].rest;
-        };
-        const double rest = (placeOf(row_->right) - placeOf(row_->left)) / cells -
-                            given_.network.gravity * (static_cast<double>(k) - 0.5 * (cells - 1.0));
+        const double rest =
+            given_.network.stretchAtRest(*row_, k) +
+            (displaced_[row_->right] - displaced_[row_->left]) / static_cast<double>(row_->cells);
         motion_.leastStrain = std::min(motion_.leastStrain, (seen.least + rest) / row_->speed);
         motion_.mostStrain = std::max(motion_.mostStrain, (seen.most + rest) / row_->speed);
     }

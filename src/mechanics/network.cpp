@@ -32,6 +32,13 @@ std::size_t Network::firstWave(std::size_t row) const
     return sum;
 }
 
+double Network::stretchAtRest(const CellRow& row, std::int64_t k) const
+{
+    const auto cells = static_cast<double>(row.cells);
+    return (nodes[row.right].rest - nodes[row.left].rest) / cells -
+           gravity * (static_cast<double>(k) - 0.5 * (cells - 1.0));
+}
+
 std::size_t Network::nodeOf(std::size_t channel) const
 {
     if (channel >= 2 * rows.size()) {

@@ -147,6 +147,9 @@ struct Network {
     [[nodiscard]] std::size_t waves() const;
     /// First right-going wave of a row; the left-going ones follow after as many as it has cells.
     [[nodiscard]] std::size_t firstWave(std::size_t row) const;
+    /// By how much cell k of a row, from the left, is stretched at rest [delta]: more above the
+    /// middle of the row, which carries what hangs below, and less beneath it.
+    [[nodiscard]] double stretchAtRest(const CellRow& row, std::int64_t k) const;
 
     /// Places where a wave arrives in a step: 2 row + 0 the right-going waves of a row (at its
     /// right end), 2 row + 1 the left-going ones (at its left end), then the stubs.

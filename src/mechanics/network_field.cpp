@@ -96,16 +96,12 @@ void look(NetworkLook& seen, const Network& network, const NetworkStart& now,
         const auto size = static_cast<std::size_t>(row.cells);
         const double* right = now.waves.data() + network.firstWave(place.row);
         const double* left = right + size;
-        const auto cells = static_cast<double>(row.cells);
-        const double rest = network.nodes[row.left].rest;
-        const double mean = (network.nodes[row.right].rest - rest) / cells;
-        // Of its weight: what is stretched above the middle of the row, and pressed below it.
         const auto bent = [&](std::size_t k) {
-            return mean - network.gravity * (static_cast<double>(k) - 0.5 * (cells - 1.0));
+            return network.stretchAtRest(row, static_cast<std::int64_t>(k));
         };
         if (r != place.row) {
             r = place.row;
-            at.assign(1, now.displacements[row.left] + rest);
+            at.assign(1, now.displacements[row.left] + network.nodes[row.left].rest);
             for (std::size_t k = 0; k < size; ++k) {
                 at.push_back(at.back() + left[k] - right[k] + bent(k));
             }

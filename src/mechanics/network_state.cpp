@@ -30,12 +30,8 @@ NetworkStart startWithSpeeds(const Network& network, std::span<const double> spe
     start.waves.reserve(network.waves());
     for (const CellRow& row : network.rows) {
         const double half = 0.5 * speeds[network.nodes[row.left].bar];
-        const auto cells = static_cast<double>(row.cells);
         // Displacements are counted from the shape at rest: it is taken away.
-        const double mean = (network.nodes[row.right].rest - network.nodes[row.left].rest) / cells;
-        const auto strain = [&](std::int64_t k) {
-            return -0.5 * (mean - network.gravity * (static_cast<double>(k) - 0.5 * (cells - 1.0)));
-        };
+        const auto strain = [&](std::int64_t k) { return -0.5 * network.stretchAtRest(row, k); };
         for (std::int64_t k = 0; k < row.cells; ++k) {
             start.waves.push_back(half - strain(k));
         }
