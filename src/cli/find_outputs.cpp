@@ -67,10 +67,8 @@ void FindOutputs::writeMotion(const WrittenMotion& motion)
         motion_.put("--state", [&](const std::string& path) {
             writeStateTable(path, waves, tip / scales(bar).displacement, bar);
         });
-        const Assembly assembly =
-            answers::assemblyOf(motion.scene, motion.schedule.cells, motion.damping);
-        writePictures(assembly, network, shownPeriod(network, claim),
-                      [&] { return periodFigure(network, claim, assembly.length); });
+        writePictures(answers::assemblyOf(motion.scene, motion.schedule.cells, motion.damping),
+                      network, claim);
         return;
     }
     motion_.put("--state", writeStateCsv, motion.state, motion.bar, base);
@@ -103,6 +101,12 @@ void FindOutputs::writeBars(const Assembly& assembly, const Network& network,
     motion_.put("--state", [&](const std::string& path) {
         writeStateTable(path, network, {motion.waves, motion.displacements});
     });
+    writePictures(assembly, network, motion);
+}
+
+void FindOutputs::writePictures(const Assembly& assembly, const Network& network,
+                                const NetworkClaim& motion)
+{
     writePictures(assembly, network, shownPeriod(network, motion),
                   [&] { return periodFigure(network, motion, assembly.length); });
 }

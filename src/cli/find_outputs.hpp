@@ -46,6 +46,8 @@ public:
     void lackProof() const;
 
 private:
+    void writePictures(const Assembly& assembly, const Network& network,
+                       const NetworkClaim& motion);
     void writePictures(const Assembly& assembly, const Network& network, const ShownPeriod& motion,
                        const std::function<FigureData()>& figure);
 
