@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "backend_choice.hpp"
+
 namespace signorini::cli {
 
 namespace {
@@ -129,7 +131,10 @@ std::string motionAsText(const PeriodicResult& result)
     if (result.set.held) {
         text += fmt::format("            {}\n", heldAsText(*result.set.held));
     }
-    text += fmt::format("objective   {}\n", name(result.how.objective));
+    const bool isClimbed =
+        result.how.objective == Objective::maxEnergy && result.how.solver.name != closedForm;
+    text += fmt::format("objective   {}{}\n", name(result.how.objective),
+                        isClimbed ? mostFound : std::string_view());
     if (motion.contact == Contact::grazing) {
         text += "contact     grazing: a linear motion that touches the wall without force\n";
     } else if (motion.canonical == result.schedule.phases) {

@@ -30,6 +30,9 @@ using answers::ResponseAnswer;
 using answers::SimulationAnswer;
 using answers::SweepAnswer;
 
+/// What climbing says of an energy.
+inline constexpr std::string_view mostFound = ", the most found, not proved the most";
+
 [[nodiscard]] std::string asText(const Physical& physical);
 /// If verbose, also the route that found it.
 [[nodiscard]] std::string asText(const answers::FindAnswer& answer, bool isVerbose);

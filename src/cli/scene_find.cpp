@@ -38,14 +38,14 @@ std::string asText(const SceneFindAnswer& answer, const SceneFind& of)
     } else if (motions.status == Status::undecided) {
         text += fmt::format("why         {}\n", motions.detail);
     } else {
-        text += fmt::format("energy      {:.6g} J{}{}; proved: none{} has less than {}\n",
-                            schedule.joules(motions.energy),
-                            schedule.unit ? ", " + inWords(schedule, motions.energy) : "",
-                            answer.isOfLeast ? ", the least" + limited
-                            : of.call.options.objective == Objective::maxEnergy
-                                ? ", the most found, not proved the most"
-                                : "",
-                            limited, inWords(schedule, motions.provedEnergy));
+        text +=
+            fmt::format("energy      {:.6g} J{}{}; proved: none{} has less than {}\n",
+                        schedule.joules(motions.energy),
+                        schedule.unit ? ", " + inWords(schedule, motions.energy) : "",
+                        answer.isOfLeast ? ", the least" + limited
+                        : of.call.options.objective == Objective::maxEnergy ? std::string(mostFound)
+                                                                            : "",
+                        limited, inWords(schedule, motions.provedEnergy));
         if (!answer.presses()) {
             text += fmt::format("contact     grazing: nothing presses{}\n", whyGrazing(of));
         }

@@ -297,6 +297,12 @@ TEST_CASE("cli scenes: an energy is held, and the most impulse, as of the paper'
         program.find("3 11 --cells 4 --objective max-energy", 0)["energy"]);
     const auto highest = program.run("find " + bars + "3 11 --objective max-energy");
     CHECK_THAT(highest.out, containsText("the most found, not proved the most; proved: none"));
+    // Of segments it is said, too, and not where a closed form knows it.
+    const std::string climbed = "objective   max-energy, the most found, not proved the most";
+    CHECK_THAT(program.run("find 6 36 --segments 6:1,6:2 --objective max-energy").out,
+               containsText(climbed));
+    CHECK_THAT(program.run("find 6 36 --cells 12 --objective max-energy").out,
+               !containsText(climbed));
     const double least = one["energy_ratio_range"][0].get<double>() * 1e-6;  // of two bars
     CHECK(program.find(bars + "2 14 --energy 3e-6", 0)["energy"].get<double>() == Approx(3e-6));
     const json none = program.find(fmt::format("{} 3 11 --energy {}", bars, 0.99 * least), 1);
