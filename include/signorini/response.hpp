@@ -251,11 +251,13 @@ struct FrequencyResponse {
     double frequencyRatio = 0.0;  ///< omega/omega_1 of the excitation
     double linearPeak = 0.0;      ///< max u(L) of the bar without stops [g]
     bool touches = false;         ///< would that motion meet a stop?
+    double openUpTo = 0.0;        ///< [EA g/L] or [g], the amplitude at which it begins to
     std::int64_t undecided = 0;   ///< schedules that were not decided
     std::string detail;           ///< why the first of them was not
     /// It holds at any frequency but those of the bar between base and wall, for amplitudes up to
     /// that at which the push would vanish.
     std::optional<PermanentContact> permanent;
+    double permanentUpTo = 0.0;  ///< [EA g/L] or [g], the amplitude at which it would; 0: none
     std::vector<ForcedMotion> motions;  ///< by contacts, stop, ascending n_c, then impulse
     /// One contact, of all amplitudes, in this order, at most two for each schedule: an amplitude
     /// is met by as many motions as there are branches that hold it.

@@ -8,6 +8,7 @@
 #include "excited_amplitude.hpp"
 #include "faults.hpp"
 #include "harmonic_network_contact.hpp"
+#include "infinity.hpp"
 
 namespace signorini::answers {
 
@@ -82,6 +83,22 @@ SceneHarmonicMotion motionOf(const ForcedMotion& motion, std::size_t contact, st
     return made;
 }
 
+/// Adds what one contact has of any amplitude. \param unit of amplitudes of the network
+void addAmplitudes(SceneAmplitudes& all, std::size_t contact, const ContactResponse& response,
+                   double unit)
+{
+    const FrequencyResponse& found = response.found;
+    all.open = all.open && response.distance
+                   ? std::optional(std::min(*all.open, found.openUpTo * unit))
+                   : std::nullopt;
+    for (const AmplitudeBranch& branch : found.branches) {
+        all.closed.push_back({contact, {branch.contact, branch.least * unit, branch.most * unit}});
+    }
+    if (found.permanentUpTo > 0.0) {
+        all.closed.push_back({contact, {found.steps, 0.0, found.permanentUpTo * unit}});
+    }
+}
+
 /// What the harmonic in steps has. \return was it done, not cancelled?
 bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneResponse& asked,
                 const Cancel& cancel)
@@ -91,7 +108,10 @@ bool addInSteps(SceneFrequency& at, const HarmonicNetwork& given, const SceneRes
         return false;
     }
     at.distance.emplace();
+    at.amplitudes = {infinity};
     for (std::size_t contact = 0; contact < contacts->size(); ++contact) {
+        addAmplitudes(*at.amplitudes, contact, (*contacts)[contact],
+                      at.amplitude / given.amplitude);
         const auto& [found, permanent, leastPush, distance] = (*contacts)[contact];
         for (const ForcedMotion& motion : found.motions) {
             const std::int64_t closed = motion.schedule.phases.front().contact;

@@ -5,6 +5,7 @@
 #include "excited_amplitude.hpp"
 #include "scene_harmonic_answer.hpp"
 #include "signorini/control.hpp"
+#include "signorini/response.hpp"
 
 namespace signorini::answers {
 
@@ -20,6 +21,18 @@ struct SceneRange {
     bool triesStability = false;  ///< of motions in steps
 };
 
+/// Motions of one contact, one for each amplitude of an interval [N or m]. Closed in all steps: the
+/// contact never opens.
+struct SceneBranch {
+    std::size_t contact = 0;
+    AmplitudeBranch ofSteps = {};
+};
+/// What bars do in steps of any amplitude.
+struct SceneAmplitudes {
+    std::optional<double> open;  ///< [N or m], at which a first contact closes, where it is known
+    std::vector<SceneBranch> closed = {};  ///< by contact
+};
+
 /// The motions with one contact at one frequency; that none is left out is computed, not proved,
 /// where the harmonic is exact.
 struct SceneFrequency {
@@ -30,8 +43,9 @@ struct SceneFrequency {
     /// [m], least of each contact while none closes; none where waves are not damped.
     std::optional<std::vector<double>> distance;
     std::vector<SceneHarmonicMotion> motions;
-    std::int64_t undecided = 0;         ///< schedules, of a staircase
-    std::optional<std::string> reason;  ///< why it is not known
+    std::int64_t undecided = 0;                      ///< schedules, of a staircase
+    std::optional<std::string> reason;               ///< why it is not known
+    std::optional<SceneAmplitudes> amplitudes = {};  ///< of a staircase
 
     /// Would a contact close, as far as is known?
     [[nodiscard]] bool touches() const;

@@ -19,7 +19,10 @@ void writeResponseMapCsv(const std::string& path, const ResponseAnswer& answer)
                     answers::hertzOf(response.frequencyRatio, answer.bar), phases, least * force,
                     answers::known(most * force));
             };
-            put("0,,,,", 0.0, answer.amplitudeAt(response) / force / response.linearPeak);
+            put("0,,,,", 0.0, response.openUpTo);
+            if (response.permanentUpTo > 0.0) {
+                put(fmt::format("1,{},0,,", response.steps), 0.0, response.permanentUpTo);
+            }
             for (const AmplitudeBranch& branch : response.branches) {
                 put(fmt::format("1,{},{},,", branch.contact, response.steps - branch.contact),
                     branch.least, branch.most);

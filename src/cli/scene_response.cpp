@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "files.hpp"
 #include "force_options.hpp"
@@ -144,17 +143,42 @@ void writeSceneResponseCsv(const std::string& path, const SceneResponse& answer)
     });
 }
 
+void writeSceneMapCsv(const std::string& path, const SceneResponse& answer)
+{
+    constexpr std::string_view header =
+        "steps,frequency_ratio,frequency,which,contact,free,least_amplitude,most_amplitude";
+    writeCsv(path, header, [&](CsvRows& row) {
+        for (const SceneFrequency& at : answer.frequencies) {
+            const auto put = [&](const auto&... values) {
+                row(at.steps, at.ratio, at.hertz, values...);
+            };
+            if (at.amplitudes->open) {
+                put(std::string_view(), 0, at.steps, 0.0, answers::known(*at.amplitudes->open));
+            }
+            for (const auto& [contact, branch] : at.amplitudes->closed) {
+                put(contact + 1, branch.contact, at.steps - branch.contact, branch.least,
+                    answers::known(branch.most));
+            }
+        }
+    });
+}
+
 }  // namespace
 
 ExitStatus respondInBars(const Given& given, const CommonOptions& common, const ForceOptions& force,
                          const Assembly& assembly)
 {
-    constexpr std::array others{"--band", "--force-steps", "--map", "--map-csv", "--backbone-csv"};
-    for (const char* option : others) {
+    for (const char* option : {"--band", "--force-steps", "--backbone-csv"}) {
         refuseIf(given.has(option), option, given.text(option),
                  "none of several bars, or with --exact of segments");
     }
     const bool isExact = given.has("--exact");
+    for (const char* option : {"--map", "--map-csv"}) {
+        refuseIf(
+            given.has(option) && (isExact || force.derivative > 0), option, given.text(option),
+            "only with --amplitude, without --exact: at other amplitudes an exact harmonic has "
+            "contacts of other times");
+    }
     refuseIf(isExact && given.has("--stability"), "--stability", "true",
              "none with --exact of several bars or segments");
     const Bar bar{.length = assembly.length,
@@ -173,7 +197,7 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     range.triesStability = given.has("--stability");
     const Network network = networkOf(assembly);
     takeHertz(given, network, range);
-    Outputs outputs(given, {"--csv", "--figure"});
+    Outputs outputs(given, {"--csv", "--map-csv", "--figure", "--map"});
     SceneResponse answer = answers::responseOf(assembly, range);
     const FrequencyOption to(given, "--to", "--to-hertz");
     const std::vector<std::int64_t> steps =
@@ -187,7 +211,9 @@ ExitStatus respondInBars(const Given& given, const CommonOptions& common, const 
     });
     if (answer.isComplete) {
         outputs.put("--csv", writeSceneResponseCsv, answer);
+        outputs.put("--map-csv", writeSceneMapCsv, answer);
         outputs.draw("--figure", [&] { return sceneResponseFigure(answer); });
+        outputs.draw("--map", [&] { return sceneMapFigure(answer); });
         outputs.commit();
     } else {
         common.say("interrupted; the list is not complete");

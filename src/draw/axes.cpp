@@ -129,4 +129,13 @@ plot::Axis frequencyAxis(const std::string& words, double low, double high, cons
     return axis;
 }
 
+plot::Axis hertzAxis(double low, double high, double first)
+{
+    plot::Axis axis{.label = "frequency of the excitation  [Hz]", .low = low, .high = high};
+    if (first > 0.0) {
+        axis.other = plot::OtherSide{.label = "ω/ω_1", .factor = 1.0 / first};
+    }
+    return axis;
+}
+
 }  // namespace signorini

@@ -50,5 +50,7 @@ struct Unit {
 /// An axis of frequency ratios ω/ω_1, above it Hz.
 [[nodiscard]] plot::Axis frequencyAxis(const std::string& words, double low, double high,
                                        const Bar& bar);
+/// The same in Hz, above it ratios, where bars vibrate: first > 0.
+[[nodiscard]] plot::Axis hertzAxis(double low, double high, double first);
 
 }  // namespace signorini

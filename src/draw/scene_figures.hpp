@@ -48,6 +48,9 @@ class NetworkSimulation;
 /// without frequencies.
 [[nodiscard]] FigureData sceneResponseFigure(const answers::SceneResponse& response);
 
+/// As responseMapFigure, of bars in a row. \throws also of an exact harmonic.
+[[nodiscard]] FigureData sceneMapFigure(const answers::SceneResponse& response);
+
 /// A motion of several under a harmonic. Keeps references. \throws, when it shows, as
 /// answer.watch.
 [[nodiscard]] ShownPeriod shownPeriod(const answers::SceneHarmonicAnswer& answer,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 #include "axes.hpp"
 #include "excited_amplitude.hpp"
@@ -66,7 +67,6 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
     }
     const Unit forceUnit = unitFor(force, "N");
     const Unit impulseUnit = unitFor(impulse, "N s");
-    const double first = answers::firstHertz(response.bars.reference);
     const double low = response.frequencies.back().hertz;
     const double high = response.frequencies.front().hertz;
     constexpr double large = 0.8;
@@ -96,13 +96,10 @@ FigureData sceneResponseFigure(const answers::SceneResponse& response)
         response.range.isExact ? "exact harmonic" : "harmonic in steps");
     figure.height = 14.0;
     const double margin = high > low ? 0.02 * (high - low) : 0.02 * high;
-    const Axis x{
-        .label = "frequency of the excitation  [Hz]", .low = low - margin, .high = high + margin};
+    Axis x = hertzAxis(low - margin, high + margin, answers::firstHertz(response.bars.reference));
     Panel upper{.name = "force", .place = {0.12, 0.95, 0.56, 0.85}};
     upper.x = bare(x);
-    if (first > 0.0) {
-        upper.x.other = {.label = "ω/ω_1", .factor = 1.0 / first};
-    }
+    upper.x.other = std::exchange(x.other, {});
     upper.y = {.label = labelled("largest force", forceUnit),
                .low = 0.0,
                .high = std::max(1.15 * force * forceUnit.factor, 1e-9)};

@@ -55,6 +55,7 @@ public:
         response_.found.steps = given.steps;
         response_.found.linearPeak = given.amplitude * waves_.linearPeak();
         response_.found.touches = response_.found.linearPeak >= gap();
+        response_.found.openUpTo = std::max(gap(), 0.0) / waves_.linearPeak();
         response_.distance = gap() - response_.found.linearPeak;
     }
 
@@ -135,6 +136,9 @@ private:
         const auto found = answers_.permanent();
         response_.leastPush =
             found ? found->still - given_.amplitude * lengthOf(found->swing) : -1.0;
+        if (found) {
+            response_.found.permanentUpTo = found->still / lengthOf(found->swing);
+        }
         if (response_.leastPush < 0.0) {
             return;
         }

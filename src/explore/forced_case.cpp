@@ -40,12 +40,13 @@ bool tipRests(const Schedule& schedule, const Forcing& forcing, const ForcedWave
     return schedule.phases.size() == 1 && waves.heldClasses() > 0 && !works;
 }
 
-std::optional<PermanentContact> permanentContact(const ResponseRange& range, std::int64_t steps)
+void addPermanent(FrequencyResponse& response, const ResponseRange& range)
 {
+    const std::int64_t steps = response.steps;
     // A base moves with the frequencies of the bar between it and the wall where 2NK/n is whole.
     if (range.stops.right >= 0 ||
         (range.place == Excited::base && 2 * range.cells * range.cycles % steps == 0)) {
-        return std::nullopt;
+        return;
     }
     const auto cells = static_cast<double>(range.cells);
     const Harmonic harmonic{.place = range.place,
@@ -63,12 +64,13 @@ std::optional<PermanentContact> permanentContact(const ResponseRange& range, std
                             ? 0.0
                             : range.amplitude * cells * std::sin(angle(range.cycles)) /
                                   std::sin(angle(2 * range.cells * range.cycles));
-    PermanentContact contact;
-    contact.leastForce =
-        1.0 - (range.place == Excited::tip ? range.amplitude : 2.0 * std::abs(made));
-    if (!(contact.leastForce >= 0.0)) {
-        return std::nullopt;
+    const double taken = range.place == Excited::tip ? range.amplitude : 2.0 * std::abs(made);
+    response.permanentUpTo = range.amplitude / taken;
+    if (!(taken <= 1.0)) {
+        return;
     }
+    PermanentContact& contact = response.permanent.emplace();
+    contact.leastForce = 1.0 - taken;
     State state = stateOfWaves(range.cells, [&](std::int64_t m) {
         return 0.5 + made * std::cos(angle(range.cycles * (2 * m + 1)));
     });
@@ -79,7 +81,6 @@ std::optional<PermanentContact> permanentContact(const ResponseRange& range, std
     const ForcedWalk walk = walkForced(state, schedule, range.damping, excitation);
     contact.extremes = walk.extremes;
     contact.residual = walk.worst();
-    return contact;
 }
 
 ForcedMotion drivenMotion(const Schedule& schedule, const Damping& damping,

@@ -32,11 +32,10 @@ struct ForcedCase {
 [[nodiscard]] bool tipRests(const Schedule& schedule, const Forcing& forcing,
                             const ForcedWaves& waves);
 
-/// The motion whose tip never leaves the wall and that has no other waves than its excitation
-/// makes. None unless the bar presses on the wall at rest, and by more than the amplitude takes
+/// Adds the motion whose tip never leaves the wall and that has no other waves than its excitation
+/// makes: none unless the bar presses on the wall at rest, and by more than the amplitude takes
 /// away. O(n).
-[[nodiscard]] std::optional<PermanentContact> permanentContact(const ResponseRange& range,
-                                                               std::int64_t steps);
+void addPermanent(FrequencyResponse& response, const ResponseRange& range);
 
 /// A motion at a place of the plane, its state still to be found.
 [[nodiscard]] ForcedMotion drivenMotion(const Schedule& schedule, const Damping& damping,

@@ -178,9 +178,10 @@ std::optional<FrequencyResponse> responseAt(const ResponseRange& range, std::int
     const Plane tip = waves.tip(0);
     response.linearPeak = range.amplitude * portable::hypot(tip.c, tip.s);
     const auto& [right, left] = range.stops;
-    response.touches =
-        response.linearPeak >= (left ? std::min<double>(right, left->value()) : right);
-    response.permanent = permanentContact(range, steps);
+    const double nearest = left ? std::min<double>(right, left->value()) : right;
+    response.touches = response.linearPeak >= nearest;
+    response.openUpTo = std::max(nearest, 0.0) * range.amplitude / response.linearPeak;
+    addPermanent(response, range);
     for (const Pattern pattern : patternsOf(range, steps)) {
         const std::int64_t most = pattern == Pattern::mirrored ? steps / 2 : steps;
         for (std::int64_t contact = 1; contact < most; ++contact) {

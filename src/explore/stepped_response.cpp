@@ -2,6 +2,7 @@
 
 #include "contact_spans.hpp"
 #include "forced_case.hpp"
+#include "infinity.hpp"
 
 namespace signorini {
 
@@ -33,7 +34,9 @@ std::optional<FrequencyResponse> steppedResponseAt(const ResponseRange& range, s
     all.frequencyRatio =
         4.0 * cells * static_cast<double>(range.cycles) / static_cast<double>(steps);
     all.linearPeak = contacts->front().found.linearPeak / cells;
+    all.openUpTo = infinity;
     for (const auto& [found, permanent, leastPush, distance] : *contacts) {
+        all.openUpTo = std::min(all.openUpTo, found.openUpTo / unit);
         all.touches = all.touches || found.touches;
         all.detail = all.undecided == 0 ? found.detail : all.detail;
         all.undecided += found.undecided;
@@ -41,6 +44,7 @@ std::optional<FrequencyResponse> steppedResponseAt(const ResponseRange& range, s
         for (const AmplitudeBranch& branch : found.branches) {
             all.branches.push_back({branch.contact, branch.least / unit, branch.most / unit});
         }
+        all.permanentUpTo = std::max(all.permanentUpTo, found.permanentUpTo / unit);
         if (permanent) {
             all.permanent = {leastPush, permanent->extremes, permanent->residual};
         }

@@ -610,7 +610,7 @@ TEST_CASE("cli response --exact of several bars: lists of find, and where a simu
     CHECK(settled >= 5);
     CHECK(lines(contentOf(program.file("r.csv"))) >= 1 + std::ssize(answer["frequencies"]));
     for (const std::string& wrong :
-         {"response --contacts 2" + bars + force, "response --map m.svg" + bars + force,
+         {"response --contacts 2" + bars + force, "response --band 0.1" + bars + force,
           "response --exact --damping 0.1" + bars + force,
           "response --exact --stability" + bars + force,
           "response --exact --contacts 2" + bars + force,
@@ -670,6 +670,69 @@ TEST_CASE("cli response of several bars in steps: what find says of each schedul
         CHECK(std::any_of(other["frequencies"].begin(), other["frequencies"].end(),
                           [](const json& at) { return !at["motions"].empty(); }));
     }
+}
+
+TEST_CASE("cli response --map-csv of several bars: the amplitudes that find has", "[glpk]")
+{
+    const CommandLine program;
+    const std::string bars = " --scene 'clamp 6 dash=0.1 driven gap=1e-3 8 dash=0.2 2 clamp'";
+    const json answer = parsed(program,
+                               "response --from-hertz 0.666 --to-hertz 0.667 --force tip "
+                               "--amplitude 2e-3 --map-csv m.csv" +
+                                   bars);
+    REQUIRE(answer["frequencies"].size() == 1);
+    std::istringstream map(contentOf(program.file("m.csv")));
+    std::string line;
+    std::getline(map, line);
+    CHECK(line ==
+          "steps,frequency_ratio,frequency,which,contact,free,least_amplitude,most_amplitude");
+    std::map<int, std::array<double, 2>> seen;  // by closed steps; of two pieces both ends
+    std::size_t motions = 0;
+    while (std::getline(map, line)) {
+        const std::vector<std::string> cells = cellsOf(line);
+        REQUIRE(cells.size() == 8);
+        const double least = std::stod(cells[6]);
+        const double most =
+            cells[7].empty() ? std::numeric_limits<double>::infinity() : std::stod(cells[7]);
+        const auto [range, isNew] = seen.insert({std::stoi(cells[4]), {least, most}});
+        range->second = {std::min(range->second[0], least), std::max(range->second[1], most)};
+        motions += cells[4] != "0" && least <= 2e-3 && 2e-3 <= most ? 1 : 0;
+    }
+    CHECK(motions == answer["frequencies"][0]["motions"].size());
+    // Where the bars meet without contact: their distance is linear in the amplitude.
+    const double distance = answer["frequencies"][0]["distance"][0].get<double>();
+    CHECK(seen.at(0)[1] == Approx(2e-3 * 1e-3 / (1e-3 - distance)));
+    std::size_t found = 1;
+    for (int closed = 1; closed < 24; ++closed) {
+        INFO(closed);
+        const json range =
+            parsed(program, fmt::format("find {} {} --force tip", closed, 24 - closed) + bars,
+                   seen.contains(closed) ? 0 : 1)["amplitude_range"];
+        REQUIRE(range.is_null() != seen.contains(closed));
+        if (!range.is_null()) {
+            ++found;
+            CHECK(seen[closed][0] == Approx(range[0].get<double>()));
+            CHECK(std::isinf(seen[closed][1]) == range[1].is_null());
+            CHECK((range[1].is_null() || seen[closed][1] == Approx(range[1].get<double>())));
+        }
+    }
+    CHECK(found == seen.size());
+    CHECK(found >= 5);
+}
+
+TEST_CASE("cli response --map: pressed bars have contact that never opens, up to an amplitude")
+{
+    const CommandLine program;
+    const std::string pressed =
+        "response --cells 8 --gap=-1e-4 --damping 0.05 --force tip --from 1 --to 1.1 --map-csv "
+        "m.csv --amplitude ";
+    (void)parsed(program, pressed + "5e-5");
+    const std::string map = contentOf(program.file("m.csv"));
+    const json at = parsed(program, pressed + "9.999e-5")["frequencies"][0];
+    CHECK(at["permanent_contact"].is_object());
+    CHECK(parsed(program, pressed + "1.0001e-4")["frequencies"][0]["permanent_contact"].is_null());
+    const std::string row = map.substr(map.find(",1," + at["steps"].dump() + ",0,,,0,") + 1);
+    CHECK(std::stod(row.substr(row.find_last_of(',', row.find('\n')) + 1)) == Approx(1e-4));
 }
 
 TEST_CASE("cli response, simulate: figures with their labels")
