@@ -89,6 +89,12 @@ struct Scene {
 /// that does not leave the tip some way (g + h > 0), segments that are not positive.
 void validate(const Scene& scene);
 
+/// What a uniform bar is about its rest under gravity g' [m/s^2], to the right: its tip sags by
+/// g' L^2/(2 c^2), by which the gap is smaller and a second stop farther, and all motions about it
+/// are those without weight. \throws std::invalid_argument unless g' is finite, or where the tip
+/// would rest at the second stop. \pre it has no segments.
+[[nodiscard]] Scene aboutRest(const Scene& scene, double gravity);
+
 /// [N], what the bar at rest presses on the wall with: -g/sum(l_i/EA_i); 0 where there is a gap.
 [[nodiscard]] double staticForce(const Scene& scene);
 

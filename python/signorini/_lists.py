@@ -9,7 +9,7 @@ from ._asking import asks
 from ._core import Bar, Family, Mode, ModeMotion, ModePolytope
 from ._progress import Progress, listener
 from ._tables import Table
-from ._words import Number, Quantity, Steps, bar_of, fraction_of, schedule_of, whole
+from ._words import Number, Quantity, Steps, bar_of, fraction_of, number, schedule_of, whole
 
 #: Orders and periods that a few seconds list, by number of contacts.
 _USUAL = {1: (25, 8.0), 2: (25, 8.0), 3: (9, 12.0), 4: (5, 16.0)}
@@ -17,7 +17,7 @@ _USUAL = {1: (25, 8.0), 2: (25, 8.0), 3: (9, 12.0), 4: (5, 16.0)}
 
 @asks("families")
 def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
-             bar: Bar | None = None, progress: Progress = None,
+             bar: Bar | None = None, gravity: Quantity = 0.0, progress: Progress = None,
              **bar_options: Quantity | None) -> Table[Family]:
     """List all families: every orbit with one contact in a period, once.
 
@@ -26,12 +26,13 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
     Table of Family
         By ascending order, nu, contact_blocks; 33 up to order 12.
     """
-    units = bar_of(bar, bar_options)
+    gravity = number("gravity", gravity)
+    units = _core.about_rest(bar_of(bar, bar_options), gravity)
     rows = _core.families({**locals(), "bar": units, "progress": listener(progress)})
     scene = _core.Scene(units)
     return Table("families", rows, bar=units, stops=scene.stops,
                  segments=scene.segments, static_force=scene.static_force,
-                 complete=True,
+                 gravity=gravity, complete=True,
                  max_order=max_order, max_energy_ratio=max_energy_ratio,
                  count=len(rows))
 
@@ -39,21 +40,21 @@ def families(max_order: int = 12, *, max_energy_ratio: float | None = None,
 @overload
 def modes(*, phases: Literal[1] = 1, max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
-          bar: Bar | None = None, progress: Progress = None,
+          bar: Bar | None = None, gravity: Quantity = 0.0, progress: Progress = None,
           **bar_options: Quantity | None) -> Table[Mode]: ...
 
 
 @overload
 def modes(*, phases: Literal[2, 3, 4, 5], max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
-          bar: Bar | None = None, progress: Progress = None,
+          bar: Bar | None = None, gravity: Quantity = 0.0, progress: Progress = None,
           **bar_options: Quantity | None) -> Table[ModePolytope]: ...
 
 
 @asks("modes")
 def modes(*, phases: int = 1, max_order: int | None = None,
           max_energy_ratio: float = 50.0, max_period: float | None = None,
-          bar: Bar | None = None, progress: Progress = None,
+          bar: Bar | None = None, gravity: Quantity = 0.0, progress: Progress = None,
           **bar_options: Quantity | None) -> Table[Mode] | Table[ModePolytope]:
     """List the continuous families: motions of every period, exact.
 
@@ -65,7 +66,8 @@ def modes(*, phases: int = 1, max_order: int | None = None,
     Table of Mode, or of ModePolytope with several contacts
         By ascending order.
     """
-    units = bar_of(bar, bar_options)
+    gravity = number("gravity", gravity)
+    units = _core.about_rest(bar_of(bar, bar_options), gravity)
     order, period = _USUAL.get(whole("phases", phases), (3, 20.0))
     bounds = {
         "max_order": order if max_order is None else max_order,
@@ -74,8 +76,9 @@ def modes(*, phases: int = 1, max_order: int | None = None,
     rows = _core.modes({**bounds, "bar": units, "phases": phases,
                         "progress": listener(progress)})
     if phases == 1:
-        return Table("modes", rows, bar=units, complete=True, **bounds)
-    return Table("polytopes", rows, bar=units, phases=phases, complete=True, **bounds)
+        return Table("modes", rows, bar=units, gravity=gravity, complete=True, **bounds)
+    return Table("polytopes", rows, bar=units, gravity=gravity, phases=phases,
+                 complete=True, **bounds)
 
 
 @asks("mode")

@@ -163,6 +163,8 @@ void addLists(py::module_& module)
     addFamily(module);
     addMode(module);
     addCall(module, "families", &families);
+    module.def("about_rest",
+               [](const Bar& bar, double gravity) { return aboutRest(bar, gravity).bar; });
     module.def("families_figure", &familiesAsFigure);
     module.def("polytopes_figure", &polytopesAsFigure);
     module.def("frequency_energy_figure", &planeAsFigure);

@@ -37,6 +37,10 @@ def test_a_bar_under_gravity_is_one_that_has_sagged() -> None:
         words = sg.find("1:1", f"-:{flight}", "2:1", f"-:{flight}", gravity=1e-6,
                         scene="clamp 4 stop=1e-3 stop=-1e-3")
         assert (both.status, both.energy) == (words.status, words.energy)
+    families = sg.families(6, gap=1e-3, gravity="0.0004m/s^2")
+    assert [f.least_energy for f in families] == pytest.approx(
+        [f.least_energy for f in sg.families(6, gap=8e-4)], rel=1e-9)
+    assert sg.modes(max_order=3, gap=1e-3, gravity=4e-4).gravity == 4e-4
     with pytest.raises(ValueError, match="damping, force"):
         sg.find(1, 39, damping=0.1, **weight)
     velocity: dict[str, Any] = {"velocity": [1.0]}

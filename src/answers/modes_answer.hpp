@@ -38,6 +38,7 @@ struct FamilyList {
     std::vector<Family> families;
     std::string ended;                      ///< why it is not complete; empty: it is
     std::optional<double> secondStop = {};  ///< [m]; families are those of the wall that it leaves
+    double gravity = 0.0;  ///< [m/s^2], under which bar and stops are what they are
 
     [[nodiscard]] bool isComplete() const { return ended.empty(); }
 };
@@ -46,6 +47,7 @@ struct ModeList {
     Bar bar;
     std::vector<Mode> modes;
     bool isComplete = true;
+    double gravity = 0.0;  ///< as FamilyList::gravity
 };
 struct PolytopeList {
     std::int64_t phases = 2;
@@ -53,6 +55,7 @@ struct PolytopeList {
     Bar bar;
     std::vector<ModePolytope> polytopes;
     bool isComplete = true;
+    double gravity = 0.0;  ///< as FamilyList::gravity
 };
 
 /// The sign of the gap. \throws std::invalid_argument where there is none: no mode has a stretch of
@@ -234,11 +237,19 @@ them.
     describePhysical(d, [](const auto& m) { return physicalOf(m.motion.extremes(), m.bar); });
 }
 
-void describe(auto& d, Type<FamilyList>)
+template <typename D, typename T>
+void describeGravity(D& d, Type<T>)
+{
+    d.key("gravity", "m/s^2", "To the right; gap and stops are those that weight leaves at rest.",
+          &T::gravity);
+}
+
+void describe(auto& d, Type<FamilyList> type)
 {
     using T = FamilyList;
     d.record("FamilyList", "All families up to an order.");
     describeScene(d, [](const T& list) { return Scene(list.bar, list.secondStop); });
+    describeGravity(d, type);
     d.key("complete", "-", "Or interrupted?", &T::isComplete);
     d.key("max_order", "- >= 1", "Largest w.", &T::maxOrder);
     d.key("max_energy_ratio", "E_1 > 0", "All of them reach below it.",
@@ -264,6 +275,7 @@ void describe(auto& d, Type<ModeList> type)
 {
     d.record("ModeList", "The continuous families up to an order.");
     d.key("bar", "-", "Whose units the modes have.", &ModeList::bar);
+    describeGravity(d, type);
     d.key("complete", "-", "Or interrupted?", &ModeList::isComplete);
     describeBounds(d, type);
     d.key("modes", "-", "By ascending order.",
@@ -274,6 +286,7 @@ void describe(auto& d, Type<PolytopeList> type)
 {
     d.record("PolytopeList", "The polytopes of several contacts up to an order.");
     d.key("bar", "-", "Whose units the polytopes have.", &PolytopeList::bar);
+    describeGravity(d, type);
     d.key("complete", "-", "Or interrupted?", &PolytopeList::isComplete);
     d.key("phases", "- >= 2", "Contacts in a period.", &PolytopeList::phases);
     describeBounds(d, type);

@@ -315,6 +315,9 @@ std::string CommonOptions::restated(std::optional<std::int64_t> grid,
     if (meant.secondStop) {
         text += fmt::format(", h = {:.6g} m", *meant.secondStop);
     }
+    if (weight() != 0.0) {
+        text += " under its weight";
+    }
     if (damping) {
         text += fmt::format(", ζ = {:.6g}", *damping);
     }

@@ -105,13 +105,16 @@ struct CommonOptions {
     [[nodiscard]] Bar bar() const;
     /// The same for commands that know gaps of any sign.
     [[nodiscard]] Bar barOfAnyGap() const;
-    /// The short forms, or (scene_options.cpp) a --scene that is a bar with stops at its tip.
+    /// The short forms, or (scene_options.cpp) a --scene that is a bar with stops at its tip; under
+    /// gravity what it is about its rest.
     /// \throws std::invalid_argument on a clash, numbers that do not go together, or a --scene that
     /// is more; FileError.
     [[nodiscard]] Scene scene() const;
     /// --gap, --second-stop, --segments and --segments-file, whatever --scene says.
     /// \throws std::invalid_argument as `scene`.
     [[nodiscard]] Scene shortForms() const;
+    /// [m/s^2], that of a --scene file or the option.
+    [[nodiscard]] double weight() const { return hasScene() ? assembly().gravity : 0.0; }
     /// Are bars in a row meant: --scene, or the short forms under gravity?
     [[nodiscard]] bool hasScene() const { return !sceneText.empty() || gravity != 0.0; }
     /// What --scene says, or the short forms as a scene. \throws std::invalid_argument on words

@@ -54,7 +54,8 @@ ExitStatus runFamilies(const Given& given)
                              scene.bar,
                              {},
                              {},
-                             scene.secondStop};
+                             scene.secondStop,
+                             common.weight()};
     Outputs outputs(given, {"--csv", "--figure"});
     refuseIf(list.bar.gap <= 0.0 && given.has("--figure"),
              "--figure: allowed with a gap > 0, whose modes it names; --csv holds the families");

@@ -112,6 +112,9 @@ FigureData drawn(const Mode& mode, double period, std::int64_t usualCells, const
 ExitStatus runMode(const Given& given)
 {
     const CommonOptions common(given);
+    refuseIf(common.weight() != 0.0,
+             "--gravity: allowed with find, continuum, response, simulate, sweep, atlas, families "
+             "and modes; mode tells what a bar does about its rest, without the shape at rest");
     const Bar bar = common.barOfAnyGap();
     const Mode mode = modeOf(given.words(), answers::gapSignOfModes(bar));
     if (!given.has("--period")) {

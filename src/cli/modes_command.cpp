@@ -63,8 +63,8 @@ ExitStatus runModes(const Given& given)
             }
             return !isRequested(cancel);
         });
-    listing.isComplete = isComplete;
-    polytopes.isComplete = isComplete;
+    listing.isComplete = polytopes.isComplete = isComplete;
+    listing.gravity = polytopes.gravity = common.weight();
     if (isComplete) {
         outputs.put("--csv", [&](const std::string& path) {
             phases == 1 ? writeModesCsv(path, listing) : writePolytopesCsv(path, polytopes);

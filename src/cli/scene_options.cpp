@@ -181,9 +181,9 @@ Scene CommonOptions::scene() const
     if (!hasScene()) {
         return shortForms();
     }
-    refuseIf(sceneText.empty(),
-             "--gravity: allowed with find, continuum, response, simulate, sweep and atlas");
-    const std::optional<Scene> bar = barOf(assembly());
+    Assembly still = assembly();
+    still.gravity = 0.0;
+    const std::optional<Scene> bar = sceneText.empty() ? shortForms() : barOf(still);
     if (!bar) {
         throw std::invalid_argument(fmt::format(
             "--scene '{}': allowed for this question: one bar, clamped on the left, with stops at "
@@ -192,7 +192,7 @@ Scene CommonOptions::scene() const
             shortened(sceneText)));
     }
     validate(*bar);
-    return *bar;
+    return bar->segments.empty() ? aboutRest(*bar, assembly().gravity) : *bar;
 }
 
 void CommonOptions::requireOwnDamping() const

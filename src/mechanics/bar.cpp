@@ -5,6 +5,7 @@
 #include <string>
 
 #include "faults.hpp"
+#include "infinity.hpp"
 #include "signorini/schedule.hpp"
 
 namespace signorini {
@@ -104,6 +105,26 @@ void validate(const Scene& scene)
         }
     }
     faults.throwIfAny();
+}
+
+Scene aboutRest(const Scene& scene, double gravity)
+{
+    const double time = scene.bar.length / scene.bar.waveSpeed;
+    const double least = scene.secondStop ? -2.0 * *scene.secondStop / (time * time) : -infinity;
+    if (!std::isfinite(gravity) || gravity <= least) {
+        Faults faults;
+        faults.add("gravity", gravity,
+                   fmt::format("finite and > {} [m/s^2]: the tip rests at no second stop", least));
+        faults.throwIfAny();
+    }
+    const double sag = 0.5 * gravity * time * time;
+    Scene sagged = scene;
+    sagged.bar.gap -= sag;
+    if (sagged.secondStop) {
+        *sagged.secondStop += sag;
+    }
+    validate(sagged);
+    return sagged;
 }
 
 double staticForce(const Scene& scene)

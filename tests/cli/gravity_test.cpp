@@ -99,6 +99,50 @@ TEST_CASE("cli gravity: under a force, too, of a schedule and of a range of freq
     CHECK(motions > 1);
 }
 
+TEST_CASE("cli gravity: families and modes are those of the gap that weight leaves")
+{
+    const CommandLine program;
+    for (const double gravity : {0.02, -0.03, 0.15}) {
+        const auto [sagging, sagged] = bars(1e-3, gravity);
+        const double gap = 1e-3 - gravity * 4.0 / 200.0;
+        const auto check = [&](const std::string& question, const char* rows,
+                               const std::string& stop = "", const std::string& left = "") {
+            INFO(question << sagging << stop);
+            json asked = json::parse(program.run(question + sagging + stop).out);
+            json truth = json::parse(program.run(question + sagged + left).out);
+            CHECK(asked["gravity"] == gravity);
+            CHECK(truth["gravity"] == 0.0);
+            CHECK(asked["bar"]["gap"].get<double>() == Approx(gap));
+            REQUIRE(asked[rows].size() == truth[rows].size());
+            CHECK(asked[rows].empty() == (gravity < 0.0 && !stop.empty()));
+            for (std::size_t k = 0; k < asked[rows].size(); ++k) {
+                for (const char* energy : {"least_energy", "energy_range"}) {
+                    if (asked[rows][k].contains(energy)) {
+                        const json& one = asked[rows][k][energy];
+                        const json& other = truth[rows][k][energy];
+                        requireClose(one.is_array() ? one[0] : one,
+                                     other.is_array() ? other[0] : other, 1e-9);
+                    }
+                }
+            }
+        };
+        check("families --max-order 6 --format json", "families");
+        check("modes --max-order 5 --format json", "modes");
+        if (gap > 0.0) {
+            check("modes --phases 2 --max-order 3 --format json", "polytopes");
+            check("families --max-order 6 --format json", "families", " --second-stop 2e-3",
+                  fmt::format(" --second-stop {:.17g}", 2e-3 + gravity * 4.0 / 200.0));
+        }
+        CHECK_THAT(program.run("families --max-order 3" + sagging).out,
+                   containsText(" under its weight; "));
+    }
+    // The same of a file that says its gravity, and of words.
+    CHECK(program
+              .run("families --max-order 4 --scene 'clamp 8 stop=1e-3' --gravity 1e-3 --format "
+                   "json")
+              .out == program.run("families --max-order 4 --gravity 1e-3 --format json").out);
+}
+
 TEST_CASE("cli gravity: commands that know no weight say so, and damping has its one place")
 {
     const CommandLine program;
@@ -109,11 +153,11 @@ TEST_CASE("cli gravity: commands that know no weight say so, and damping has its
         CHECK_THAT(refused.err, containsText(why));
         CHECK(lines(refused.err) == 1);
     };
-    for (const char* question :
-         {"modes --max-order 2", "families --max-order 3", "mode 4 -1 --period 3.14"}) {
-        refuses(fmt::format("{} --gravity 1", question),
-                "--gravity: allowed with find, continuum, response, simulate, sweep and atlas");
-    }
+    refuses("mode 4 -1 --period 3.14 --gravity 1",
+            "--gravity: allowed with find, continuum, response, simulate, sweep, atlas, families "
+            "and modes");
+    refuses("families --second-stop 1e-3 --gravity=-4e-3",
+            "--gravity = -4e-3 is out of range: allowed finite and > -0.002");
     refuses("find 5 41 --gravity 1 --damping 0.1", "--force is missing");
     refuses(
         "find 3 9 --scene 'clamp 4 dash=0.1 driven stop=1e-3' --gravity 1 --damping 0.1 "

@@ -533,7 +533,6 @@ TEST_CASE("cli scenes: a bar is the same question by its words and by its option
           "clamp 4 driven 4 stop=1e-3"}) {
         refuses(fmt::format("families --max-order 4 --scene '{}'", scene));
     }
-    refuses("modes --gravity 10 --scene 'clamp 8 stop=1e-3'");
     CHECK_THAT(program.run("modes --scene 'clamp 8 stop=1e-3' --gap 2e-3").err,
                containsText("--scene clashes with"));
 }
