@@ -2,9 +2,9 @@
 /// \file
 /// What the three GLPK back ends share: handing a program over, reading verdict and point back.
 
-#include "common/stopwatch.hpp"
 #include "glpk/guarded.hpp"
 #include "solver.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::glpk {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "common/condensed.hpp"
-#include "common/stopwatch.hpp"
 #include "glpk/glpk.hpp"
 #include "glpk/glpk_problem.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::glpk {
 

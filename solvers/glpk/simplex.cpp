@@ -1,8 +1,8 @@
 #include <algorithm>
 
-#include "common/stopwatch.hpp"
 #include "glpk/glpk.hpp"
 #include "glpk/glpk_problem.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::glpk {
 

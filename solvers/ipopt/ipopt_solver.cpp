@@ -12,9 +12,9 @@
 #include <thread>
 
 #include "common/condensed.hpp"
-#include "common/stopwatch.hpp"
 #include "ipopt/ipopt.hpp"
 #include "ipopt/program_nlp.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::ipopt {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "common/stopwatch.hpp"
 #include "nlopt/nlopt.hpp"
 #include "nlopt/search.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::nlopt {
 

@@ -9,8 +9,8 @@
 #include "network_rows.hpp"
 #include "network_walk.hpp"
 #include "program.hpp"
-#include "request.hpp"
 #include "signorini/find_periodic.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini {
 
