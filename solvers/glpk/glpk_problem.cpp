@@ -13,8 +13,6 @@ namespace signorini::glpk {
 
 namespace {
 
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 /// Limits built into GLPK, said in our words.
 constexpr Eigen::Index maxRowsOrColumns = 100'000'000;
 constexpr Eigen::Index maxEntries = 500'000'000;
@@ -41,7 +39,7 @@ void setBounds(glp_prob* problem, int column, double lower, double upper)
 }
 
 /// GLPK's sparse rows count from 1; entry 0 of the arrays is unused.
-void addRows(Problem& problem, const Rows& rows, const Eigen::VectorXd& rhs, int type)
+void addRows(Problem& problem, const SparseRows& rows, const Eigen::VectorXd& rhs, int type)
 {
     const int count = static_cast<int>(rows.rows());
     if (count == 0) {
@@ -54,7 +52,7 @@ void addRows(Problem& problem, const Rows& rows, const Eigen::VectorXd& rhs, int
     for (int row = 0; row < count; ++row) {
         columns.resize(1);
         values.resize(1);
-        for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(rows, row); entry; ++entry) {
             if (entry.value() != 0.0) {
                 columns.push_back(static_cast<int>(entry.col()) + 1);
                 values.push_back(entry.value());

@@ -110,8 +110,7 @@ Rational boundByProjection(const ClassTypes& classes, const std::vector<const Cl
         const auto& matrix = isEquality ? program.equalities : program.inequalities;
         const double rhs = isEquality ? program.equalityRhs[k] : program.inequalityRhs[k - p];
         const int sign = isEquality ? 1 : -1;  // the program says <=
-        using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-        for (Rows::InnerIterator entry(matrix, isEquality ? k : k - p); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(matrix, isEquality ? k : k - p); entry; ++entry) {
             c[static_cast<std::size_t>(entry.col())] += weight * Rational(entry.value()) * sign;
         }
         value += weight * Rational(rhs) * sign;

@@ -9,8 +9,6 @@
 
 namespace signorini {
 
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 /// Collects rows and right sides.
 class RowList {
 public:

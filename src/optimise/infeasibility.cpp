@@ -13,8 +13,6 @@ namespace signorini {
 
 namespace {
 
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 constexpr std::int64_t maxDenominator = 1'000'000;
 constexpr double roundingTolerance = 1e-9;
 
