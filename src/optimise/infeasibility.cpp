@@ -140,21 +140,12 @@ struct Weighted {
     Rational value;
 };
 
-std::vector<Weighted> weighted(const std::vector<Multiplier>& multipliers)
+template <typename Given>
+std::vector<Weighted> weighted(const std::vector<Given>& multipliers)
 {
     std::vector<Weighted> rows;
     rows.reserve(multipliers.size());
-    for (const Multiplier& m : multipliers) {
-        rows.push_back({m.row, Rational(m.value)});
-    }
-    return rows;
-}
-
-std::vector<Weighted> weighted(const std::vector<RationalMultiplier>& multipliers)
-{
-    std::vector<Weighted> rows;
-    rows.reserve(multipliers.size());
-    for (const RationalMultiplier& m : multipliers) {
+    for (const Given& m : multipliers) {
         rows.push_back({m.row, Rational(m.value)});
     }
     return rows;
