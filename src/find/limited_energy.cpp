@@ -61,15 +61,10 @@ public:
     }
 
 private:
-    [[nodiscard]] const ClassType& typeOf(std::size_t live) const
-    {
-        return set_.classes.types[set_.live[live]];
-    }
-
     /// A class whose waves only come with the sign -1 makes no compression.
     [[nodiscard]] double capOf(std::size_t live) const
     {
-        const auto& signs = typeOf(live).signs;
+        const auto& signs = set_.type(live).signs;
         if (std::find(signs.begin(), signs.end(), 1) == signs.end()) {
             return infinity;
         }
@@ -87,10 +82,10 @@ private:
         double bound = 0.0;
         for (std::size_t t = 0; t < sums.size(); ++t) {
             const double size =
-                std::min(capOf(t), typeOf(t).kind == TypeKind::pressing ? sums[t] : capOf(t));
-            bound += typeOf(t).kind == TypeKind::pressing
+                std::min(capOf(t), set_.type(t).kind == TypeKind::pressing ? sums[t] : capOf(t));
+            bound += set_.type(t).kind == TypeKind::pressing
                          ? size * sums[t]
-                         : static_cast<double>(typeOf(t).count) * size * size;
+                         : static_cast<double>(set_.type(t).count) * size * size;
         }
         return bound;
     }
@@ -106,7 +101,7 @@ private:
                 return std::nullopt;
             }
             std::copy(part->begin(), part->end(),
-                      z.begin() + static_cast<std::ptrdiff_t>(typeOf(t).first));
+                      z.begin() + static_cast<std::ptrdiff_t>(set_.type(t).first));
         }
         return z;
     }
