@@ -7,21 +7,13 @@
 #include "echo.hpp"
 #include "infinity.hpp"
 #include "known_motions.hpp"
+#include "section_numbers.hpp"
 
 namespace signorini {
 
 namespace {
 
 constexpr std::size_t mostPlaces = 2000;  // S at which spikes are tried where sums vary
-
-double squaresOf(const std::vector<double>& z)
-{
-    double sum = 0.0;
-    for (const double value : z) {
-        sum += value * value;
-    }
-    return sum;
-}
 
 /// Several types of classes, whose sums are a polyhedron with known vertices.
 class LimitedSums {
