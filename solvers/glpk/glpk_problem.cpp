@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -76,11 +75,6 @@ void addUnboundedRow(Problem& problem)
     });
 }
 
-int clampToInt(double value)
-{
-    return static_cast<int>(std::min(value, static_cast<double>(std::numeric_limits<int>::max())));
-}
-
 }  // namespace
 
 std::string version()
@@ -103,68 +97,6 @@ void fill(Problem& problem, const Program& program)
     addUnboundedRow(problem);
 }
 
-Verdict simplexVerdict(int code, glp_prob* problem)
-{
-    switch (code) {
-        case 0:
-            break;
-        case GLP_ENOPFS:
-            return {SolverStatus::infeasible,
-                    "GLP_ENOPFS: presolver found no primal feasible point"};
-        case GLP_ENODFS:
-            return {SolverStatus::unbounded, "GLP_ENODFS: presolver found no dual feasible point"};
-        case GLP_EITLIM:
-            return {SolverStatus::limit, "GLP_EITLIM: iteration limit"};
-        case GLP_ETMLIM:
-            return {SolverStatus::limit, "GLP_ETMLIM: time limit"};
-        case GLP_EOBJLL:
-        case GLP_EOBJUL:
-            return {SolverStatus::limit, "GLP_EOBJLL/UL: objective limit"};
-        case GLP_EBADB:
-            return {SolverStatus::failed, "GLP_EBADB: invalid initial basis"};
-        case GLP_ESING:
-            return {SolverStatus::failed, "GLP_ESING: singular basis"};
-        case GLP_ECOND:
-            return {SolverStatus::failed, "GLP_ECOND: ill-conditioned basis"};
-        case GLP_EBOUND:
-            return {SolverStatus::failed, "GLP_EBOUND: incorrect bounds"};
-        case GLP_EFAIL:
-            return {SolverStatus::failed, "GLP_EFAIL: solver failure"};
-        default:
-            return {SolverStatus::failed, "unknown return code of the simplex method"};
-    }
-    switch (glp_get_status(problem)) {
-        case GLP_OPT:
-            return {SolverStatus::optimal, "GLP_OPT: optimal"};
-        case GLP_NOFEAS:
-            return {SolverStatus::infeasible, "GLP_NOFEAS: no feasible point"};
-        case GLP_UNBND:
-            return {SolverStatus::unbounded, "GLP_UNBND: unbounded"};
-        case GLP_FEAS:
-            return {SolverStatus::failed, "GLP_FEAS: feasible, not proved optimal"};
-        case GLP_INFEAS:
-            return {SolverStatus::failed, "GLP_INFEAS: infeasible point, nothing proved"};
-        case GLP_UNDEF:
-            return {SolverStatus::failed, "GLP_UNDEF: undefined solution"};
-        default:
-            return {SolverStatus::failed, "unknown status of glp_get_status"};
-    }
-}
-
-glp_smcp quietSettings(const SolverOptions& options)
-{
-    glp_smcp settings;
-    glp_init_smcp(&settings);
-    settings.msg_lev = options.cancel ? GLP_MSG_ON : GLP_MSG_OFF;
-    if (options.iterationLimit > 0) {
-        settings.it_lim = clampToInt(static_cast<double>(options.iterationLimit));
-    }
-    if (std::isfinite(options.timeLimit)) {
-        settings.tm_lim = clampToInt(std::ceil(1e3 * options.timeLimit));
-    }
-    return settings;
-}
-
 void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_prob*, int),
                double (*dual)(glp_prob*, int), SolverResult& result)
 {
@@ -176,17 +108,6 @@ void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_pr
     result.x = read(value, 1, program.variables());
     result.equalityDuals = read(dual, 1, equalities);
     result.inequalityDuals = read(dual, 1 + equalities, program.inequalities.rows());
-}
-
-void readSimplex(int code, glp_prob* problem, const Program& program, SolverResult& result)
-{
-    const Verdict verdict = simplexVerdict(code, problem);
-    result.status = verdict.status;
-    result.detail = verdict.detail;
-    result.iterations = glp_get_it_cnt(problem);
-    if (result.status == SolverStatus::optimal) {
-        readPoint(problem, program, glp_get_col_prim, glp_get_row_dual, result);
-    }
 }
 
 }  // namespace signorini::glpk

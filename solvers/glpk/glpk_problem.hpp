@@ -34,19 +34,10 @@ template <typename Call>
     return result.status != SolverStatus::cancelled;
 }
 
-/// The meaning of what glp_simplex or glp_exact returned, and of glp_get_status after a 0.
-[[nodiscard]] Verdict simplexVerdict(int code, glp_prob* problem);
-
-/// Of the simplex methods: within the limits, and silent unless somebody may cancel.
-[[nodiscard]] glp_smcp quietSettings(const SolverOptions& options);
-
 /// Reads n values and the multipliers of p + q rows, where `value` and `dual` are GLPK's accessors
 /// of the method used, e.g. glp_get_col_prim and glp_get_row_dual. GLPK's multipliers have the sign
 /// documented in SolverResult.
 void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_prob*, int),
                double (*dual)(glp_prob*, int), SolverResult& result);
-
-/// Verdict, iterations and, if optimal, point and multipliers after either simplex method.
-void readSimplex(int code, glp_prob* problem, const Program& program, SolverResult& result);
 
 }  // namespace signorini::glpk
