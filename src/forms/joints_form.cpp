@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "exact_multipliers.hpp"
 #include "infeasibility.hpp"

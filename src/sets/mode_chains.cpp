@@ -1,7 +1,6 @@
 #include "mode_chains.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace signorini {
