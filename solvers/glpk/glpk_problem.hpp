@@ -13,11 +13,6 @@ namespace signorini::glpk {
 /// new. \throws std::invalid_argument if it exceeds what GLPK accepts, std::bad_alloc.
 void fill(Problem& problem, const Program& program);
 
-struct Verdict {
-    SolverStatus status;
-    const char* detail;
-};
-
 /// Runs `call`, see Problem::run, and notes its time from the start of `watch`. False if it was
 /// cancelled, as the result then says.
 template <typename Call>

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "common/meaning.hpp"
 #include "glpk/glpk.hpp"
 #include "glpk/glpk_problem.hpp"
 #include "stopwatch.hpp"
@@ -37,54 +39,28 @@ int clampToInt(double value)
     return static_cast<int>(std::min(value, static_cast<double>(std::numeric_limits<int>::max())));
 }
 
-/// The meaning of what glp_simplex or glp_exact returned, and of glp_get_status after a 0.
-Verdict simplexVerdict(int code, glp_prob* problem)
-{
-    switch (code) {
-        case 0:
-            break;
-        case GLP_ENOPFS:
-            return {SolverStatus::infeasible,
-                    "GLP_ENOPFS: presolver found no primal feasible point"};
-        case GLP_ENODFS:
-            return {SolverStatus::unbounded, "GLP_ENODFS: presolver found no dual feasible point"};
-        case GLP_EITLIM:
-            return {SolverStatus::limit, "GLP_EITLIM: iteration limit"};
-        case GLP_ETMLIM:
-            return {SolverStatus::limit, "GLP_ETMLIM: time limit"};
-        case GLP_EOBJLL:
-        case GLP_EOBJUL:
-            return {SolverStatus::limit, "GLP_EOBJLL/UL: objective limit"};
-        case GLP_EBADB:
-            return {SolverStatus::failed, "GLP_EBADB: invalid initial basis"};
-        case GLP_ESING:
-            return {SolverStatus::failed, "GLP_ESING: singular basis"};
-        case GLP_ECOND:
-            return {SolverStatus::failed, "GLP_ECOND: ill-conditioned basis"};
-        case GLP_EBOUND:
-            return {SolverStatus::failed, "GLP_EBOUND: incorrect bounds"};
-        case GLP_EFAIL:
-            return {SolverStatus::failed, "GLP_EFAIL: solver failure"};
-        default:
-            return {SolverStatus::failed, "unknown return code of the simplex method"};
-    }
-    switch (glp_get_status(problem)) {
-        case GLP_OPT:
-            return {SolverStatus::optimal, "GLP_OPT: optimal"};
-        case GLP_NOFEAS:
-            return {SolverStatus::infeasible, "GLP_NOFEAS: no feasible point"};
-        case GLP_UNBND:
-            return {SolverStatus::unbounded, "GLP_UNBND: unbounded"};
-        case GLP_FEAS:
-            return {SolverStatus::failed, "GLP_FEAS: feasible, not proved optimal"};
-        case GLP_INFEAS:
-            return {SolverStatus::failed, "GLP_INFEAS: infeasible point, nothing proved"};
-        case GLP_UNDEF:
-            return {SolverStatus::failed, "GLP_UNDEF: undefined solution"};
-        default:
-            return {SolverStatus::failed, "unknown status of glp_get_status"};
-    }
-}
+/// Every return code of glp_simplex and glp_exact but 0, and of glp_get_status after that.
+constexpr auto simplexCodes = std::to_array<Meaning>({
+    {GLP_ENOPFS, SolverStatus::infeasible, "GLP_ENOPFS: presolver found no primal feasible point"},
+    {GLP_ENODFS, SolverStatus::unbounded, "GLP_ENODFS: presolver found no dual feasible point"},
+    {GLP_EITLIM, SolverStatus::limit, "GLP_EITLIM: iteration limit"},
+    {GLP_ETMLIM, SolverStatus::limit, "GLP_ETMLIM: time limit"},
+    {GLP_EOBJLL, SolverStatus::limit, "GLP_EOBJLL/UL: objective limit"},
+    {GLP_EOBJUL, SolverStatus::limit, "GLP_EOBJLL/UL: objective limit"},
+    {GLP_EBADB, SolverStatus::failed, "GLP_EBADB: invalid initial basis"},
+    {GLP_ESING, SolverStatus::failed, "GLP_ESING: singular basis"},
+    {GLP_ECOND, SolverStatus::failed, "GLP_ECOND: ill-conditioned basis"},
+    {GLP_EBOUND, SolverStatus::failed, "GLP_EBOUND: incorrect bounds"},
+    {GLP_EFAIL, SolverStatus::failed, "GLP_EFAIL: solver failure"},
+});
+constexpr auto simplexStatuses = std::to_array<Meaning>({
+    {GLP_OPT, SolverStatus::optimal, "GLP_OPT: optimal"},
+    {GLP_NOFEAS, SolverStatus::infeasible, "GLP_NOFEAS: no feasible point"},
+    {GLP_UNBND, SolverStatus::unbounded, "GLP_UNBND: unbounded"},
+    {GLP_FEAS, SolverStatus::failed, "GLP_FEAS: feasible, not proved optimal"},
+    {GLP_INFEAS, SolverStatus::failed, "GLP_INFEAS: infeasible point, nothing proved"},
+    {GLP_UNDEF, SolverStatus::failed, "GLP_UNDEF: undefined solution"},
+});
 
 /// Within the limits, and silent unless somebody may cancel.
 glp_smcp quietSettings(const SolverOptions& options)
@@ -101,12 +77,14 @@ glp_smcp quietSettings(const SolverOptions& options)
     return settings;
 }
 
-/// Verdict, iterations and, if optimal, point and multipliers.
+/// Meaning, iterations and, if optimal, point and multipliers.
 void readSimplex(int code, glp_prob* problem, const Program& program, SolverResult& result)
 {
-    const Verdict verdict = simplexVerdict(code, problem);
-    result.status = verdict.status;
-    result.detail = verdict.detail;
+    const Meaning meaning =
+        code != 0 ? meaningOf(code, simplexCodes, "unknown return code of the simplex method")
+                  : meaningOf(glp_get_status(problem), simplexStatuses,
+                              "unknown status of glp_get_status");
+    meaning.enter(result);
     result.iterations = glp_get_it_cnt(problem);
     if (result.status == SolverStatus::optimal) {
         readPoint(problem, program, glp_get_col_prim, glp_get_row_dual, result);
