@@ -2,6 +2,7 @@
 /// \file
 /// What the three GLPK back ends share: handing a program over, reading verdict and point back.
 
+#include "common/meaning.hpp"
 #include "glpk/guarded.hpp"
 #include "solver.hpp"
 #include "stopwatch.hpp"
@@ -28,6 +29,9 @@ template <typename Call>
     result.solveSeconds = watch.seconds();
     return result.status != SolverStatus::cancelled;
 }
+
+/// Of what glp_simplex or glp_exact returned, and of glp_get_status after a 0.
+[[nodiscard]] Meaning simplexMeaning(int code, glp_prob* problem);
 
 /// Reads n values and the multipliers of p + q rows, where `value` and `dual` are GLPK's accessors
 /// of the method used, e.g. glp_get_col_prim and glp_get_row_dual. GLPK's multipliers have the sign

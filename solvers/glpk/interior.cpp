@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "common/condensed.hpp"
-#include "common/meaning.hpp"
 #include "glpk/glpk.hpp"
 #include "glpk/glpk_problem.hpp"
 #include "stopwatch.hpp"

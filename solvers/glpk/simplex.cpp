@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include "common/meaning.hpp"
 #include "glpk/glpk.hpp"
 #include "glpk/glpk_problem.hpp"
 #include "stopwatch.hpp"
@@ -80,11 +79,7 @@ glp_smcp quietSettings(const SolverOptions& options)
 /// Meaning, iterations and, if optimal, point and multipliers.
 void readSimplex(int code, glp_prob* problem, const Program& program, SolverResult& result)
 {
-    const Meaning meaning =
-        code != 0 ? meaningOf(code, simplexCodes, "unknown return code of the simplex method")
-                  : meaningOf(glp_get_status(problem), simplexStatuses,
-                              "unknown status of glp_get_status");
-    meaning.enter(result);
+    simplexMeaning(code, problem).enter(result);
     result.iterations = glp_get_it_cnt(problem);
     if (result.status == SolverStatus::optimal) {
         readPoint(problem, program, glp_get_col_prim, glp_get_row_dual, result);
@@ -175,6 +170,13 @@ private:
 };
 
 }  // namespace
+
+Meaning simplexMeaning(int code, glp_prob* problem)
+{
+    return code != 0 ? meaningOf(code, simplexCodes, "unknown return code of the simplex method")
+                     : meaningOf(glp_get_status(problem), simplexStatuses,
+                                 "unknown status of glp_get_status");
+}
 
 std::unique_ptr<Solver> makeSimplex(const Backend& row)
 {
