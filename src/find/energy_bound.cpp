@@ -19,7 +19,7 @@ namespace signorini {
 namespace {
 
 /// What the sum of S^2/d has to exceed: E/E_1 = 2w/N sum S^2/d at least.
-Rational squaresOf(double energyRatio, const ClassTypes& classes)
+Rational squaresAt(double energyRatio, const ClassTypes& classes)
 {
     return Rational(energyRatio) * classes.schedule.cells / (2 * classes.window);
 }
@@ -243,7 +243,7 @@ bool exceedEnergy(const Schedule& schedule, double energyRatio)
 {
     const ClassTypes classes = classTypes(schedule);
     const auto live = liveTypesOf(classes);
-    const Rational wanted = squaresOf(energyRatio, classes);
+    const Rational wanted = squaresAt(energyRatio, classes);
     if (boundByGap(live, classes.schedule) > wanted) {
         return true;
     }
@@ -289,7 +289,7 @@ bool stayBelowEnergy(const Schedule& schedule, double energyRatio, double strain
     const std::optional<Rational> cap =
         std::isfinite(strainLimit) ? std::optional(Rational(strainLimit) / 2) : std::nullopt;
     const auto most = mostSquaresOf(classes, live, cap);
-    return most && *most < squaresOf(energyRatio, classes);
+    return most && *most < squaresAt(energyRatio, classes);
 }
 
 }  // namespace signorini
