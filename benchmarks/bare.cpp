@@ -34,7 +34,7 @@ BareAnswer solveByGlpk(const Program& program)
     settings.msg_lev = GLP_MSG_OFF;
     settings.presolve = GLP_ON;
     const int code = glp_simplex(problem.get(), &settings);
-    BareAnswer answer{glpk::simplexVerdict(code, problem.get()).status,
+    BareAnswer answer{glpk::simplexMeaning(code, problem.get()).status,
                       Eigen::VectorXd(program.variables())};
     for (Eigen::Index i = 0; i < answer.x.size(); ++i) {
         answer.x[i] = glp_get_col_prim(problem.get(), static_cast<int>(i) + 1);

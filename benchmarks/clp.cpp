@@ -7,7 +7,7 @@
 #include <string>
 
 #include "clp_model.hpp"
-#include "common/stopwatch.hpp"
+#include "stopwatch.hpp"
 #endif
 
 namespace signorini::bench {

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "clp.hpp"
-#include "common/stopwatch.hpp"
 #include "echo.hpp"
 #include "formulation.hpp"
 #include "infeasibility.hpp"
@@ -13,6 +12,7 @@
 #include "signorini/amplitude_set.hpp"
 #include "signorini/find_periodic.hpp"
 #include "signorini/one_phase_set.hpp"
+#include "stopwatch.hpp"
 #include "timing.hpp"
 
 namespace signorini::bench {

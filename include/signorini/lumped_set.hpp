@@ -146,6 +146,9 @@ struct LumpedSet {
     std::optional<LumpedAbsence> absence;  ///< set exactly when there is no motion
     std::vector<double> leastSums;         ///< [g/L], S of least energy
     double leastEnergy = 0.0;              ///< [E_1], E_min; without a gap of the size of the sums
+
+    /// The live type of S_i.
+    [[nodiscard]] const ClassType& type(std::size_t i) const { return classes.types[live[i]]; }
 };
 
 /// Most live types and most blocks (`blockCount`) that `lumpedSet` takes on: beyond them exact

@@ -13,14 +13,14 @@ namespace signorini {
 
 namespace {
 
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Index = Eigen::Index;
 using Triplet = Eigen::Triplet<double>;
 
 /// A basis whose own residual is larger than this share of the tolerance decides nothing.
 constexpr double residualShare = 0.1;
 
-Rows select(const Rows& matrix, const std::vector<Index>& rows, const std::vector<Index>& columns)
+SparseRows select(const SparseRows& matrix, const std::vector<Index>& rows,
+                  const std::vector<Index>& columns)
 {
     std::vector<int> place(static_cast<std::size_t>(matrix.cols()), -1);
     for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -28,14 +28,14 @@ Rows select(const Rows& matrix, const std::vector<Index>& rows, const std::vecto
     }
     std::vector<Triplet> entries;
     for (std::size_t k = 0; k < rows.size(); ++k) {
-        for (Rows::InnerIterator entry(matrix, rows[k]); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(matrix, rows[k]); entry; ++entry) {
             const int column = place[static_cast<std::size_t>(entry.col())];
             if (column >= 0 && entry.value() != 0.0) {
                 entries.emplace_back(static_cast<int>(k), column, entry.value());
             }
         }
     }
-    Rows selected(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+    SparseRows selected(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
     selected.setFromTriplets(entries.begin(), entries.end());
     return selected;
 }
@@ -188,7 +188,7 @@ bool hasObjective(const Program& program)
     return !program.linear.isZero(0.0) || !program.quadratic.isZero(0.0);
 }
 
-Basis::Basis(const Rows& rows, std::vector<Index> columns)
+Basis::Basis(const SparseRows& rows, std::vector<Index> columns)
     : variables_(rows.cols()),
       columns_(std::move(columns)),
       matrix_(select(rows, all(rows.rows()), columns_)),

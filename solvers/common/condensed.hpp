@@ -20,8 +20,7 @@ namespace signorini {
 class Basis {
 public:
     /// \param columns as many as there are rows; together they are regular.
-    Basis(const Eigen::SparseMatrix<double, Eigen::RowMajor>& rows,
-          std::vector<Eigen::Index> columns);
+    Basis(const SparseRows& rows, std::vector<Eigen::Index> columns);
 
     /// The x with rows x = rhs that is 0 outside the basis, refined once.
     [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -12,8 +11,6 @@
 namespace signorini::glpk {
 
 namespace {
-
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Limits built into GLPK, said in our words.
 constexpr Eigen::Index maxRowsOrColumns = 100'000'000;
@@ -41,7 +38,7 @@ void setBounds(glp_prob* problem, int column, double lower, double upper)
 }
 
 /// GLPK's sparse rows count from 1; entry 0 of the arrays is unused.
-void addRows(Problem& problem, const Rows& rows, const Eigen::VectorXd& rhs, int type)
+void addRows(Problem& problem, const SparseRows& rows, const Eigen::VectorXd& rhs, int type)
 {
     const int count = static_cast<int>(rows.rows());
     if (count == 0) {
@@ -54,7 +51,7 @@ void addRows(Problem& problem, const Rows& rows, const Eigen::VectorXd& rhs, int
     for (int row = 0; row < count; ++row) {
         columns.resize(1);
         values.resize(1);
-        for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(rows, row); entry; ++entry) {
             if (entry.value() != 0.0) {
                 columns.push_back(static_cast<int>(entry.col()) + 1);
                 values.push_back(entry.value());
@@ -76,11 +73,6 @@ void addUnboundedRow(Problem& problem)
         glp_set_mat_row(p, row, 1, columns.data(), values.data());
         glp_set_row_bnds(p, row, GLP_FR, 0.0, 0.0);
     });
-}
-
-int clampToInt(double value)
-{
-    return static_cast<int>(std::min(value, static_cast<double>(std::numeric_limits<int>::max())));
 }
 
 }  // namespace
@@ -105,68 +97,6 @@ void fill(Problem& problem, const Program& program)
     addUnboundedRow(problem);
 }
 
-Verdict simplexVerdict(int code, glp_prob* problem)
-{
-    switch (code) {
-        case 0:
-            break;
-        case GLP_ENOPFS:
-            return {SolverStatus::infeasible,
-                    "GLP_ENOPFS: presolver found no primal feasible point"};
-        case GLP_ENODFS:
-            return {SolverStatus::unbounded, "GLP_ENODFS: presolver found no dual feasible point"};
-        case GLP_EITLIM:
-            return {SolverStatus::limit, "GLP_EITLIM: iteration limit"};
-        case GLP_ETMLIM:
-            return {SolverStatus::limit, "GLP_ETMLIM: time limit"};
-        case GLP_EOBJLL:
-        case GLP_EOBJUL:
-            return {SolverStatus::limit, "GLP_EOBJLL/UL: objective limit"};
-        case GLP_EBADB:
-            return {SolverStatus::failed, "GLP_EBADB: invalid initial basis"};
-        case GLP_ESING:
-            return {SolverStatus::failed, "GLP_ESING: singular basis"};
-        case GLP_ECOND:
-            return {SolverStatus::failed, "GLP_ECOND: ill-conditioned basis"};
-        case GLP_EBOUND:
-            return {SolverStatus::failed, "GLP_EBOUND: incorrect bounds"};
-        case GLP_EFAIL:
-            return {SolverStatus::failed, "GLP_EFAIL: solver failure"};
-        default:
-            return {SolverStatus::failed, "unknown return code of the simplex method"};
-    }
-    switch (glp_get_status(problem)) {
-        case GLP_OPT:
-            return {SolverStatus::optimal, "GLP_OPT: optimal"};
-        case GLP_NOFEAS:
-            return {SolverStatus::infeasible, "GLP_NOFEAS: no feasible point"};
-        case GLP_UNBND:
-            return {SolverStatus::unbounded, "GLP_UNBND: unbounded"};
-        case GLP_FEAS:
-            return {SolverStatus::failed, "GLP_FEAS: feasible, not proved optimal"};
-        case GLP_INFEAS:
-            return {SolverStatus::failed, "GLP_INFEAS: infeasible point, nothing proved"};
-        case GLP_UNDEF:
-            return {SolverStatus::failed, "GLP_UNDEF: undefined solution"};
-        default:
-            return {SolverStatus::failed, "unknown status of glp_get_status"};
-    }
-}
-
-glp_smcp quietSettings(const SolverOptions& options)
-{
-    glp_smcp settings;
-    glp_init_smcp(&settings);
-    settings.msg_lev = options.cancel ? GLP_MSG_ON : GLP_MSG_OFF;
-    if (options.iterationLimit > 0) {
-        settings.it_lim = clampToInt(static_cast<double>(options.iterationLimit));
-    }
-    if (std::isfinite(options.timeLimit)) {
-        settings.tm_lim = clampToInt(std::ceil(1e3 * options.timeLimit));
-    }
-    return settings;
-}
-
 void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_prob*, int),
                double (*dual)(glp_prob*, int), SolverResult& result)
 {
@@ -178,17 +108,6 @@ void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_pr
     result.x = read(value, 1, program.variables());
     result.equalityDuals = read(dual, 1, equalities);
     result.inequalityDuals = read(dual, 1 + equalities, program.inequalities.rows());
-}
-
-void readSimplex(int code, glp_prob* problem, const Program& program, SolverResult& result)
-{
-    const Verdict verdict = simplexVerdict(code, problem);
-    result.status = verdict.status;
-    result.detail = verdict.detail;
-    result.iterations = glp_get_it_cnt(problem);
-    if (result.status == SolverStatus::optimal) {
-        readPoint(problem, program, glp_get_col_prim, glp_get_row_dual, result);
-    }
 }
 
 }  // namespace signorini::glpk

@@ -2,9 +2,10 @@
 /// \file
 /// What the three GLPK back ends share: handing a program over, reading verdict and point back.
 
-#include "common/stopwatch.hpp"
+#include "common/meaning.hpp"
 #include "glpk/guarded.hpp"
 #include "solver.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::glpk {
 
@@ -12,11 +13,6 @@ namespace signorini::glpk {
 /// last one without bounds, because GLPK refuses to solve a problem without rows. `problem` must be
 /// new. \throws std::invalid_argument if it exceeds what GLPK accepts, std::bad_alloc.
 void fill(Problem& problem, const Program& program);
-
-struct Verdict {
-    SolverStatus status;
-    const char* detail;
-};
 
 /// Runs `call`, see Problem::run, and notes its time from the start of `watch`. False if it was
 /// cancelled, as the result then says.
@@ -34,19 +30,13 @@ template <typename Call>
     return result.status != SolverStatus::cancelled;
 }
 
-/// The meaning of what glp_simplex or glp_exact returned, and of glp_get_status after a 0.
-[[nodiscard]] Verdict simplexVerdict(int code, glp_prob* problem);
-
-/// Of the simplex methods: within the limits, and silent unless somebody may cancel.
-[[nodiscard]] glp_smcp quietSettings(const SolverOptions& options);
+/// Of what glp_simplex or glp_exact returned, and of glp_get_status after a 0.
+[[nodiscard]] Meaning simplexMeaning(int code, glp_prob* problem);
 
 /// Reads n values and the multipliers of p + q rows, where `value` and `dual` are GLPK's accessors
 /// of the method used, e.g. glp_get_col_prim and glp_get_row_dual. GLPK's multipliers have the sign
 /// documented in SolverResult.
 void readPoint(glp_prob* problem, const Program& program, double (*value)(glp_prob*, int),
                double (*dual)(glp_prob*, int), SolverResult& result);
-
-/// Verdict, iterations and, if optimal, point and multipliers after either simplex method.
-void readSimplex(int code, glp_prob* problem, const Program& program, SolverResult& result);
 
 }  // namespace signorini::glpk

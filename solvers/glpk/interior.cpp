@@ -1,11 +1,12 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/condensed.hpp"
-#include "common/stopwatch.hpp"
 #include "glpk/glpk.hpp"
 #include "glpk/glpk_problem.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::glpk {
 
@@ -16,36 +17,19 @@ namespace {
 // near, then stops with GLP_EINSTAB: its best point is accepted if the multipliers show it to be
 // optimal within the tolerance. Equalities that it leaves open by 1e-7 are closed by a projection.
 
-/// Every return code of glp_interior, and of glp_ipt_status after a 0.
-Verdict interiorVerdict(int code, glp_prob* problem)
-{
-    switch (code) {
-        case 0:
-            break;
-        case GLP_EFAIL:
-            return {SolverStatus::failed, "GLP_EFAIL: problem without rows or columns"};
-        case GLP_ENOCVG:
-            return {SolverStatus::failed, "GLP_ENOCVG: very slow convergence or divergence"};
-        case GLP_EITLIM:
-            return {SolverStatus::limit, "GLP_EITLIM: built-in iteration limit"};
-        case GLP_EINSTAB:
-            return {SolverStatus::failed, "GLP_EINSTAB: numerical instability in a Newton system"};
-        default:
-            return {SolverStatus::failed, "unknown return code of glp_interior"};
-    }
-    switch (glp_ipt_status(problem)) {
-        case GLP_OPT:
-            return {SolverStatus::optimal, "GLP_OPT: optimal"};
-        case GLP_NOFEAS:
-            return {SolverStatus::failed, "GLP_NOFEAS: infeasible or unbounded, not known which"};
-        case GLP_INFEAS:
-            return {SolverStatus::failed, "GLP_INFEAS: infeasible point, nothing proved"};
-        case GLP_UNDEF:
-            return {SolverStatus::failed, "GLP_UNDEF: undefined solution"};
-        default:
-            return {SolverStatus::failed, "unknown status of glp_ipt_status"};
-    }
-}
+/// Every return code of glp_interior but 0, and of glp_ipt_status after that.
+constexpr auto interiorCodes = std::to_array<Meaning>({
+    {GLP_EFAIL, SolverStatus::failed, "GLP_EFAIL: problem without rows or columns"},
+    {GLP_ENOCVG, SolverStatus::failed, "GLP_ENOCVG: very slow convergence or divergence"},
+    {GLP_EITLIM, SolverStatus::limit, "GLP_EITLIM: built-in iteration limit"},
+    {GLP_EINSTAB, SolverStatus::failed, "GLP_EINSTAB: numerical instability in a Newton system"},
+});
+constexpr auto interiorStatuses = std::to_array<Meaning>({
+    {GLP_OPT, SolverStatus::optimal, "GLP_OPT: optimal"},
+    {GLP_NOFEAS, SolverStatus::failed, "GLP_NOFEAS: infeasible or unbounded, not known which"},
+    {GLP_INFEAS, SolverStatus::failed, "GLP_INFEAS: infeasible point, nothing proved"},
+    {GLP_UNDEF, SolverStatus::failed, "GLP_UNDEF: undefined solution"},
+});
 
 /// How far the objective can be from its minimum, by weak duality, relative to max(1, |objective|).
 /// A reduced cost that no bound answers is charged with the size of x. 0 without an objective.
@@ -110,18 +94,21 @@ private:
             return result;
         }
 
-        Verdict verdict = interiorVerdict(code, problem.get());
-        if (verdict.status == SolverStatus::optimal || code == GLP_EINSTAB) {
+        Meaning meaning =
+            code != 0 ? meaningOf(code, interiorCodes, "unknown return code of glp_interior")
+                      : meaningOf(glp_ipt_status(problem.get()), interiorStatuses,
+                                  "unknown status of glp_ipt_status");
+        if (meaning.status == SolverStatus::optimal || code == GLP_EINSTAB) {
             readPoint(problem.get(), condensed.program, glp_ipt_col_prim, glp_ipt_row_dual, result);
             closeEqualities(condensed.program, options.tolerance, result.x);
         }
         if (code == GLP_EINSTAB && result.x.allFinite() &&
             violation(condensed.program, result.x) <= options.tolerance &&
             dualityGap(condensed.program, result) <= options.tolerance) {
-            verdict = {SolverStatus::optimal, "GLP_EINSTAB, but optimal within the tolerance"};
+            meaning = {code, SolverStatus::optimal,
+                       "GLP_EINSTAB, but optimal within the tolerance"};
         }
-        result.status = verdict.status;
-        result.detail = verdict.detail;
+        meaning.enter(result);
         expand(condensed, program.equalities.rows(), result);
         return result;
     }

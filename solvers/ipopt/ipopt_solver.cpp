@@ -5,6 +5,7 @@
 #include <IpJournalist.hpp>
 #include <IpSolveStatistics.hpp>
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <limits>
 #include <mutex>
@@ -12,9 +13,10 @@
 #include <thread>
 
 #include "common/condensed.hpp"
-#include "common/stopwatch.hpp"
+#include "common/meaning.hpp"
 #include "ipopt/ipopt.hpp"
 #include "ipopt/program_nlp.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::ipopt {
 
@@ -116,61 +118,44 @@ void configure(Ipopt::IpoptApplication& application, const Program& program,
     }
 }
 
-struct Verdict {
-    SolverStatus status;
-    const char* detail;
-};
+/// Every status of Ipopt but User_Requested_Stop, which is ours.
+constexpr auto statuses = std::to_array<Meaning>({
+    {Ipopt::Solve_Succeeded, SolverStatus::optimal, "Solve_Succeeded"},
+    {Ipopt::Solved_To_Acceptable_Level, SolverStatus::optimal,
+     "Solved_To_Acceptable_Level: to 1e-8"},
+    {Ipopt::Infeasible_Problem_Detected, SolverStatus::failed,
+     "Infeasible_Problem_Detected: no better point nearby, which proves nothing"},
+    {Ipopt::Search_Direction_Becomes_Too_Small, SolverStatus::failed,
+     "Search_Direction_Becomes_Too_Small"},
+    {Ipopt::Diverging_Iterates, SolverStatus::failed,
+     "Diverging_Iterates: the program may be unbounded"},
+    {Ipopt::Feasible_Point_Found, SolverStatus::optimal,
+     "Feasible_Point_Found: as many rows as variables"},
+    {Ipopt::Maximum_Iterations_Exceeded, SolverStatus::limit, "Maximum_Iterations_Exceeded"},
+    {Ipopt::Restoration_Failed, SolverStatus::failed, "Restoration_Failed"},
+    {Ipopt::Error_In_Step_Computation, SolverStatus::failed, "Error_In_Step_Computation"},
+    {Ipopt::Maximum_CpuTime_Exceeded, SolverStatus::limit, "Maximum_CpuTime_Exceeded"},
+    {Ipopt::Not_Enough_Degrees_Of_Freedom, SolverStatus::failed, "Not_Enough_Degrees_Of_Freedom"},
+    {Ipopt::Invalid_Problem_Definition, SolverStatus::failed, "Invalid_Problem_Definition"},
+    {Ipopt::Invalid_Option, SolverStatus::failed, "Invalid_Option"},
+    {Ipopt::Invalid_Number_Detected, SolverStatus::failed, "Invalid_Number_Detected"},
+    {Ipopt::Unrecoverable_Exception, SolverStatus::failed, "Unrecoverable_Exception"},
+    {Ipopt::NonIpopt_Exception_Thrown, SolverStatus::failed, "NonIpopt_Exception_Thrown"},
+    {Ipopt::Insufficient_Memory, SolverStatus::failed, "Insufficient_Memory"},
+    {Ipopt::Internal_Error, SolverStatus::failed, "Internal_Error"},
+});
 
-/// Every status of Ipopt. User_Requested_Stop is ours: `stop` says which limit it was.
-Verdict verdictOf(Ipopt::ApplicationReturnStatus status, const Verdict& stop)
+/// `stop` says which limit it was.
+Meaning meaningOf(Ipopt::ApplicationReturnStatus status, const Meaning& stop)
 {
-    switch (status) {
-        case Ipopt::Solve_Succeeded:
-            return {SolverStatus::optimal, "Solve_Succeeded"};
-        case Ipopt::Solved_To_Acceptable_Level:
-            return {SolverStatus::optimal, "Solved_To_Acceptable_Level: to 1e-8"};
-        case Ipopt::Infeasible_Problem_Detected:
-            return {SolverStatus::failed,
-                    "Infeasible_Problem_Detected: no better point nearby, which proves nothing"};
-        case Ipopt::Search_Direction_Becomes_Too_Small:
-            return {SolverStatus::failed, "Search_Direction_Becomes_Too_Small"};
-        case Ipopt::Diverging_Iterates:
-            return {SolverStatus::failed, "Diverging_Iterates: the program may be unbounded"};
-        case Ipopt::User_Requested_Stop:
-            return stop;
-        case Ipopt::Feasible_Point_Found:
-            return {SolverStatus::optimal, "Feasible_Point_Found: as many rows as variables"};
-        case Ipopt::Maximum_Iterations_Exceeded:
-            return {SolverStatus::limit, "Maximum_Iterations_Exceeded"};
-        case Ipopt::Restoration_Failed:
-            return {SolverStatus::failed, "Restoration_Failed"};
-        case Ipopt::Error_In_Step_Computation:
-            return {SolverStatus::failed, "Error_In_Step_Computation"};
-        case Ipopt::Maximum_CpuTime_Exceeded:
-            return {SolverStatus::limit, "Maximum_CpuTime_Exceeded"};
 #if IPOPT_VERSION_MAJOR > 3 || IPOPT_VERSION_MINOR >= 14
-        case Ipopt::Maximum_WallTime_Exceeded:
-            return {SolverStatus::limit, "Maximum_WallTime_Exceeded"};
-#endif
-        case Ipopt::Not_Enough_Degrees_Of_Freedom:
-            return {SolverStatus::failed, "Not_Enough_Degrees_Of_Freedom"};
-        case Ipopt::Invalid_Problem_Definition:
-            return {SolverStatus::failed, "Invalid_Problem_Definition"};
-        case Ipopt::Invalid_Option:
-            return {SolverStatus::failed, "Invalid_Option"};
-        case Ipopt::Invalid_Number_Detected:
-            return {SolverStatus::failed, "Invalid_Number_Detected"};
-        case Ipopt::Unrecoverable_Exception:
-            return {SolverStatus::failed, "Unrecoverable_Exception"};
-        case Ipopt::NonIpopt_Exception_Thrown:
-            return {SolverStatus::failed, "NonIpopt_Exception_Thrown"};
-        case Ipopt::Insufficient_Memory:
-            return {SolverStatus::failed, "Insufficient_Memory"};
-        case Ipopt::Internal_Error:
-            return {SolverStatus::failed, "Internal_Error"};
-        default:
-            return {SolverStatus::failed, "unknown status of Ipopt"};
+    if (status == Ipopt::Maximum_WallTime_Exceeded) {
+        return {status, SolverStatus::limit, "Maximum_WallTime_Exceeded"};
     }
+#endif
+    return status == Ipopt::User_Requested_Stop
+               ? stop
+               : signorini::meaningOf(status, statuses, "unknown status of Ipopt");
 }
 
 /// Hears that MUMPS was out of memory. Ipopt only says so in its journal, then tries other ways and
@@ -224,14 +209,14 @@ private:
         static std::mutex oneAtATime;
         const std::lock_guard lock(oneAtATime);
 
-        Verdict stop{SolverStatus::failed, "User_Requested_Stop"};
+        Meaning stop{Ipopt::User_Requested_Stop, SolverStatus::failed, "User_Requested_Stop"};
         const auto goOn = [&] {
             if (isRequested(options.cancel)) {
-                stop = {SolverStatus::cancelled, "cancelled"};
+                stop = {Ipopt::User_Requested_Stop, SolverStatus::cancelled, "cancelled"};
                 return false;
             }
             if (watch.seconds() > options.timeLimit) {
-                stop = {SolverStatus::limit, "time limit"};
+                stop = {Ipopt::User_Requested_Stop, SolverStatus::limit, "time limit"};
                 return false;
             }
             return true;
@@ -248,19 +233,18 @@ private:
         configure(*application, condensed.program, options);
 
         SolverResult result;
-        Verdict verdict = verdictOf(application->Initialize(std::string()), stop);
+        Meaning meaning = meaningOf(application->Initialize(std::string()), stop);
         result.setupSeconds = watch.seconds();
-        if (verdict.status == SolverStatus::optimal) {
+        if (meaning.status == SolverStatus::optimal) {
             const auto status = application->OptimizeTNLP(Ipopt::GetRawPtr(nlp));
-            verdict = verdictOf(status, stop);
+            meaning = meaningOf(status, stop);
             if (status == Ipopt::Insufficient_Memory ||
-                (verdict.status == SolverStatus::failed && memory->hasHeard())) {
+                (meaning.status == SolverStatus::failed && memory->hasHeard())) {
                 throw std::bad_alloc();
             }
         }
         result.solveSeconds = watch.seconds() - result.setupSeconds;
-        result.status = verdict.status;
-        result.detail = verdict.detail;
+        meaning.enter(result);
         if (Ipopt::IsValid(application->Statistics())) {
             result.iterations = application->Statistics()->IterationCount();
         }

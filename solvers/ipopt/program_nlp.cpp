@@ -7,25 +7,24 @@ namespace signorini::ipopt {
 
 namespace {
 
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Point = Eigen::Map<const Eigen::VectorXd>;
 using Output = Eigen::Map<Eigen::VectorXd>;
 
-void writePattern(const Rows& matrix, Ipopt::Index firstRow, Ipopt::Index*& rows,
+void writePattern(const SparseRows& matrix, Ipopt::Index firstRow, Ipopt::Index*& rows,
                   Ipopt::Index*& columns)
 {
     for (Eigen::Index row = 0; row < matrix.outerSize(); ++row) {
-        for (Rows::InnerIterator entry(matrix, row); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(matrix, row); entry; ++entry) {
             *rows++ = firstRow + static_cast<Ipopt::Index>(row);
             *columns++ = static_cast<Ipopt::Index>(entry.col());
         }
     }
 }
 
-void writeValues(const Rows& matrix, Ipopt::Number*& values)
+void writeValues(const SparseRows& matrix, Ipopt::Number*& values)
 {
     for (Eigen::Index row = 0; row < matrix.outerSize(); ++row) {
-        for (Rows::InnerIterator entry(matrix, row); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(matrix, row); entry; ++entry) {
             *values++ = entry.value();
         }
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -14,7 +13,6 @@ namespace signorini::nlopt {
 namespace {
 
 using Index = Eigen::Index;
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 using Columns = Eigen::SparseMatrix<double>;
 using Triplet = Eigen::Triplet<double>;
 
@@ -62,10 +60,10 @@ public:
     RowCollector(FreeProgram& result, double tolerance) : result_(result), tolerance_(tolerance) {}
 
     /// factor * row u <= rhs
-    void add(const Rows& rows, Index row, double factor, double rhs)
+    void add(const SparseRows& rows, Index row, double factor, double rhs)
     {
         double largest = 0.0;
-        for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(rows, row); entry; ++entry) {
             largest = std::max(largest, std::abs(entry.value()));
         }
         if (largest <= negligible) {
@@ -75,7 +73,7 @@ public:
             return;
         }
         Key key;
-        for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(rows, row); entry; ++entry) {
             if (std::abs(entry.value()) > negligible * largest) {
                 key.emplace_back(static_cast<int>(entry.col()), factor * entry.value() / largest);
             }
@@ -137,7 +135,7 @@ void collectRows(double tolerance, FreeProgram& result)
 {
     const Program& program = result.condensed.program;
     RowCollector collector(result, tolerance);
-    const Rows directions = result.directions;
+    const SparseRows directions = result.directions;
     for (const Index i : result.condensed.pivots) {
         if (std::isfinite(program.upper[i])) {
             collector.add(directions, i, 1.0, program.upper[i] - result.origin[i]);
@@ -146,7 +144,7 @@ void collectRows(double tolerance, FreeProgram& result)
             collector.add(directions, i, -1.0, result.origin[i] - program.lower[i]);
         }
     }
-    const Rows inequalities = program.inequalities * result.directions;
+    const SparseRows inequalities = program.inequalities * result.directions;
     const Eigen::VectorXd room = program.inequalityRhs - program.inequalities * result.origin;
     for (Index row = 0; row < inequalities.rows(); ++row) {
         collector.add(inequalities, row, 1.0, room[row]);

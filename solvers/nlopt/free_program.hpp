@@ -16,15 +16,15 @@ namespace signorini::nlopt {
 
 /// minimise f(origin + directions u) subject to rows u <= rhs, lower <= u <= upper.
 struct FreeProgram {
-    Condensed condensed;                                ///< f, the energy, and the way back to x
-    std::vector<Eigen::Index> outside;                  ///< u_k is this condensed variable
-    Eigen::VectorXd origin;                             ///< condensed variables at u = 0
-    Eigen::SparseMatrix<double> directions;             ///< condensed variables x d
-    Eigen::SparseMatrix<double, Eigen::RowMajor> rows;  ///< m x d
-    Eigen::VectorXd rhs;                                ///< m
-    Eigen::VectorXd lower;                              ///< d
-    Eigen::VectorXd upper;                              ///< d
-    std::optional<SolverResult> decided;                ///< set when nothing is left to search
+    Condensed condensed;                     ///< f, the energy, and the way back to x
+    std::vector<Eigen::Index> outside;       ///< u_k is this condensed variable
+    Eigen::VectorXd origin;                  ///< condensed variables at u = 0
+    Eigen::SparseMatrix<double> directions;  ///< condensed variables x d
+    SparseRows rows;                         ///< m x d
+    Eigen::VectorXd rhs;                     ///< m
+    Eigen::VectorXd lower;                   ///< d
+    Eigen::VectorXd upper;                   ///< d
+    std::optional<SolverResult> decided;     ///< set when nothing is left to search
 
     [[nodiscard]] Eigen::Index size() const { return lower.size(); }
 

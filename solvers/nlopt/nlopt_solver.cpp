@@ -2,13 +2,15 @@
 #include <nlopt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
-#include "common/stopwatch.hpp"
+#include "common/meaning.hpp"
 #include "nlopt/nlopt.hpp"
 #include "nlopt/search.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini::nlopt {
 
@@ -42,41 +44,22 @@ void require(nlopt_result code)
     }
 }
 
-struct Verdict {
-    SolverStatus status;
-    const char* detail;
-};
-
 /// Every result of nlopt_optimize, by name: positive codes are not all successes.
-Verdict verdictOf(nlopt_result code)
-{
-    switch (code) {
-        case NLOPT_SUCCESS:
-            return {SolverStatus::optimal, "NLOPT_SUCCESS"};
-        case NLOPT_FTOL_REACHED:
-            return {SolverStatus::optimal, "NLOPT_FTOL_REACHED"};
-        case NLOPT_XTOL_REACHED:
-            return {SolverStatus::optimal, "NLOPT_XTOL_REACHED"};
-        case NLOPT_STOPVAL_REACHED:
-            return {SolverStatus::unbounded, "NLOPT_STOPVAL_REACHED: the objective falls for ever"};
-        case NLOPT_MAXEVAL_REACHED:
-            return {SolverStatus::limit, "NLOPT_MAXEVAL_REACHED"};
-        case NLOPT_MAXTIME_REACHED:
-            return {SolverStatus::limit, "NLOPT_MAXTIME_REACHED"};
-        case NLOPT_FORCED_STOP:
-            return {SolverStatus::cancelled, "NLOPT_FORCED_STOP: cancelled"};
-        case NLOPT_FAILURE:
-            return {SolverStatus::failed, "NLOPT_FAILURE"};
-        case NLOPT_INVALID_ARGS:
-            return {SolverStatus::failed, "NLOPT_INVALID_ARGS"};
-        case NLOPT_OUT_OF_MEMORY:
-            return {SolverStatus::failed, "NLOPT_OUT_OF_MEMORY"};
-        case NLOPT_ROUNDOFF_LIMITED:
-            return {SolverStatus::failed, "NLOPT_ROUNDOFF_LIMITED: short of the tolerance"};
-        default:
-            return {SolverStatus::failed, "unknown result of NLopt"};
-    }
-}
+constexpr auto results = std::to_array<Meaning>({
+    {NLOPT_SUCCESS, SolverStatus::optimal, "NLOPT_SUCCESS"},
+    {NLOPT_FTOL_REACHED, SolverStatus::optimal, "NLOPT_FTOL_REACHED"},
+    {NLOPT_XTOL_REACHED, SolverStatus::optimal, "NLOPT_XTOL_REACHED"},
+    {NLOPT_STOPVAL_REACHED, SolverStatus::unbounded,
+     "NLOPT_STOPVAL_REACHED: the objective falls for ever"},
+    {NLOPT_MAXEVAL_REACHED, SolverStatus::limit, "NLOPT_MAXEVAL_REACHED"},
+    {NLOPT_MAXTIME_REACHED, SolverStatus::limit, "NLOPT_MAXTIME_REACHED"},
+    {NLOPT_FORCED_STOP, SolverStatus::cancelled, "NLOPT_FORCED_STOP: cancelled"},
+    {NLOPT_FAILURE, SolverStatus::failed, "NLOPT_FAILURE"},
+    {NLOPT_INVALID_ARGS, SolverStatus::failed, "NLOPT_INVALID_ARGS"},
+    {NLOPT_OUT_OF_MEMORY, SolverStatus::failed, "NLOPT_OUT_OF_MEMORY"},
+    {NLOPT_ROUNDOFF_LIMITED, SolverStatus::failed,
+     "NLOPT_ROUNDOFF_LIMITED: short of the tolerance"},
+});
 
 void setStops(nlopt_opt optimizer, const Method& method, const SolverOptions& options,
               double secondsSpent)
@@ -128,9 +111,7 @@ private:
         const nlopt_result code = nlopt_optimize(optimizer.get(), u.data(), &value);
         search.rethrow();
         result.solveSeconds = watch.seconds();
-        const Verdict verdict = verdictOf(code);
-        result.status = verdict.status;
-        result.detail = verdict.detail;
+        meaningOf(code, results, "unknown result of NLopt").enter(result);
         result.iterations = search.evaluations();
         result.x = freed.point(u);
         return result;

@@ -1,5 +1,3 @@
-#include "accept.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "energy_section.hpp"
 #include "network_route.hpp"
 #include "one_material.hpp"
+#include "routes.hpp"
 #include "stepped_bar.hpp"
 #include "stops.hpp"
 #include "tolerated.hpp"

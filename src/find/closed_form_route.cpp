@@ -104,11 +104,10 @@ std::optional<Claim> closedFormRoute(const Request& request)
         made.how.solver.seconds = request.known.seconds + watch.seconds();
         return made;
     };
-    if (auto absence = absenceOfAll(request)) {
-        return claim(std::move(*absence));
-    }
-    if (auto absence = absenceByEnergy(request)) {
-        return claim(std::move(*absence));
+    for (const auto& find : {absenceOfAll, absenceByEnergy}) {
+        if (auto absence = find(request)) {
+            return claim(std::move(*absence));
+        }
     }
     auto state = request.isOfAnySize()
                      ? std::optional(request.sized(leastEnergyMotion(*request.known.onePhase)))

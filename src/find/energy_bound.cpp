@@ -19,7 +19,7 @@ namespace signorini {
 namespace {
 
 /// What the sum of S^2/d has to exceed: E/E_1 = 2w/N sum S^2/d at least.
-Rational squaresOf(double energyRatio, const ClassTypes& classes)
+Rational squaresAt(double energyRatio, const ClassTypes& classes)
 {
     return Rational(energyRatio) * classes.schedule.cells / (2 * classes.window);
 }
@@ -110,8 +110,7 @@ Rational boundByProjection(const ClassTypes& classes, const std::vector<const Cl
         const auto& matrix = isEquality ? program.equalities : program.inequalities;
         const double rhs = isEquality ? program.equalityRhs[k] : program.inequalityRhs[k - p];
         const int sign = isEquality ? 1 : -1;  // the program says <=
-        using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-        for (Rows::InnerIterator entry(matrix, isEquality ? k : k - p); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(matrix, isEquality ? k : k - p); entry; ++entry) {
             c[static_cast<std::size_t>(entry.col())] += weight * Rational(entry.value()) * sign;
         }
         value += weight * Rational(rhs) * sign;
@@ -244,7 +243,7 @@ bool exceedEnergy(const Schedule& schedule, double energyRatio)
 {
     const ClassTypes classes = classTypes(schedule);
     const auto live = liveTypesOf(classes);
-    const Rational wanted = squaresOf(energyRatio, classes);
+    const Rational wanted = squaresAt(energyRatio, classes);
     if (boundByGap(live, classes.schedule) > wanted) {
         return true;
     }
@@ -290,7 +289,7 @@ bool stayBelowEnergy(const Schedule& schedule, double energyRatio, double strain
     const std::optional<Rational> cap =
         std::isfinite(strainLimit) ? std::optional(Rational(strainLimit) / 2) : std::nullopt;
     const auto most = mostSquaresOf(classes, live, cap);
-    return most && *most < squaresOf(energyRatio, classes);
+    return most && *most < squaresAt(energyRatio, classes);
 }
 
 }  // namespace signorini

@@ -7,7 +7,6 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "accept.hpp"
 #include "faults.hpp"
 #include "network_route.hpp"
 #include "routes.hpp"

@@ -7,21 +7,13 @@
 #include "echo.hpp"
 #include "infinity.hpp"
 #include "known_motions.hpp"
+#include "section_numbers.hpp"
 
 namespace signorini {
 
 namespace {
 
 constexpr std::size_t mostPlaces = 2000;  // S at which spikes are tried where sums vary
-
-double squaresOf(const std::vector<double>& z)
-{
-    double sum = 0.0;
-    for (const double value : z) {
-        sum += value * value;
-    }
-    return sum;
-}
 
 /// Several types of classes, whose sums are a polyhedron with known vertices.
 class LimitedSums {
@@ -61,15 +53,10 @@ public:
     }
 
 private:
-    [[nodiscard]] const ClassType& typeOf(std::size_t live) const
-    {
-        return set_.classes.types[set_.live[live]];
-    }
-
     /// A class whose waves only come with the sign -1 makes no compression.
     [[nodiscard]] double capOf(std::size_t live) const
     {
-        const auto& signs = typeOf(live).signs;
+        const auto& signs = set_.type(live).signs;
         if (std::find(signs.begin(), signs.end(), 1) == signs.end()) {
             return infinity;
         }
@@ -87,10 +74,10 @@ private:
         double bound = 0.0;
         for (std::size_t t = 0; t < sums.size(); ++t) {
             const double size =
-                std::min(capOf(t), typeOf(t).kind == TypeKind::pressing ? sums[t] : capOf(t));
-            bound += typeOf(t).kind == TypeKind::pressing
+                std::min(capOf(t), set_.type(t).kind == TypeKind::pressing ? sums[t] : capOf(t));
+            bound += set_.type(t).kind == TypeKind::pressing
                          ? size * sums[t]
-                         : static_cast<double>(typeOf(t).count) * size * size;
+                         : static_cast<double>(set_.type(t).count) * size * size;
         }
         return bound;
     }
@@ -106,7 +93,7 @@ private:
                 return std::nullopt;
             }
             std::copy(part->begin(), part->end(),
-                      z.begin() + static_cast<std::ptrdiff_t>(typeOf(t).first));
+                      z.begin() + static_cast<std::ptrdiff_t>(set_.type(t).first));
         }
         return z;
     }

@@ -224,7 +224,7 @@ std::optional<State> nearestMotion(const LumpedSet& set, const LumpedShape& shap
     }
     std::vector<double> z(wanted.size(), 0.0);
     for (std::size_t i = 0; i < sums.size(); ++i) {
-        const ClassType& type = set.classes.types[set.live[i]];
+        const ClassType& type = set.type(i);
         const auto part = partOf(wanted, type);
         const AmplitudeSet amplitudes = amplitudesAt(set, sums, i);
         const bool isMovingBox = amplitudes.kind == SetKind::box && !isFixed;

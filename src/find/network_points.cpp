@@ -71,16 +71,23 @@ bool NetworkPoints::addStrains(const Eigen::VectorXd& z, double limit)
     return isBroken;
 }
 
-NetworkPoint NetworkPoints::solved(const std::string& solver)
+NetworkPoint NetworkPoints::solved()
 {
+    constexpr double rounding = 1e-9;
+    const Eigen::Index coordinates = rows_.system.rows.cols();
     NetworkPoint point;
     std::int64_t iterations = 0;
     for (;;) {
-        point = solvedOnce(solver);
+        point = solvedOnce();
         iterations += point.iterations;
         point.iterations = iterations;
-        if (!point.detail.empty() || !addStrains(point.z, blocks_.network().strainLimit) ||
-            isOver(point)) {
+        if (!point.detail.empty()) {
+            return point;
+        }
+        const double limit = program_.variables() > coordinates
+                                 ? point.z[coordinates] * (1.0 + rounding)
+                                 : blocks_.network().strainLimit;
+        if (!addStrains(point.z, limit) || isOver(point)) {
             return point;
         }
         enterRows();
@@ -90,30 +97,16 @@ NetworkPoint NetworkPoints::solved(const std::string& solver)
 NetworkPoint NetworkPoints::leastStrained()
 {
     // One more unknown, the limit, is to be least. What it allows at first is all.
-    constexpr double rounding = 1e-9;
     const Eigen::Index unknowns = rows_.system.rows.cols();
     program_ = emptyProgram(unknowns + 1);
     program_.lower[unknowns] = 0.0;
     program_.linear[unknowns] = 1.0;
-    NetworkPoint point;
-    std::int64_t iterations = 0;
-    for (;;) {
-        enterRows();
-        point = solvedOnce(options_.solver);
-        iterations += point.iterations;
-        point.iterations = iterations;
-        if (!point.detail.empty()) {
-            return point;
-        }
-        const double limit = point.z[unknowns] * (1.0 + rounding);
-        if (!addStrains(point.z, limit)) {
-            point.z.conservativeResize(unknowns);
-            return point;
-        }
-        if (isOver(point)) {
-            return point;
-        }
+    enterRows();
+    NetworkPoint point = solved();
+    if (point.detail.empty()) {
+        point.z.conservativeResize(unknowns);
     }
+    return point;
 }
 
 bool NetworkPoints::isOver(NetworkPoint& point) const
@@ -126,7 +119,7 @@ bool NetworkPoints::isOver(NetworkPoint& point) const
     return !point.detail.empty();
 }
 
-NetworkPoint NetworkPoints::solvedOnce(const std::string& solver) const
+NetworkPoint NetworkPoints::solvedOnce() const
 {
     NetworkPoint point;
     if (!kernel_) {
@@ -136,7 +129,7 @@ NetworkPoint NetworkPoints::solvedOnce(const std::string& solver) const
     if (program_.variables() == 0) {
         return point;  // a single one
     }
-    point.solver = backendFor(program_, solver);
+    point.solver = backendFor(program_, options_.solver);
     const auto backend = makeSolver(point.solver);
     const SolverResult answer = backend->solve(
         program_, {.tolerance = std::min(options_.tolerance, 1e-9),
@@ -170,7 +163,7 @@ NetworkPoint NetworkPoints::extreme(Objective objective)
             program_.linear.setZero();
         }
     }
-    return solved(options_.solver);
+    return solved();
 }
 
 NetworkPoint NetworkPoints::climbed(const Eigen::VectorXd& made, double box, double enough)
@@ -189,7 +182,7 @@ NetworkPoint NetworkPoints::climbed(const Eigen::VectorXd& made, double box, dou
             cost[i] = sign * std::cos(static_cast<double>((i + 1) * turns));
         }
         for (double reached = -1.0;;) {
-            NetworkPoint vertex = solved(options_.solver);
+            NetworkPoint vertex = solved();
             best.iterations += vertex.iterations;
             if (vertex.isUnbounded) {
                 best.isUnbounded = true;

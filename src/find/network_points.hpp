@@ -9,8 +9,8 @@
 #include "network_rows.hpp"
 #include "network_walk.hpp"
 #include "program.hpp"
-#include "request.hpp"
 #include "signorini/find_periodic.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini {
 
@@ -43,9 +43,10 @@ public:
     [[nodiscard]] NetworkClaim motion(const NetworkPoint& point) const;
 
 private:
-    /// Of the program, and of the limit on strain, whose rows are added as they are broken.
-    [[nodiscard]] NetworkPoint solved(const std::string& solver);
-    [[nodiscard]] NetworkPoint solvedOnce(const std::string& solver) const;
+    /// Of the program, and of the limit on strain, whose rows are added as they are broken; it is
+    /// the last unknown if there is one more than coordinates.
+    [[nodiscard]] NetworkPoint solved();
+    [[nodiscard]] NetworkPoint solvedOnce() const;
     [[nodiscard]] NetworkPoint leastStrained();
     /// The energy is convex: from several directions, follows its linearisation from vertex to
     /// vertex while it grows, until one has as much as is `enough`. The best vertex, counted from

@@ -13,7 +13,6 @@
 #include "network_points.hpp"
 #include "stepped_bar.hpp"
 #include "stepped_form.hpp"
-#include "stepped_proof.hpp"
 #include "stops.hpp"
 
 namespace signorini {

@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "absence_claims.hpp"
-#include "accept.hpp"
 #include "backend_choice.hpp"
+#include "formulation.hpp"
+#include "infinity.hpp"
 #include "known_motions.hpp"
-#include "minimum_error.hpp"
-#include "program_solution.hpp"
+#include "routes.hpp"
 #include "tolerated.hpp"
 
 namespace signorini {
@@ -54,6 +54,69 @@ std::string reasonFor(const Program& program, const Request& request)
                        : program.quadratic.size() > 0 ? "a quadratic program"
                                                       : "a linear program";
     return fmt::format("{}: {}", cause, kind);
+}
+
+/// Where to start for a held energy: equal amplitudes, where a solver would otherwise start, are a
+/// stationary point of the energy on the set. This takes them apart, the same way in every run.
+Eigen::VectorXd startWithEnergy(const Program& program)
+{
+    const EnergyEquality& energy = *program.energy;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(program.variables());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+        const double wave = 1.0 + 0.5 * std::cos(2.4 * static_cast<double>(i));
+        x[i] = energy.weights[i] > 0.0 ? wave : 0.0;
+    }
+    x *= std::sqrt(energy.value / energy.weights.dot(x.cwiseAbs2()));
+    return x.cwiseMax(program.lower).cwiseMin(program.upper);
+}
+
+/// Most energy is a convex maximum: from several directions, follow its linearisation from vertex
+/// to vertex while the energy grows. The best vertex found is no proof of the most.
+SolverResult climb(Formulated& formulated, const Solver& solver, const SolverOptions& settings)
+{
+    constexpr int directions = 8;
+    const Eigen::VectorXd weights = energyWeights(formulated);
+    const auto energy = [&weights](const Eigen::VectorXd& x) { return weights.dot(x.cwiseAbs2()); };
+    SolverResult best;
+    for (int k = 0; k < directions; ++k) {
+        // Directions spread over the unknowns, the same in every run.
+        Eigen::VectorXd& cost = formulated.program.linear;
+        for (Eigen::Index i = 0; i < cost.size(); ++i) {
+            cost[i] = std::cos(static_cast<double>((i + 1) * (k + 1)));
+        }
+        double reached = -1.0;
+        while (true) {
+            SolverResult next = solver.solve(formulated.program, settings);
+            if (next.status != SolverStatus::optimal) {
+                return best.status == SolverStatus::optimal ? best : next;
+            }
+            const double found = energy(next.x);
+            if (!(found > reached * (1.0 + 1e-9))) {
+                break;
+            }
+            reached = found;
+            cost = -2.0 * weights.cwiseProduct(next.x);
+            if (best.status != SolverStatus::optimal || found > energy(best.x)) {
+                best = std::move(next);
+            }
+        }
+    }
+    return best;
+}
+
+/// Solves; most energy by climbing, held energies from a start that takes amplitudes apart. Leaves
+/// the direction of the last climb in the program.
+SolverResult solve(Formulated& formulated, Objective objective, const Solver& solver,
+                   const SolverOptions& settings)
+{
+    if (objective == Objective::maxEnergy) {
+        return climb(formulated, solver, settings);
+    }
+    SolverOptions started = settings;
+    if (formulated.program.energy && solver.capabilities().start) {
+        started.start = startWithEnergy(formulated.program);
+    }
+    return solver.solve(formulated.program, started);
 }
 
 /// A request as a program, and what a back end said of it.
@@ -119,6 +182,31 @@ std::string doubtOfExtreme(const Request& request, const Solved& s, const State&
     const auto why = refutation(s.posed, request.schedule, state, knownMotions(request),
                                 request.options.tolerance);
     return why ? fmt::format("{} returned a motion {}", s.how.route, *why) : std::string();
+}
+
+/// A bound on the distance of x from the minimiser x*, in the metric of the objective and relative
+/// to the size of x: with g the gradient at x, convexity gives
+///
+///     sum q_i (x_i - x*_i)^2  <=  g . x - min over the rows of g . y,
+///
+/// a linear program, whose solver did not find x. Empty if that does not solve it.
+std::optional<double> minimumError(const Program& program, const Eigen::VectorXd& x,
+                                   const Solver& linear, const SolverOptions& options)
+{
+    Program tangent = program;
+    tangent.linear = program.linear + program.quadratic.cwiseProduct(x);
+    tangent.quadratic.resize(0);
+    const SolverResult lowest = linear.solve(tangent, options);
+    if (lowest.status == SolverStatus::unbounded) {
+        return infinity;
+    }
+    if (lowest.status != SolverStatus::optimal) {
+        return std::nullopt;
+    }
+    // Rows met within a tolerance only can turn the sign: its size is the error all the same.
+    const double rounding = 1e-15 * tangent.linear.cwiseAbs().dot(x.cwiseAbs());
+    const double gap = std::abs(tangent.linear.dot(x - lowest.x)) + rounding;
+    return std::sqrt(gap / program.quadratic.dot(x.cwiseAbs2()));
 }
 
 /// Where no known motion judges the nearest, its distance from the true one is bounded by linear

@@ -2,26 +2,14 @@
 /// \file
 /// A question to `findPeriodic`, checked, and what exact arithmetic knows of its schedule.
 
-#include <chrono>
 #include <optional>
 #include <string>
 
 #include "signorini/find_periodic.hpp"
 #include "signorini/lumped_set.hpp"
+#include "stopwatch.hpp"
 
 namespace signorini {
-
-/// Seconds since it was made.
-class Stopwatch {
-public:
-    [[nodiscard]] double seconds() const
-    {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// What is known of a schedule whichever route answers.
 struct Known {

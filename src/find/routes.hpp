@@ -44,4 +44,8 @@ using Route = std::optional<Claim> (*)(const Request&);
 /// Does that route have a motion to offer?
 [[nodiscard]] bool holdsEnergyInSums(const Request& request);
 
+/// Verifies a claim: a motion by its residuals and demands, absence by its proof. What does not
+/// hold becomes undecided. O(N + min(n, 12N)) for a motion.
+[[nodiscard]] PeriodicResult accept(const Request& request, Claim claim);
+
 }  // namespace signorini

@@ -102,14 +102,10 @@ std::optional<Claim> sumsRoute(const Request& request)
         made.how.solver.seconds = known.seconds + watch.seconds();
         return made;
     };
-    if (auto absence = absenceOfAll(request)) {
-        return claim(std::move(*absence));
-    }
-    if (auto absence = absenceBesideRest(request)) {
-        return claim(std::move(*absence));
-    }
-    if (auto absence = absenceByEnergy(request)) {
-        return claim(std::move(*absence));
+    for (const auto& find : {absenceOfAll, absenceBesideRest, absenceByEnergy}) {
+        if (auto absence = find(request)) {
+            return claim(std::move(*absence));
+        }
     }
     if (known.sums) {
         auto state =

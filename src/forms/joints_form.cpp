@@ -1,8 +1,10 @@
 #include <algorithm>
-#include <cmath>
 
+#include "exact_multipliers.hpp"
+#include "infeasibility.hpp"
 #include "row_list.hpp"
 #include "stepped_form.hpp"
+#include "stops.hpp"
 
 namespace signorini {
 
@@ -14,18 +16,55 @@ struct Term {
     double factor;
 };
 
+/// Where the unknowns and rows of the joints form stand.
+class JointsLayout {
+public:
+    explicit JointsLayout(const SteppedBlocks& blocks)
+        : turns_(blocks.network.turns()),
+          joints_(static_cast<Eigen::Index>(blocks.bar.joints.size())),
+          perStep_(joints_ + 1 + std::max<Eigen::Index>(0, joints_ - 1)),
+          waves_(static_cast<Eigen::Index>(blocks.network.types().size()) * turns_ * perStep_),
+          flights_(std::count_if(blocks.blocks.begin(), blocks.blocks.end(),
+                                 [](const StepBlock& block) { return !block.isContact; }))
+    {
+    }
+
+    /// r^j of a block, j = 0 for the first joint, or for the tip where there is none.
+    [[nodiscard]] Eigen::Index arrival(std::size_t joint, std::size_t type, std::int64_t turn) const
+    {
+        return (static_cast<Eigen::Index>(type) * turns_ + turn) * perStep_ +
+               static_cast<Eigen::Index>(joint);
+    }
+    /// What arrives from the right at joint j < last.
+    [[nodiscard]] Eigen::Index between(std::size_t joint, std::size_t type, std::int64_t turn) const
+    {
+        return arrival(0, type, turn) + joints_ + 1 + static_cast<Eigen::Index>(joint);
+    }
+    /// The sum at the end of flight block number k.
+    [[nodiscard]] Eigen::Index prefix(std::int64_t k) const { return waves_ + k; }
+    [[nodiscard]] Eigen::Index unknowns() const { return waves_ + flights_; }
+    /// Number of unknowns that are waves.
+    [[nodiscard]] Eigen::Index waves() const { return waves_; }
+
+private:
+    Eigen::Index turns_;
+    Eigen::Index joints_;
+    Eigen::Index perStep_;
+    Eigen::Index waves_;
+    Eigen::Index flights_;
+};
+
 class Builder {
 public:
     explicit Builder(const SteppedBlocks& blocks) : blocks_(blocks), layout_(blocks)
     {
         result_.program = emptyProgram(layout_.unknowns());
-        result_.energyWeights.setZero(layout_.unknowns());
     }
 
     SteppedProgram build()
     {
-        for (std::size_t t = 0; t < blocks_.types.size(); ++t) {
-            for (std::int64_t k = 0; k < blocks_.turns; ++k) {
+        for (std::size_t t = 0; t < blocks_.network.types().size(); ++t) {
+            for (std::int64_t k = 0; k < blocks_.network.turns(); ++k) {
                 addJoints(t, k);
             }
         }
@@ -51,7 +90,7 @@ private:
 
     [[nodiscard]] std::int64_t later(std::int64_t turn, std::size_t segment) const
     {
-        return (turn + blocks_.delays[segment]) % blocks_.turns;
+        return (turn + blocks_.delay(segment)) % blocks_.network.turns();
     }
 
     /// What arrives at joint j from the right.
@@ -139,15 +178,11 @@ private:
     void addGap()
     {
         const SteppedBar& bar = blocks_.bar;
-        const double unit = 2.0 / static_cast<double>(bar.cells);
         Eigen::VectorXd sum = Eigen::VectorXd::Zero(layout_.waves());
         for (std::size_t i = 0; i < bar.segments.size(); ++i) {
-            for (std::size_t t = 0; t < blocks_.types.size(); ++t) {
-                for (std::int64_t k = 0; k < blocks_.delays[i]; ++k) {
-                    const Eigen::Index r = layout_.arrival(i, t, k % blocks_.turns);
-                    sum[r] += 1.0;
-                    result_.energyWeights[r] += unit * bar.segments[i].impedance /
-                                                static_cast<double>(blocks_.types[t].width);
+            for (std::size_t t = 0; t < blocks_.network.types().size(); ++t) {
+                for (std::int64_t k = 0; k < blocks_.delay(i); ++k) {
+                    sum[layout_.arrival(i, t, k % blocks_.network.turns())] += 1.0;
                 }
             }
         }
@@ -157,7 +192,9 @@ private:
                 row.emplace_back(k, sum[k]);
             }
         }
-        equal_.add(row, -blocks_.startPlace() * static_cast<double>(bar.cells));
+        const Stop first = blocks_.schedule.phases.front().stop;
+        equal_.add(
+            row, -placeOf(blocks_.schedule.stops, first).value() * static_cast<double>(bar.cells));
     }
 
     const SteppedBlocks& blocks_;
@@ -170,31 +207,64 @@ private:
 
 }  // namespace
 
-JointsLayout::JointsLayout(const SteppedBlocks& blocks)
-    : turns_(blocks.turns),
-      joints_(static_cast<Eigen::Index>(blocks.bar.joints.size())),
-      perStep_(joints_ + 1 + std::max<Eigen::Index>(0, joints_ - 1)),
-      waves_(static_cast<Eigen::Index>(blocks.types.size()) * turns_ * perStep_)
-{
-    for (const StepBlock& block : blocks.blocks) {
-        flights_ += block.isContact ? 0 : 1;
-    }
-}
-
-Eigen::Index JointsLayout::arrival(std::size_t joint, std::size_t type, std::int64_t turn) const
-{
-    return (static_cast<Eigen::Index>(type) * turns_ + turn) * perStep_ +
-           static_cast<Eigen::Index>(joint);
-}
-
-Eigen::Index JointsLayout::between(std::size_t joint, std::size_t type, std::int64_t turn) const
-{
-    return arrival(0, type, turn) + joints_ + 1 + static_cast<Eigen::Index>(joint);
-}
-
 SteppedProgram jointsForm(const SteppedBlocks& blocks)
 {
     return Builder(blocks).build();
+}
+
+std::optional<RationalProof> proofOf(const std::vector<SteppedCondition>& conflict,
+                                     const SteppedBlocks& blocks)
+{
+    const std::size_t types = blocks.network.types().size();
+    const auto open = blocks.network.stateSize() * static_cast<std::int64_t>(types);
+    if (open > mostExactRows) {
+        return std::nullopt;
+    }
+    const SteppedProgram posed = jointsForm(blocks);
+    const Program& program = posed.program;
+    const JointsLayout layout(blocks);
+    ProofSupport support;
+    support.isOpen.resize(static_cast<std::size_t>(program.variables()), false);
+    for (std::size_t t = 0; t < types; ++t) {
+        for (std::size_t j = 0; j < blocks.bar.segments.size(); ++j) {
+            for (std::int64_t k = 0; k < std::min(blocks.delay(j), blocks.network.turns()); ++k) {
+                support.isOpen[static_cast<std::size_t>(layout.arrival(j, t, k))] = true;
+            }
+        }
+    }
+    const auto isUsed = [&](const SteppedCondition& condition) {
+        return std::find(conflict.begin(), conflict.end(), condition) != conflict.end();
+    };
+    for (std::size_t row = 0; row < posed.conditions.size(); ++row) {
+        if (isUsed(posed.conditions[row])) {
+            support.inequalities.push_back(static_cast<Eigen::Index>(row));
+        }
+    }
+    const auto proof = [&]() -> std::optional<RationalProof> {
+        auto found = exactMultipliers(program, support);
+        return found && isProof(*found, program) ? std::move(found) : std::nullopt;
+    };
+    if (conflict.empty()) {
+        // Where all waves are 0 no flight is needed, and types know nothing of each other.
+        if (auto found = proof()) {
+            return found;
+        }
+    }
+    for (const auto& [unknown, block] : posed.prefixes) {
+        const double lower = program.lower[unknown];
+        const double upper = program.upper[unknown];
+        if (lower == upper) {
+            support.bounds.push_back({unknown, upper});
+            continue;
+        }
+        if (isUsed({SteppedRule::bound, block})) {
+            support.bounds.push_back({unknown, upper});
+        }
+        if (isUsed({SteppedRule::floor, block})) {
+            support.bounds.push_back({unknown, lower});
+        }
+    }
+    return proof();
 }
 
 }  // namespace signorini

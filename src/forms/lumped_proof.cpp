@@ -16,8 +16,7 @@ std::int64_t rowOf(const Program& program, const PrefixMultiplier& wanted)
     for (Eigen::Index k = 0; k < program.inequalities.rows(); ++k) {
         std::ptrdiff_t same = 0;
         std::ptrdiff_t all = 0;
-        using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-        for (Rows::InnerIterator entry(program.inequalities, k); entry; ++entry, ++all) {
+        for (SparseRows::InnerIterator entry(program.inequalities, k); entry; ++entry, ++all) {
             const auto column = static_cast<std::size_t>(entry.col());
             same += static_cast<double>(coefficients[column]) == entry.value() ? 1 : 0;
         }

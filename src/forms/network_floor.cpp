@@ -83,7 +83,7 @@ private:
                 break;
             case BlockCondition::Kind::work:
                 hasWork_ = true;
-                works_[firstOf(of.type) + of.turn] += Number(value);
+                works_[kernel_.firsts[of.type] + of.turn] += Number(value);
                 break;
         }
     }
@@ -123,15 +123,6 @@ private:
         for (std::size_t k = 0; k < waves.size(); ++k) {
             floor_.periodicity[k] += impedances[k] * waves[k];
         }
-    }
-
-    [[nodiscard]] Eigen::Index firstOf(std::size_t type) const
-    {
-        Eigen::Index first = 0;
-        for (std::size_t k = 0; k < type; ++k) {
-            first += kernel_.waves[k].cols();
-        }
-        return first;
     }
 
     const NetworkBlocks& blocks_;

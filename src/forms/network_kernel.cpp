@@ -4,7 +4,6 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 namespace signorini {
@@ -14,21 +13,10 @@ namespace {
 constexpr double leastPivot = 1e-10;             // of 1 - W; below it driven waves are a guess
 constexpr std::int64_t mostValues = 40'000'000;  // kept of waves
 
-/// The laws of a schedule, each made once.
-template <typename Number>
-class Laws {
-public:
-    explicit Laws(const Network& network) : network_(network) {}
-
-    const NetworkLaw<Number>& of(ContactSet closed)
-    {
-        return laws_.try_emplace(closed, network_, closed).first->second;
-    }
-
-private:
-    const Network& network_;
-    std::map<ContactSet, NetworkLaw<Number>> laws_;
-};
+bool hasDashpot(const NetworkNode& node)
+{
+    return node.dashpot > 0.0;
+}
 
 /// What is kept of a propagation.
 enum class Kept {
@@ -44,18 +32,10 @@ class Propagation {
     using WaveRows = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 public:
-    Propagation(const NetworkBlocks& blocks, std::size_t type, Laws<Number>& laws,
+    Propagation(const NetworkBlocks& blocks, std::size_t type, NetworkLaws<Number>& laws,
                 const NetworkKernel<Number>& inputs, const MatrixOf<Number>& start, Kept kept)
-        : blocks_(blocks),
-          type_(type),
-          inputs_(inputs),
-          columns_(start.cols()),
-          kept_(kept),
-          isDampedNode_(blocks.network().nodes.size())
+        : blocks_(blocks), type_(type), inputs_(inputs), columns_(start.cols()), kept_(kept)
     {
-        const std::vector<NetworkNode>& nodes = blocks.network().nodes;
-        std::transform(nodes.begin(), nodes.end(), isDampedNode_.begin(),
-                       [](const NetworkNode& node) { return node.dashpot > 0.0; });
         Eigen::Index first = 0;
         for (std::size_t channel = 0; channel < blocks.network().channels(); ++channel) {
             const Eigen::Index delay = blocks.delay(channel);
@@ -134,10 +114,8 @@ private:
 
     [[nodiscard]] bool isDamped(const Cluster& nodes) const
     {
-        const auto first = isDampedNode_.begin();
-        return std::find(first + static_cast<std::ptrdiff_t>(nodes.firstNode),
-                         first + static_cast<std::ptrdiff_t>(nodes.lastNode) + 1,
-                         true) != first + static_cast<std::ptrdiff_t>(nodes.lastNode) + 1;
+        const NetworkNode* const all = blocks_.network().nodes.data();
+        return std::any_of(all + nodes.firstNode, all + nodes.lastNode + 1, hasDashpot);
     }
 
     const NetworkBlocks& blocks_;
@@ -145,7 +123,6 @@ private:
     const NetworkKernel<Number>& inputs_;
     Eigen::Index columns_;
     Kept kept_;
-    std::vector<bool> isDampedNode_;
     std::vector<WaveRows> waves_;  ///< by channel, as many turns as are kept
     std::vector<WaveRows> damped_;
 };
@@ -213,8 +190,8 @@ public:
           zero_(zero),
           laws_(blocks.network()),
           scale_(scalesOf<Number>(blocks)),
-          isDamped_(std::any_of(blocks.network().nodes.begin(), blocks.network().nodes.end(),
-                                [](const NetworkNode& node) { return node.dashpot > 0.0; }))
+          isDamped_(
+              std::any_of(blocks.network().nodes.begin(), blocks.network().nodes.end(), hasDashpot))
     {
         kernel_.shapes = shapes;
         kernel_.hasForces = !(withoutForces(blocks.network()) == blocks.network());
@@ -305,12 +282,13 @@ private:
             waves.middleRows(channel * turns, turns) = arrived.leftCols(coordinates);
             driven.middleRows(channel * turns, turns) = arrived.rightCols(kernel_.inputs());
         }
+        kernel_.firsts.push_back(kernel_.coordinates() + coordinates);
         kernel_.dimension += blocks_.types()[type].width * coordinates;
     }
 
     const NetworkBlocks& blocks_;
     double zero_;
-    Laws<Number> laws_;
+    NetworkLaws<Number> laws_;
     VectorOf<Number> scale_;
     bool isDamped_;
     std::int64_t kept_ = 0;
@@ -318,16 +296,6 @@ private:
 };
 
 }  // namespace
-
-template <typename Number>
-Eigen::Index NetworkKernel<Number>::coordinates() const
-{
-    Eigen::Index all = 0;
-    for (const auto& part : waves) {
-        all += part.cols();
-    }
-    return all;
-}
 
 template <typename Number>
 std::optional<NetworkKernel<Number>> kernelOf(const NetworkBlocks& blocks, double zero,
@@ -344,11 +312,10 @@ std::vector<double> wavesAt(const NetworkBlocks& blocks, const NetworkKernel<Num
                             const VectorOf<Number>& z, const VectorOf<Number>& inputs)
 {
     std::vector<VectorOf<Number>> arriving;
-    Eigen::Index first = 0;
     for (std::size_t type = 0; type < kernel.waves.size(); ++type) {
         const auto& waves = kernel.waves[type];
-        arriving.push_back(waves * z.segment(first, waves.cols()) + kernel.driven[type] * inputs);
-        first += waves.cols();
+        arriving.push_back(waves * z.segment(kernel.firsts[type], waves.cols()) +
+                           kernel.driven[type] * inputs);
     }
     const auto at = [&](std::size_t channel, std::int64_t step) {
         const auto [type, turn] = blocks.placeOf(blocks.network().nodeOf(channel), step);
@@ -372,12 +339,10 @@ std::vector<double> wavesAt(const NetworkBlocks& blocks, const NetworkKernel<Num
     return all;
 }
 
-template struct NetworkKernel<double>;
 template std::optional<NetworkKernel<double>> kernelOf(const NetworkBlocks&, double,
                                                        const std::vector<StepDrive>&);
 template std::vector<double> wavesAt(const NetworkBlocks&, const NetworkKernel<double>&,
                                      const VectorOf<double>&, const VectorOf<double>&);
-template struct NetworkKernel<FineNumber>;
 template std::optional<NetworkKernel<FineNumber>> kernelOf(const NetworkBlocks&, double,
                                                            const std::vector<StepDrive>&);
 template std::vector<double> wavesAt(const NetworkBlocks&, const NetworkKernel<FineNumber>&,

@@ -10,6 +10,7 @@
 /// at t = 0 it is not. docs/theory.md, sections 19 and 20.
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,6 +39,8 @@ struct NetworkKernel {
     std::vector<MatrixOf<Number>> driven = {};
     /// Work of each input (columns) on each coordinate of a type.
     std::vector<MatrixOf<Number>> work = {};
+    /// First coordinate of each type, and how many there are.
+    std::vector<Eigen::Index> firsts = {0};
     /// Of single residues.
     std::int64_t dimension = 0;
     /// No pivot lies between `noPivot` and `clearPivot`: rounding does not hide the dimension.
@@ -46,11 +49,27 @@ struct NetworkKernel {
     std::vector<StepDrive> shapes = {};  ///< the inputs,
     bool hasForces = false;              ///< and one more, constant forces
 
-    [[nodiscard]] Eigen::Index coordinates() const;
+    [[nodiscard]] Eigen::Index coordinates() const { return firsts.back(); }
     [[nodiscard]] Eigen::Index inputs() const
     {
         return static_cast<Eigen::Index>(shapes.size()) + (hasForces ? 1 : 0);
     }
+};
+
+/// The laws of a schedule, each made once.
+template <typename Number>
+class NetworkLaws {
+public:
+    explicit NetworkLaws(const Network& network) : network_(network) {}
+
+    const NetworkLaw<Number>& of(ContactSet closed)
+    {
+        return laws_.try_emplace(closed, network_, closed).first->second;
+    }
+
+private:
+    const Network& network_;
+    std::map<ContactSet, NetworkLaw<Number>> laws_;
 };
 
 /// Pivots up to `zero` are taken for 0. `shapes`: as long as the schedule; residues are then

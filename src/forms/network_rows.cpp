@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -30,13 +29,11 @@ public:
           network_(blocks.network()),
           kernel_(kernel),
           bars_(driftingBars(network_)),
-          first_{0}
+          laws_(network_),
+          inputs_(kernel.coordinates()),
+          drifts_(inputs_ + kernel.inputs())
     {
-        for (const auto& waves : kernel.waves) {
-            first_.push_back(first_.back() + waves.cols());
-        }
-        drifts_ = first_.back() + kernel.inputs();
-        rows_.impulse = Vector::Zero(first_.back());
+        rows_.impulse = Vector::Zero(inputs_);
     }
 
     NetworkRows<Number> run()
@@ -63,11 +60,6 @@ private:
         return Vector::Zero(drifts_ + static_cast<Eigen::Index>(bars_.size()));
     }
 
-    const NetworkLaw<Number>& lawOf(ContactSet closed)
-    {
-        return laws_.try_emplace(closed, network_, closed).first->second;
-    }
-
     /// Adds a form in what arrives in a block.
     void addWaves(Vector& to, const LinearForm<Number>& form, std::size_t type, std::int64_t turn,
                   const Number& factor) const
@@ -77,8 +69,8 @@ private:
             const Eigen::Index row =
                 static_cast<Eigen::Index>(term.channel) * blocks_.turns() + turn;
             const Number all = factor * term.coefficient;
-            to.segment(first_[type], waves.cols()) += all * waves.row(row).transpose();
-            to.segment(first_.back(), kernel_.inputs()) +=
+            to.segment(kernel_.firsts[type], waves.cols()) += all * waves.row(row).transpose();
+            to.segment(inputs_, kernel_.inputs()) +=
                 all * kernel_.driven[type].row(row).transpose();
         }
     }
@@ -89,7 +81,7 @@ private:
     {
         addWaves(to, form, type, turn, factor);
         const auto step = static_cast<std::size_t>(blocks_.stepOf(node, type, turn));
-        Eigen::Index input = first_.back();
+        Eigen::Index input = inputs_;
         for (const StepDrive& shape : kernel_.shapes) {
             to[input++] += factor * (form.perForce * Number(shape.forces[step]) +
                                      form.perBase * Number(shape.velocities[step]));
@@ -119,8 +111,7 @@ private:
         if (form.clamp && network_.nodes[*form.clamp].isShaken) {
             const auto step = static_cast<std::size_t>(blocks_.stepOf(*form.clamp, 0, 0));
             for (std::size_t k = 0; k < kernel_.shapes.size(); ++k) {
-                u[first_.back() + static_cast<Eigen::Index>(k)] +=
-                    Number(kernel_.shapes[k].places[step]);
+                u[inputs_ + static_cast<Eigen::Index>(k)] += Number(kernel_.shapes[k].places[step]);
             }
         }
         return u;
@@ -152,7 +143,7 @@ private:
         for (std::int64_t turn = 0; turn < blocks_.turns(); ++turn) {
             for (std::size_t type = 0; type <= last; ++type) {
                 const ContactSet closed = blocks_.closed(type, turn);
-                const auto& law = lawOf(closed);
+                const auto& law = laws_.of(closed);
                 const bool is = contains(closed, number);
                 if (!was) {
                     auto& list = is ? equalities_ : inequalities_;
@@ -164,7 +155,7 @@ private:
                 if (is) {
                     Vector push = nothing();
                     add(push, law.push(number), contact.node, type, turn, Number(1));
-                    rows_.impulse += width * push.head(first_.back());
+                    rows_.impulse += width * push.head(inputs_);
                     inequalities_.push_back({push, Number(0), {Kind::push, number, type, turn}});
                 } else {
                     const auto move = [&](std::size_t node, const Number& factor) {
@@ -277,7 +268,7 @@ private:
             for (std::size_t type = 0; type < blocks_.types().size(); ++type) {
                 const auto width = static_cast<double>(blocks_.types()[type].width);
                 for (std::int64_t turn = 0; turn < blocks_.turns(); ++turn) {
-                    add(way, lawOf(blocks_.closed(type, turn)).velocity(node), node, type, turn,
+                    add(way, laws_.of(blocks_.closed(type, turn)).velocity(node), node, type, turn,
                         width);
                 }
             }
@@ -296,7 +287,7 @@ private:
             const auto& work = kernel_.work[type];
             for (Eigen::Index k = 0; k < work.rows(); ++k) {
                 Vector row = nothing();
-                row.segment(first_.back(), work.cols()) = work.row(k).transpose();
+                row.segment(inputs_, work.cols()) = work.row(k).transpose();
                 Number& steady = row[drifts_ - 1];
                 const bool isWork =
                     kernel_.hasForces && std::abs(static_cast<double>(steady)) > 1e-11 * forces;
@@ -318,19 +309,19 @@ private:
         system.equalities = static_cast<Eigen::Index>(equalities_.size());
         const auto count = system.equalities + static_cast<Eigen::Index>(inequalities_.size());
         const auto shapes = static_cast<Eigen::Index>(kernel_.shapes.size());
-        system.rows.resize(count, first_.back());
+        system.rows.resize(count, inputs_);
         system.rhs.resize(count);
         rows_.driven.resize(count, shapes);
         Eigen::Index next = 0;
         for (const auto* list : {&equalities_, &inequalities_}) {
             for (const Made& made : *list) {
-                for (Eigen::Index k = 0; k < first_.back(); ++k) {
+                for (Eigen::Index k = 0; k < inputs_; ++k) {
                     const Number size = abs(made.row[k]);
                     const bool isNone = size <= cancelled<Number>;
                     rows_.isClear = rows_.isClear && !(isNone && size > surelyNone);
                     system.rows(next, k) = isNone ? Number(0) : made.row[k];
                 }
-                rows_.driven.row(next) = made.row.segment(first_.back(), shapes).transpose();
+                rows_.driven.row(next) = made.row.segment(inputs_, shapes).transpose();
                 system.rhs[next] = made.rhs;
                 if (kernel_.hasForces) {
                     system.rhs[next] -= made.row[drifts_ - 1];
@@ -370,9 +361,9 @@ private:
     const Network& network_;
     const NetworkKernel<Number>& kernel_;
     std::vector<std::size_t> bars_;  ///< that drift
-    std::map<ContactSet, NetworkLaw<Number>> laws_;
-    std::vector<Eigen::Index> first_;  ///< coordinate of each type; the last: of the inputs
-    Eigen::Index drifts_ = 0;          ///< the first column of them
+    NetworkLaws<Number> laws_;
+    Eigen::Index inputs_;  ///< the first column of inputs
+    Eigen::Index drifts_;  ///< and of displacements that drift
     std::vector<Made> equalities_;
     std::vector<Made> inequalities_;
     NetworkRows<Number> rows_;

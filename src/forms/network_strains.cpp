@@ -29,12 +29,8 @@ public:
           kernel_(kernel),
           limit_(limit),
           row_(row),
-          steps_(blocks.turns() * blocks.unit()),
-          firsts_{0}
+          steps_(blocks.turns() * blocks.unit())
     {
-        for (const auto& waves : kernel.waves) {
-            firsts_.push_back(firsts_.back() + waves.cols());
-        }
     }
 
     /// For each wave that arrives on the right the one from the left with which it breaks the limit
@@ -75,14 +71,14 @@ public:
         const StrainMultiplier& of) const
     {
         using std::abs;
-        VectorOf<Number> row = VectorOf<Number>::Zero(firsts_.back());
+        VectorOf<Number> row = VectorOf<Number>::Zero(kernel_.coordinates());
         VectorOf<Number> driven = VectorOf<Number>::Zero(kernel_.inputs());
         for (const bool isLeft : {false, true}) {
             const auto [type, index] =
                 placeOf(2 * row_ + (isLeft ? 1 : 0), isLeft ? of.left : of.right);
             const auto& waves = kernel_.waves[type];
             const Number sign = isLeft ? 1 : -1;
-            row.segment(firsts_[type], waves.cols()) += sign * waves.row(index).transpose();
+            row.segment(kernel_.firsts[type], waves.cols()) += sign * waves.row(index).transpose();
             driven += sign * kernel_.driven[type].row(index).transpose();
         }
         row = row.unaryExpr([](const Number& value) {
@@ -112,7 +108,7 @@ private:
         for (std::int64_t step = 0; step < steps_; ++step) {
             const auto [type, index] = placeOf(channel, step);
             const auto& waves = kernel_.waves[type];
-            Number wave = waves.row(index).dot(z.segment(firsts_[type], waves.cols()));
+            Number wave = waves.row(index).dot(z.segment(kernel_.firsts[type], waves.cols()));
             wave += kernel_.driven[type].row(index).dot(inputs);
             all.push_back(static_cast<double>(wave));
         }
@@ -124,7 +120,6 @@ private:
     double limit_;
     std::size_t row_;
     std::int64_t steps_;
-    std::vector<Eigen::Index> firsts_;  ///< coordinate of each type, and how many there are
 };
 
 }  // namespace

@@ -29,10 +29,8 @@ public:
                                                    static_cast<Eigen::Index>(impedances.size()))
                      .cwiseSqrt();
         for (const ContactSpan& span : schedule) {
-            laws_.try_emplace(span.closed, network_, span.closed);
-        }
-        for (const ContactSpan& span : schedule) {
-            spans_.push_back({&laws_.at(span.closed), span.steps});
+            const auto& law = laws_.try_emplace(span.closed, network_, span.closed).first->second;
+            spans_.push_back({&law, span.steps});
             steps_ += span.steps;
         }
     }

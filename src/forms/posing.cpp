@@ -14,8 +14,6 @@ namespace signorini {
 
 namespace {
 
-using Triplet = Eigen::Triplet<double>;
-
 /// p_m for any m >= 0, m < n + 2N.
 const DelayTerm& termAt(const Formulated& f, std::int64_t m)
 {
@@ -36,45 +34,18 @@ void boundWaves(Formulated& f, double limit)
     }
 }
 
-void appendRows(SparseRows& matrix, Eigen::VectorXd& rhs, const std::vector<Triplet>& entries,
-                const std::vector<double>& values)
-{
-    const Eigen::Index before = matrix.rows();
-    std::vector<Triplet> all;
-    all.reserve(static_cast<std::size_t>(matrix.nonZeros()) + entries.size());
-    for (Eigen::Index row = 0; row < before; ++row) {
-        for (SparseRows::InnerIterator entry(matrix, row); entry; ++entry) {
-            all.emplace_back(static_cast<int>(row), static_cast<int>(entry.col()), entry.value());
-        }
-    }
-    for (const Triplet& entry : entries) {
-        all.emplace_back(static_cast<int>(before) + entry.row(), entry.col(), entry.value());
-    }
-    const auto added = static_cast<Eigen::Index>(values.size());
-    SparseRows larger(before + added, matrix.cols());
-    larger.setFromTriplets(all.begin(), all.end());
-    matrix.swap(larger);
-    rhs.conservativeResize(before + added);
-    rhs.tail(added) = Eigen::Map<const Eigen::VectorXd>(values.data(), added);
-}
-
 /// Rows factor * x = value.
 void addFixedValues(Formulated& f, const std::vector<FixedValue>& fixed)
 {
-    std::vector<Triplet> entries;
-    std::vector<double> values;
+    RowList rows(f.program.equalities, f.program.equalityRhs);
     for (const FixedValue& value : fixed) {
         const std::int64_t unknown =
             value.cell - 1 + (value.wave == Wave::b ? f.schedule.cells : 0);
         const auto [step, sign] = unknownOf(unknown, f.schedule.cells);
         const DelayTerm& term = termAt(f, step);
-        const auto row = static_cast<int>(values.size());
-        entries.emplace_back(row, static_cast<int>(term.column), term.factor);
-        values.push_back(sign * value.value);
+        rows.add({{term.column, term.factor}}, sign * value.value);
     }
-    if (!values.empty()) {
-        appendRows(f.program.equalities, f.program.equalityRhs, entries, values);
-    }
+    rows.moveTo(f.program.equalities, f.program.equalityRhs, f.program.variables());
 }
 
 /// One more unknown, the largest p_m, and the rows that make it so.
@@ -83,7 +54,6 @@ void minimisePeak(Formulated& f)
     Program& program = f.program;
     const Eigen::Index peak = program.variables();
     program.equalities.conservativeResize(program.equalities.rows(), peak + 1);
-    program.inequalities.conservativeResize(program.inequalities.rows(), peak + 1);
     const auto extend = [peak](Eigen::VectorXd& values, double value) {
         values.conservativeResize(peak + 1);
         values[peak] = value;
@@ -97,15 +67,11 @@ void minimisePeak(Formulated& f)
             terms.emplace(term.column, term.factor);
         }
     }
-    std::vector<Triplet> entries;
-    std::vector<double> values;
+    RowList rows(program.inequalities, program.inequalityRhs);
     for (const auto& [column, factor] : terms) {
-        const auto row = static_cast<int>(values.size());
-        entries.emplace_back(row, static_cast<int>(column), factor);
-        entries.emplace_back(row, static_cast<int>(peak), -1.0);
-        values.push_back(0.0);
+        rows.add({{column, factor}, {peak, -1.0}}, 0.0);
     }
-    appendRows(program.inequalities, program.inequalityRhs, entries, values);
+    rows.moveTo(program.inequalities, program.inequalityRhs, peak + 1);
 }
 
 void maximiseImpulse(Formulated& f)

@@ -7,8 +7,6 @@ namespace signorini {
 
 namespace {
 
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 constexpr double exactIntegers = 9007199254740992.0;  // 2^53
 
 bool isInteger(double value)

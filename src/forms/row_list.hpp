@@ -9,12 +9,22 @@
 
 namespace signorini {
 
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 /// Collects rows and right sides.
 class RowList {
 public:
     using Entry = std::pair<Eigen::Index, double>;
+
+    RowList() = default;
+    /// Begins with these.
+    RowList(const SparseRows& matrix, const Eigen::VectorXd& rhs) : rhs_(rhs.begin(), rhs.end())
+    {
+        for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+            for (SparseRows::InnerIterator entry(matrix, row); entry; ++entry) {
+                entries_.emplace_back(static_cast<int>(row), static_cast<int>(entry.col()),
+                                      entry.value());
+            }
+        }
+    }
 
     void add(const std::vector<Entry>& row, double rhs)
     {

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "portable.hpp"
 #include "section_numbers.hpp"

@@ -36,9 +36,7 @@ std::vector<Eigen::Index> followingRows(const Program& program, const std::vecto
     }
     for (std::size_t next = 0; next < rows.size(); ++next) {
         const Eigen::Index row = rows[next];
-        for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(program.equalities,
-                                                                               row);
-             entry; ++entry) {
+        for (SparseRows::InnerIterator entry(program.equalities, row); entry; ++entry) {
             const auto column = static_cast<std::size_t>(entry.col());
             if (entry.col() != row && --missing[column] == 0 && isFollowing(entry.col())) {
                 rows.push_back(entry.col());
@@ -84,9 +82,7 @@ public:
         given_.resize(static_cast<std::size_t>(unknowns));
         firstCondition_ = parameters_;
         for (const Eigen::Index row : support.inequalities) {
-            for (Eigen::SparseMatrix<double, Eigen::RowMajor>::InnerIterator entry(
-                     program.inequalities, row);
-                 entry; ++entry) {
+            for (SparseRows::InnerIterator entry(program.inequalities, row); entry; ++entry) {
                 add(given_[static_cast<std::size_t>(entry.col())], Form{{parameters_, 1}},
                     Rational(entry.value()));
             }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -12,8 +11,6 @@
 namespace signorini {
 
 namespace {
-
-using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 constexpr std::int64_t maxDenominator = 1'000'000;
 constexpr double roundingTolerance = 1e-9;
@@ -142,21 +139,12 @@ struct Weighted {
     Rational value;
 };
 
-std::vector<Weighted> weighted(const std::vector<Multiplier>& multipliers)
+template <typename Given>
+std::vector<Weighted> weighted(const std::vector<Given>& multipliers)
 {
     std::vector<Weighted> rows;
     rows.reserve(multipliers.size());
-    for (const Multiplier& m : multipliers) {
-        rows.push_back({m.row, Rational(m.value)});
-    }
-    return rows;
-}
-
-std::vector<Weighted> weighted(const std::vector<RationalMultiplier>& multipliers)
-{
-    std::vector<Weighted> rows;
-    rows.reserve(multipliers.size());
-    for (const RationalMultiplier& m : multipliers) {
+    for (const Given& m : multipliers) {
         rows.push_back({m.row, Rational(m.value)});
     }
     return rows;

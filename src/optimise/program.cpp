@@ -10,18 +10,16 @@ namespace signorini {
 
 namespace {
 
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 /// Largest and sum of the absolute coefficients of a row.
 struct RowSize {
     double largest = 0.0;
     double sum = 0.0;
 };
 
-RowSize rowSize(const Rows& rows, Eigen::Index row)
+RowSize rowSize(const SparseRows& rows, Eigen::Index row)
 {
     RowSize size;
-    for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
+    for (SparseRows::InnerIterator entry(rows, row); entry; ++entry) {
         size.largest = std::max(size.largest, std::abs(entry.value()));
         size.sum += std::abs(entry.value());
     }
@@ -29,7 +27,7 @@ RowSize rowSize(const Rows& rows, Eigen::Index row)
 }
 
 /// The least max |x_i| that a row needs in order to reach its right side.
-double leastSize(const Rows& rows, Eigen::Index row, double rhs)
+double leastSize(const SparseRows& rows, Eigen::Index row, double rhs)
 {
     const double sum = rowSize(rows, row).sum;
     return sum > 0.0 ? std::abs(rhs) / sum : 0.0;
@@ -41,7 +39,7 @@ double relative(double excess, double bound, double unit)
     return excess > 0.0 ? excess / std::max(unit, std::abs(bound)) : 0.0;
 }
 
-bool hasNan(const Rows& matrix)
+bool hasNan(const SparseRows& matrix)
 {
     return matrix.nonZeros() > 0 &&
            !Eigen::Map<const Eigen::VectorXd>(matrix.valuePtr(), matrix.nonZeros()).allFinite();

@@ -15,6 +15,9 @@
 
 namespace signorini {
 
+/// Coefficients, row by row.
+using SparseRows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
 /// sum weights_i x_i^2 = value, with weights >= 0: holds the energy of a motion.
 struct EnergyEquality {
     Eigen::VectorXd weights;  ///< n values >= 0
@@ -23,15 +26,15 @@ struct EnergyEquality {
 
 /// Shapes: n variables, p equalities, q inequalities. Bounds may be infinite.
 struct Program {
-    Eigen::SparseMatrix<double, Eigen::RowMajor> equalities;    ///< p x n
-    Eigen::VectorXd equalityRhs;                                ///< p
-    Eigen::SparseMatrix<double, Eigen::RowMajor> inequalities;  ///< q x n
-    Eigen::VectorXd inequalityRhs;                              ///< q
-    Eigen::VectorXd lower;                                      ///< n
-    Eigen::VectorXd upper;                                      ///< n
-    Eigen::VectorXd linear;                                     ///< n
-    Eigen::VectorXd quadratic;                                  ///< n values >= 0, or empty: none
-    std::optional<EnergyEquality> energy;                       ///< empty: none
+    SparseRows equalities;                 ///< p x n
+    Eigen::VectorXd equalityRhs;           ///< p
+    SparseRows inequalities;               ///< q x n
+    Eigen::VectorXd inequalityRhs;         ///< q
+    Eigen::VectorXd lower;                 ///< n
+    Eigen::VectorXd upper;                 ///< n
+    Eigen::VectorXd linear;                ///< n
+    Eigen::VectorXd quadratic;             ///< n values >= 0, or empty: none
+    std::optional<EnergyEquality> energy;  ///< empty: none
 
     /// n.
     [[nodiscard]] std::int64_t variables() const { return linear.size(); }

@@ -7,8 +7,6 @@ namespace signorini {
 
 namespace {
 
-using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor>;
-
 constexpr double wellScaled = 1024.0;
 
 /// 1 over the power of two next below a size; 1 for size 0.
@@ -17,12 +15,12 @@ double inversePower(double size)
     return size > 0.0 ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
 }
 
-Eigen::VectorXd rowFactors(const Rows& rows, double unit)
+Eigen::VectorXd rowFactors(const SparseRows& rows, double unit)
 {
     Eigen::VectorXd factors(rows.rows());
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
         double largest = 0.0;
-        for (Rows::InnerIterator entry(rows, row); entry; ++entry) {
+        for (SparseRows::InnerIterator entry(rows, row); entry; ++entry) {
             largest = std::max(largest, std::abs(entry.value()));
         }
         factors[row] = inversePower(unit * largest);

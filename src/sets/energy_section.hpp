@@ -10,6 +10,7 @@
 /// simplices, boxes, and the sets of several phases whose vertices are known.
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -90,6 +91,11 @@ public:
 /// Null if the schedule has no motion, or exact arithmetic cannot reach it.
 [[nodiscard]] std::unique_ptr<EnergySection> sectionOfPhases(const Schedule& schedule,
                                                              double energyRatio);
+
+/// One z per class: the shares of the least sum of a live type that are given, where it carries
+/// them, else equal ones.
+[[nodiscard]] std::vector<double> sharedOut(const LumpedSet& set, const std::vector<double>& shares,
+                                            const std::function<bool(std::size_t live)>& carries);
 
 /// The set that decides several phases, two stops or a cone. Empty if it has no motion, or exact
 /// arithmetic cannot reach it.

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] std::vector<double> sharesOf(const State& state) const override
     {
         const std::vector<double> z = amplitudesOf(set_.classes, state);
-        const ClassType& type = typeOf(*pulsed_);
+        const ClassType& type = set_.type(*pulsed_);
         std::vector<double> shares(z.data() + type.first, z.data() + type.first + type.count);
         double sum = 0.0;
         for (const double value : shares) {
@@ -53,20 +53,14 @@ public:
 
     [[nodiscard]] State motionOf(const std::vector<double>& shares) const override
     {
-        std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
-        for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            for (std::int64_t j = 0; j < typeOf(t).count; ++j) {
-                const double share = t == *pulsed_ ? shares[static_cast<std::size_t>(j)]
-                                                   : 1.0 / static_cast<double>(typeOf(t).count);
-                z[static_cast<std::size_t>(typeOf(t).first + j)] = share * set_.leastSums[t];
-            }
-        }
-        return sized(signorini::motionOf(set_.classes, z));
+        return sized(signorini::motionOf(
+            set_.classes,
+            sharedOut(set_, shares, [this](std::size_t t) { return t == *pulsed_; })));
     }
 
     [[nodiscard]] AmplitudeSet sampled() const override
     {
-        return {.kind = SetKind::simplex, .count = typeOf(*pulsed_).count, .sum = 1.0};
+        return {.kind = SetKind::simplex, .count = set_.type(*pulsed_).count, .sum = 1.0};
     }
 
     [[nodiscard]] State draw(std::mt19937_64& generator) const override
@@ -76,11 +70,6 @@ public:
 
 private:
     [[nodiscard]] std::int64_t cells() const { return set_.classes.schedule.cells; }
-
-    [[nodiscard]] const ClassType& typeOf(std::size_t live) const
-    {
-        return set_.classes.types[set_.live[live]];
-    }
 
     [[nodiscard]] State sized(State state) const
     {
@@ -95,9 +84,9 @@ private:
     {
         std::int64_t most = 2;
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            if (typeOf(t).kind == TypeKind::pressing && typeOf(t).count > most &&
+            if (set_.type(t).kind == TypeKind::pressing && set_.type(t).count > most &&
                 set_.leastSums[t] > 0.0) {
-                most = typeOf(t).count;
+                most = set_.type(t).count;
                 pulsed_ = t;
             }
         }

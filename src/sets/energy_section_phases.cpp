@@ -99,8 +99,9 @@ public:
             return motions;
         }
         if (!graph_ && facts_.components > 1) {
-            for (std::int64_t j = 0; j < std::min(most, typeOf(*spread_).count); ++j) {
-                std::vector<double> shares(static_cast<std::size_t>(typeOf(*spread_).count), 0.0);
+            for (std::int64_t j = 0; j < std::min(most, set_.type(*spread_).count); ++j) {
+                std::vector<double> shares(static_cast<std::size_t>(set_.type(*spread_).count),
+                                           0.0);
                 shares[static_cast<std::size_t>(j)] = 1.0;
                 motions.push_back(motionOf(shares));
             }
@@ -122,7 +123,7 @@ public:
     [[nodiscard]] std::vector<double> sharesOf(const State& state) const override
     {
         const std::vector<double> z = amplitudesOf(set_.classes, state);
-        const ClassType& type = typeOf(*spread_);
+        const ClassType& type = set_.type(*spread_);
         std::vector<double> shares(z.data() + type.first, z.data() + type.first + type.count);
         for (double& value : shares) {
             value /= sums()[*spread_];
@@ -132,20 +133,13 @@ public:
 
     [[nodiscard]] State motionOf(const std::vector<double>& shares) const override
     {
-        std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
-        for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            for (std::int64_t j = 0; j < typeOf(t).count; ++j) {
-                const double share = isSpread(t) ? shares[static_cast<std::size_t>(j)]
-                                                 : 1.0 / static_cast<double>(typeOf(t).count);
-                z[static_cast<std::size_t>(typeOf(t).first + j)] = share * sums()[t];
-            }
-        }
-        return signorini::motionOf(set_.classes, z);
+        return signorini::motionOf(
+            set_.classes, sharedOut(set_, shares, [this](std::size_t t) { return isSpread(t); }));
     }
 
     [[nodiscard]] AmplitudeSet sampled() const override
     {
-        return {.kind = SetKind::simplex, .count = typeOf(*spread_).count, .sum = 1.0};
+        return {.kind = SetKind::simplex, .count = set_.type(*spread_).count, .sum = 1.0};
     }
 
 private:
@@ -154,11 +148,6 @@ private:
         std::size_t vertex = 0;
         std::vector<std::int64_t> classes;
     };
-
-    [[nodiscard]] const ClassType& typeOf(std::size_t live) const
-    {
-        return set_.classes.types[set_.live[live]];
-    }
 
     /// sum z^2.
     [[nodiscard]] double squares() const
@@ -182,9 +171,9 @@ private:
     {
         std::vector<double> z(static_cast<std::size_t>(set_.classes.classes), 0.0);
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            for (std::int64_t j = 0; j < typeOf(t).count; ++j) {
-                z[static_cast<std::size_t>(typeOf(t).first + j)] =
-                    sums[t] / static_cast<double>(typeOf(t).count);
+            for (std::int64_t j = 0; j < set_.type(t).count; ++j) {
+                z[static_cast<std::size_t>(set_.type(t).first + j)] =
+                    sums[t] / static_cast<double>(set_.type(t).count);
             }
         }
         return z;
@@ -213,7 +202,7 @@ private:
             if (pair.count == 2 && low < high) {
                 std::vector<double> from = equalAmplitudes(sums);
                 std::vector<double> to = from;
-                const auto first = static_cast<std::size_t>(typeOf(t).first);
+                const auto first = static_cast<std::size_t>(set_.type(t).first);
                 from[first] = low;
                 from[first + 1] = pair.sum - low;
                 to[first] = high;
@@ -227,7 +216,7 @@ private:
     [[nodiscard]] bool knowsVertices() const
     {
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            if (typeOf(t).kind == TypeKind::grazing && typeOf(t).count > 1) {
+            if (set_.type(t).kind == TypeKind::grazing && set_.type(t).count > 1) {
                 return false;
             }
         }
@@ -241,7 +230,7 @@ private:
             return;
         }
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            const ClassType& type = typeOf(t);
+            const ClassType& type = set_.type(t);
             if (type.kind == TypeKind::pressing && type.count == shape_.dimension + 1 &&
                 sums()[t] > 0.0) {
                 spread_ = t;
@@ -254,7 +243,7 @@ private:
         double others = 0.0;
         double largest = 0.0;
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            const auto count = static_cast<double>(typeOf(t).count);
+            const auto count = static_cast<double>(set_.type(t).count);
             others += t == *spread_ ? 0.0 : sums()[t] * sums()[t] / count;
             largest = std::max(largest, std::abs(sums()[t]) / (t == *spread_ ? 1.0 : count));
         }
@@ -263,7 +252,7 @@ private:
         if (std::abs(ratio - 0.5) <= vertexRounding) {
             ratio = 0.5;
         }
-        facts_.simplex = SphereSection{typeOf(*spread_).count, ratio};
+        facts_.simplex = SphereSection{set_.type(*spread_).count, ratio};
         facts_.unit =
             sum * std::sqrt(energyOf(1.0, set_.classes.schedule.cells, set_.classes.window));
         facts_.largestWave = std::min(facts_.largestWave, largest);
@@ -289,7 +278,7 @@ private:
         double others = 0.0;
         std::int64_t count = 0;
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            const ClassType& type = typeOf(t);
+            const ClassType& type = set_.type(t);
             if (type.kind == TypeKind::pressing && type.count > 2 && sums()[t] > 0.0) {
                 if (count != 0 && type.count != count) {
                     return;
@@ -313,8 +302,8 @@ private:
     [[nodiscard]] bool isSpread(std::size_t live) const
     {
         return live == *spread_ ||
-               (facts_.isShared && typeOf(live).kind == TypeKind::pressing &&
-                typeOf(live).count == typeOf(*spread_).count && sums()[live] > 0.0);
+               (facts_.isShared && set_.type(live).kind == TypeKind::pressing &&
+                set_.type(live).count == set_.type(*spread_).count && sums()[live] > 0.0);
     }
 
     /// Where an ascent leads: each sum into its largest class, then straight to the vertex to which
@@ -325,8 +314,8 @@ private:
         Place place;
         std::vector<double> sums;
         for (std::size_t t = 0; t < set_.live.size(); ++t) {
-            const auto* const first = z.data() + typeOf(t).first;
-            const auto* const last = first + typeOf(t).count;
+            const auto* const first = z.data() + set_.type(t).first;
+            const auto* const last = first + set_.type(t).count;
             sums.push_back(std::accumulate(first, last, 0.0));
             place.classes.push_back(std::max_element(first, last) - first);
         }
@@ -353,9 +342,9 @@ private:
             motions.push_back(signorini::motionOf(set_.classes, lowered(std::move(z))));
             return;
         }
-        const std::int64_t choices = sums[live] == 0.0 ? 1 : typeOf(live).count;
+        const std::int64_t choices = sums[live] == 0.0 ? 1 : set_.type(live).count;
         for (std::int64_t j = 0; j < choices; ++j) {
-            const auto place = static_cast<std::size_t>(typeOf(live).first + j);
+            const auto place = static_cast<std::size_t>(set_.type(live).first + j);
             z[place] = sums[live];
             addSpikes(sums, live + 1, z, most, motions);
             z[place] = 0.0;
@@ -391,6 +380,22 @@ private:
 };
 
 }  // namespace
+
+std::vector<double> sharedOut(const LumpedSet& set, const std::vector<double>& shares,
+                              const std::function<bool(std::size_t live)>& carries)
+{
+    std::vector<double> z(static_cast<std::size_t>(set.classes.classes), 0.0);
+    for (std::size_t t = 0; t < set.live.size(); ++t) {
+        const ClassType& type = set.type(t);
+        const bool isGiven = carries(t);
+        for (std::int64_t j = 0; j < type.count; ++j) {
+            const double share = isGiven ? shares[static_cast<std::size_t>(j)]
+                                         : 1.0 / static_cast<double>(type.count);
+            z[static_cast<std::size_t>(type.first + j)] = share * set.leastSums[t];
+        }
+    }
+    return z;
+}
 
 std::optional<LumpedSet> reachableSet(const Schedule& schedule)
 {

@@ -2,13 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "rational.hpp"
 
 namespace signorini {
 
 namespace {
+
+/// Cuts a chain down to k >= contact.
+FamilyChain beginningAt(FamilyChain chain, std::int64_t contact)
+{
+    const std::int64_t missing = std::max<std::int64_t>(0, contact - chain.least);
+    const std::int64_t skipped = std::min(chain.count, (missing + chain.step() - 1) / chain.step());
+    chain.least += skipped * chain.step();
+    chain.count -= skipped;
+    return chain;
+}
 
 /// Cuts a chain down to win = c k - A >= leastWindow.
 FamilyChain restrictedAbove(FamilyChain chain, std::int64_t leastWindow)
@@ -17,12 +26,7 @@ FamilyChain restrictedAbove(FamilyChain chain, std::int64_t leastWindow)
         chain.count = 0;
         return chain;
     }
-    const std::int64_t contact = (chain.narrow + leastWindow - 1) / chain.turns + 1;  // k at least
-    const std::int64_t missing = std::max<std::int64_t>(0, contact - chain.least);
-    const std::int64_t skipped = std::min(chain.count, (missing + chain.step() - 1) / chain.step());
-    chain.least += skipped * chain.step();
-    chain.count -= skipped;
-    return chain;
+    return beginningAt(chain, (chain.narrow + leastWindow - 1) / chain.turns + 1);
 }
 
 /// Cuts a chain down to win = c k - A = 0: k <= A, so it is the first or none.
@@ -42,12 +46,7 @@ FamilyChain restrictedBelow(FamilyChain chain, std::int64_t leastWindow)
     } else if (chain.turns == 0) {
         chain.count = room >= 0 ? chain.count : 0;
     } else if (room < 0) {
-        const std::int64_t contact = (-room - chain.turns - 1) / -chain.turns;  // rounded up
-        const std::int64_t missing = std::max<std::int64_t>(0, contact - chain.least);
-        const std::int64_t skipped =
-            std::min(chain.count, (missing + chain.step() - 1) / chain.step());
-        chain.least += skipped * chain.step();
-        chain.count -= skipped;
+        chain = beginningAt(chain, (-room - chain.turns - 1) / -chain.turns);  // rounded up
     }
     return chain;
 }

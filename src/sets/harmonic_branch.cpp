@@ -11,22 +11,10 @@ namespace signorini {
 
 namespace {
 
-constexpr double sameTravel = 1e-9;  // L/c
-constexpr double farAway = 0.05;     // rad, L/c: two neighbours of one sheet are nearer
-constexpr double arcOfFold = 0.05;   // ln |A|, rad and L/c, a step around a fold
+constexpr double farAway = 0.05;    // rad, L/c: two neighbours of one sheet are nearer
+constexpr double arcOfFold = 0.05;  // ln |A|, rad and L/c, a step around a fold
 constexpr int stepsOfFold = 200;
 constexpr double otherSheet = 1e-7;  // rad, L/c: that far at least
-
-/// The return on which a front ends a contact.
-std::int64_t returnOf(const HarmonicCase& given, const HarmonicContact& one)
-{
-    std::int64_t i = 1;
-    while (i < given.cells && std::abs(std::remainder(2.0 * static_cast<double>(i) - one.travel,
-                                                      given.period())) > sameTravel) {
-        ++i;
-    }
-    return i;
-}
 
 /// How far two motions are apart; infinite if their contacts are not as many.
 double distance(const HarmonicMotion& x, const HarmonicMotion& y)
@@ -182,10 +170,6 @@ private:
     {
         last_ = motion;
         slope_.clear();
-        returns_.clear();
-        for (const HarmonicContact& one : motion.contacts) {
-            returns_.push_back(one.isPinned ? returnOf(given_, one) : 0);
-        }
         add();
     }
 
@@ -310,8 +294,7 @@ private:
     std::int64_t ticks_;
     HarmonicCase given_;
     HarmonicMotion last_;
-    std::vector<std::int64_t> returns_;  ///< on which fronts end contacts
-    std::vector<double> slope_;          ///< by the period: phase, begins and ends
+    std::vector<double> slope_;  ///< by the period: phase, begins and ends
     HarmonicBranch branch_;
     bool isAtFold_ = false;  ///< was the last point the other side of one?
 };

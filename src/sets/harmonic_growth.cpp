@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "harmonic_pattern.hpp"
 #include "portable.hpp"
 
 namespace signorini {
@@ -99,7 +100,7 @@ private:
                 }
                 const HarmonicContact& from = contacts_[contact.front];
                 double jump = 2.0 * from.speed * (from.stop == contact.stop ? 1.0 : -1.0);
-                const std::int64_t visits = visitsOf(contact);
+                const std::int64_t visits = returnOf(given_, contact);
                 for (std::int64_t i = 1; i < visits; ++i) {
                     jump *= factorAt(contact.front, i, orders);
                 }
@@ -109,18 +110,6 @@ private:
                 factors_[k] = (before - given_.rho * after) / (before + after);
             }
         }
-    }
-
-    /// The return on which a front ends this contact.
-    [[nodiscard]] std::int64_t visitsOf(const HarmonicContact& contact) const
-    {
-        std::int64_t i = 1;
-        while (i < given_.cells &&
-               std::abs(std::remainder(2.0 * static_cast<double>(i) - contact.travel,
-                                       given_.period())) > sameInstant) {
-            ++i;
-        }
-        return i;
     }
 
     /// What becomes of the front of contact j on its i-th return.
@@ -134,9 +123,9 @@ private:
                 return orders.isLateAtContact ? 1.0 : -given_.rho;
             }
             if (one.isPinned && std::abs(std::remainder(time - one.end, period)) < sameInstant) {
-                return one.front == j && i == visitsOf(one) ? factors_[k]
-                       : orders.isLateAtRelease             ? -given_.rho
-                                                            : 1.0;
+                return one.front == j && i == returnOf(given_, one) ? factors_[k]
+                       : orders.isLateAtRelease                     ? -given_.rho
+                                                                    : 1.0;
             }
             if (time > one.begin && time < one.end) {
                 return 1.0;

@@ -76,6 +76,16 @@ HarmonicStart startingAt0(const HarmonicCase& given, HarmonicStart start)
 
 }  // namespace
 
+std::int64_t returnOf(const HarmonicCase& given, const HarmonicContact& one)
+{
+    std::int64_t i = 1;
+    while (i < given.cells && std::abs(std::remainder(2.0 * static_cast<double>(i) - one.travel,
+                                                      given.period())) > sameTravel) {
+        ++i;
+    }
+    return i;
+}
+
 std::vector<HarmonicContact> joined(const std::vector<HarmonicContact>& all, double within)
 {
     std::vector<HarmonicContact> found;

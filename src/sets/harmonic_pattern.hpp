@@ -36,6 +36,12 @@ struct HarmonicStart {
 [[nodiscard]] std::vector<HarmonicContact> joined(const std::vector<HarmonicContact>& all,
                                                   double within);
 
+/// [L/c], of fronts that travel alike.
+inline constexpr double sameTravel = 1e-9;
+
+/// The return on which a front ends a contact.
+[[nodiscard]] std::int64_t returnOf(const HarmonicCase& given, const HarmonicContact& one);
+
 /// Where a curve of motions of one period goes: by ln |A|, phase, and beginnings and ends.
 using HarmonicDirection = std::vector<double>;
 

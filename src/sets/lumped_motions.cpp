@@ -65,7 +65,7 @@ std::vector<double> chosenAmplitudes(const LumpedSet& set, const std::vector<dou
     std::vector<double> z(static_cast<std::size_t>(set.classes.classes), 0.0);
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const std::vector<double> chosen = choose(amplitudesAt(set, sums, i));
-        std::copy(chosen.begin(), chosen.end(), z.data() + set.classes.types[set.live[i]].first);
+        std::copy(chosen.begin(), chosen.end(), z.data() + set.type(i).first);
     }
     return z;
 }
@@ -79,7 +79,7 @@ AmplitudeSet amplitudesAt(const LumpedSet& set, std::span<const double> sums, st
         throw std::invalid_argument(
             fmt::format("index = {}: allowed 0..{}", index, set.live.size() - 1));
     }
-    const ClassType& type = set.classes.types[set.live[index]];
+    const ClassType& type = set.type(index);
     AmplitudeSet result{.kind = SetKind::point, .count = type.count, .sum = sums[index]};
     if (type.count == 1) {
         return result;
@@ -129,7 +129,7 @@ State equalMotion(const LumpedSet& set, std::span<const double> sums)
     requireSums(set, sums);
     std::vector<double> z(set.classes.types.size(), 0.0);
     for (std::size_t i = 0; i < sums.size(); ++i) {
-        z[set.live[i]] = sums[i] / static_cast<double>(set.classes.types[set.live[i]].count);
+        z[set.live[i]] = sums[i] / static_cast<double>(set.type(i).count);
     }
     const ClassType* first = set.classes.types.data();
     return writeState(set.classes,

@@ -97,7 +97,7 @@ public:
         sumDimension_ = static_cast<std::int64_t>(hull.points().size()) - 1;
         result_.dimension = sumDimension_;
         for (std::size_t i = 0; i < set_.live.size(); ++i) {
-            const ClassType& type = typeOf(i);
+            const ClassType& type = set_.type(i);
             if (type.count > 1 && hasInterior(centre, i)) {
                 result_.dimension += type.count - 1;
                 (type.kind == TypeKind::pressing ? spreadsPressing_ : spreadsGrazing_) = true;
@@ -118,16 +118,11 @@ public:
     }
 
 private:
-    [[nodiscard]] const ClassType& typeOf(std::size_t i) const
-    {
-        return set_.classes.types[set_.live[i]];
-    }
-
     /// Can the amplitudes of the type differ from each other at a point inside the polyhedron? The
     /// width of a box is concave in S, so if it is 0 there it is 0 everywhere.
     [[nodiscard]] bool hasInterior(const RationalVector& centre, std::size_t i) const
     {
-        if (typeOf(i).kind == TypeKind::pressing) {
+        if (set_.type(i).kind == TypeKind::pressing) {
             return !centre[i].is_zero();
         }
         const auto [lower, upper] = boundsOf<Rational>(set_.classes, centre, i, 1);
@@ -211,9 +206,9 @@ private:
         for (const RationalVector& vertex : vertices_) {
             double lifts = 1.0;
             for (std::size_t i = 0; i < vertex.size(); ++i) {
-                lifts *= vertex[i].is_zero() || typeOf(i).kind == TypeKind::grazing
+                lifts *= vertex[i].is_zero() || set_.type(i).kind == TypeKind::grazing
                              ? 1.0
-                             : static_cast<double>(typeOf(i).count);
+                             : static_cast<double>(set_.type(i).count);
             }
             count += lifts;
         }

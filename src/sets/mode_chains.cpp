@@ -1,7 +1,6 @@
 #include "mode_chains.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace signorini {
@@ -174,32 +173,13 @@ private:
 
     static std::int64_t dimension(const std::vector<RationalVector>& points)
     {
-        std::vector<RationalVector> edges;
-        std::int64_t rank = 0;
-        for (const RationalVector& point : points) {
-            RationalVector edge = point;
+        std::vector<RationalVector> edges = points;
+        for (RationalVector& edge : edges) {
             for (std::size_t i = 0; i < edge.size(); ++i) {
                 edge[i] -= points.front()[i];
             }
-            edges.push_back(std::move(edge));
         }
-        for (std::size_t column = 0; column < points.front().size(); ++column) {
-            const auto top = edges.begin() + static_cast<std::ptrdiff_t>(rank);
-            const auto pivot = std::find_if(
-                top, edges.end(), [column](const auto& edge) { return !edge[column].is_zero(); });
-            if (pivot == edges.end()) {
-                continue;
-            }
-            std::iter_swap(top, pivot);
-            for (auto edge = top + 1; edge != edges.end(); ++edge) {
-                const Rational factor = (*edge)[column] / (*top)[column];
-                for (std::size_t i = column; i < edge->size(); ++i) {
-                    (*edge)[i] -= factor * (*top)[i];
-                }
-            }
-            ++rank;
-        }
-        return rank;
+        return std::ssize(reduceRows(edges, points.front().size()));
     }
 
     /// Does the form vanish at all vertices of this period?

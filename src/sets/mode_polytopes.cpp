@@ -3,7 +3,6 @@
 #include <numeric>
 
 #include "faults.hpp"
-#include "integers.hpp"
 #include "mode_chains.hpp"
 #include "mode_line.hpp"
 

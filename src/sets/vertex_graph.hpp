@@ -3,21 +3,15 @@
 /// The components of the motions of one energy, of several phases, from the vertices of their set.
 
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
+#include "section_numbers.hpp"
 #include "signorini/lumped_set.hpp"
 
 namespace signorini {
 
 /// Vertices and energies of several phases carry the rounding of a few operations.
 inline constexpr double vertexRounding = 1e-13;
-
-/// |values|^2
-[[nodiscard]] inline double squaresOf(const std::vector<double>& values)
-{
-    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
-}
 
 /// The graph of the vertices with Q >= q. A vertex is one of the sums S, with each pressing sum in
 /// one class of its type. Between vertices S, S' the classes stay; within a type of sum S_tau the

@@ -173,11 +173,26 @@ std::vector<std::string> tabulated(const RowTable& table)
 
 namespace {
 
-/// Numbers of a line, one after the other.
+/// Collects numbers that it is shown.
+struct Written {
+    std::vector<double> all;
+
+    void operator()(const auto&... numbers) { (all.push_back(static_cast<double>(numbers)), ...); }
+};
+
+/// Enters those of a line, one after the other.
 class Numbers {
 public:
     explicit Numbers(const std::string& line) : at_(line.c_str()) {}
 
+    template <typename... Number>
+    void operator()(Number&... numbers)
+    {
+        ((numbers = static_cast<Number>(next())), ...);
+    }
+    [[nodiscard]] std::string rest() const { return *at_ == ' ' ? at_ + 1 : at_; }
+
+private:
     double next()
     {
         char* end = nullptr;
@@ -190,91 +205,69 @@ public:
         at_ = end;
         return value;
     }
-    std::int64_t whole() { return static_cast<std::int64_t>(next()); }
-    [[nodiscard]] std::string rest() const { return *at_ == ' ' ? at_ + 1 : at_; }
 
-private:
     const char* at_;
 };
 
-}  // namespace
-
-std::string lineOf(const SweepStep& step)
+template <typename See, typename Item, typename Pass>
+void passAll(See& see, std::vector<Item>& items, Pass pass)
 {
-    const SweepPoint& p = step.point;
-    std::vector<double> all{p.value,
-                            p.frequencyRatio,
-                            p.direction == SweepDirection::up ? 0.0 : 1.0,
-                            static_cast<double>(p.watched),
-                            static_cast<double>(p.contacts[0]),
-                            static_cast<double>(p.contacts[1]),
-                            p.impulse[0],
-                            p.impulse[1],
-                            p.meanContacts,
-                            p.meanImpulse,
-                            p.meanForce,
-                            p.tip[0],
-                            p.tip[1],
-                            1.0,
-                            p.strain};
-    const Settled settled = p.settling.settled.value_or(Settled{});
-    all.insert(all.end(), {static_cast<double>(settled.periods), settled.residual,
-                           static_cast<double>(settled.contacts), settled.impulse,
-                           static_cast<double>(p.impulses.size())});
-    all.insert(all.end(), p.impulses.begin(), p.impulses.end());
-    all.insert(all.end(),
-               {step.waves.crossing, step.waves.base ? 1.0 : 0.0, step.waves.base.value_or(0.0)});
-    for (const auto* wave : {&step.waves.a, &step.waves.b}) {
-        all.push_back(static_cast<double>(wave->size()));
-        for (const Piece& piece : *wave) {
-            all.insert(all.end(), {piece.duration, piece.value});
+    auto count = static_cast<std::int64_t>(items.size());
+    see(count);
+    for (std::int64_t k = 0; k < count; ++k) {
+        if (k == std::ssize(items)) {
+            items.emplace_back();
         }
+        pass(items[static_cast<std::size_t>(k)]);
     }
-    return fmt::format("{} {}", fmt::join(all, " "), p.settling.why);
+}
+
+/// The numbers of a step in the order of a line, to be written or entered.
+template <typename See>
+void passNumbers(See& see, SweepStep& step)
+{
+    SweepPoint& p = step.point;
+    double isDown = p.direction == SweepDirection::down ? 1.0 : 0.0;
+    double knowsStrain = 1.0;
+    see(p.value, p.frequencyRatio, isDown, p.watched, p.contacts[0], p.contacts[1], p.impulse[0],
+        p.impulse[1], p.meanContacts, p.meanImpulse, p.meanForce, p.tip[0], p.tip[1], knowsStrain);
+    if (knowsStrain == 0.0) {  // written before sweeps of several bars knew it
+        throw std::invalid_argument(
+            "the run that was begun says nothing of strain: allowed a new run");
+    }
+    p.direction = isDown == 0.0 ? SweepDirection::up : SweepDirection::down;
+    Settled settled = p.settling.settled.value_or(Settled{});
+    see(p.strain, settled.periods, settled.residual, settled.contacts, settled.impulse);
+    p.settling.settled = settled.periods > 0 ? std::optional(settled) : std::nullopt;
+    passAll(see, p.impulses, [&see](double& impulse) { see(impulse); });
+    Waves& waves = step.waves;
+    double hasBase = waves.base ? 1.0 : 0.0;
+    double base = waves.base.value_or(0.0);
+    see(waves.crossing, hasBase, base);
+    waves.base = hasBase != 0.0 ? std::optional(base) : std::nullopt;
+    for (auto* wave : {&waves.a, &waves.b}) {
+        passAll(see, *wave, [&see](Piece& piece) { see(piece.duration, piece.value); });
+    }
+}
+
+/// A step of a sweep as a line, and back, to the last bit.
+std::string lineOf(SweepStep step)
+{
+    Written written;
+    passNumbers(written, step);
+    return fmt::format("{} {}", fmt::join(written.all, " "), step.point.settling.why);
 }
 
 SweepStep sweepStepOf(const std::string& line)
 {
     Numbers numbers(line);
     SweepStep step;
-    SweepPoint& p = step.point;
-    p.value = numbers.next();
-    p.frequencyRatio = numbers.next();
-    p.direction = numbers.next() == 0.0 ? SweepDirection::up : SweepDirection::down;
-    p.watched = numbers.whole();
-    p.contacts = {numbers.whole(), numbers.whole()};
-    p.impulse = {numbers.next(), numbers.next()};
-    p.meanContacts = numbers.next();
-    p.meanImpulse = numbers.next();
-    p.meanForce = numbers.next();
-    p.tip = {numbers.next(), numbers.next()};
-    if (numbers.next() == 0.0) {  // written before sweeps of several bars knew it
-        throw std::invalid_argument(
-            "the run that was begun says nothing of strain: allowed a new run");
-    }
-    p.strain = numbers.next();
-    Settled settled;
-    settled.periods = numbers.whole();
-    settled.residual = numbers.next();
-    settled.contacts = numbers.whole();
-    settled.impulse = numbers.next();
-    p.settling.settled = settled.periods > 0 ? std::optional(settled) : std::nullopt;
-    for (std::int64_t k = numbers.whole(); k > 0; --k) {
-        p.impulses.push_back(numbers.next());
-    }
-    step.waves.crossing = numbers.next();
-    const bool hasBase = numbers.next() != 0.0;
-    const double base = numbers.next();
-    step.waves.base = hasBase ? std::optional(base) : std::nullopt;
-    for (auto* wave : {&step.waves.a, &step.waves.b}) {
-        for (std::int64_t k = numbers.whole(); k > 0; --k) {
-            const double duration = numbers.next();
-            wave->push_back({duration, numbers.next()});
-        }
-    }
-    p.settling.why = numbers.rest();
+    passNumbers(numbers, step);
+    step.point.settling.why = numbers.rest();
     return step;
 }
+
+}  // namespace
 
 std::vector<SweepPoint> sweepThrough(const SweepRange& range, const SweepBody* body,
                                      const std::vector<SweepDirection>& directions,

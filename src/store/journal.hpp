@@ -66,10 +66,6 @@ struct RowTable {
 /// stays. \throws as Journal and `deal`.
 [[nodiscard]] std::vector<std::string> tabulated(const RowTable& table);
 
-/// A step of a sweep as a line, and back, to the last bit. \throws std::invalid_argument.
-[[nodiscard]] std::string lineOf(const SweepStep& step);
-[[nodiscard]] SweepStep sweepStepOf(const std::string& line);
-
 /// `sweep` with what a journal knows; `control.known` and `control.keep` are not read. `body` may
 /// be null: the bar of the range.
 [[nodiscard]] std::vector<SweepPoint> sweepThrough(const SweepRange& range, const SweepBody* body,

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <system_error>
 
 #include "faults.hpp"
@@ -136,24 +134,12 @@ std::size_t Table::columnOf(std::string_view column, std::string_view allowed) c
                                     header_.begin());
 }
 
-double Table::numberAt(std::size_t column) const
-{
-    const std::string_view text = fields_[column];
-    const char* end = text.data() + text.size();
-    double number = 0.0;
-    const auto [stop, error] = std::from_chars(text.data(), end, number);
-    if (error != std::errc{} || stop != end || !std::isfinite(number)) {
-        refuse(column, "finite numbers");
-    }
-    return number;
-}
-
 double Table::numberAt(std::size_t column, std::string_view unit) const
 {
     if (const auto number = numberIn(fields_[column], unit)) {
         return *number;
     }
-    refuse(column, fmt::format("finite numbers [{}]", unit));
+    refuse(column, unit.empty() ? "finite numbers" : fmt::format("finite numbers [{}]", unit));
 }
 
 void Table::refuse(std::string_view fault) const

@@ -31,12 +31,9 @@ public:
     [[nodiscard]] std::size_t columnOf(std::string_view column,
                                        std::string_view allowed = "a header that names it") const;
 
-    /// The number of the row in a column. \throws std::invalid_argument naming file, line and
-    /// column if it is none, or not finite.
-    [[nodiscard]] double numberAt(std::size_t column) const;
-
-    /// The same in a unit, of which a field may have a kin ("210GPa").
-    [[nodiscard]] double numberAt(std::size_t column, std::string_view unit) const;
+    /// The number of the row in a column, in a unit of which a field may have a kin ("210GPa").
+    /// \throws std::invalid_argument naming file, line and column if it is none, or not finite.
+    [[nodiscard]] double numberAt(std::size_t column, std::string_view unit = {}) const;
 
     /// \throws std::invalid_argument naming file and line.
     [[noreturn]] void refuse(std::string_view fault) const;
