@@ -2,6 +2,7 @@
 
 #include "excited_names.hpp"
 #include "journal.hpp"
+#include "mapped.hpp"
 #include "network_sweep.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
@@ -152,15 +153,11 @@ std::vector<StudyPoint> study(const Asked& asked)
                 const auto point = answers::studyAt(all[k], wires.cancel);
                 return point ? std::optional(answers::rowOf(*point)) : std::nullopt;
             };
-            std::vector<std::string> keys;
-            for (const StudyCase& one : all) {
-                keys.push_back(answers::keyOf(one));
-            }
             std::vector<StudyPoint> done;
             for (const std::string& text : tabulated({.file = file,
                                            .question = question,
                                            .header = answers::studyHeader(),
-                                           .keys = keys,
+                                           .keys = mapped(all, answers::keyOf),
                                            .resumes = true,
                                            .deal = byThreads(row, threads),
                                            .show = wires.progress})) {
