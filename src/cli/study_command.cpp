@@ -13,8 +13,8 @@
 #include "mapped.hpp"
 #include "progress.hpp"
 #include "ranks.hpp"
+#include "scene_figures.hpp"
 #include "signorini/output.hpp"
-#include "study_figure.hpp"
 #include "study_file.hpp"
 #include "text.hpp"
 
