@@ -1,5 +1,7 @@
 #include "record.hpp"
 
+#include <new>
+
 #include "mapped.hpp"
 #include "signorini/config.hpp"
 

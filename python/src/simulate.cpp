@@ -1,6 +1,5 @@
 #include "calls.hpp"
 
-#include <cmath>
 #include <functional>
 
 #include "simulation_answer.hpp"
