@@ -3,7 +3,6 @@
 #include "excited_names.hpp"
 #include "journal.hpp"
 #include "mapped.hpp"
-#include "network_sweep.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
 #include "study_answer.hpp"
@@ -115,16 +114,11 @@ SweepAnswer sweep(const Asked& asked)
     const auto question = asked.get<std::string>("question");
     return patiently(
         [=](const Wires& wires) mutable {
-            std::optional<NetworkSweep> several;
-            std::optional<SweepBody> body;
-            if (bars) {
-                body = several.emplace(NetworkSweep{*bars, answer.bar, answer.range}).body();
-            }
             std::optional<Journal> journal;
             if (!file.empty()) {
                 journal.emplace(file, question, true);
             }
-            answer.points = sweepThrough(answer.range, body ? &*body : nullptr, directions,
+            answer.points = sweepThrough(answer.range, bars.get(), answer.bar, directions,
                                          journal ? &*journal : nullptr, threads,
                                          {.cancel = wires.cancel, .show = wires.progress});
             answer.isComplete = answer.points.size() ==
