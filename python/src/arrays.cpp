@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "faults.hpp"
-#include "numbers.hpp"
 #include "units.hpp"
 
 namespace signorini::python {

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
+#include "arrays.hpp"
 #include "engine_names.hpp"
 #include "faults.hpp"
 #include "names.hpp"
-#include "numbers.hpp"
 #include "scene.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/simulation.hpp"

@@ -43,7 +43,7 @@ py::object asPython(const T& value)
     if constexpr (std::is_base_of_v<py::handle, T>) {
         return value;
     } else if constexpr (std::is_enum_v<T>) {
-        return nameOf(value);
+        return py::str(std::string_view(name(value)));
     } else if constexpr (answers::isA<T, std::reference_wrapper>) {
         return asPython(value.get());
     } else if constexpr (answers::isA<T, std::optional>) {

@@ -1,7 +1,6 @@
 #include "calls.hpp"
 
-#include <cmath>
-
+#include "mapped.hpp"
 #include "motion.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/modes.hpp"
@@ -127,24 +126,16 @@ ModeOf mode(const Asked& asked)
 
 std::string familiesAsFigure(const std::vector<FamilyOf>& rows)
 {
-    std::vector<Family> families;
-    for (const FamilyOf& row : rows) {
-        families.push_back(row.value);
-    }
-    return asJson(familiesFigure(families, families.back().order, true));
+    return asJson(familiesFigure(mapped(rows, &FamilyOf::value), rows.back().value.order, true));
 }
 
 std::string polytopesAsFigure(const std::vector<answers::PolytopeOf>& rows, double top)
 {
-    std::vector<ModePolytope> polytopes;
-    for (const answers::PolytopeOf& row : rows) {
-        polytopes.push_back(row.value);
-    }
     FrequencyEnergyOptions drawing{.maxEnergyRatio = top};
     if (!rows.empty()) {
         drawing.bar = rows.front().bar;
     }
-    return asJson(polytopesFigure(polytopes, drawing));
+    return asJson(polytopesFigure(mapped(rows, &answers::PolytopeOf::value), drawing));
 }
 
 std::string planeAsFigure(std::int64_t maxOrder, double left, double right, double top)

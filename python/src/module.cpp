@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "arrays.hpp"
 #include "calls.hpp"
 #include "motion.hpp"
-#include "numbers.hpp"
 #include "options.hpp"
 #include "palette.hpp"
 #include "scene.hpp"

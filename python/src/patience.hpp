@@ -9,7 +9,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include <exception>
 #include <functional>
 #include <memory>
 #include <optional>

@@ -1,5 +1,8 @@
 #include "record.hpp"
 
+#include <new>
+
+#include "mapped.hpp"
 #include "signorini/config.hpp"
 
 namespace signorini::python {
@@ -65,11 +68,7 @@ std::size_t countOfFrames(std::int64_t most)
 
 std::vector<std::string> eachAsJson(const std::vector<FigureData>& figures)
 {
-    std::vector<std::string> texts;
-    for (const FigureData& figure : figures) {
-        texts.push_back(asJson(figure));
-    }
-    return texts;
+    return mapped(figures, plot::asJson);
 }
 
 ClassOfRecord::~ClassOfRecord()

@@ -188,12 +188,4 @@ private:
 
 using answers::Of;
 
-/// The name of an enumerator, as Python's text.
-template <typename Enum>
-[[nodiscard]] py::str nameOf(Enum value)
-{
-    const std::string_view text = name(value);
-    return {text.data(), text.size()};
-}
-
 }  // namespace signorini::python

@@ -3,13 +3,12 @@
 #include <pybind11/stl.h>
 
 #include <array>
-#include <cmath>
 
+#include "arrays.hpp"
 #include "asked.hpp"
 #include "contact_spans.hpp"
 #include "described.hpp"
 #include "faults.hpp"
-#include "numbers.hpp"
 #include "scene_answer.hpp"
 #include "scene_figures.hpp"
 

@@ -1,5 +1,6 @@
 #include "calls.hpp"
 
+#include "mapped.hpp"
 #include "scene_figures.hpp"
 #include "scene_simulation_answer.hpp"
 #include "signorini/figures.hpp"
@@ -84,11 +85,7 @@ void addSceneSimulation(py::module_& module)
         });
     }
     record->has("contact_number", "Which contact, from 1.", [](const SimulatedBars& s) {
-        py::list numbers;
-        for (const Push& push : s.more.pushes) {
-            numbers.append(push.contact + 1);
-        }
-        return numbers;
+        return mapped(s.more.pushes, [](const Push& push) { return push.contact + 1; });
     });
     record->drawsScene([](const SimulatedBars& s) { return s.bars.assembly; })
         .more()

@@ -1,8 +1,8 @@
 #include "calls.hpp"
 
-#include <cmath>
 #include <functional>
 
+#include "mapped.hpp"
 #include "simulation_answer.hpp"
 
 namespace signorini::python {
@@ -111,13 +111,7 @@ void addSimulated(py::module_& module)
          {"tip_displacement", &TipPoint::displacement, "displacement_unit",
           "u(L) at these instants [m].", "[g]; no copy."}});
     record->has("contact_stop", "[\"right\" or \"left\", ...], which stop was touched.",
-                [](const Simulated& s) {
-                    py::list stops;
-                    for (const ContactEvent& contact : s.more.contacts) {
-                        stops.append(nameOf(contact.stop));
-                    }
-                    return stops;
-                });
+                [](const Simulated& s) { return mapped(s.more.contacts, &ContactEvent::stop); });
     record->has("waves", "At the end: a Waves, from which another simulation can go on.",
                 [](const Simulated& s) {
                     return WavesOf{s.more.waves, s.scene.bar};

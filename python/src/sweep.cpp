@@ -2,7 +2,7 @@
 
 #include "excited_names.hpp"
 #include "journal.hpp"
-#include "network_sweep.hpp"
+#include "mapped.hpp"
 #include "share_work.hpp"
 #include "signorini/figures.hpp"
 #include "study_answer.hpp"
@@ -114,16 +114,11 @@ SweepAnswer sweep(const Asked& asked)
     const auto question = asked.get<std::string>("question");
     return patiently(
         [=](const Wires& wires) mutable {
-            std::optional<NetworkSweep> several;
-            std::optional<SweepBody> body;
-            if (bars) {
-                body = several.emplace(NetworkSweep{*bars, answer.bar, answer.range}).body();
-            }
             std::optional<Journal> journal;
             if (!file.empty()) {
                 journal.emplace(file, question, true);
             }
-            answer.points = sweepThrough(answer.range, body ? &*body : nullptr, directions,
+            answer.points = sweepThrough(answer.range, bars.get(), answer.bar, directions,
                                          journal ? &*journal : nullptr, threads,
                                          {.cancel = wires.cancel, .show = wires.progress});
             answer.isComplete = answer.points.size() ==
@@ -152,15 +147,11 @@ std::vector<StudyPoint> study(const Asked& asked)
                 const auto point = answers::studyAt(all[k], wires.cancel);
                 return point ? std::optional(answers::rowOf(*point)) : std::nullopt;
             };
-            std::vector<std::string> keys;
-            for (const StudyCase& one : all) {
-                keys.push_back(answers::keyOf(one));
-            }
             std::vector<StudyPoint> done;
             for (const std::string& text : tabulated({.file = file,
                                            .question = question,
                                            .header = answers::studyHeader(),
-                                           .keys = keys,
+                                           .keys = mapped(all, answers::keyOf),
                                            .resumes = true,
                                            .deal = byThreads(row, threads),
                                            .show = wires.progress})) {

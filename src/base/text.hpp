@@ -61,4 +61,14 @@ inline std::string onOneLine(std::string text)
     return text;
 }
 
+/// The text in double quotes, as gnuplot and JSON read it.
+inline std::string quoted(const std::string& words)
+{
+    std::string text = "\"";
+    for (const char c : words) {
+        text += c == '"' || c == '\\' ? fmt::format("\\{}", c) : std::string(1, c);
+    }
+    return text + "\"";
+}
+
 }  // namespace signorini

@@ -8,6 +8,7 @@
 #include "arguments.hpp"
 #include "faults.hpp"
 #include "given.hpp"
+#include "mapped.hpp"
 
 namespace signorini::cli {
 
@@ -29,16 +30,6 @@ OutputOption folderOf(const OutputOption& file)
         file.option == std::string_view("--motion") && file.path.ends_with(ending);
     return {file.option,
             isSeries ? file.path.substr(0, file.path.size() - ending.size()) + "_files" : ""};
-}
-
-std::vector<OutputOption> outputOptions(const Given& given,
-                                        std::initializer_list<const char*> options)
-{
-    std::vector<OutputOption> outputs;
-    for (const char* option : options) {
-        outputs.push_back({option, given.text(option)});
-    }
-    return outputs;
 }
 
 }  // namespace
@@ -107,7 +98,11 @@ Outputs::Outputs(const std::vector<OutputOption>& outputs, const std::vector<Out
 
 Outputs::Outputs(const Given& given, std::initializer_list<const char*> options,
                  const std::vector<OutputOption>& taken)
-    : Outputs(outputOptions(given, options), taken)
+    : Outputs(mapped(options,
+                     [&given](const char* option) {
+                         return OutputOption{option, given.text(option)};
+                     }),
+              taken)
 {
 }
 

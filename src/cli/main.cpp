@@ -16,6 +16,7 @@
 #include "given.hpp"
 #include "hints.hpp"
 #include "json.hpp"
+#include "mapped.hpp"
 #include "ranks.hpp"
 #include "signorini/config.hpp"
 #include "signorini/output.hpp"
@@ -211,11 +212,8 @@ int run(const std::vector<std::string>& words)
         std::find_if(commands.begin(), commands.end(),
                      [&](const Command& command) { return command.usage.command == first; });
     if (called == commands.end()) {
-        std::vector<std::string> names;
-        names.reserve(commands.size());
-        for (const Command& command : commands) {
-            names.emplace_back(command.usage.command);
-        }
+        const auto names = mapped(
+            commands, [](const Command& command) { return std::string(command.usage.command); });
         const std::string given = words.empty() ? " is missing" : " = " + shortened(first);
         throw std::invalid_argument(fmt::format("command{}: allowed {}{}; see signorini --help",
                                                 given, fmt::join(names, "|"),

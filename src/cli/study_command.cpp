@@ -10,10 +10,11 @@
 #include "interrupt.hpp"
 #include "journal.hpp"
 #include "json.hpp"
+#include "mapped.hpp"
 #include "progress.hpp"
 #include "ranks.hpp"
+#include "scene_figures.hpp"
 #include "signorini/output.hpp"
-#include "study_figure.hpp"
 #include "study_file.hpp"
 #include "text.hpp"
 
@@ -77,16 +78,14 @@ StudyAnswer answerOf(const Given& given, const StudyQuestion& question, const De
 {
     const std::string csvFile = given.text("--csv");
     Progress progress(!given.has("--quiet"), "sweeps", given.text("--progress"));
-    RowTable table{.file = csvFile,
-                   .question = question.text,
-                   .header = answers::studyHeader(),
-                   .keys = {},
-                   .resumes = given.has("--resume"),
-                   .deal = deal,
-                   .show = [&progress](double done, double total) { progress.show(done, total); }};
-    for (const answers::StudyCase& one : question.cases) {
-        table.keys.push_back(answers::keyOf(one));
-    }
+    const RowTable table{
+        .file = csvFile,
+        .question = question.text,
+        .header = answers::studyHeader(),
+        .keys = mapped(question.cases, answers::keyOf),
+        .resumes = given.has("--resume"),
+        .deal = deal,
+        .show = [&progress](double done, double total) { progress.show(done, total); }};
     StudyAnswer answer;
     answer.place = question.cases.front().sweep.range.place;
     answer.derivative = question.cases.front().sweep.range.derivative;

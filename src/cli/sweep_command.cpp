@@ -3,7 +3,6 @@
 #include "commands.hpp"
 #include "excited_names.hpp"
 #include "journal.hpp"
-#include "network_sweep.hpp"
 #include "progress.hpp"
 #include "reports.hpp"
 #include "scene_options.hpp"
@@ -174,12 +173,6 @@ void SweepCommand::write(const SweepAnswer& answer, const Network* network, Outp
 
 ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
 {
-    const Bar& bar = answer.bar;
-    std::optional<NetworkSweep> several;
-    std::optional<SweepBody> body;
-    if (network != nullptr) {
-        body = several.emplace(NetworkSweep{*network, bar, answer.range}).body();
-    }
     std::vector<SweepDirection> directions;
     if (given.has("--up") || !given.has("--down")) {
         directions.push_back(SweepDirection::up);
@@ -199,7 +192,7 @@ ExitStatus SweepCommand::run(SweepAnswer answer, const Network* network) const
         if (given.has("--csv")) {
             journal.emplace(given.text("--csv"), questionOf(answer), given.has("--resume"));
         }
-        answer.points = sweepThrough(answer.range, body ? &*body : nullptr, directions,
+        answer.points = sweepThrough(answer.range, network, answer.bar, directions,
                                      journal ? &*journal : nullptr, common.threads,
                                      {.cancel = cancel, .show = show});
     });

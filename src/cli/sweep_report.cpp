@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include "mapped.hpp"
 #include "printing.hpp"
 
 namespace signorini::cli {
@@ -106,12 +107,11 @@ void addHysteresis(const SweepAnswer& answer, Text& text)
         both[point.value].push_back(&point);
         largest = std::max(largest, point.meanImpulse);
     }
-    std::vector<bool> differs;
-    differs.reserve(both.size());
-    for (const auto& [value, points] : both) {
-        differs.push_back(points.size() == 2 && std::abs(points[0]->meanImpulse -
-                                                         points[1]->meanImpulse) > part * largest);
-    }
+    const auto differs = mapped(both, [largest](const auto& at) {
+        const auto& points = at.second;
+        return points.size() == 2 &&
+               std::abs(points[0]->meanImpulse - points[1]->meanImpulse) > part * largest;
+    });
     if (std::find(differs.begin(), differs.end(), true) != differs.end()) {
         print(text, "hysteresis  {}: impulses up and down differ\n", bandsOf(answer, differs));
     }

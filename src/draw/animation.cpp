@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "axes.hpp"
+#include "mapped.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/motion.hpp"
 
@@ -221,11 +222,7 @@ public:
 
     [[nodiscard]] std::vector<FigureData> all() const
     {
-        std::vector<FigureData> frames;
-        for (const std::size_t k : members_) {
-            frames.push_back(frameOf(curve_.points[k]));
-        }
-        return frames;
+        return mapped(members_, [this](std::size_t k) { return frameOf(curve_.points[k]); });
     }
 
 private:

@@ -9,7 +9,6 @@
 #include "lambda_images.hpp"
 #include "signorini/figures.hpp"
 #include "signorini/motion.hpp"
-#include "wall_force.hpp"
 
 namespace signorini {
 

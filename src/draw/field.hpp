@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// u(x, t) of a motion as an image.
+/// u(x, t) of a motion as an image, and where in a period the wall presses.
 
 #include <cstdint>
 #include <vector>
@@ -17,5 +17,17 @@ namespace signorini {
 /// displacement of 1, in the units of the axes. O(nodes instants).
 [[nodiscard]] plot::Series fieldOf(const Motion& motion, double length, double time,
                                    double displacement, std::int64_t nodes, std::int64_t instants);
+
+/// `Motion::wallForce` of all steps. O(n).
+[[nodiscard]] std::vector<double> wallForces(const Motion& motion);
+
+/// Steps [from, to[ in which the wall presses.
+struct Pressed {
+    std::int64_t from;
+    std::int64_t to;
+};
+
+/// Where a force acts, in order: not where a schedule only allows it. O(n).
+[[nodiscard]] std::vector<Pressed> pressed(const std::vector<double>& force);
 
 }  // namespace signorini

@@ -6,19 +6,11 @@
 #include <optional>
 
 #include "signorini/figure_data.hpp"
+#include "text.hpp"
 
 namespace signorini::plot {
 
 namespace {
-
-std::string quoted(const std::string& words)
-{
-    std::string text = "\"";
-    for (const char c : words) {
-        text += c == '"' || c == '\\' ? fmt::format("\\{}", c) : std::string(1, c);
-    }
-    return text + "\"";
-}
 
 // In the order of the enumerators.
 constexpr std::array roleNames{"ink",    "strain", "velocity", "contact", "faint",

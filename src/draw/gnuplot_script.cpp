@@ -16,16 +16,6 @@ namespace {
 
 using namespace plot;
 
-/// A text of gnuplot in double quotes.
-std::string quoted(const std::string& words)
-{
-    std::string text = "\"";
-    for (const char c : words) {
-        text += c == '"' || c == '\\' ? fmt::format("\\{}", c) : std::string(1, c);
-    }
-    return text + "\"";
-}
-
 std::string dashOf(Dash dash)
 {
     constexpr std::array dashes{"", " dt (6,3)", " dt (2,3)", " dt (10,4)"};

@@ -14,7 +14,6 @@
 #include "signorini/motion.hpp"
 #include "stepped_bar.hpp"
 #include "text.hpp"
-#include "wall_force.hpp"
 
 namespace signorini {
 

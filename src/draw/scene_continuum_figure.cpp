@@ -9,6 +9,7 @@
 #include "curve_points.hpp"
 #include "lambda_images.hpp"
 #include "largest.hpp"
+#include "mapped.hpp"
 #include "network_field.hpp"
 #include "scene_figures.hpp"
 
@@ -215,11 +216,9 @@ private:
     [[nodiscard]] std::vector<double> placesOfContacts() const
     {
         const std::vector<double> nodes = placesOf(network_, length_);
-        std::vector<double> all;
-        for (const NetworkContact& contact : network_.contacts) {
-            all.push_back(nodes[contact.node] * metre_.factor);
-        }
-        return all;
+        return mapped(network_.contacts, [&](const NetworkContact& contact) {
+            return nodes[contact.node] * metre_.factor;
+        });
     }
 
     [[nodiscard]] FigureData frameOf(std::size_t k, double force, double reach)

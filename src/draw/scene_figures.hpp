@@ -1,12 +1,13 @@
 #pragma once
 /// \file
-/// Pictures of scenes and of what networks do.
+/// Pictures of scenes and of what networks do, and of studies.
 
 #include "bars_motion.hpp"
 #include "scene_continuum_answer.hpp"
 #include "scene_response_answer.hpp"
 #include "signorini/assembly.hpp"
 #include "signorini/figures.hpp"
+#include "study_answer.hpp"
 
 namespace signorini {
 
@@ -60,5 +61,10 @@ class NetworkSimulation;
 /// its force. \throws std::out_of_range.
 [[nodiscard]] FigureData harmonicFigure(const answers::SceneHarmonicAnswer& answer,
                                         std::size_t motion);
+
+/// The worst impulse of each sweep: a field for each amplitude and gap, a panel for each damping
+/// ratio; frequencies are written in the fields. In SI units.
+/// \throws std::invalid_argument if there is no point.
+[[nodiscard]] FigureData studyFigure(const answers::StudyAnswer& answer);
 
 }  // namespace signorini

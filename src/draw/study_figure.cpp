@@ -1,4 +1,4 @@
-#include "study_figure.hpp"
+#include "scene_figures.hpp"
 
 #include <fmt/format.h>
 

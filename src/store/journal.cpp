@@ -269,8 +269,8 @@ SweepStep sweepStepOf(const std::string& line)
 
 }  // namespace
 
-std::vector<SweepPoint> sweepThrough(const SweepRange& range, const SweepBody* body,
-                                     const std::vector<SweepDirection>& directions,
+std::vector<SweepPoint> sweepThrough(const SweepRange& range, const Network* several,
+                                     const Bar& bar, const std::vector<SweepDirection>& directions,
                                      Journal* journal, std::int64_t threads, SweepControl control)
 {
     if (journal != nullptr) {
@@ -282,8 +282,11 @@ std::vector<SweepPoint> sweepThrough(const SweepRange& range, const SweepBody* b
     control.share = [threads](std::size_t count, const auto& serve) {
         shareWork(count, threads, serve, {});
     };
-    return body != nullptr ? sweep(range, *body, directions, control)
-                           : sweep(range, directions, control);
+    if (several == nullptr) {
+        return sweep(range, directions, control);
+    }
+    const NetworkSweep of{*several, bar, range};
+    return sweep(range, of.body(), directions, control);
 }
 
 }  // namespace signorini

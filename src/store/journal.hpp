@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "network_sweep.hpp"
 #include "signorini/control.hpp"
 #include "signorini/sweep.hpp"
 
@@ -66,9 +67,10 @@ struct RowTable {
 /// stays. \throws as Journal and `deal`.
 [[nodiscard]] std::vector<std::string> tabulated(const RowTable& table);
 
-/// `sweep` with what a journal knows; `control.known` and `control.keep` are not read. `body` may
-/// be null: the bar of the range.
-[[nodiscard]] std::vector<SweepPoint> sweepThrough(const SweepRange& range, const SweepBody* body,
+/// `sweep` with what a journal knows, of the bar of the range, or of several, whose numbers are in
+/// units of `bar`; `control.known` and `control.keep` are not read. Without a file null.
+[[nodiscard]] std::vector<SweepPoint> sweepThrough(const SweepRange& range, const Network* several,
+                                                   const Bar& bar,
                                                    const std::vector<SweepDirection>& directions,
                                                    Journal* journal, std::int64_t threads,
                                                    SweepControl control);

@@ -1,6 +1,5 @@
 #include "bridge.hpp"
 
-#include <functional>
 #include <map>
 #include <new>
 #include <stdexcept>

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "reports.hpp"
-#include "text_of.hpp"
 #include "views.hpp"
 
 namespace signorini::web {
@@ -86,7 +85,9 @@ std::optional<Schedule> nearestSchedule(const ModePolytope& polytope, const Mode
     return best == all.end() ? std::nullopt : std::optional(*best);
 }
 
-answers::PolytopeList listingOf(const Request& request)
+}  // namespace
+
+answers::PolytopeList polygonsOf(const Request& request)
 {
     ModeBounds bounds;
     bounds.maxOrder = request.whole("order", 1, 25);
@@ -94,14 +95,12 @@ answers::PolytopeList listingOf(const Request& request)
     return {2, bounds, bar, findPolytopes(2, bounds)};
 }
 
-}  // namespace
-
 Reply showPolygons(const Request& request)
 {
     Reply reply;
     reply.json["polygons"] = Json::array();
     std::vector<double> samples;  // T, E/E_1, least and most first contact
-    for (const ModePolytope& polytope : listingOf(request).polytopes) {
+    for (const ModePolytope& polytope : polygonsOf(request).polytopes) {
         Json one = cli::jsonOf(answers::PolytopeOf{polytope, bar});
         one["lowest"] = polytope.lowest.value();
         one["highest"] = polytope.highest.value();
@@ -146,25 +145,11 @@ Reply showPolygon(const Request& request)
     return reply;
 }
 
-std::string polygonMotion(const Request& request)
+ModeMotion polygonMotion(const Request& request)
 {
     const double period = request.number("period", 0.0, 8.0);
     const ModePolytope polytope = polygonOf(request, period);
-    const ModeMotion motion(polytope, pointOf(request, polytope, period));
-    return textOf([&](const std::string& path) {
-        writeMotionCsv(path, MotionSamples(motion, bar, request.whole("cells", 2, mostCells)));
-    });
-}
-
-std::string polygonsJson(const Request& request)
-{
-    return cli::asLine(cli::wholeJsonOf(listingOf(request)));
-}
-
-std::string polygonsTable(const Request& request)
-{
-    return textOf(
-        [&](const std::string& path) { cli::writePolytopesCsv(path, listingOf(request)); });
+    return {polytope, pointOf(request, polytope, period)};
 }
 
 }  // namespace signorini::web

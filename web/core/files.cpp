@@ -1,6 +1,5 @@
 // Files to take away, written by the code of the command line.
 
-#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -29,6 +28,12 @@ bool isMember(const Request& of)
     return of.has("pause") && of.has("energy");
 }
 
+/// The curve of a schedule at the energy that is held.
+const Continuum& curveOf(const Request& of)
+{
+    return web::curveOf(of.schedule(), of.number("energy", 0.0, 1e12));
+}
+
 Member memberOf(const Request& of, const Continuum& curve)
 {
     return memberAt(curve,
@@ -40,10 +45,35 @@ Text stateOf(const State& state, const Bar& of = bar)
     return textOf([&](const Text& path) { writeStateCsv(path, state, of); });
 }
 
+/// The JSON of what answers a question.
+template <auto answerTo>
+Text json(const Request& of)
+{
+    return cli::asLine(cli::wholeJsonOf(answerTo(of)));
+}
+
+/// A table of it.
+template <auto write, auto answerTo>
+Text table(const Request& of)
+{
+    const auto& answer = answerTo(of);
+    return textOf([&](const Text& path) { write(path, answer); });
+}
+
+/// A motion on no grid, on so many cells.
+template <auto motionOf>
+Text motion(const Request& of)
+{
+    const ModeMotion one = motionOf(of);
+    return textOf([&](const Text& path) {
+        writeMotionCsv(path, MotionSamples(one, bar, of.whole("cells", 2, mostCells)));
+    });
+}
+
 Text scheduleJson(const Request& of)
 {
     if (isMember(of)) {
-        const Continuum& curve = curveOf(of.schedule(), of.number("energy", 0.0, 1e12));
+        const Continuum& curve = curveOf(of);
         return cli::asLine(cli::wholeJsonOf(answers::ContinuumAnswer{
             std::shared_ptr<const Continuum>(std::shared_ptr<void>(), &curve),
             memberOf(of, curve)}));
@@ -54,8 +84,7 @@ Text scheduleJson(const Request& of)
 Text scheduleState(const Request& of)
 {
     if (isMember(of)) {
-        return stateOf(
-            memberOf(of, curveOf(of.schedule(), of.number("energy", 0.0, 1e12))).point.state);
+        return stateOf(memberOf(of, curveOf(of)).point.state);
     }
     const PeriodicResult result = requireMotion(of);
     return stateOf(result.motion->state, result.scene.bar);
@@ -74,12 +103,9 @@ ModeMotion modeMotion(const Request& of)
     return {modeOf(of), of.number("period", 0.0, 4.0)};
 }
 
-Text modeMotionFile(const Request& of)
+answers::ModeAnswer modeAnswer(const Request& of)
 {
-    const ModeMotion motion = modeMotion(of);
-    return textOf([&](const Text& path) {
-        writeMotionCsv(path, MotionSamples(motion, bar, of.whole("cells", 2, mostCells)));
-    });
+    return {modeOf(of), bar, modeMotion(of)};
 }
 
 Text forcedState(const Request& of)
@@ -91,64 +117,56 @@ Text forcedState(const Request& of)
     return stateOf(answer.motions.back().value.state);
 }
 
-Text simulationFile(const Request& of, void (*write)(const Text&, const BarSimulation&, const Bar&))
+cli::SimulationAnswer simulationAnswer(const Request& of)
+{
+    return simulated(of).answer;
+}
+
+/// A table of all that happened.
+template <auto write>
+Text happened(const Request& of)
 {
     const Simulated result = simulated(of, true);
     return textOf([&](const Text& path) { write(path, result.simulation, bar); });
 }
 
-Text familiesFile(const Request& of)
+answers::FamilyList familiesOf(const Request& of)
 {
     const FamilyBounds bounds;
     answers::FamilyList list{of.whole("order", 1, 200), bounds.maxEnergyRatio, bar, {}, {}};
     list.families = findFamilies(list.maxOrder);
-    return textOf([&](const Text& path) { cli::writeFamiliesCsv(path, list); });
+    return list;
 }
 
-const std::map<Text, std::function<Text(const Request&)>>& files()
+const std::map<Text, Text (*)(const Request&)>& files()
 {
-    static const std::map<Text, std::function<Text(const Request&)>> table{
+    static const std::map<Text, Text (*)(const Request&)> all{
         {"schedule.json", scheduleJson},
         {"schedule.state", scheduleState},
         {"schedule.motion", scheduleMotion},
         {"schedule.continuum",
          [](const Request& of) {
-             const Continuum& curve = curveOf(of.schedule(), of.number("energy", 0.0, 1e12));
+             const Continuum& curve = curveOf(of);
              return textOf([&](const Text& path) { writeContinuumCsv(path, curve); });
          }},
-        {"mode.json",
-         [](const Request& of) {
-             return cli::asLine(
-                 cli::wholeJsonOf(answers::ModeAnswer{modeOf(of), bar, modeMotion(of)}));
-         }},
-        {"mode.motion", modeMotionFile},
-        {"polygon.motion", polygonMotion},
-        {"polygons.json", polygonsJson},
-        {"polygons.csv", polygonsTable},
-        {"forced.json",
-         [](const Request& of) { return cli::asLine(cli::wholeJsonOf(forcedAnswer(of))); }},
+        {"mode.json", json<modeAnswer>},
+        {"mode.motion", motion<modeMotion>},
+        {"polygon.motion", motion<polygonMotion>},
+        {"polygons.json", json<polygonsOf>},
+        {"polygons.csv", table<cli::writePolytopesCsv, polygonsOf>},
+        {"forced.json", json<forcedAnswer>},
         {"forced.state", forcedState},
-        {"simulation.json",
-         [](const Request& of) { return cli::asLine(cli::wholeJsonOf(simulated(of).answer)); }},
+        {"simulation.json", json<simulationAnswer>},
         {"simulation.start", startTable},
-        {"simulation.events",
-         [](const Request& of) { return simulationFile(of, cli::writeEvents); }},
-        {"simulation.tip", [](const Request& of) { return simulationFile(of, cli::writeTip); }},
-        {"response.json",
-         [](const Request& of) { return cli::asLine(cli::wholeJsonOf(responseOf(of))); }},
-        {"response.csv",
-         [](const Request& of) {
-             return textOf([&](const Text& path) { cli::writeResponseCsv(path, responseOf(of)); });
-         }},
-        {"sweep.json",
-         [](const Request& of) { return cli::asLine(cli::wholeJsonOf(sweepOf(of))); }},
-        {"sweep.csv",
-         [](const Request& of) {
-             return textOf([&](const Text& path) { cli::writeSweepCsv(path, sweepOf(of)); });
-         }},
-        {"families.csv", familiesFile},
+        {"simulation.events", happened<cli::writeEvents>},
+        {"simulation.tip", happened<cli::writeTip>},
+        {"response.json", json<responseOf>},
+        {"response.csv", table<cli::writeResponseCsv, responseOf>},
+        {"sweep.json", json<sweepOf>},
+        {"sweep.csv", table<cli::writeSweepCsv, sweepOf>},
+        {"families.csv", table<cli::writeFamiliesCsv, familiesOf>},
     };
-    return table;
+    return all;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // What exists: families, modes, schedules; and the response to an excitation.
 
 #include <algorithm>
-#include <cmath>
 
 #include "reports.hpp"
 #include "signorini/atlas.hpp"
@@ -70,26 +69,20 @@ struct KeptResponse {
     cli::ResponseAnswer answer;
 };
 
-KeptResponse& kept()
-{
-    static KeptResponse one;
-    return one;
-}
-
 /// The kept response if it answers this question, or a new one.
 KeptResponse& responseFor(const Request& request)
 {
+    static KeptResponse kept;
     const ResponseRange range = rangeOf(request);
     const bool wantsStability = request.isOn("stability");
     const std::string key =
         Json({range.cells, range.damping.ratio, name(range.place), range.amplitude,
               range.leastFrequencyRatio, range.mostFrequencyRatio, wantsStability})
             .dump();
-    if (kept().key != key) {
-        kept() = {
-            key, stepsOf(range), {range, bar, bar, request.number("amplitude", 0.0, 10.0), {}}};
+    if (kept.key != key) {
+        kept = {key, stepsOf(range), {range, bar, bar, request.number("amplitude", 0.0, 10.0), {}}};
     }
-    return kept();
+    return kept;
 }
 
 void addResponses(Reply& reply, const std::vector<FrequencyResponse>& responses, std::size_t first)

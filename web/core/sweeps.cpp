@@ -1,8 +1,5 @@
 // A sweep over the frequency of the excitation, value by value while one watches.
 
-#include <optional>
-
-#include "text_of.hpp"
 #include "views.hpp"
 
 namespace signorini::web {
@@ -21,15 +18,10 @@ struct KeptSweep {
     cli::SweepAnswer answer;
 };
 
-KeptSweep& keptSweep()
-{
-    static KeptSweep one;
-    return one;
-}
-
 /// The kept sweep if it answers this question, or a new one.
 KeptSweep& sweepFor(const Request& request)
 {
+    static KeptSweep kept;
     const ResponseRange of = rangeOf(request);
     const SweepRange range{.least = of.leastFrequencyRatio,
                            .most = of.mostFrequencyRatio,
@@ -43,18 +35,18 @@ KeptSweep& sweepFor(const Request& request)
     const std::string key = Json({range.least, range.most, range.points, range.periods, range.cells,
                                   name(range.place), range.amplitude, of.damping.ratio, isDown})
                                 .dump();
-    if (keptSweep().key != key) {
+    if (kept.key != key) {
         std::vector<double> values = valuesOf(range);
         if (isDown) {
             values = {values.rbegin(), values.rend()};
         }
-        keptSweep() = {key,
-                       isDown ? SweepDirection::down : SweepDirection::up,
-                       std::move(values),
-                       wavesAtRest(range.cells),
-                       {range, bar, bar, {}, false}};
+        kept = {key,
+                isDown ? SweepDirection::down : SweepDirection::up,
+                std::move(values),
+                wavesAtRest(range.cells),
+                {range, bar, bar, {}, false}};
     }
-    return keptSweep();
+    return kept;
 }
 
 }  // namespace

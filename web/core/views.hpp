@@ -73,10 +73,10 @@ void addState(Reply& reply, const State& state);
 /// u at the nodes, s on the cells, force and initial state of a motion without a grid.
 void addMode(Reply& reply, const ModeMotion& motion, std::int64_t cells);
 
-// Files of polygons, see files.cpp.
-[[nodiscard]] std::string polygonMotion(const Request& request);
-[[nodiscard]] std::string polygonsJson(const Request& request);
-[[nodiscard]] std::string polygonsTable(const Request& request);
+/// Of "chains", "period" and "split".
+[[nodiscard]] ModeMotion polygonMotion(const Request& request);
+/// All polygons up to "order".
+[[nodiscard]] answers::PolytopeList polygonsOf(const Request& request);
 
 /// The mode "contact", "turns". \throws std::invalid_argument if there is none.
 [[nodiscard]] Mode modeOf(const Request& request);

@@ -3,7 +3,7 @@
 import { asText, diverging, drawScale, palette, tones } from './colours';
 import type { Answer } from './core';
 import { shown } from './dom';
-import { fontOf, letters } from './plots';
+import { fontOf, letters, trace } from './plots';
 import { inUnit, unitOf } from './units';
 
 export interface Contact { kind: 'right stop' | 'left stop' | 'gap'; at: number; next: number | null; gap: number }
@@ -380,10 +380,7 @@ export class BarView {
       // The place of the node at rest.
       c.strokeStyle = faint;
       c.setLineDash([4, 4]);
-      c.beginPath();
-      c.moveTo(rest(at), top - 12);
-      c.lineTo(rest(at), top + thick + 12);
-      c.stroke();
+      trace(c, 'stroke', [rest(at), top - 12], [rest(at), top + thick + 12]);
       c.setLineDash([]);
     }
     if (isPressed) this.drawPush(c, face, y, kind === 'left stop' ? -1 : 1, Math.min(lit, 1), ink);
@@ -400,16 +397,8 @@ export class BarView {
     c.strokeStyle = ink;
     c.fillStyle = ink;
     c.lineWidth = 2;
-    c.beginPath();
-    c.moveTo(x - 2 * side, y);
-    c.lineTo(x - reach, y);
-    c.stroke();
-    c.beginPath();
-    c.moveTo(x - reach - 8 * side, y);
-    c.lineTo(x - reach, y - 5);
-    c.lineTo(x - reach, y + 5);
-    c.closePath();
-    c.fill();
+    trace(c, 'stroke', [x - 2 * side, y], [x - reach, y]);
+    trace(c, 'fill', [x - reach - 8 * side, y], [x - reach, y - 5], [x - reach, y + 5]);
     c.lineWidth = 1;
   }
 }

@@ -7,7 +7,7 @@ import { Latest, type Answer, type Library, type Motion, type Question } from '.
 import { byId, input } from './dom';
 import { Atlas, MapView, mostEnergy, type Pick, type ResponsePoint } from './map';
 import { headlineOf, showFacts } from './panels';
-import { Plot } from './plots';
+import { Plot, trace } from './plots';
 import { Polygons } from './polygons';
 import { Sweeps } from './sweeps';
 import { SurfaceView } from './surface';
@@ -168,10 +168,7 @@ export class Explorer {
       plot.ctx.setLineDash([6, 4]);
       for (const { kind, gap } of film.contacts) {
         const y = plot.valToPos(kind === 'left stop' ? -gap : gap, 'y', true);
-        plot.ctx.beginPath();
-        plot.ctx.moveTo(plot.bbox.left, y);
-        plot.ctx.lineTo(plot.bbox.left + plot.bbox.width, y);
-        plot.ctx.stroke();
+        trace(plot.ctx, 'stroke', [plot.bbox.left, y], [plot.bbox.left + plot.bbox.width, y]);
       }
       plot.ctx.setLineDash([]);
     });

@@ -3,7 +3,7 @@
 import type uPlot from 'uplot';
 import { asText, drawScale, palette, through, tones } from './colours';
 import type { Answer, Motion, Phases } from './core';
-import { at, fontOf, letters, Plot, type Axes } from './plots';
+import { at, fontOf, letters, Plot, trace, type Axes } from './plots';
 import type { Polygons, PolygonPick } from './polygons';
 import type { SweepPoint } from './sweeps';
 import { withUnit } from './units';
@@ -57,6 +57,9 @@ const dot = (c: CanvasRenderingContext2D, x: number, y: number, r: number): void
   c.arc(x, y, r, 0, 2 * Math.PI);
 };
 
+/** The next or the last one of a list, which goes round; the first where none is chosen. */
+const beside = <One>(list: One[], now: number, direction: number): One => list[now < 0 ? 0 : (now + direction + list.length) % list.length];
+
 export class MapView {
   readonly plot: Plot;
   atlas: Atlas | undefined;
@@ -80,16 +83,16 @@ export class MapView {
       from = [event.clientX, event.clientY];
       if (this.kind === 'contacts' && event.pointerType === 'mouse') plot.over.setPointerCapture(event.pointerId);
     });
+    const pick = (event: MouseEvent): void => {
+      const frame = plot.over.getBoundingClientRect();
+      this.pickAt(plot, event.clientX - frame.left, event.clientY - frame.top);
+    };
     // Among polygons the point itself is dragged.
     plot.over.addEventListener('pointermove', (event) => {
-      if (this.kind !== 'contacts' || event.buttons === 0 || !from) return;
-      const frame = plot.over.getBoundingClientRect();
-      this.pickAt(plot, event.clientX - frame.left, event.clientY - frame.top);
+      if (this.kind === 'contacts' && event.buttons !== 0 && from) pick(event);
     });
     plot.over.addEventListener('click', (event) => {
-      if (!from || Math.hypot(event.clientX - from[0], event.clientY - from[1]) > 5) return;
-      const frame = plot.over.getBoundingClientRect();
-      this.pickAt(plot, event.clientX - frame.left, event.clientY - frame.top);
+      if (from && Math.hypot(event.clientX - from[0], event.clientY - from[1]) <= 5) pick(event);
     });
     // The wheel scrolls the page, until one has clicked here, or with Ctrl.
     let isEntered = false;
@@ -173,8 +176,7 @@ export class MapView {
       const sorted = [...this.response].sort((a, b) => a.frequency - b.frequency || a.impulse - b.impulse);
       const now = sorted.findIndex((p) => motion.show === 'forced' && motion.phases[0][0] === p.contact &&
         motion.phases[0][0] + motion.phases[0][1] === p.steps && motion.which === p.which);
-      const next = now < 0 ? 0 : (now + direction + sorted.length) % sorted.length;
-      this.onPick({ kind: 'response', point: sorted[next] });
+      this.onPick({ kind: 'response', point: beside(sorted, now, direction) });
       return;
     }
     if (this.kind === 'contacts') return this.stepPolygon(motion, direction);
@@ -185,7 +187,7 @@ export class MapView {
       const period = motion.phases.reduce((n, p) => n + p[0] + p[1], 0) / motion.cells;
       now = sorted.findIndex((f) => Math.abs(f.period - period) < 1e-9);
     }
-    const family = sorted[now < 0 ? 0 : (now + direction + sorted.length) % sorted.length];
+    const family = beside(sorted, now, direction);
     this.onPick({ kind: 'family', family, energy: family.least });
   }
 
@@ -194,7 +196,7 @@ export class MapView {
     if (!polygons || polygons.all.length === 0) return;
     const sorted = [...polygons.all.keys()].sort((a, b) => polygons.all[a].lowest - polygons.all[b].lowest);
     const now = motion.show === 'polygon' ? sorted.indexOf(polygons.of(motion)) : -1;
-    const polygon = polygons.all[sorted[now < 0 ? 0 : (now + direction + sorted.length) % sorted.length]];
+    const polygon = polygons.all[beside(sorted, now, direction)];
     const period = Number((0.5 * (polygon.lowest + polygon.highest)).toPrecision(6));
     this.onPick({ kind: 'polygon', polygon, period, split: 0.5 });
   }
@@ -249,16 +251,8 @@ export class MapView {
     c.strokeStyle = palette.contact;
     c.fillStyle = palette.contact;
     c.lineWidth = 3 * devicePixelRatio;
-    c.beginPath();
-    c.moveTo(-r, 0);
-    c.lineTo(1.6 * r, 0);
-    c.stroke();
-    c.beginPath();
-    c.moveTo(2.6 * r, 0);
-    c.lineTo(1.2 * r, -r);
-    c.lineTo(1.2 * r, r);
-    c.closePath();
-    c.fill();
+    trace(c, 'stroke', [-r, 0], [1.6 * r, 0]);
+    trace(c, 'fill', [2.6 * r, 0], [1.2 * r, -r], [1.2 * r, r]);
     c.restore();
     const { left, width } = plot.bbox;
     c.font = fontOf(13 * devicePixelRatio);
@@ -283,10 +277,7 @@ export class MapView {
     c.lineWidth = devicePixelRatio;
     c.strokeStyle = tones().ink;
     for (const [dx, dy] of [[1, 0], [-1, 0], [0, 1], [0, -1]]) {
-      c.beginPath();
-      c.moveTo(x + dx * r * 1.2, y + dy * r * 1.2);
-      c.lineTo(x + dx * r * 1.9, y + dy * r * 1.9);
-      c.stroke();
+      trace(c, 'stroke', [x + dx * r * 1.2, y + dy * r * 1.2], [x + dx * r * 1.9, y + dy * r * 1.9]);
     }
   }
 
@@ -303,10 +294,7 @@ export class MapView {
       c.globalAlpha = 0.08 + 0.75 * weight * weight;
       c.strokeStyle = palette.strain;
       c.lineWidth = (0.6 + 2 * weight) * devicePixelRatio;
-      c.beginPath();
-      c.moveTo(x, y);
-      c.lineTo(x, top);
-      c.stroke();
+      trace(c, 'stroke', [x, y], [x, top]);
       if (family.order <= 12) {
         c.globalAlpha = 1;
         c.fillStyle = palette.strain;
@@ -321,14 +309,10 @@ export class MapView {
       const weight = Math.min(1, 3 / -mode.contact[1]);
       c.lineWidth = (0.7 + 1.5 * weight) * devicePixelRatio;
       c.globalAlpha = 0.35 + 0.65 * weight;
-      c.beginPath();
-      for (let j = 0; j < atlas.samples; ++j) {
+      trace(c, 'stroke', ...Array.from({ length: atlas.samples }, (_, j) => {
         const i = 2 * (k * atlas.samples + j);
-        const [x, y] = at(plot, 4 / atlas.curves[i], atlas.curves[i + 1]);
-        if (j === 0) c.moveTo(x, y);
-        else c.lineTo(x, y);
-      }
-      c.stroke();
+        return at(plot, 4 / atlas.curves[i], atlas.curves[i + 1]);
+      }));
     });
     c.globalAlpha = 1;
   }
@@ -423,18 +407,10 @@ export class MapView {
       const [x, low] = at(plot, frequency, least);
       const [, high] = at(plot, frequency, most);
       c.lineWidth = 2 * devicePixelRatio;
-      c.beginPath();
-      c.moveTo(x, low);
-      c.lineTo(x, high);
-      c.stroke();
+      trace(c, 'stroke', [x, low], [x, high]);
       const side = isDown ? -1 : 1;
       const y = isDown ? low : high;
-      c.beginPath();
-      c.moveTo(x, y - side * r);
-      c.lineTo(x - r, y + side * r);
-      c.lineTo(x + r, y + side * r);
-      c.closePath();
-      c.fill();
+      trace(c, 'fill', [x, y - side * r], [x - r, y + side * r], [x + r, y + side * r]);
     }
   }
 }

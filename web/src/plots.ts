@@ -28,6 +28,14 @@ export function at(plot: uPlot, x: number, y: number): [number, number] {
   return [plot.valToPos(x, 'x', true), plot.valToPos(y, 'y', true)];
 }
 
+/** A line through points, or what they are the corners of. */
+export function trace(c: CanvasRenderingContext2D, how: 'stroke' | 'fill', ...points: [number, number][]): void {
+  c.beginPath();
+  points.forEach(([x, y], k) => (k === 0 ? c.moveTo(x, y) : c.lineTo(x, y)));
+  if (how === 'fill') c.closePath();
+  c[how]();
+}
+
 export class Plot {
   private plot: uPlot | undefined;
   private look = '';  // of what `plot` was made: as long as it stays, values change in place

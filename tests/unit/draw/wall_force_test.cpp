@@ -1,4 +1,4 @@
-#include "wall_force.hpp"
+#include "field.hpp"
 
 #include <random>
 
