@@ -25,10 +25,10 @@ Scene sceneOf(const Stops& stops, std::span<const Segment> segments)
 }
 
 /// The phases in which a stop is pressed, from the start of one.
-std::vector<Phase> phasesOf(const std::vector<ContactSteps>& pressed)
+std::vector<Phase> phasesOf(const std::vector<ContactSpan>& pressed)
 {
     ContactRuns runs;
-    for (const ContactSteps& part : pressed) {
+    for (const ContactSpan& part : pressed) {
         part.closed == 0
             ? runs.rest(part.steps)
             : runs.press(contains(part.closed, 0) ? Stop::right : Stop::left, part.steps);
@@ -73,7 +73,7 @@ NetworkClaim claimOf(const Network& network, const State& state, const Schedule&
     }
     for (const ContactSpan& span : spansOf(schedule)) {
         if (span.steps > 0) {  // contact without end has no flight
-            claim.schedule.push_back({span.closed, span.steps});
+            claim.schedule.push_back(span);
         }
     }
     return claim;

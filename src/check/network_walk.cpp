@@ -16,7 +16,7 @@ void validate(const Network& network, const NetworkClaim& claim)
     validate(network);
     Faults faults;
     std::int64_t steps = 0;
-    for (const ContactSteps& part : claim.schedule) {
+    for (const ContactSpan& part : claim.schedule) {
         faults.requireWhole("steps", part.steps, std::int64_t{1} << 40);
         faults.throwIfAny();
         (void)clustersOf(network, part.closed);
@@ -94,7 +94,7 @@ NetworkResiduals walk(const Network& network, const NetworkClaim& claim, double 
     seen.tie = cells.untied();
     std::size_t step = 0;
     ContactSet before = claim.schedule.back().closed;
-    for (const ContactSteps& part : claim.schedule) {
+    for (const ContactSpan& part : claim.schedule) {
         for (std::size_t j = 0; j < network.contacts.size(); ++j) {
             if (contains(part.closed, j) && !contains(before, j)) {
                 seen.gap = std::max(seen.gap, std::abs(cells.distance(j)) / cells.length());

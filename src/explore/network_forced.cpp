@@ -87,9 +87,7 @@ NetworkClaim claimOf(std::span<const ContactSpan> schedule, const ForcedMotion& 
     NetworkClaim claim;
     claim.waves.assign(motion.state.a.begin(), motion.state.a.end());
     claim.displacements.assign(motion.state.b.begin(), motion.state.b.end());
-    for (const ContactSpan& span : schedule) {
-        claim.schedule.push_back({span.closed, span.steps});
-    }
+    claim.schedule.assign(schedule.begin(), schedule.end());
     StepDrive drive = driveOf(motion.excitation);
     claim.forces = std::move(drive.forces);
     claim.velocities = std::move(drive.velocities);
