@@ -247,13 +247,8 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
         const std::int64_t flight = given.steps - from.closed;
         ForcedMotion motion = drivenMotion({given.network.cells(), {{from.closed, flight}}, {}}, {},
                                            shapes, from.place);
-        const auto& [waves, displacements, pieces] = from.start;
-        motion.state.a = Eigen::Map<const Eigen::VectorXd>(waves.data(),
-                                                           static_cast<Eigen::Index>(waves.size()));
-        motion.state.b = Eigen::Map<const Eigen::VectorXd>(
-            displacements.data(), static_cast<Eigen::Index>(displacements.size()));
-        enterWalk(motion, given.network,
-                  claimOf(spansOf(from.contact, from.closed, given.steps), motion));
+        enterWalk(motion, given.network, spansOf(from.contact, from.closed, given.steps),
+                  from.start);
         return motion;
     };
     return contactResponses(given, walked, cancel);
