@@ -7,13 +7,6 @@
 
 namespace signorini {
 
-void NetworkSimulation::Sum::add(double term)
-{
-    const double sum = value + term;
-    lost += std::abs(value) >= std::abs(term) ? (value - sum) + term : (term - sum) + value;
-    value = sum;
-}
-
 const NetworkSimulation::Law& NetworkSimulation::lawOf(ContactSet closed)
 {
     for (const std::unique_ptr<Law>& law : laws_) {
@@ -32,11 +25,11 @@ double NetworkSimulation::displacement(std::size_t node) const
 
 double NetworkSimulation::impulse() const
 {
-    Sum sum = impulse_;
+    CompensatedSum sum = impulse_;
     for (const Touch& touch : touches_) {
         sum.add(touch.push * (now_ - touch.since));
     }
-    return sum.total();
+    return sum.value();
 }
 
 double NetworkSimulation::distance(std::size_t contact) const

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "compensated_sum.hpp"
 #include "infinity.hpp"
 #include "network.hpp"
 
@@ -203,12 +204,6 @@ private:
         double pushed = 0.0;
         NetworkContactEvent event = {};
     };
-    struct Sum {  ///< Neumaier
-        double value = 0.0;
-        double lost = 0.0;
-        void add(double term);
-        [[nodiscard]] double total() const { return value + lost; }
-    };
     using Law = NetworkLaw<double>;
     /// First and last node that change at an instant.
     struct Range {
@@ -271,10 +266,10 @@ private:
     std::int64_t events_ = 0;
     double startEnergy_ = 0.0;
     double startMomentum_ = 0.0;
-    Sum work_;
-    Sum dissipated_;
-    Sum given_;
-    Sum impulse_;
+    CompensatedSum work_;
+    CompensatedSum dissipated_;
+    CompensatedSum given_;
+    CompensatedSum impulse_;
     std::int64_t pressed_ = 0;
     double merged_ = 0.0;
     std::vector<NetworkContactEvent> done_;

@@ -103,18 +103,18 @@ void forEachPiece(const Channel& channel, double now, Visit visit)
 
 double NetworkSimulation::energy() const
 {
-    Sum sum;
+    CompensatedSum sum;
     for (const Channel& channel : channels_) {
         forEachPiece(channel, now_, [&](double duration, double value) {
             sum.add(channel.impedance * duration * value * value);
         });
     }
-    return sum.total();
+    return sum.value();
 }
 
 double NetworkSimulation::momentum() const
 {
-    Sum sum;
+    CompensatedSum sum;
     for (const Channel& channel : channels_) {
         if (channel.sign > 0.0) {  // not of springs
             forEachPiece(channel, now_, [&](double duration, double value) {
@@ -122,7 +122,7 @@ double NetworkSimulation::momentum() const
             });
         }
     }
-    return sum.total();
+    return sum.value();
 }
 
 std::size_t NetworkSimulation::fronts() const
@@ -137,8 +137,8 @@ std::size_t NetworkSimulation::fronts() const
 NetworkBalance NetworkSimulation::balance() const
 {
     NetworkBalance balance;
-    balance.work = work_.total();
-    balance.dissipated = dissipated_.total();
+    balance.work = work_.value();
+    balance.dissipated = dissipated_.value();
     for (const Node& node : nodes_) {
         balance.work += node.power * (now_ - node.since);
         balance.dissipated += node.loss * (now_ - node.since);
@@ -152,7 +152,7 @@ NetworkBalance NetworkSimulation::balance() const
 MomentumBalance NetworkSimulation::momentumBalance() const
 {
     MomentumBalance balance;
-    balance.given = given_.total();
+    balance.given = given_.value();
     for (const Node& node : nodes_) {
         balance.given += node.external * (now_ - node.since);
     }
