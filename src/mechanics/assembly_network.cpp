@@ -162,18 +162,8 @@ private:
             addShapeUnder(network_, bar, weights, support);
         }
         for (NetworkContact& contact : network_.contacts) {
-            const double here = network_.nodes[contact.node].rest;
-            switch (contact.kind) {
-                case ContactKind::stopRight:
-                    contact.gap -= here;
-                    break;
-                case ContactKind::stopLeft:
-                    contact.gap += here;
-                    break;
-                case ContactKind::gap:
-                    contact.gap += network_.nodes[contact.node + 1].rest - here;
-                    break;
-            }
+            contact.gap +=
+                openingOf(contact, [this](std::size_t node) { return network_.nodes[node].rest; });
         }
     }
 

@@ -40,16 +40,6 @@ struct HarmonicNetwork {
 /// \throws std::invalid_argument unless n is in 2..mostSteps, K in 1..n/2 and something is driven.
 void requireAsked(const HarmonicNetwork& given, std::int64_t mostSteps);
 
-/// What the distance of a contact grows by while nodes move by way(node): -u, u, or u_next - u.
-template <typename Way>
-[[nodiscard]] auto openingOf(const NetworkContact& contact, const Way& way)
-{
-    const auto here = way(contact.node);
-    return contact.kind == ContactKind::stopRight  ? -here
-           : contact.kind == ContactKind::stopLeft ? here
-                                                   : way(contact.node + 1) - here;
-}
-
 /// One motion; t = 0 is where contact begins.
 struct NetworkHarmonicMotion {
     std::size_t contact = 0;                  ///< the one that closes

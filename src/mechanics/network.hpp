@@ -88,6 +88,16 @@ struct NetworkContact {
     friend bool operator==(const NetworkContact&, const NetworkContact&) = default;
 };
 
+/// What the distance of a contact grows by while nodes move by way(node): -u, u, or u_next - u.
+template <typename Way>
+[[nodiscard]] auto openingOf(const NetworkContact& contact, const Way& way)
+{
+    const auto here = way(contact.node);
+    return contact.kind == ContactKind::stopRight  ? -here
+           : contact.kind == ContactKind::stopLeft ? here
+                                                   : way(contact.node + 1) - here;
+}
+
 /// Nodes that are connected while all contacts are open.
 struct NetworkBar {
     std::size_t firstNode = 0;

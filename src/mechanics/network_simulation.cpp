@@ -55,17 +55,8 @@ double NetworkSimulation::freshVelocity(std::size_t node) const
 
 double NetworkSimulation::closingSpeed(std::size_t contact) const
 {
-    const NetworkContact& place = network_.contacts[contact];
-    const double here = freshVelocity(place.node);
-    switch (place.kind) {
-        case ContactKind::stopRight:
-            return here;
-        case ContactKind::stopLeft:
-            return -here;
-        case ContactKind::gap:
-            return here - freshVelocity(place.node + 1);
-    }
-    return 0.0;
+    return -openingOf(network_.contacts[contact],
+                      [this](std::size_t node) { return freshVelocity(node); });
 }
 
 void NetworkSimulation::advance(double duration)
@@ -272,12 +263,8 @@ void NetworkSimulation::predict(std::size_t contact)
     double& due = due_[channels_.size() + contact];
     due = infinity;
     if (!contains(closed_, contact)) {
-        const NetworkContact& place = network_.contacts[contact];
-        const double here = nodes_[place.node].velocity;
-        const double speed = place.kind == ContactKind::stopRight ? here
-                             : place.kind == ContactKind::stopLeft
-                                 ? -here
-                                 : here - nodes_[place.node + 1].velocity;
+        const double speed = -openingOf(network_.contacts[contact],
+                                        [this](std::size_t node) { return velocity(node); });
         const double left = distance(contact);
         touches_[contact].isNear = left <= close_[contact];
         touches_[contact].nearest = std::min(touches_[contact].nearest, left);
