@@ -182,6 +182,18 @@ private:
         }
         void push(const Front& front);
         void pop();
+        /// visit(duration, value), in the order of arrival.
+        void forEachPiece(double time, auto visit) const
+        {
+            double begin = time;
+            double value = now;
+            for (std::size_t k = 0; k < count; ++k) {
+                visit(at(k).time - begin, value);
+                begin = at(k).time;
+                value = at(k).value;
+            }
+            visit(time + delay - begin, value);
+        }
     };
     struct Node {
         double velocity = 0.0;

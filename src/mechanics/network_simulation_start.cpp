@@ -50,6 +50,15 @@ public:
     {
         return first_ + (isReversed_ ? size_ - 1 - order : order);
     }
+    /// Adds to the means of cells what arrives from one time to another.
+    void addMean(std::vector<double>& waves, double begin, double end, double value) const
+    {
+        for (auto order = static_cast<std::size_t>(begin);
+             order < size_ && static_cast<double>(order) < end; ++order) {
+            const auto from = static_cast<double>(order);
+            waves[at(order)] += (std::min(end, from + 1.0) - std::max(begin, from)) * value;
+        }
+    }
 
 private:
     std::size_t size_;
@@ -93,16 +102,32 @@ std::vector<double> meansOf(const Network& network, const NetworkStart& start)
         double begin = 0.0;
         for (const Piece& piece : start.pieces[k]) {
             const double end = begin + piece.duration;
-            for (auto order = static_cast<std::size_t>(begin);
-                 order < channel.size() && static_cast<double>(order) < end; ++order) {
-                const auto from = static_cast<double>(order);
-                waves[channel.at(order)] +=
-                    (std::min(end, from + 1.0) - std::max(begin, from)) * piece.value;
-            }
+            channel.addMean(waves, begin, end, piece.value);
             begin = end;
         }
     }
     return waves;
+}
+
+NetworkStart NetworkSimulation::state() const
+{
+    NetworkStart state{.waves = std::vector<double>(network_.waves(), 0.0), .displacements = {}};
+    for (std::size_t k = 0; k < channels_.size(); ++k) {
+        const ChannelWaves channel(network_, k);
+        double begin = 0.0;
+        std::vector<Piece>& pieces = state.pieces.emplace_back();
+        channels_[k].forEachPiece(now_, [&](double duration, double value) {
+            if (duration > 0.0) {
+                pieces.push_back({duration, value});
+            }
+            channel.addMean(state.waves, begin, begin + duration, value);
+            begin += duration;
+        });
+    }
+    for (std::size_t node = 0; node < nodes_.size(); ++node) {
+        state.displacements.push_back(displacement(node));
+    }
+    return state;
 }
 
 NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart& start,
