@@ -20,10 +20,7 @@ constexpr const char* allWords =
 
 [[noreturn]] void refuseWord(std::size_t number, std::string_view word, std::string_view allowed)
 {
-    Faults faults;
-    faults.add(fmt::format("scene, word {}", number), word.empty() ? "''" : word, allowed);
-    faults.throwIfAny();
-    throw std::logic_error("a fault was added");
+    throwFault(fmt::format("scene, word {}", number), word.empty() ? "''" : word, allowed);
 }
 
 /// A finite number in a unit.
@@ -259,11 +256,8 @@ private:
     }
     [[noreturn]] void throwScene(std::string_view allowed) const
     {
-        Faults faults;
         const std::string text = textOf(assembly_.parts);
-        faults.add("scene", text.empty() ? "''" : text, allowed);
-        faults.throwIfAny();
-        throw std::logic_error("a fault was added");
+        throwFault("scene", text.empty() ? "''" : text, allowed);
     }
 
     void checkValue(const AssemblyPart& part) const

@@ -132,12 +132,10 @@ private:
             for (const Stub& stub : network_.stubs) {
                 const double dashpot = network_.nodes[stub.node].dashpot;
                 if (stub.node == bar.firstNode && dashpot < stub.impedance) {
-                    Faults faults;
-                    faults.add("dash", dashpot,
+                    throwFault("dash", dashpot,
                                fmt::format("D >= K h/2 = {} behind a gap with a spring alone: with "
                                            "less its open face would ring",
                                            stub.impedance));
-                    faults.throwIfAny();
                 }
             }
         }

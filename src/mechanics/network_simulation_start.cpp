@@ -241,11 +241,9 @@ void NetworkSimulation::place(const std::vector<std::vector<Piece>>& pieces,
         if (const double size =
                 close_[j] + sameSize * std::abs(displacement(network_.contacts[j].node));
             distance(j) < -1000.0 * size) {
-            Faults faults;
-            faults.add(fmt::format("distance of contact {} at the start", j + 1),
+            throwFault(fmt::format("distance of contact {} at the start", j + 1),
                        distance(j) * network_.scales.displacement, ">= 0 [m]",
                        "bars do not overlap: start at rest, or from a state");
-            faults.throwIfAny();
         }
     }
     if (!drive_.forces.empty() || !drive_.velocities.empty()) {

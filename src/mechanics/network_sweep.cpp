@@ -34,11 +34,9 @@ HarmonicDrive harmonicDrive(const Network& network, Excited place, double amplit
     const double exact = 2.0 * std::numbers::pi / omega;
     const double steps = std::round(exact);
     if (!(steps >= 3.0 && steps <= static_cast<double>(maxExcitationSteps))) {
-        Faults faults;
-        faults.add("frequency", omega / (2.0 * std::numbers::pi) / network.scales.time,
+        throwFault("frequency", omega / (2.0 * std::numbers::pi) / network.scales.time,
                    fmt::format("periods of 3..{} steps of {:.6g} s [Hz]", maxExcitationSteps,
                                network.scales.time));
-        faults.throwIfAny();
     }
     const bool isWhole = std::abs(exact - steps) <= 1e-9 * exact;
     HarmonicDrive harmonic;

@@ -46,10 +46,8 @@ SegmentLines::SegmentLines(const SteppedBar& bar, const Waves& start, double mer
     : joints_(bar.joints), crossing_(start.crossing)
 {
     if (crossing_ != static_cast<double>(bar.cells)) {
-        Faults faults;
-        faults.add("crossing of the start", crossing_,
+        throwFault("crossing of the start", crossing_,
                    fmt::format("{}, the cells of all segments", bar.cells));
-        faults.throwIfAny();
     }
     for (const Segment& segment : bar.segments) {
         lines_.push_back(

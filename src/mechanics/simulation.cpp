@@ -159,12 +159,10 @@ BarSimulation::BarSimulation(const Waves& start, const Damping& damping, Excitat
     const double roomBehind = way_ / crossing_ - room;
     const double same = atWall * reachOf(start, excitation_, stops_);
     if (room < -same || roomBehind < -same) {
-        Faults faults;
-        faults.add("start: u(L)/g", stops_.right - room,
+        throwFault("start: u(L)/g", stops_.right - room,
                    room < 0.0 ? fmt::format("at most {}, the wall", stops_.right)
                               : fmt::format("at least {}, the second stop",
                                             stops_.right - way_ / crossing_));
-        faults.throwIfAny();
     }
     if (room <= same) {
         hold(Stop::right, 0.0);
@@ -395,9 +393,7 @@ void BarSimulation::send(double q, double lasts)
 void BarSimulation::advance(double duration)
 {
     if (!(duration >= 0.0 && std::isfinite(duration))) {
-        Faults faults;
-        faults.add("duration", duration, "finite and >= 0");
-        faults.throwIfAny();
+        throwFault("duration", duration, "finite and >= 0");
     }
     owed_ += duration;
     while (owed_ > same_) {

@@ -235,11 +235,9 @@ bool isAtRest(const Network& network, ContactSet closed, const Balance& balance)
 
 Rest restOf(const Network& network)
 {
-    Faults faults;
     if (network.contacts.size() > mostRestContacts) {
-        faults.add("contacts of a scene at rest", network.contacts.size(),
+        throwFault("contacts of a scene at rest", network.contacts.size(),
                    fmt::format("at most {}", mostRestContacts), "start it with --velocity");
-        faults.throwIfAny();
     }
     for (ContactSet closed = 0; closed < ContactSet{1} << network.contacts.size(); ++closed) {
         const auto balance = balanceOf(network, closed);
@@ -266,10 +264,8 @@ Rest restOf(const Network& network)
         rest.closed = closed;
         return rest;
     }
-    faults.add("constant forces", "those of the scene", "what contacts can hold at rest",
+    throwFault("constant forces", "those of the scene", "what contacts can hold at rest",
                "start it with --velocity");
-    faults.throwIfAny();
-    throw std::logic_error("a fault was added");
 }
 
 }  // namespace signorini

@@ -125,9 +125,7 @@ SteppedBar steppedBar(std::span<const Segment> segments)
 void requireCells(const SteppedBar& bar, std::int64_t cells)
 {
     if (bar.cells != cells) {
-        Faults faults;
-        faults.add("cells of all segments", bar.cells, fmt::format("{}, N", cells));
-        faults.throwIfAny();
+        throwFault("cells of all segments", bar.cells, fmt::format("{}, N", cells));
     }
 }
 
