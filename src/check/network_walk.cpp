@@ -5,6 +5,7 @@
 
 #include "faults.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "network_cells.hpp"
 
 namespace signorini {
@@ -70,17 +71,14 @@ double strainExcess(const Network& network, const NetworkClaim& claim, const Net
     if (network.strainLimit == infinity) {
         return 0.0;
     }
-    double size = 0.0;
-    for (const double wave : claim.waves) {
-        size = std::max(size, std::abs(wave));
-    }
     double slowest = infinity;
     for (const CellRow& row : network.rows) {
         slowest = std::min(slowest, row.speed);
     }
     const double half = 0.5 * std::abs(network.gravity);
     const double beyond = -seen.leastStrain - half / slowest - network.strainLimit;
-    return std::max(0.0, beyond / std::max(network.strainLimit, size / slowest));
+    return std::max(0.0,
+                    beyond / std::max(network.strainLimit, largestSizeOf(claim.waves) / slowest));
 }
 
 NetworkResiduals walk(const Network& network, const NetworkClaim& claim, double tolerance)

@@ -3,6 +3,7 @@
 
 #include "faults.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "network_simulation.hpp"
 
 namespace signorini {
@@ -171,27 +172,16 @@ NetworkSimulation::NetworkSimulation(const Network& network, const NetworkStart&
 
 void NetworkSimulation::setScale(const std::vector<std::vector<Piece>>& pieces)
 {
-    double speed = 0.0;
-    for (const std::vector<Piece>& channel : pieces) {
-        for (const Piece& piece : channel) {
-            speed = std::max(speed, std::abs(piece.value));
-        }
-    }
     double least = infinity;
     double most = 0.0;
     for (std::size_t k = 0; k < channels_.size(); ++k) {
         least = std::min(least, network_.impedanceOf(k));
         most = std::max(most, network_.impedanceOf(k));
     }
-    for (const NetworkNode& node : network_.nodes) {
-        speed = std::max(speed, std::abs(node.force) / least);
-    }
-    for (const double force : drive_.forces) {
-        speed = std::max(speed, std::abs(force) / least);
-    }
-    for (const double velocity : drive_.velocities) {
-        speed = std::max(speed, std::abs(velocity));
-    }
+    const double speed = std::max(
+        {largestOf(pieces, [](const auto& wave) { return largestSizeOf(wave, &Piece::value); }),
+         largestSizeOf(network_.nodes, &NetworkNode::force) / least,
+         largestSizeOf(drive_.forces) / least, largestSizeOf(drive_.velocities)});
     same_ = sameSize * static_cast<double>(network_.cells());
     together_ = fewRoundings * static_cast<double>(network_.cells());
     slow_ = sameSize * speed;

@@ -7,6 +7,7 @@
 #include "excited_amplitude.hpp"
 #include "excited_names.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "network_watched.hpp"
 #include "sweep_point.hpp"
 
@@ -140,16 +141,9 @@ public:
 private:
     [[nodiscard]] double mergeBelow(const Waves& waves) const
     {
-        double size = 0.0;
-        for (const Piece& piece : waves.a) {
-            size = std::max(size, std::abs(piece.value));
-        }
-        for (const auto* values : {&drive_.drive.forces, &drive_.drive.velocities}) {
-            for (const double one : *values) {
-                size = std::max(size, std::abs(one));
-            }
-        }
-        return 1e-11 * size;
+        return 1e-11 *
+               std::max({largestSizeOf(waves.a, &Piece::value), largestSizeOf(drive_.drive.forces),
+                         largestSizeOf(drive_.drive.velocities)});
     }
 
     /// A period, resolution by resolution. \return what all contacts pushed in it.

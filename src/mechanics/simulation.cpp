@@ -7,6 +7,7 @@
 #include "compensated_sum.hpp"
 #include "faults.hpp"
 #include "infinity.hpp"
+#include "largest.hpp"
 #include "segment_lines.hpp"
 
 namespace signorini {
@@ -48,12 +49,8 @@ void requireWaves(const Waves& waves)
 /// The largest wave at the start, or that the excitation sends [g/L].
 double largestWave(const Waves& start, const Excitation& excitation)
 {
-    double most = 0.0;
-    for (const auto* wave : {&start.a, &start.b}) {
-        for (const Piece& piece : *wave) {
-            most = std::max(most, std::abs(piece.value));
-        }
-    }
+    double most =
+        std::max(largestSizeOf(start.a, &Piece::value), largestSizeOf(start.b, &Piece::value));
     for (std::int64_t m = 0; m < excitation.steps(); ++m) {
         most =
             std::max({most, std::abs(excitation.force(m)), std::abs(excitation.baseVelocity(m))});
