@@ -13,17 +13,6 @@ namespace signorini {
 
 namespace {
 
-Scene sceneOf(const Stops& stops, std::span<const Segment> segments)
-{
-    Scene scene;
-    scene.bar.gap = stops.right;  // else L = 1
-    if (stops.left) {
-        scene.secondStop = stops.left->value();
-    }
-    scene.segments.assign(segments.begin(), segments.end());
-    return scene;
-}
-
 /// The phases in which a stop is pressed, from the start of one.
 std::vector<Phase> phasesOf(const std::vector<ContactSpan>& pressed)
 {
@@ -88,7 +77,8 @@ BarVerification verifyBar(const State& state, const Schedule& schedule,
         validate(schedule);
     }
     requireCells(state, schedule.cells);
-    const Network network = networkOf(sceneOf(schedule.stops, segments), schedule.cells, damping);
+    const Network network =
+        networkOf(schedule.stops, {segments.begin(), segments.end()}, schedule.cells, damping);
     const auto cells = static_cast<double>(schedule.cells);
     const bool isDriven = !excitation.values.empty();
     NetworkClaim claim = claimOf(network, state, schedule, excitation);

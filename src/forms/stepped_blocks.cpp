@@ -75,13 +75,8 @@ std::int64_t SteppedBlocks::stateSize() const
 SteppedBlocks blocksOf(const SteppedBar& bar, const Schedule& schedule, double tipFloor)
 {
     validate(schedule);
-    Scene scene;
-    scene.bar.gap = schedule.stops.right;
-    if (schedule.stops.left) {
-        scene.secondStop = schedule.stops.left->value();
-    }
-    scene.segments = bar.segments;
-    const NetworkBlocks folded(networkOf(scene, schedule.cells), spansOf(schedule));
+    const NetworkBlocks folded(networkOf(schedule.stops, bar.segments, schedule.cells),
+                               spansOf(schedule));
     SteppedBlocks result;
     result.bar = bar;
     result.schedule = schedule;

@@ -80,9 +80,7 @@ Motion::Motion(const State& state, const Schedule& schedule, std::span<const Seg
     for (const Segment& segment : bar.segments) {
         speed_.insert(speed_.end(), static_cast<std::size_t>(segment.cells), segment.speed);
     }
-    Scene scene;
-    scene.segments = bar.segments;
-    const Network network = networkOf(scene, cells_, damping);
+    const Network network = networkOf(Stops{}, bar.segments, cells_, damping);
     NetworkWaves<double> waves(network, wavesOf(network, state));
     const NetworkLaw<double> held(network, 1);
     const NetworkLaw<double> open(network, 0);

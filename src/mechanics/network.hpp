@@ -390,7 +390,7 @@ struct SceneReference {
                                 const Damping& damping = {});
 /// The same of a bar whose stops are all that is known of them: |g| = 1, or L = 1 without a gap.
 [[nodiscard]] Network networkOf(const Stops& stops, const std::vector<Segment>& segments,
-                                std::int64_t cells, const Damping& damping);
+                                std::int64_t cells, const Damping& damping = {});
 
 }  // namespace signorini
 
