@@ -98,6 +98,16 @@ template <typename Way>
                                                    : way(contact.node + 1) - here;
 }
 
+/// Visits the node of a stop, or both of a gap: visit(node, sign), sign times its displacement
+/// being what the distance grows by.
+void forEachSide(const NetworkContact& contact, const auto& visit)
+{
+    visit(contact.node, contact.kind == ContactKind::stopLeft ? 1 : -1);
+    if (contact.kind == ContactKind::gap) {
+        visit(contact.node + 1, 1);
+    }
+}
+
 /// Nodes that are connected while all contacts are open.
 struct NetworkBar {
     std::size_t firstNode = 0;

@@ -218,13 +218,10 @@ void NetworkSimulation::place(const std::vector<std::vector<Piece>>& pieces,
                         [this](std::size_t k) { return channels_[k].sign < 0.0; });
     }
     for (std::size_t j = 0; j < touches_.size(); ++j) {
-        const NetworkContact& contact = network_.contacts[j];
-        nodes_[contact.node].contacts.push_back(j);
-        nodes_[contact.node].path = options_.recordsPaths ? 1 : 0;
-        if (contact.kind == ContactKind::gap) {
-            nodes_[contact.node + 1].contacts.push_back(j);
-            nodes_[contact.node + 1].path = options_.recordsPaths ? 1 : 0;
-        }
+        forEachSide(network_.contacts[j], [&](std::size_t node, int) {
+            nodes_[node].contacts.push_back(j);
+            nodes_[node].path = options_.recordsPaths ? 1 : 0;
+        });
     }
     for (std::size_t j = 0; j < touches_.size(); ++j) {
         close_.push_back(slow_ + sameSize * std::abs(network_.contacts[j].gap));

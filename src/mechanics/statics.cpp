@@ -97,6 +97,8 @@ void addShapeUnder(Network& network, std::size_t bar, std::span<const double> fo
     }
 }
 
+namespace {
+
 double complianceAt(const Network& network, std::size_t node)
 {
     const std::vector<double> ground = groundOf(network);
@@ -116,6 +118,15 @@ double complianceAt(const Network& network, std::size_t node)
     return 1.0 / (fromLeft + fromRight + ground[node]);
 }
 
+}  // namespace
+
+double complianceOf(const Network& network, const NetworkContact& contact)
+{
+    double sum = 0.0;
+    forEachSide(contact, [&](std::size_t node, int) { sum += complianceAt(network, node); });
+    return sum;
+}
+
 namespace {
 
 /// Displacements and pushes where certain contacts are closed; empty if they do not follow.
@@ -129,11 +140,9 @@ Eigen::VectorXd directionOf(const Network& network, const NetworkContact& contac
 {
     Eigen::VectorXd direction =
         Eigen::VectorXd::Zero(static_cast<Eigen::Index>(network.nodes.size()));
-    const auto node = static_cast<Eigen::Index>(contact.node);
-    direction[node] = contact.kind == ContactKind::stopLeft ? -1.0 : 1.0;
-    if (contact.kind == ContactKind::gap) {
-        direction[node + 1] = -1.0;
-    }
+    forEachSide(contact, [&direction](std::size_t node, int sign) {
+        direction[static_cast<Eigen::Index>(node)] = -sign;
+    });
     return direction;
 }
 
