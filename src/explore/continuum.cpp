@@ -4,7 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "continuum_cone.hpp"
 #include "continuum_geometric.hpp"
 #include "continuum_programs.hpp"
 #include "continuum_record.hpp"

@@ -10,7 +10,6 @@
 #include "energy_bound.hpp"
 #include "energy_section.hpp"
 #include "network_route.hpp"
-#include "one_material.hpp"
 #include "stepped_bar.hpp"
 #include "stops.hpp"
 #include "tolerated.hpp"

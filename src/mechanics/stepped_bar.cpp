@@ -10,7 +10,6 @@
 #include "echo.hpp"
 #include "faults.hpp"
 #include "network.hpp"
-#include "one_material.hpp"
 #include "signorini/motion.hpp"
 #include "signorini/schedule.hpp"
 #include "signorini/simulation.hpp"

@@ -71,6 +71,10 @@ void requireCells(const SteppedBar& bar, std::int64_t cells);
 /// scene. \pre a valid scene.
 [[nodiscard]] Bar firstMaterial(const Scene& scene);
 
+/// The same, with Young's modulus only if it is that of all segments: where waves are as fast in
+/// all of them, they are of one material and of different cross-sections.
+[[nodiscard]] Bar unitsOfBar(const Scene& scene);
+
 /// Is a bar of these segments the uniform one: are all alike, without dashpots?
 [[nodiscard]] bool isUniform(std::span<const Segment> segments);
 
