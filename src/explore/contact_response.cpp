@@ -1,6 +1,7 @@
 #include "contact_response.hpp"
 
 #include <cmath>
+#include <functional>
 
 #include "contact_answers.hpp"
 #include "forced_case.hpp"
@@ -9,10 +10,21 @@
 #include "harmonic_motion.hpp"
 #include "network_find.hpp"
 #include "network_forced.hpp"
+#include "network_simulation.hpp"
 
 namespace signorini {
 
 namespace {
+
+/// What begins a motion: a contact that is closed in so many steps from the start.
+struct ContactStart {
+    std::size_t contact = 0;
+    std::int64_t closed = 0;
+    Plane place;         ///< (C, S)
+    NetworkStart start;  ///< waves and displacements, by the harmonic and the pushes
+};
+/// The motion of it, verified.
+using MotionFrom = std::function<ForcedMotion(const ContactStart&)>;
 
 /// One schedule by programs of its own.
 void addAlone(FrequencyResponse& response, const HarmonicNetwork& given, std::size_t contact,
@@ -194,20 +206,10 @@ std::optional<ContactResponse> scheduleByScheduleOf(const HarmonicNetwork& given
     return response;
 }
 
-}  // namespace
-
-std::vector<ContactSpan> spansOf(std::size_t contact, std::int64_t closed, std::int64_t steps)
-{
-    std::vector<ContactSpan> spans{{ContactSet{1} << contact, closed}};
-    if (closed < steps) {
-        spans.push_back({0, steps - closed});
-    }
-    return spans;
-}
-
-std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwork& given,
-                                                             const MotionFrom& motionFrom,
-                                                             const Cancel& cancel)
+/// By contact, with motions as they are made of what begins them.
+std::optional<std::vector<ContactResponse>> responsesWith(const HarmonicNetwork& given,
+                                                          const MotionFrom& motionFrom,
+                                                          const Cancel& cancel)
 {
     requireAsked(given, maxStaircaseSteps);
     StillNetwork shape;
@@ -238,6 +240,17 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
     return all;
 }
 
+}  // namespace
+
+std::vector<ContactSpan> spansOf(std::size_t contact, std::int64_t closed, std::int64_t steps)
+{
+    std::vector<ContactSpan> spans{{ContactSet{1} << contact, closed}};
+    if (closed < steps) {
+        spans.push_back({0, steps - closed});
+    }
+    return spans;
+}
+
 std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwork& given,
                                                              const Cancel& cancel)
 {
@@ -251,7 +264,50 @@ std::optional<std::vector<ContactResponse>> contactResponses(const HarmonicNetwo
                   from.start);
         return motion;
     };
-    return contactResponses(given, walked, cancel);
+    return responsesWith(given, walked, cancel);
+}
+
+std::optional<FrequencyResponse> steppedResponseAt(const ResponseRange& range, std::int64_t steps,
+                                                   const Cancel& cancel)
+{
+    const auto cells = static_cast<double>(range.cells);
+    const double unit = range.place == Excited::tip ? 1.0 : cells;  // in those of the network
+    const HarmonicNetwork given{networkOf(range.stops, range.segments, range.cells, range.damping),
+                                range.place, unit * range.amplitude, steps, range.cycles};
+    const std::vector<Excitation> shapes =
+        shapesOf({range.place, range.cycles, {}}, range.cells, steps);
+    const MotionFrom motionFrom = [&](const ContactStart& from) {
+        const Schedule schedule{
+            range.cells,
+            {{from.closed, steps - from.closed, from.contact == 0 ? Stop::right : Stop::left}},
+            range.stops};
+        ForcedMotion motion =
+            drivenMotion(schedule, range.damping, shapes, (1.0 / unit) * from.place);
+        enterState(motion, range.segments, stateOf(given.network, from.start.waves));
+        return motion;
+    };
+    const auto contacts = responsesWith(given, motionFrom, cancel);
+    if (!contacts) {
+        return std::nullopt;
+    }
+    FrequencyResponse all;
+    all.steps = steps;
+    all.frequencyRatio =
+        4.0 * cells * static_cast<double>(range.cycles) / static_cast<double>(steps);
+    all.linearPeak = contacts->front().found.linearPeak / cells;
+    for (const auto& [found, permanent, leastPush, distance] : *contacts) {
+        all.touches = all.touches || found.touches;
+        all.detail = all.undecided == 0 ? found.detail : all.detail;
+        all.undecided += found.undecided;
+        all.motions.insert(all.motions.end(), found.motions.begin(), found.motions.end());
+        for (const AmplitudeBranch& branch : found.branches) {
+            all.branches.push_back({branch.contact, branch.least / unit, branch.most / unit});
+        }
+        if (permanent) {
+            all.permanent = {leastPush, permanent->extremes, permanent->residual};
+        }
+    }
+    return all;
 }
 
 }  // namespace signorini

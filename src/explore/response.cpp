@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_response.hpp"
 #include "excited_amplitude.hpp"
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "portable.hpp"
 #include "stepped_bar.hpp"
-#include "stepped_response.hpp"
 #include "two_contacts.hpp"
 
 namespace signorini {
