@@ -5,7 +5,6 @@
 
 #include "contact_spans.hpp"
 #include "echo.hpp"
-#include "faults.hpp"
 #include "infinity.hpp"
 #include "marcher.hpp"
 

@@ -5,7 +5,6 @@
 /// programs, matrices or who found the state.
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "contact_spans.hpp"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "energy_floor.hpp"
 #include "faults.hpp"
 #include "forced_case.hpp"
 #include "forced_cut.hpp"

@@ -1,7 +1,6 @@
 #include "network_simulation.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "infinity.hpp"
 

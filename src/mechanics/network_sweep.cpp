@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "excited_amplitude.hpp"
-#include "excited_names.hpp"
 #include "infinity.hpp"
 #include "largest.hpp"
 #include "network_watched.hpp"

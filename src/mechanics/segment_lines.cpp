@@ -1,7 +1,6 @@
 #include "segment_lines.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "faults.hpp"

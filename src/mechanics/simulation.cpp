@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "compensated_sum.hpp"
 #include "faults.hpp"
