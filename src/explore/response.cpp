@@ -113,7 +113,9 @@ void addMotions(FrequencyResponse& response, const ResponseRange& range, const S
         motions = motionsOfAmplitude(set, range.amplitude);
     } else {
         addBranches(response, contact, line);
-        motions = motionsOnLine({schedule, range.damping, shapes, waves}, line, range.amplitude);
+        motions = motionsOnLine(line, range.amplitude, [&](double t) {
+            return forcedMotion({schedule, range.damping, shapes, waves}, line.at(t));
+        });
     }
     addBelievable(response, std::move(motions));
 }
