@@ -69,8 +69,7 @@ AssemblyPart cellsOf(std::size_t number, std::string_view word)
     bool isGood = part.cells > 0;
     for (double* value : {&part.impedance, &part.speed}) {
         if (!rest.empty()) {
-            isGood = readNumber(take(), "-", *value) && *value >= 1.0 / mostImpedance &&
-                     *value <= mostImpedance && isGood;
+            isGood = readNumber(take(), "-", *value) && isImpedance(*value) && isGood;
         }
     }
     if (!isGood || !rest.empty() || endsWithColon) {
@@ -262,16 +261,14 @@ private:
 
     void checkValue(const AssemblyPart& part) const
     {
-        const auto isWithin = [](double value) {
-            return value >= 1.0 / mostImpedance && value <= mostImpedance;
-        };
         const bool isPositive = part.kind == PartKind::dash || part.kind == PartKind::spring ||
                                 part.kind == PartKind::mass;
         if (!std::isfinite(part.value) || (isPositive && !(part.value > 0.0))) {
             refuse(number_, isPositive ? "finite and > 0" : "finite");
         }
-        if (part.kind == PartKind::cells && (part.cells < 1 || part.cells > maxCells ||
-                                             !isWithin(part.impedance) || !isWithin(part.speed))) {
+        if (part.kind == PartKind::cells &&
+            (part.cells < 1 || part.cells > maxCells || !isImpedance(part.impedance) ||
+             !isImpedance(part.speed))) {
             refuse(number_, fmt::format("1..{} cells, impedance and speed in {}..{}", maxCells,
                                         1.0 / mostImpedance, mostImpedance));
         }

@@ -68,11 +68,6 @@ int Network::sign(std::size_t channel) const
 
 namespace {
 
-bool isImpedance(double value)
-{
-    return value >= 1.0 / mostImpedance && value <= mostImpedance;
-}
-
 void checkNumbers(const Network& network, Faults& faults)
 {
     if (!(network.strainLimit > 0.0)) {

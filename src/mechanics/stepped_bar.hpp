@@ -59,6 +59,12 @@ struct SteppedBar {
 /// Widest range of impedances and dashpots, relative to the first segment.
 inline constexpr double mostImpedance = 1e9;
 
+/// 1/mostImpedance..mostImpedance, for speeds, too.
+[[nodiscard]] constexpr bool isImpedance(double value)
+{
+    return value >= 1.0 / mostImpedance && value <= mostImpedance;
+}
+
 /// \throws std::invalid_argument unless there are segments of at least one cell each, with
 /// impedances and speeds in 1/mostImpedance..mostImpedance, dashpots in 0..mostImpedance and none
 /// after the last segment, and no more than maxCells cells.
