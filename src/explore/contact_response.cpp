@@ -168,26 +168,6 @@ private:
     ContactResponse response_;
 };
 
-/// Adds the shape under constant forces to what moves about it.
-MotionFrom aboutShape(const Network& network, const StillNetwork& still,
-                      const MotionFrom& motionFrom)
-{
-    return [&network, &still, &motionFrom,
-            steady = stretchedWaves(network, still.displacements)](ContactStart from) {
-        auto wave = from.start.waves.begin();
-        for (std::size_t channel = 0; channel < steady.size(); ++channel) {
-            const std::int64_t length = lengthOf(network, channel);
-            for (std::int64_t cell = 0; cell < length; ++cell) {
-                *wave++ += steady[channel];
-            }
-        }
-        for (std::size_t node = 0; node < still.displacements.size(); ++node) {
-            from.start.displacements[node] += still.displacements[node];
-        }
-        return motionFrom(from);
-    };
-}
-
 /// Where nothing damps some waves, or bars drift.
 std::optional<ContactResponse> scheduleByScheduleOf(const HarmonicNetwork& given,
                                                     std::size_t contact,
@@ -221,7 +201,10 @@ std::optional<std::vector<ContactResponse>> responsesWith(const HarmonicNetwork&
         still = given;
         still->network = shape.network;
         open.emplace(*still);
-        moved = aboutShape(given.network, shape, motionFrom);
+        moved = [&shape, &motionFrom](ContactStart from) {
+            shape.addShape(from.start);
+            return motionFrom(from);
+        };
     }
     std::vector<ContactResponse> all;
     for (std::size_t contact = 0; contact < given.network.contacts.size(); ++contact) {

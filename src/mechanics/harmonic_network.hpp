@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "network.hpp"
+#include "network_simulation.hpp"
 #include "signorini/simulation.hpp"
 
 namespace signorini {
@@ -59,15 +59,13 @@ struct NetworkHarmonicMotion {
     double residual = 0.0;
 };
 
-/// The waves of a network at rest whose nodes are displaced, one for each channel: rows and springs
-/// are stretched evenly.
-[[nodiscard]] std::vector<double> stretchedWaves(const Network& network,
-                                                 std::span<const double> displacements);
-
 /// A network that constant forces have displaced, and what moves on from there.
 struct StillNetwork {
     Network network;                    ///< without the forces, gaps under them
     std::vector<double> displacements;  ///< of the nodes, by the forces
+
+    /// Adds them, and the waves that go with them, to a state that moves about them. O(waves).
+    void addShape(NetworkStart& moved) const;
 };
 /// \throws std::invalid_argument if they pull at a bar that nothing holds.
 [[nodiscard]] StillNetwork underConstantForces(const Network& network);

@@ -5,6 +5,7 @@
 
 #include "faults.hpp"
 #include "infinity.hpp"
+#include "network_simulation.hpp"
 
 namespace signorini {
 
@@ -242,6 +243,20 @@ bool isAtRest(const Network& network, ContactSet closed, const Balance& balance)
 
 }  // namespace
 
+std::vector<double> stretchedWaves(const Network& network, std::span<const double> displacements)
+{
+    std::vector<double> waves;
+    for (const CellRow& row : network.rows) {
+        const double stretch =
+            (displacements[row.right] - displacements[row.left]) / static_cast<double>(row.cells);
+        waves.insert(waves.end(), {-0.5 * stretch, 0.5 * stretch});
+    }
+    for (const Stub& stub : network.stubs) {
+        waves.push_back(stub.kind == StubKind::spring ? -displacements[stub.node] : 0.0);
+    }
+    return waves;
+}
+
 Rest restOf(const Network& network)
 {
     if (network.contacts.size() > mostRestContacts) {
@@ -253,24 +268,15 @@ Rest restOf(const Network& network)
         if (!balance || !isAtRest(network, closed, *balance)) {
             continue;
         }
-        Rest rest{.waves = std::vector<double>(network.waves(), 0.0), .displacements = {}};
-        rest.displacements.assign(balance->displacements.begin(), balance->displacements.end());
-        for (std::size_t k = 0; k < network.rows.size(); ++k) {
-            const CellRow& row = network.rows[k];
-            const auto size = static_cast<std::size_t>(row.cells);
-            const std::size_t first = network.firstWave(k);
-            const double half = 0.5 *
-                                (rest.displacements[row.right] - rest.displacements[row.left]) /
-                                static_cast<double>(row.cells);
-            std::fill_n(rest.waves.begin() + static_cast<std::ptrdiff_t>(first), size, -half);
-            std::fill_n(rest.waves.begin() + static_cast<std::ptrdiff_t>(first + size), size, half);
+        Rest rest{.waves = {},
+                  .displacements = {balance->displacements.begin(), balance->displacements.end()},
+                  .closed = closed};
+        const std::vector<double> stretched = stretchedWaves(network, rest.displacements);
+        for (std::size_t channel = 0; channel < stretched.size(); ++channel) {
+            rest.waves.insert(rest.waves.end(),
+                              static_cast<std::size_t>(lengthOf(network, channel)),
+                              stretched[channel]);
         }
-        for (std::size_t k = 0; k < network.stubs.size(); ++k) {
-            const Stub& stub = network.stubs[k];
-            rest.waves[network.firstWave(network.rows.size()) + k] =
-                stub.kind == StubKind::spring ? -rest.displacements[stub.node] : 0.0;
-        }
-        rest.closed = closed;
         return rest;
     }
     throwFault("constant forces", "those of the scene", "what contacts can hold at rest",

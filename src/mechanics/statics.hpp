@@ -28,6 +28,11 @@ void addShapeUnder(Network& network, std::size_t bar, std::span<const double> fo
 /// drifts. O(nodes).
 [[nodiscard]] double complianceOf(const Network& network, const NetworkContact& contact);
 
+/// The waves of a network at rest whose nodes are displaced, one for each channel: rows and springs
+/// are stretched evenly.
+[[nodiscard]] std::vector<double> stretchedWaves(const Network& network,
+                                                 std::span<const double> displacements);
+
 /// The waves of a network at rest under its constant forces: contacts push or are open. A bar that
 /// drifts and that nothing presses stays at displacement 0.
 struct Rest {
